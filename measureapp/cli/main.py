@@ -1,0 +1,73 @@
+"""The application object of the command line, and the one place where errors become exit codes."""
+
+from __future__ import annotations
+
+import importlib
+import json
+import pkgutil
+import sys
+from collections.abc import Sequence
+
+import typer
+import typer.exceptions
+
+from measureapp import __version__
+from measureapp.cli.reply import say
+from measureapp.errors import DeviceError, MeasureError
+from measureapp.progress import Cancelled
+
+DONE, OUT_OF_TOLERANCE, BAD_INPUT, DEVICE_FAILED, CANCELLED = 0, 1, 2, 3, 130
+NOT_COMMANDS = ("main", "reply")
+
+
+def build() -> typer.Typer:
+    """Return the command line with every command group registered."""
+    app = typer.Typer(
+        name="measureapp",
+        help="Measure large curved parts with fringe projection. Lengths in mm, angles in degrees, exposures in µs.",
+        no_args_is_help=True,
+        add_completion=False,
+        pretty_exceptions_enable=False,
+        rich_markup_mode=None,
+    )
+
+    @app.callback(invoke_without_command=True)
+    def version(show: bool = typer.Option(False, "--version", help="Print the version and stop.")) -> None:
+        if show:
+            print(__version__)
+            raise typer.Exit(DONE)
+
+    for module in pkgutil.iter_modules(importlib.import_module("measureapp.cli").__path__):
+        if module.name not in NOT_COMMANDS:
+            importlib.import_module(f"measureapp.cli.{module.name}").register(app)
+    return app
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command and return its exit code; never lets a traceback out for bad input."""
+    arguments = list(sys.argv[1:] if argv is None else argv)
+    as_json = "--json" in arguments
+    try:
+        outcome = build()(args=arguments, prog_name="measureapp", standalone_mode=False)
+        return outcome if isinstance(outcome, int) else DONE
+    except typer.Exit as stop:
+        return stop.exit_code
+    except (Cancelled, KeyboardInterrupt, typer.exceptions.Abort):
+        return _refuse("Cancelled", "Cancelled.", "Nothing more was written.", as_json, CANCELLED)
+    except typer.exceptions.TyperException as error:
+        return _refuse("UsageError", error.format_message(), "See `measureapp --help`.", as_json, BAD_INPUT)
+    except DeviceError as error:
+        return _refuse(type(error).__name__, error.message, error.hint, as_json, DEVICE_FAILED)
+    except MeasureError as error:
+        return _refuse(type(error).__name__, error.message, error.hint, as_json, BAD_INPUT)
+    except OSError as error:
+        message = f"{error.filename or 'A file'}: {error.strerror or error}."
+        return _refuse("StorageError", message, "Check the path, the free space and the permissions.", as_json, BAD_INPUT)
+
+
+def _refuse(kind: str, message: str, hint: str, as_json: bool, code: int) -> int:
+    if as_json:
+        print(json.dumps({"error": {"type": kind, "message": message, "hint": hint}}))
+    else:
+        say(f"measureapp: {message} {hint}".rstrip())
+    return code

@@ -1,0 +1,1 @@
+"""The nouns the stages exchange: frozen, with read-only arrays, without algorithms."""

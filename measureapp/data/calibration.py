@@ -1,0 +1,146 @@
+"""What calibrations leave behind: immutable solutions of the rig's geometry with their standard deviations."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from measureapp.arrays import FloatArray, read_only
+from measureapp.data.fringe import AxisReadback
+from measureapp.errors import CalibrationError
+from measureapp.geometry.pinhole import PinholeCamera
+from measureapp.geometry.transform import RigidTransform, rotation_about
+
+
+@dataclass(frozen=True, slots=True)
+class Provenance:
+    """Where a calibration comes from."""
+
+    created: str = ""  # ISO 8601
+    method: str = ""
+    inputs: Mapping[str, str] = field(default_factory=dict)  # name -> checksum or serial number
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CameraCalibration:
+    """One camera: lens and place. `reference_from_camera` goes from this camera's frame (called by its name) to the reference's ("camera")."""
+
+    name: str
+    pinhole: PinholeCamera
+    reference_from_camera: RigidTransform
+    standard_deviations: Mapping[str, float] = field(default_factory=dict)
+    rms_px: float = 0.0
+    serial: str = ""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CameraArrayCalibration:
+    """All cameras of the head in the reference camera's frame `camera`."""
+
+    reference: str
+    cameras: Mapping[str, CameraCalibration]
+    pair_rms_px: Mapping[str, float] = field(default_factory=dict)  # "left-right" -> rms
+    provenance: Provenance = field(default_factory=Provenance)
+
+    def __post_init__(self) -> None:
+        if self.reference not in self.cameras:
+            raise CalibrationError(
+                f"The reference camera {self.reference!r} is not among the calibrated cameras.",
+                "Name one of: " + ", ".join(self.cameras) + ".",
+            )
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Camera names, the reference first."""
+        return (self.reference, *(name for name in self.cameras if name != self.reference))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RotationAxis:
+    """An axis of rotation: a point on it and its unit direction, right-handed for growing table angles."""
+
+    point_mm: FloatArray  # (3,)
+    direction: FloatArray  # (3,), unit
+    frame: str
+    point_sigma_mm: float = 0.0
+    direction_sigma_rad: float = 0.0
+    residual_mm: float = 0.0
+
+    def __post_init__(self) -> None:
+        direction = np.asarray(self.direction, float)
+        object.__setattr__(self, "point_mm", read_only(self.point_mm, np.float64, (3,)))
+        object.__setattr__(self, "direction", read_only(direction / np.linalg.norm(direction), np.float64, (3,)))
+
+    def turned(self, angle_rad: float) -> RigidTransform:
+        """Return the motion of the turning thing by ``angle_rad``: x' = R(x − c) + c, both in `frame`."""
+        rotation = rotation_about(self.direction, angle_rad)
+        return RigidTransform.from_parts(rotation, self.point_mm - rotation @ self.point_mm, self.frame, self.frame)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class HandEye:
+    """Where the reference camera sits on the flange."""
+
+    flange_from_camera: RigidTransform
+    rotation_sigma_rad: float = 0.0
+    translation_sigma_mm: float = 0.0
+    residual_mm: float = 0.0
+    residual_rad: float = 0.0
+    method: str = ""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LinearGuide:
+    """How the guide moves the robot: unit direction in the base frame and true millimetres per displayed millimetre."""
+
+    direction: FloatArray  # (3,), unit, in the base frame (whose axes the guide frame shares)
+    scale: float
+    direction_sigma_rad: float = 0.0
+    scale_sigma: float = 0.0
+    straightness_mm: float = 0.0
+
+    def __post_init__(self) -> None:
+        direction = np.asarray(self.direction, float)
+        object.__setattr__(self, "direction", read_only(direction / np.linalg.norm(direction), np.float64, (3,)))
+
+    def guide_from_base(self, position_mm: float) -> RigidTransform:
+        """Return where the robot's base stands when the slide shows ``position_mm``; the base at 0 is the guide frame."""
+        return RigidTransform.from_parts(np.eye(3), self.direction * self.scale * position_mm, "guide", "base")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RigCalibration:
+    """The whole rig. The part's frame has its z axis on the table's axis and turns with the table."""
+
+    cameras: CameraArrayCalibration
+    hand_eye: HandEye
+    guide: LinearGuide
+    axis: RotationAxis  # in the guide frame
+    provenance: Provenance = field(default_factory=Provenance)
+
+    def __post_init__(self) -> None:
+        if self.axis.frame != "guide":
+            raise CalibrationError(
+                f"The rotation axis is given in frame {self.axis.frame!r}, not in the guide frame.", "Carry it through the chain first."
+            )
+
+    def guide_from_camera(self, readback: AxisReadback) -> RigidTransform:
+        """Chain from the reference camera to the guide frame for the robot and guide as read back."""
+        return self.guide.guide_from_base(readback.guide_mm) @ readback.base_from_flange @ self.hand_eye.flange_from_camera
+
+    @property
+    def table_from_guide(self) -> RigidTransform:
+        """The fixed table frame: z = axis, origin = foot of the guide origin's perpendicular on the axis, x nearest to the guide's x."""
+        z = self.axis.direction
+        x = np.array([1.0, 0.0, 0.0]) - z[0] * z
+        x /= np.linalg.norm(x)
+        rotation = np.column_stack([x, np.cross(z, x), z])
+        origin = self.axis.point_mm - z * float(z @ self.axis.point_mm)
+        return RigidTransform.from_parts(rotation, origin, "guide", "table").inverse()
+
+    def part_from_camera(self, readback: AxisReadback) -> RigidTransform:
+        """The kinematic chain of the methods sheet, section 1."""
+        part_from_table = RigidTransform.from_parts(rotation_about([0, 0, 1], -readback.table_rad), np.zeros(3), "part", "table")
+        return part_from_table @ self.table_from_guide @ self.guide_from_camera(readback)

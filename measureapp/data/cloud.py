@@ -1,0 +1,112 @@
+"""Points measured from one viewpoint, and the cloud of all views."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
+from measureapp.errors import FrameMismatch
+from measureapp.geometry.transform import RigidTransform
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PointCloud:
+    """Points measured from one viewpoint, in one named frame; never changed after creation."""
+
+    points_mm: FloatArray  # (N, 3) float64
+    normals: FloatArray  # (N, 3) float32, unit, towards the sensor
+    sigma_mm: FloatArray  # (N,) float32, predicted standard deviation along the viewing ray
+    grey: FloatArray  # (N,) float32, 0…1
+    pixel: IntArray  # (N, 2) int32, (row, column) in the camera that saw it first; -1 where unknown
+    cameras: IntArray  # (N,) uint8, bit i set: seen by the i-th camera
+    frame: str  # "camera", "part", …
+    viewpoint_id: str
+
+    def __post_init__(self) -> None:
+        count = len(self.points_mm)
+        object.__setattr__(self, "points_mm", read_only(self.points_mm, np.float64, (count, 3)))
+        object.__setattr__(self, "normals", read_only(self.normals, np.float32, (count, 3)))
+        object.__setattr__(self, "sigma_mm", read_only(self.sigma_mm, np.float32, (count,)))
+        object.__setattr__(self, "grey", read_only(self.grey, np.float32, (count,)))
+        object.__setattr__(self, "pixel", read_only(self.pixel, np.int32, (count, 2)))
+        object.__setattr__(self, "cameras", read_only(self.cameras, np.uint8, (count,)))
+
+    def __len__(self) -> int:
+        return len(self.points_mm)
+
+    def seen_from(self, transform: RigidTransform) -> PointCloud:
+        """Return the same points in ``transform.to_frame``; raises FrameMismatch."""
+        if transform.from_frame != self.frame:
+            raise FrameMismatch(
+                f"A cloud in frame {self.frame!r} cannot be taken through {transform.to_frame}_from_{transform.from_frame}.",
+                "Place the cloud with the transform of its own frame.",
+            )
+        return replace(self, points_mm=transform.apply(self.points_mm), normals=transform.rotate(self.normals), frame=transform.to_frame)
+
+    def where(self, keep: BoolArray | IntArray) -> PointCloud:
+        """Return the points chosen by a mask or by indices."""
+        return replace(
+            self,
+            points_mm=self.points_mm[keep],
+            normals=self.normals[keep],
+            sigma_mm=self.sigma_mm[keep],
+            grey=self.grey[keep],
+            pixel=self.pixel[keep],
+            cameras=self.cameras[keep],
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class CloudQuality:
+    """What a cloud is worth, by the definitions of the methods sheet (section 8), and whether it may be stitched."""
+
+    points: int
+    density_per_mm2: float
+    noise_mm: float
+    outlier_ratio: float
+    completeness: float
+    accepted: bool
+    reason: str  # empty when accepted
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ViewPlacement:
+    """Where one view came to lie: its pose by the axes, and what fine stitching changed."""
+
+    viewpoint_id: str
+    part_from_camera: RigidTransform  # after fine stitching
+    kinematic: RigidTransform  # by the axes alone
+    correction_mm: float  # how far the fine stitching moved the view's centroid
+    correction_deg: float
+    residual_mm: float  # rms point-to-surface distance to its neighbours after fine stitching
+    overlap: float  # share of its points that neighbours have too
+    verdict: str  # "good", or the reason why not
+    used: bool
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class StitchedCloud:
+    """The merged points of all views, in the part's frame."""
+
+    points_mm: FloatArray  # (N, 3) float64
+    normals: FloatArray  # (N, 3) float32
+    sigma_mm: FloatArray  # (N,) float32
+    grey: FloatArray  # (N,) float32, 0…1
+    view: IntArray  # (N,) int16, index into `placements` of the view that weighs most in the point
+    placements: tuple[ViewPlacement, ...]
+    frame: str = "part"
+    notes: Mapping[str, float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        count = len(self.points_mm)
+        object.__setattr__(self, "points_mm", read_only(self.points_mm, np.float64, (count, 3)))
+        object.__setattr__(self, "normals", read_only(self.normals, np.float32, (count, 3)))
+        object.__setattr__(self, "sigma_mm", read_only(self.sigma_mm, np.float32, (count,)))
+        object.__setattr__(self, "grey", read_only(self.grey, np.float32, (count,)))
+        object.__setattr__(self, "view", read_only(self.view, np.int16, (count,)))
+
+    def __len__(self) -> int:
+        return len(self.points_mm)

@@ -1,0 +1,41 @@
+"""A toleranced value, as it stands on the report."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class Verdict(StrEnum):
+    """Outcome of a comparison with a tolerance by ISO 14253-1."""
+
+    PASS = "pass"
+    FAIL = "fail"
+    NOT_PROVEN = "not proven"
+    NOT_MEASURED = "not measured"
+
+
+@dataclass(frozen=True, slots=True)
+class Dimension:
+    """One line of the report. Lengths in mm, angles in degrees (`unit` says which)."""
+
+    name: str
+    nominal: float
+    measured: float | None  # None: not measured, `reason` says why
+    uncertainty: float | None  # expanded, k = 2
+    lower_tolerance: float  # deviation from nominal, usually negative
+    upper_tolerance: float
+    verdict: Verdict
+    unit: str = "mm"
+    reason: str = ""
+    features: tuple[str, ...] = ()
+
+    @property
+    def error(self) -> float | None:
+        """Measured minus nominal."""
+        return None if self.measured is None else self.measured - self.nominal
+
+    @property
+    def relative_error(self) -> float | None:
+        """Error over nominal; None where the nominal is zero."""
+        return None if self.error is None or self.nominal == 0 else self.error / self.nominal

@@ -1,0 +1,63 @@
+"""Everything one measurement of one part gave: what the report is composed of and the window shows."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from measureapp.data.calibration import RigCalibration
+from measureapp.data.cloud import CloudQuality, PointCloud, StitchedCloud
+from measureapp.data.dimension import Dimension
+from measureapp.data.feature import Feature
+from measureapp.data.mesh import Mesh
+from measureapp.geometry.transform import RigidTransform
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ViewResult:
+    """One viewpoint, from images to a placed cloud."""
+
+    viewpoint_id: str
+    cloud: PointCloud  # in frame "camera"
+    quality: CloudQuality
+    part_from_camera: RigidTransform  # by the kinematic chain
+    decode: Mapping[str, Mapping[str, Any]]  # camera -> figures of decoding (JSON-ready)
+    pairs: tuple[Mapping[str, Any], ...]  # figures of matching (JSON-ready)
+    rejected: Mapping[str, int]  # reason -> count
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Alignment:
+    """How the measured part was laid onto its nominal; named on every result."""
+
+    name: str
+    nominal_from_part: RigidTransform
+    rms_mm: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Inspection:
+    """Features and dimensions by one inspection program."""
+
+    program: str
+    alignment: Alignment
+    features: tuple[Feature, ...]  # in the nominal's frame
+    dimensions: tuple[Dimension, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Measurement:
+    """One measured part."""
+
+    project: str
+    part: str
+    rig: str
+    measured_at: str  # ISO 8601
+    calibration: RigCalibration
+    views: tuple[ViewResult, ...]
+    stitched: StitchedCloud
+    mesh: Mesh | None
+    inspection: Inspection | None
+    settings: Mapping[str, Any] = field(default_factory=dict)  # patterns, exposures, thresholds (JSON-ready)
+    timings_s: Mapping[str, float] = field(default_factory=dict)

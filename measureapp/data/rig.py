@@ -1,0 +1,130 @@
+"""What a rig is made of: cameras, projector, axes and their limits. Nominal values only, as in its data sheets."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+from scipy.spatial.transform import Rotation
+
+from measureapp.data.model import Model
+from measureapp.geometry.transform import RigidTransform
+
+Vector = tuple[float, float, float]
+Resolution = Literal["full", "half", "quarter"]
+BINNING: dict[Resolution, int] = {"full": 1, "half": 2, "quarter": 4}
+
+
+class NominalPose(Model):
+    """A mounting as drawn: position and rotation (intrinsic x-y-z Euler angles)."""
+
+    position_mm: Vector
+    rotation_deg: Vector
+
+    def transform(self, to_frame: str, from_frame: str) -> RigidTransform:
+        """Return the mounting as to_from."""
+        rotation = Rotation.from_euler("XYZ", self.rotation_deg, degrees=True).as_matrix()
+        return RigidTransform.from_parts(rotation, self.position_mm, to_frame, from_frame)
+
+
+class CameraDescription(Model):
+    """One camera of the head. Frame `head`: origin midway between the lower cameras, x to the right, y down, z forward."""
+
+    name: str
+    model: str
+    serial: str
+    width_px: int = Field(gt=0)
+    height_px: int = Field(gt=0)
+    pixel_um: float = Field(gt=0)
+    focal_mm: float = Field(gt=0)
+    bit_depth: Literal[8, 10, 12, 16] = 8
+    head_from_camera: NominalPose
+
+    @property
+    def focal_px(self) -> float:
+        """Focal length in pixels."""
+        return self.focal_mm * 1000.0 / self.pixel_um
+
+    @property
+    def saturation(self) -> int:
+        """The grey level of a saturated pixel."""
+        return int(2**self.bit_depth - 1)
+
+
+class ProjectorDescription(Model):
+    """The projector of the head."""
+
+    name: str
+    model: str
+    width_px: int = Field(gt=0)
+    height_px: int = Field(gt=0)
+    focal_px: float = Field(gt=0)
+    head_from_projector: NominalPose
+
+
+class RobotDescription(Model):
+    """The six-axis robot; its reach is checked for the flange about the shoulder."""
+
+    model: str
+    shoulder_mm: Vector
+    min_reach_mm: float
+    max_reach_mm: float
+    repeatability_mm: float
+    absolute_accuracy_mm: float
+    absolute_accuracy_deg: float
+
+
+class GuideDescription(Model):
+    """The linear guide that carries the robot along +Y of the guide frame."""
+
+    model: str
+    limits_mm: tuple[float, float]
+    repeatability_mm: float
+
+
+class TableDescription(Model):
+    """The rotary table that carries the part; where its top centre stands in the guide frame as drawn."""
+
+    model: str
+    diameter_mm: float
+    limits_deg: tuple[float, float]
+    accuracy_arcsec: float
+    repeatability_arcsec: float
+    centre_in_guide_mm: Vector
+
+
+class RigDescription(Model):
+    """All devices of a cell as drawn (nominal). The guide frame is the robot base at slide position 0: x towards the table, z up."""
+
+    schema_version: Literal[1] = 1
+    name: str
+    driver: str = Field(description="id of the plugin that drives this rig")
+    driver_settings: dict[str, object] = Field(default_factory=dict)
+    cameras: tuple[CameraDescription, ...] = Field(min_length=1)
+    reference: str = Field(description="name of the reference camera")
+    projector: ProjectorDescription
+    robot: RobotDescription
+    guide: GuideDescription
+    table: TableDescription
+    flange_from_head: NominalPose
+    standoff_mm: float
+    exposures_us: tuple[int, ...] = Field(description="the exposure bracket, long to short")
+
+    def camera(self, name: str) -> CameraDescription:
+        """Return the camera called ``name``; raises KeyError."""
+        return {camera.name: camera for camera in self.cameras}[name]
+
+    def at_resolution(self, resolution: Resolution) -> RigDescription:
+        """Return this rig with its cameras binned to half or quarter resolution."""
+        factor = BINNING[resolution]
+        cameras = tuple(
+            camera.model_copy(
+                update={
+                    "width_px": camera.width_px // factor,
+                    "height_px": camera.height_px // factor,
+                    "pixel_um": camera.pixel_um * factor,
+                }
+            )
+            for camera in self.cameras
+        )
+        return self.model_copy(update={"cameras": cameras})

@@ -1,0 +1,1 @@
+"""What the program expects of devices, and what is connected."""

@@ -1,0 +1,57 @@
+"""What is connected: all devices of one cell."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from measureapp.data.fringe import AxisReadback
+from measureapp.data.rig import RigDescription
+from measureapp.devices.camera import Camera
+from measureapp.devices.linear_guide import LinearGuideAxis
+from measureapp.devices.projector import Projector
+from measureapp.devices.robot import Robot
+from measureapp.devices.rotary_table import RotaryTable
+from measureapp.errors import DeviceError
+
+
+class Device(Protocol):
+    """What every device has."""
+
+    name: str
+
+    def stop(self) -> None:
+        """Stop now, from any thread."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Rig:
+    """All connected devices. `place_on_table` asks whoever loads the table for a thing by name ("board", "part") and returns when it lies there."""
+
+    description: RigDescription
+    cameras: Mapping[str, Camera]
+    projector: Projector
+    robot: Robot
+    guide: LinearGuideAxis
+    table: RotaryTable
+    place_on_table: Callable[[str], None]
+    close: Callable[[], None] = field(default=lambda: None)
+
+    def readback(self) -> AxisReadback:
+        """Read every axis back."""
+        return AxisReadback(self.robot.pose(), self.guide.position_mm(), self.table.angle_rad())
+
+    def stop_all(self) -> None:
+        """Stop every device now, from any thread; gathers failures and raises one DeviceError for all of them."""
+        devices: tuple[Device, ...] = (self.robot, self.guide, self.table, *self.cameras.values(), self.projector)
+        failures = []
+        for device in devices:
+            try:
+                device.stop()
+            except DeviceError as error:
+                failures.append(f"{device.name}: {error.message}")
+        if failures:
+            raise DeviceError(
+                "Not every device confirmed the stop: " + "; ".join(failures) + ".", "Use the emergency stop and check the devices named."
+            )

@@ -1,0 +1,1 @@
+"""From fringe images to absolute phase."""

@@ -1,0 +1,54 @@
+"""The pinhole camera with Brown-Conrady lens distortion; projectors use it as well."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from measureapp.arrays import FloatArray, read_only
+
+UNDISTORT_ITERATIONS = 40
+UNDISTORT_TOLERANCE = 1e-12
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PinholeCamera:
+    """Intrinsic parameters. Pixel (0, 0) is the centre of the top-left pixel; points are (x, y).
+
+    The distortion coefficients stand in OpenCV's order (k1 k2 p1 p2 [k3 [k4 k5 k6 [s1 s2 s3 s4 [τx τy]]]]);
+    model: D. C. Brown, Photogrammetric Engineering 37(8), 1971, with OpenCV's extensions.
+    """
+
+    width_px: int
+    height_px: int
+    matrix: FloatArray  # (3, 3)
+    distortion: FloatArray  # (4 | 5 | 8 | 12 | 14,)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "matrix", read_only(self.matrix, np.float64, (3, 3)))
+        object.__setattr__(self, "distortion", read_only(np.ravel(self.distortion), np.float64))
+
+    def project(self, points_mm: FloatArray) -> FloatArray:
+        """Project points (N, 3) in the camera's frame to distorted pixels (N, 2)."""
+        if len(points_mm) == 0:
+            return np.empty((0, 2))
+        points = np.ascontiguousarray(points_mm, np.float64).reshape(-1, 1, 3)
+        pixels, _ = cv2.projectPoints(points, np.zeros(3), np.zeros(3), np.asarray(self.matrix), np.asarray(self.distortion))
+        return np.asarray(pixels, np.float64).reshape(-1, 2)
+
+    def normalise(self, pixels: FloatArray) -> FloatArray:
+        """Undistort pixels (N, 2) to normalised image coordinates (N, 2) on the plane z = 1."""
+        if len(pixels) == 0:
+            return np.empty((0, 2))
+        criteria = (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, UNDISTORT_ITERATIONS, UNDISTORT_TOLERANCE)
+        source = np.ascontiguousarray(pixels, np.float64).reshape(-1, 1, 2)
+        undistorted = cv2.undistortPoints(source, np.asarray(self.matrix), np.asarray(self.distortion), criteria=criteria)
+        return np.asarray(undistorted, np.float64).reshape(-1, 2)
+
+    def rays(self, pixels: FloatArray) -> FloatArray:
+        """Return unit directions (N, 3) in the camera's frame through pixels (N, 2)."""
+        flat = self.normalise(pixels)
+        rays = np.column_stack([flat, np.ones(len(flat))])
+        return rays / np.linalg.norm(rays, axis=1, keepdims=True)

@@ -1,0 +1,51 @@
+"""Progress and cancellation, one argument for both."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
+
+
+class Cancelled(BaseException):
+    """The user asked to stop; raised at the next progress report."""
+
+
+class Progress(Protocol):
+    """Where a long task says how far it is. Reporting is also the point where it can be cancelled."""
+
+    def report(self, done: float, total: float, note: str = "") -> None:
+        """Say that ``done`` of ``total`` is done. Raises Cancelled when the user asked to stop."""
+
+
+class NoProgress:
+    """Listens to nobody and is never cancelled."""
+
+    def report(self, done: float, total: float, note: str = "") -> None:
+        """Do nothing."""
+
+
+@dataclass(frozen=True)
+class PartOf:
+    """The share from ``start`` to ``end`` (0…1) of a larger task, as a task of its own."""
+
+    whole: Progress
+    start: float
+    end: float
+    prefix: str = ""
+
+    def report(self, done: float, total: float, note: str = "") -> None:
+        """Report to the larger task."""
+        share = min(1.0, max(0.0, done / total)) if total > 0 else 1.0
+        self.whole.report(self.start + (self.end - self.start) * share, 1.0, self.prefix + note)
+
+
+@dataclass(frozen=True)
+class CallbackProgress:
+    """Calls ``listener(done, total, note)``; the listener raises Cancelled to stop."""
+
+    listener: Callable[[float, float, str], None]
+
+    def report(self, done: float, total: float, note: str = "") -> None:
+        """Pass the report on."""
+        self.listener(done, total, note)

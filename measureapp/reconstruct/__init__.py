@@ -1,0 +1,1 @@
+"""From phase maps to points."""

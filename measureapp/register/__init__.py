@@ -1,0 +1,1 @@
+"""Bringing the clouds of all views together, and the surface over them."""

@@ -1,0 +1,1 @@
+"""Documents: one model, then writers of it."""
