@@ -1,11 +1,15 @@
-"""The calibration board."""
+"""The calibration board, and a sighting of it."""
 
 from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
 from pydantic import Field
 
-from measureapp.arrays import FloatArray
+from measureapp.arrays import FloatArray, ImageArray
+from measureapp.data.fringe import AxisReadback
 from measureapp.data.model import Model
 
 
@@ -26,3 +30,12 @@ class CheckerboardDescription(Model):
     def is_symmetric(self) -> bool:
         """Whether the board looks the same after half a turn, so that its pose has two answers."""
         return self.columns % 2 == self.rows % 2
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BoardView:
+    """One sighting of the board by all cameras, with where every axis said it was."""
+
+    viewpoint_id: str
+    images: Mapping[str, ImageArray]  # camera -> (height, width)
+    readback: AxisReadback

@@ -1,0 +1,162 @@
+"""One viewpoint: move, confirm, project, grab, and check the identity of every image."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from math import radians
+
+import numpy as np
+
+from measureapp.acquire.events import Event, ImageTaken
+from measureapp.arrays import ImageArray, read_only
+from measureapp.data.board import BoardView
+from measureapp.data.fringe import AxisReadback, FringeStack
+from measureapp.data.plan import ScanPlan, Viewpoint
+from measureapp.devices.camera import Camera, GrabbedImage
+from measureapp.devices.rig import Rig
+from measureapp.errors import DeviceError
+from measureapp.progress import Progress
+
+MOVE_TIMEOUT_S = 120.0
+GRAB_TIMEOUT_S = 5.0
+SHOW_TIMEOUT_S = 2.0
+TRIES = 3  # for an image that a camera refuses or that is not the one asked for
+POSITION_TOLERANCE_MM = 0.1
+ANGLE_TOLERANCE_RAD = radians(0.05)
+BOARD_SATURATED_SHARE = 0.002
+PLAIN_LIGHT = -1
+
+
+def move_to(rig: Rig, viewpoint: Viewpoint) -> AxisReadback:
+    """Bring every axis to ``viewpoint`` and return where they say they are.
+
+    Raises
+    ------
+    LimitError, DeviceTimeout
+        From the axes.
+    DeviceError
+        An axis came to rest elsewhere: nothing is measured at a pose that was not confirmed.
+    """
+    rig.table.move_to(radians(viewpoint.table_deg), timeout_s=MOVE_TIMEOUT_S)
+    rig.guide.move_to(viewpoint.guide_mm, timeout_s=MOVE_TIMEOUT_S)
+    goal = viewpoint.flange.transform()
+    rig.robot.move_to(goal, timeout_s=MOVE_TIMEOUT_S)
+    readback = rig.readback()
+    off = readback.base_from_flange.inverse() @ goal
+    if np.linalg.norm(off.translation_mm) > POSITION_TOLERANCE_MM or off.angle_rad > ANGLE_TOLERANCE_RAD:
+        raise DeviceError(
+            f"{viewpoint.id}: the robot stopped away from its goal.", "Check for a collision or a protective stop, then retake."
+        )
+    if abs(readback.guide_mm - viewpoint.guide_mm) > POSITION_TOLERANCE_MM:
+        raise DeviceError(f"{viewpoint.id}: the guide stopped at {readback.guide_mm:.3f} mm.", "Check the guide, then retake.")
+    if abs(readback.table_rad - radians(viewpoint.table_deg)) > ANGLE_TOLERANCE_RAD:
+        raise DeviceError(f"{viewpoint.id}: the table stopped at {np.degrees(readback.table_rad):.3f}°.", "Check the table, then retake.")
+    return readback
+
+
+def capture_stack(rig: Rig, viewpoint: Viewpoint, plan: ScanPlan, on_event: Callable[[Event], None], progress: Progress) -> FringeStack:
+    """Take all patterns at all exposures with all cameras; the patterns are already loaded into the projector.
+
+    Raises
+    ------
+    DeviceError
+        A device refused a setting, or gave an image that is not the one asked for, three times in a row.
+    Cancelled
+        From ``progress``.
+    """
+    readback = move_to(rig, viewpoint)
+    exposures = plan.bracket.exposures_us
+    count = plan.patterns.count
+    images = {
+        name: np.empty((len(exposures), count, camera.height_px, camera.width_px), np.uint8 if camera.bit_depth == 8 else np.uint16)
+        for name, camera in rig.cameras.items()
+    }
+    for level, exposure_us in enumerate(exposures):
+        set_exposure(rig.cameras, exposure_us)
+        for pattern in range(count):
+            progress.report(
+                level * count + pattern, len(exposures) * count, f"{viewpoint.id}: image {pattern + 1} at {exposure_us / 1000:g} ms"
+            )
+            rig.projector.show(pattern, timeout_s=SHOW_TIMEOUT_S)
+            for name, camera in rig.cameras.items():
+                images[name][level, pattern] = checked_grab(camera, exposure_us, pattern)
+                if pattern == 0:
+                    on_event(ImageTaken(viewpoint.id, name, exposure_us, read_only(images[name][level, 0].copy())))
+    _confirm_still(rig, readback, viewpoint.id)
+    return FringeStack(
+        viewpoint_id=viewpoint.id,
+        patterns=plan.patterns,
+        exposures_us=exposures,
+        images={name: read_only(stack) for name, stack in images.items()},
+        saturation=min(camera.saturation for camera in rig.description.cameras),
+        readback=readback,
+    )
+
+
+def capture_board(rig: Rig, viewpoint: Viewpoint) -> BoardView:
+    """Take one plain image per camera, at the longest exposure of the rig that saturates next to nothing."""
+    readback = move_to(rig, viewpoint)
+    rig.projector.show(PLAIN_LIGHT, timeout_s=SHOW_TIMEOUT_S)
+    images = {name: _well_exposed(camera, rig) for name, camera in rig.cameras.items()}
+    _confirm_still(rig, readback, viewpoint.id)
+    return BoardView(viewpoint.id, images, readback)
+
+
+def _well_exposed(camera: Camera, rig: Rig) -> ImageArray:
+    saturation = rig.description.camera(camera.name).saturation
+    for exposure_us in rig.description.exposures_us:
+        set_exposure({camera.name: camera}, exposure_us)
+        pixels = checked_grab(camera, exposure_us, PLAIN_LIGHT)
+        if np.mean(pixels >= saturation) <= BOARD_SATURATED_SHARE:
+            break
+    return read_only(pixels)
+
+
+def set_exposure(cameras: Mapping[str, Camera], exposure_us: int) -> None:
+    """Set one exposure everywhere. Raises DeviceError when a camera does not read it back."""
+    for name, camera in cameras.items():
+        camera.set_exposure_us(exposure_us)
+        if camera.exposure_us() != exposure_us:
+            raise DeviceError(
+                f"Camera {name} was asked for {exposure_us} µs and took {camera.exposure_us()} µs.", "Choose an exposure it can do."
+            )
+
+
+def checked_grab(camera: Camera, exposure_us: int, pattern: int) -> ImageArray:
+    """Return the pixels of the next image after checking that it is the one asked for; refused ones are retaken.
+
+    Raises
+    ------
+    DeviceError
+        Three images in a row were wrong.
+    """
+    reason = ""
+    for _ in range(TRIES):
+        image = camera.grab(timeout_s=GRAB_TIMEOUT_S)
+        reason = _difference(image, camera, exposure_us, pattern)
+        if not reason:
+            return image.pixels
+    raise DeviceError(
+        f"Camera {camera.name} gave {TRIES} wrong images in a row: {reason}.", "Check its trigger line and cable, then retake."
+    )
+
+
+def _difference(image: GrabbedImage, camera: Camera, exposure_us: int, pattern: int) -> str:
+    if image.serial != camera.serial:
+        return f"the image comes from camera {image.serial}, not {camera.serial}"
+    if image.pixels.shape != (camera.height_px, camera.width_px):
+        return f"the image has {image.pixels.shape[::-1]} pixels"
+    if image.exposure_us != exposure_us:
+        return f"the image was exposed for {image.exposure_us} µs, not {exposure_us} µs"
+    if image.pattern_index != pattern:
+        return f"the image shows pattern {image.pattern_index}, not {pattern}"
+    return ""
+
+
+def _confirm_still(rig: Rig, before: AxisReadback, viewpoint_id: str) -> None:
+    after = rig.readback()
+    moved = np.linalg.norm(after.base_from_flange.translation_mm - before.base_from_flange.translation_mm)
+    if moved > POSITION_TOLERANCE_MM or abs(after.guide_mm - before.guide_mm) > POSITION_TOLERANCE_MM:
+        raise DeviceError(f"{viewpoint_id}: an axis moved while images were taken.", "Check the drives, then retake.")
+    if abs(after.table_rad - before.table_rad) > ANGLE_TOLERANCE_RAD:
+        raise DeviceError(f"{viewpoint_id}: the table moved while images were taken.", "Check its brake, then retake.")

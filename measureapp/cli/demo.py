@@ -1,0 +1,42 @@
+"""`demo`: the whole job on the virtual rig."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+from measureapp.cli.main import OUT_OF_TOLERANCE
+from measureapp.cli.outcome import measurement_lines, passed
+from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+
+    @app.command()
+    def demo(
+        out: Annotated[Path | None, typer.Option("--out", help="Folder of the new project; default: demo-PART-RESOLUTION here.")] = None,
+        part: Annotated[str, typer.Option(help="impeller, gypsum, gear, sphere_plate, flat, or a mesh file (STL, PLY, OBJ).")] = "gypsum",
+        viewpoints: Annotated[int | None, typer.Option(help="How many views to take; default: what the part needs.")] = None,
+        resolution: Annotated[Literal["full", "half", "quarter"], typer.Option(help="Of the cameras.")] = "half",
+        seed: Annotated[int, typer.Option(min=0, help="Draws the virtual rig's hidden errors and noise.")] = 1,
+        as_json: JsonOption = False,
+    ) -> None:
+        """Calibrate, scan, stitch, measure and report on the virtual rig, and compare with its hidden truth."""
+        from measureapp.demo import DemoRequest, run_demo
+
+        folder = out or Path(f"demo-{Path(part).stem}-{resolution}")
+        request = DemoRequest(folder, part, resolution, viewpoints, seed)
+        outcome = run_demo(request, lambda _: None, TerminalProgress())
+        deviation = outcome.document["truth_deviation"]
+        lines = [
+            *measurement_lines(outcome.measurement),
+            f"Against the true surface: rms {deviation['rms']:.3f} mm, 95 % within {deviation['p95']:.3f} mm, "
+            f"bias {deviation['bias']:+.3f} mm (by the axes alone: rms {deviation['kinematic_only']['rms']:.3f} mm).",
+            f"Report: {outcome.files['report_pdf']}",
+        ]
+        reply(outcome.document, "\n".join(lines), as_json)
+        if not passed(outcome.measurement):
+            raise typer.Exit(OUT_OF_TOLERANCE)

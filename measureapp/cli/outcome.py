@@ -1,0 +1,37 @@
+"""A measurement in a few lines for a terminal."""
+
+from __future__ import annotations
+
+from measureapp.data.dimension import Dimension, Verdict
+from measureapp.data.measurement import Measurement
+
+MARK = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdict.NOT_MEASURED: "–"}
+
+
+def passed(measurement: Measurement) -> bool:
+    """Whether no dimension has a negative verdict."""
+    return measurement.inspection is None or all(dimension.verdict is Verdict.PASS for dimension in measurement.inspection.dimensions)
+
+
+def measurement_lines(measurement: Measurement) -> list[str]:
+    """Return what a measurement gave, a line each."""
+    used = sum(placement.used for placement in measurement.stitched.placements)
+    lines = [f"{measurement.part}: {len(measurement.stitched):,} points from {used} of {len(measurement.views)} views."]
+    for placement in measurement.stitched.placements:
+        if placement.verdict != "good":
+            lines.append(f"  {placement.viewpoint_id}: {placement.verdict}")
+    if measurement.inspection is None:
+        return [*lines, "No inspection program: no dimensions."]
+    return lines + [dimension_line(dimension) for dimension in measurement.inspection.dimensions]
+
+
+def dimension_line(dimension: Dimension) -> str:
+    """Return one dimension as a line: mark, name, measured ± uncertainty, nominal, error."""
+    start = f"  {MARK[dimension.verdict]} {dimension.name:<18}"
+    if dimension.measured is None or dimension.error is None:
+        return f"{start}not measured: {dimension.reason}"
+    uncertainty = "" if dimension.uncertainty is None else f" ± {dimension.uncertainty:.3f}"
+    return (
+        f"{start}{dimension.measured:9.3f}{uncertainty} {dimension.unit} (nominal {dimension.nominal:g}, error {dimension.error:+.3f})"
+        f"  {dimension.verdict.value}"
+    )

@@ -1,0 +1,67 @@
+"""Where to look at the calibration board from, so that one automatic run determines the whole rig."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.data.plan import Viewpoint
+from measureapp.data.rig import RigDescription
+from measureapp.planning.reach import obstacles
+from measureapp.planning.viewpoints import Gaze, viewpoint_looking_at
+
+BOARD_ABOVE_TABLE_MM = 90.0  # centre of a board on its stand, tilted 45° towards the robot
+BOARD_ELEVATION_DEG = 45.0
+
+
+def calibration_viewpoints(rig: RigDescription) -> tuple[Viewpoint, ...]:
+    """Return the viewpoints of an automatic rig calibration: `pose…` for cameras and hand-eye, `axis…`, `guide…`.
+
+    The tilts and rolls of the poses follow Tsai and Lenz (IEEE Trans. Robotics and Automation 5(3), 1989): large
+    rotations about axes that are not parallel. Places the rig cannot reach are left out.
+    """
+    centre = np.array(rig.table.centre_in_guide_mm) + [0.0, 0.0, BOARD_ABOVE_TABLE_MM]
+    candidates = (*_poses(rig, centre), *_axis(rig, centre), *_guide(rig, centre))
+    return tuple(viewpoint for viewpoint in candidates if not obstacles(viewpoint, rig))
+
+
+def _poses(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
+    """Tilts to all sides, three rolls, three distances, and targets beside the board that carry it to the image's borders."""
+    views = []
+    azimuths = (-30.0, -12.0, 12.0, 30.0, 0.0)
+    elevations = (BOARD_ELEVATION_DEG - 18.0, BOARD_ELEVATION_DEG + 2.0, BOARD_ELEVATION_DEG + 22.0)
+    rolls = (-35.0, 0.0, 35.0, 15.0)
+    distances = (rig.standoff_mm - 50.0, rig.standoff_mm, rig.standoff_mm + 50.0)
+    sides = np.array([[0, 0, 0], [0, 55, 0], [0, -55, 0], [20, 0, 45], [-20, 0, -45]], float)
+    for number in range(len(azimuths) * len(elevations) * 2):
+        gaze = Gaze(
+            azimuths[number % 5],
+            elevations[(number // 5) % 3] + (6.0 if number % 2 else 0.0),
+            distances[(number * 2) % 3],
+            rolls[(number * 3 + number // 5) % 4],
+        )
+        target = centre + sides[(number * 2 + number // 5) % 5]
+        guide_mm = round(float(-0.7 * gaze.distance_mm * np.sin(np.deg2rad(gaze.azimuth_deg))), 1)
+        views.append(viewpoint_looking_at(rig, f"pose{number + 1:02d}", target, gaze, guide_mm=guide_mm))
+    return views
+
+
+def _axis(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
+    """One pose of the robot, the table turned as far as the board stays in sight to both sides."""
+    gaze = Gaze(0.0, BOARD_ELEVATION_DEG + 10.0, rig.standoff_mm)
+    angles = np.arange(-60.0, 60.1, 12.0)
+    return [
+        viewpoint_looking_at(rig, f"axis{index + 1:02d}", centre, gaze, table_deg=round(float(angle), 3))
+        for index, angle in enumerate(angles)
+    ]
+
+
+def _guide(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
+    """One pose of the robot, slid along the guide as far as the board stays in sight."""
+    gaze = Gaze(0.0, BOARD_ELEVATION_DEG + 5.0, rig.standoff_mm + 40.0)
+    still = viewpoint_looking_at(rig, "still", centre, gaze)
+    slides = np.arange(-75.0, 75.1, 25.0)
+    return [
+        Viewpoint(id=f"guide{index + 1:02d}", flange=still.flange, guide_mm=float(slide), table_deg=0.0)
+        for index, slide in enumerate(slides)
+    ]

@@ -1,0 +1,114 @@
+"""Where to look from: viewpoints around a part on the table, from the rig as drawn."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import ceil
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from measureapp.arrays import FloatArray
+from measureapp.data.plan import FlangePose, ScanPlan, Viewpoint
+from measureapp.data.rig import RigDescription
+from measureapp.errors import PlanError
+from measureapp.geometry.transform import RigidTransform
+from measureapp.planning.reach import obstacles
+
+ELEVATIONS_DEG = (32.0, 62.0, 47.0)  # rings in the order in which they are added
+FIELD_RADIUS_MM = 140.0  # half the shared field's smaller side, from the paper's rig
+ELEVATION_STEP_DEG = 2.0
+
+
+@dataclass(frozen=True, slots=True)
+class Gaze:
+    """How the head looks at a target: from where, how far away and turned by how much about its own axis."""
+
+    azimuth_deg: float  # 0: from the robot's side; grows counter-clockwise seen from above
+    elevation_deg: float  # above the table's plane
+    distance_mm: float
+    roll_deg: float = 0.0
+
+
+def guide_from_head(target_mm: FloatArray, gaze: Gaze) -> RigidTransform:
+    """Return the head's pose that looks at ``target_mm`` (3,) in the guide frame, its x axis level before the roll."""
+    azimuth, elevation = np.deg2rad([gaze.azimuth_deg, gaze.elevation_deg])
+    outward = np.array([-np.cos(elevation) * np.cos(azimuth), -np.cos(elevation) * np.sin(azimuth), np.sin(elevation)])
+    forward = -outward
+    right = np.cross(forward, [0.0, 0.0, 1.0])
+    right /= np.linalg.norm(right)
+    level = np.column_stack([right, np.cross(forward, right), forward])
+    rotation = level @ Rotation.from_euler("z", gaze.roll_deg, degrees=True).as_matrix()
+    return RigidTransform.from_parts(rotation, np.asarray(target_mm) + gaze.distance_mm * outward, "guide", "head")
+
+
+def viewpoint_looking_at(
+    rig: RigDescription, name: str, target_mm: FloatArray, gaze: Gaze, *, guide_mm: float = 0.0, table_deg: float = 0.0
+) -> Viewpoint:
+    """Return the viewpoint whose head looks at ``target_mm`` (guide frame) with the slide at ``guide_mm``."""
+    base_from_guide = RigidTransform.from_parts(np.eye(3), [0.0, -guide_mm, 0.0], "base", "guide")
+    head_from_flange = rig.flange_from_head.transform("flange", "head").inverse()
+    base_from_flange = base_from_guide @ guide_from_head(target_mm, gaze) @ head_from_flange
+    return Viewpoint(id=name, flange=FlangePose.of(base_from_flange), guide_mm=guide_mm, table_deg=table_deg)
+
+
+def plan_around_part(rig: RigDescription, name: str, *, radius_mm: float, height_mm: float, count: int) -> ScanPlan:
+    """Plan ``count`` viewpoints in rings around a part that stands on the table's centre.
+
+    Parameters
+    ----------
+    rig : the rig as drawn
+    name : of the plan
+    radius_mm, height_mm : of the cylinder about the table's axis that holds the part
+    count : how many viewpoints, at least 1
+
+    Raises
+    ------
+    PlanError
+        ``count`` is below 1, or a place cannot be reached at any elevation.
+    """
+    if count < 1:
+        raise PlanError(f"{count} viewpoints measure nothing.", "Ask for at least 1.")
+    rings = 1 if count < 5 else 2 if count < 16 else 3
+    heights = _target_heights(height_mm)
+    viewpoints: list[Viewpoint] = []
+    for ring in range(rings):
+        share = count // rings + (1 if ring < count % rings else 0)
+        for index in range(share):
+            table_deg = _wrapped(360.0 * (index + ring / rings) / share)
+            azimuth = 8.0 * ((index % 3) - 1)  # the table could do this alone; using the guide keeps its calibration observable
+            target = _target(rig, radius_mm, heights[index % len(heights)], azimuth)
+            viewpoints.append(_reachable(rig, f"view{len(viewpoints) + 1:02d}", target, azimuth, ELEVATIONS_DEG[ring], table_deg))
+    return ScanPlan(name=name, viewpoints=tuple(viewpoints))
+
+
+def _target_heights(height_mm: float) -> list[float]:
+    bands = max(1, ceil(height_mm / (2 * FIELD_RADIUS_MM)))
+    return [height_mm * (band + 0.5) / bands for band in range(bands)]
+
+
+def _target(rig: RigDescription, radius_mm: float, height_mm: float, azimuth_deg: float) -> FloatArray:
+    """A part wider than the field is aimed at nearer to the sensor, where its wall stands."""
+    centre = np.array(rig.table.centre_in_guide_mm)
+    azimuth = np.deg2rad(azimuth_deg)
+    towards_head = np.array([-np.cos(azimuth), -np.sin(azimuth), 0.0])
+    return centre + max(0.0, radius_mm - FIELD_RADIUS_MM - 20.0) * towards_head + [0.0, 0.0, height_mm]
+
+
+def _reachable(
+    rig: RigDescription, name: str, target_mm: FloatArray, azimuth_deg: float, elevation_deg: float, table_deg: float
+) -> Viewpoint:
+    """The viewpoint nearest to the wanted elevation that the rig can reach."""
+    for offset in np.arange(0.0, 40.0, ELEVATION_STEP_DEG):
+        for sign in (-1.0, 1.0):
+            gaze = Gaze(azimuth_deg, elevation_deg + sign * offset, rig.standoff_mm)
+            guide_mm = -gaze.distance_mm * np.sin(np.deg2rad(azimuth_deg)) * np.cos(np.deg2rad(gaze.elevation_deg))
+            candidate = viewpoint_looking_at(rig, name, target_mm, gaze, guide_mm=round(float(guide_mm), 1), table_deg=table_deg)
+            if not obstacles(candidate, rig):
+                return candidate
+    raise PlanError(f"{rig.name} cannot look at this part from {elevation_deg:.0f}° or near it.", "Give a plan of your own for this part.")
+
+
+def _wrapped(angle_deg: float) -> float:
+    """The same direction in −180…180°, so that the table never turns further than it must."""
+    return round((angle_deg + 180.0) % 360.0 - 180.0, 3)

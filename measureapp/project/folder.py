@@ -1,0 +1,199 @@
+"""The project folder: everything about one measured part, self-contained.
+
+project.json        what is measured, on which rig, with which board
+plan.json           the scan plan
+calibration/        views/ (images of the board and read-backs), cameras.json, rig.json
+stacks/             raw fringe images: permanent
+inspection/         program.toml and the nominal it names
+results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`
+report/             documents
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+from typing import Any, Literal, TypeVar
+
+from pydantic import BaseModel, ValidationError
+
+from measureapp.data.board import BoardView, CheckerboardDescription
+from measureapp.data.calibration import RigCalibration
+from measureapp.data.measurement import Measurement
+from measureapp.data.model import Model
+from measureapp.data.plan import ScanPlan
+from measureapp.data.rig import RigDescription
+from measureapp.errors import InputError, StorageError
+from measureapp.project import board_views, results
+from measureapp.project.atomic import write_json, write_text
+from measureapp.project.camera_file import read_cameras, write_cameras
+from measureapp.project.documents import rig_calibration_document, rig_calibration_from
+from measureapp.project.frame_store import FrameStore
+
+DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
+ModelT = TypeVar("ModelT", bound=BaseModel)
+PROGRAM, NOMINAL = "program.toml", "nominal"
+
+
+class ProjectSettings(Model):
+    """What a project measures, fixed when it is created."""
+
+    schema_version: Literal[1] = 1
+    name: str
+    part: str
+    rig: RigDescription
+    board: CheckerboardDescription = DEFAULT_BOARD
+
+
+class ProjectFolder:
+    """One project on disk; open or create it with the class methods."""
+
+    def __init__(self, path: Path, settings: ProjectSettings) -> None:
+        self.path = path
+        self.settings = settings
+        self.frames = FrameStore(path / "stacks")
+
+    @classmethod
+    def create(cls, path: Path, settings: ProjectSettings) -> ProjectFolder:
+        """Make a new project in ``path``, or continue the one there when its settings are the same.
+
+        Raises
+        ------
+        InputError
+            The folder holds something else.
+        StorageError
+            It cannot be written.
+        """
+        path = Path(path)
+        if (path / "project.json").exists():
+            found = cls.open(path)
+            if found.settings != settings:
+                raise InputError(f"{path} holds another project ({found.name}).", "Choose another folder, or delete that one first.")
+            return found
+        if path.exists() and (not path.is_dir() or any(path.iterdir())):
+            raise InputError(f"{path} is not an empty folder.", "Choose a new or an empty folder for the project.")
+        write_text(path / "project.json", settings.model_dump_json(indent=2))
+        return cls(path, settings)
+
+    @classmethod
+    def open(cls, path: Path) -> ProjectFolder:
+        """Open the project in ``path``. Raises InputError when there is none, StorageError when it is damaged."""
+        path = Path(path)
+        if not (path / "project.json").is_file():
+            raise InputError(f"{path} is not a MeasureApp project.", "Name a folder with a project.json in it.")
+        return cls(path, _read_model(path / "project.json", ProjectSettings))
+
+    @property
+    def name(self) -> str:
+        """The project's name."""
+        return self.settings.name
+
+    def rig(self) -> RigDescription:
+        """Return the rig the project was made for."""
+        return self.settings.rig
+
+    def plan(self) -> ScanPlan | None:
+        """Return the scan plan, if there is one."""
+        path = self.path / "plan.json"
+        return _read_model(path, ScanPlan) if path.exists() else None
+
+    def save_plan(self, plan: ScanPlan) -> None:
+        """Keep the scan plan. Raises InputError when images of another plan are stored already."""
+        if self.frames.stored() and self.plan() != plan:
+            raise InputError(f"{self.path} holds images of another plan.", "Measure into a new project.")
+        write_text(self.path / "plan.json", plan.model_dump_json(indent=2))
+
+    def stored_viewpoints(self) -> tuple[str, ...]:
+        """Return the ids of the viewpoints whose images lie complete on disk."""
+        return self.frames.stored()
+
+    def save_board_view(self, view: BoardView) -> None:
+        """Keep the images of one sighting of the board."""
+        board_views.save(self.path / "calibration" / "views", view)
+
+    def board_views(self) -> tuple[BoardView, ...]:
+        """Return every stored sighting of the board, sorted by id."""
+        return board_views.load_all(self.path / "calibration" / "views")
+
+    def save_calibration(self, calibration: RigCalibration) -> None:
+        """Keep the calibration of the rig."""
+        write_cameras(self.path / "calibration" / "cameras.json", calibration.cameras)
+        write_json(self.path / "calibration" / "rig.json", rig_calibration_document(calibration))
+
+    def calibration(self) -> RigCalibration | None:
+        """Return the calibration of the rig, if there is one. Raises StorageError when it is damaged."""
+        path = self.path / "calibration" / "rig.json"
+        if not path.exists():
+            return None
+        try:
+            return rig_calibration_from(_read_json(path), read_cameras(self.path / "calibration" / "cameras.json"))
+        except (KeyError, TypeError, ValueError) as error:
+            raise StorageError(f"{path} does not hold a calibration: {error}.", "Calibrate again.") from error
+
+    def save_inspection(self, program: Path | None, nominal: Path | None) -> None:
+        """Copy the inspection program and the nominal into the project, which then needs nothing outside."""
+        folder = self.path / "inspection"
+        folder.mkdir(parents=True, exist_ok=True)
+        if program is not None:
+            shutil.copyfile(program, folder / PROGRAM)
+        if nominal is not None:
+            shutil.copyfile(nominal, folder / f"{NOMINAL}{nominal.suffix.lower()}")
+
+    @property
+    def program(self) -> Path | None:
+        """The inspection program, if there is one."""
+        path = self.path / "inspection" / PROGRAM
+        return path if path.exists() else None
+
+    @property
+    def nominal(self) -> Path | None:
+        """The nominal's mesh file, if there is one."""
+        return next(iter(sorted((self.path / "inspection").glob(f"{NOMINAL}.*"))), None)
+
+    @property
+    def results(self) -> Path:
+        """The folder of what was computed."""
+        return self.path / "results"
+
+    def save_measurement(self, measurement: Measurement) -> None:
+        """Keep everything a measurement gave."""
+        results.save(self.results, measurement)
+
+    def measurement(self) -> Measurement | None:
+        """Return the last measurement, if there is one. Raises StorageError when it is damaged."""
+        calibration = self.calibration()
+        return None if calibration is None else results.load(self.results, calibration)
+
+    @property
+    def report_pdf(self) -> Path:
+        """Where the PDF report lies, once written."""
+        return self.path / "report" / "report.pdf"
+
+    @property
+    def report_csv(self) -> Path:
+        """Where the table of dimensions lies, once written."""
+        return self.path / "report" / "report.csv"
+
+    @property
+    def report_json(self) -> Path:
+        """Where the report's JSON lies, once written."""
+        return self.path / "report" / "report.json"
+
+
+def _read_json(path: Path) -> Any:
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise StorageError(f"{path} cannot be read: {error}.", "Restore the file from a backup, or make a new project.") from error
+
+
+def _read_model(path: Path, kind: type[ModelT]) -> ModelT:
+    try:
+        return kind.model_validate(_read_json(path))
+    except ValidationError as error:
+        first = error.errors()[0]
+        place = ".".join(str(part) for part in first["loc"])
+        raise StorageError(
+            f"{path}: {place or 'the file'}: {first['msg']}.", "Restore the file from a backup, or make a new project."
+        ) from error

@@ -1,0 +1,124 @@
+"""Raw fringe images and read-backs on disk: permanent, checksummed, written once.
+
+One folder per viewpoint: an uncompressed ``.npy`` per camera (the fastest durable form that was measured) and
+``stack.json``, written last, so that a viewpoint without it was never finished.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import shutil
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pydantic import TypeAdapter, ValidationError
+
+from measureapp.arrays import read_only
+from measureapp.data.fringe import FringeStack, PatternSet
+from measureapp.errors import StorageError
+from measureapp.project.atomic import replacing, write_json
+from measureapp.project.documents import readback_document, readback_from
+
+RESERVE_BYTES = 500_000_000  # room for what is computed from the images
+DESCRIPTION = "stack.json"
+
+
+class FrameStore:
+    """The stacks of one project."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = Path(folder)
+
+    def stored(self) -> tuple[str, ...]:
+        """Return the ids of the viewpoints that lie complete on disk, sorted."""
+        return tuple(sorted(path.parent.name for path in self._folder.glob(f"*/{DESCRIPTION}")))
+
+    def require_space(self, needed_bytes: int) -> None:
+        """Refuse before anything moves. Raises StorageError when less than ``needed_bytes`` and a reserve are free."""
+        self._folder.mkdir(parents=True, exist_ok=True)
+        free = shutil.disk_usage(self._folder).free
+        if free < needed_bytes + RESERVE_BYTES:
+            raise StorageError(
+                f"{self._folder} has {free / 1e9:.1f} GB free; the images need {needed_bytes / 1e9:.1f} GB and {RESERVE_BYTES / 1e9:.1f} GB more.",
+                "Free some space, choose another disk, or scan at a lower resolution.",
+            )
+
+    def store(self, stack: FringeStack) -> None:
+        """Write ``stack`` durably; raises StorageError and leaves nothing half-written."""
+        if stack.readback is None:
+            raise StorageError(f"The stack of {stack.viewpoint_id} has no read-back.", "Only stacks taken by a rig belong into a project.")
+        folder = self._folder / stack.viewpoint_id
+        checksums = {}
+        for camera, images in stack.images.items():
+            path = folder / f"{camera}.npy"
+            with replacing(path) as temporary, temporary.open("wb") as file:
+                np.save(file, images)
+            checksums[path.name] = checksum(images)
+        document = {
+            "schema_version": 1,
+            "viewpoint_id": stack.viewpoint_id,
+            "patterns": stack.patterns.model_dump(mode="json"),
+            "exposures_us": list(stack.exposures_us),
+            "saturation": stack.saturation,
+            "readback": readback_document(stack.readback),
+            "checksums": checksums,
+        }
+        write_json(folder / DESCRIPTION, document)
+
+    def load(self, viewpoint_id: str) -> FringeStack:
+        """Return a stored stack, its images mapped from disk. Raises StorageError naming the damaged file."""
+        folder = self._folder / viewpoint_id
+        document = self._document(folder)
+        try:
+            images = {Path(name).stem: read_only_map(folder / name) for name in document["checksums"]}
+            return FringeStack(
+                viewpoint_id=document["viewpoint_id"],
+                patterns=TypeAdapter(PatternSet).validate_python(document["patterns"]),
+                exposures_us=tuple(document["exposures_us"]),
+                images=images,
+                saturation=int(document["saturation"]),
+                readback=readback_from(document["readback"]),
+            )
+        except (KeyError, TypeError, ValidationError) as error:
+            raise StorageError(f"{folder / DESCRIPTION} does not describe a stack: {error}.", "Take this viewpoint again.") from error
+
+    def damaged(self, viewpoint_id: str) -> tuple[str, ...]:
+        """Compare every stored byte of a viewpoint with its checksum; return what is wrong, in words."""
+        folder = self._folder / viewpoint_id
+        problems = []
+        for name, expected in self._document(folder)["checksums"].items():
+            path = folder / name
+            if not path.is_file():
+                problems.append(f"{path} is missing")
+                continue
+            try:
+                found = checksum(read_only_map(path))
+            except StorageError as error:
+                problems.append(error.message.rstrip("."))
+                continue
+            if found != expected:
+                problems.append(f"{path} differs from what was stored")
+        return tuple(problems)
+
+    def _document(self, folder: Path) -> Mapping[str, Any]:
+        path = folder / DESCRIPTION
+        try:
+            return json.loads(path.read_text(encoding="utf-8"))
+        except (OSError, ValueError) as error:
+            raise StorageError(f"{path} cannot be read: {error}.", "Take this viewpoint again.") from error
+
+
+def checksum(array: np.typing.NDArray[Any]) -> str:
+    """Return the SHA-256 of the array's bytes."""
+    return hashlib.sha256(np.ascontiguousarray(array).view(np.uint8).data).hexdigest()
+
+
+def read_only_map(path: Path) -> Any:
+    """Map a ``.npy`` from disk. Raises StorageError when it is damaged or missing."""
+    try:
+        return read_only(np.load(path, mmap_mode="r", allow_pickle=False))
+    except (OSError, ValueError, EOFError) as error:
+        raise StorageError(f"{path} cannot be read: {error}.", "Take this viewpoint again, or restore the file from a backup.") from error

@@ -1,0 +1,37 @@
+"""Rig descriptions: a TOML file, or the name of one that comes with the program."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+from pydantic import ValidationError
+
+from measureapp.data.rig import RigDescription
+from measureapp.errors import InputError
+from measureapp.resources import resource
+
+
+def read_rig(name_or_path: str | Path) -> RigDescription:
+    """Return the rig called so in `resources/rigs`, or described by a TOML file.
+
+    Raises
+    ------
+    InputError
+        Naming the file and the field that is wrong.
+    """
+    path = Path(name_or_path)
+    if not path.suffix:
+        path = resource(f"rigs/{name_or_path}.toml")
+    try:
+        document = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f"{path} cannot be read: {error}.", "Name a rig description (TOML).") from error
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(f"{path} is not valid TOML: {error}.", "Correct the line named.") from error
+    try:
+        return RigDescription.model_validate(document)
+    except ValidationError as error:
+        first = error.errors()[0]
+        place = ".".join(str(part) for part in first["loc"])
+        raise InputError(f"{path}: {place}: {first['msg']}.", "Correct this field.") from error

@@ -1,0 +1,55 @@
+import numpy as np
+import pytest
+
+from measureapp.data.plan import FlangePose, Viewpoint
+from measureapp.errors import PlanError
+from measureapp.planning.calibration_views import calibration_viewpoints
+from measureapp.planning.reach import check_reach
+from measureapp.planning.viewpoints import Gaze, guide_from_head, plan_around_part
+from measureapp.project.rig_file import read_rig
+
+
+@pytest.fixture(scope="module")
+def rig():
+    return read_rig("paper")
+
+
+def test_the_head_looks_at_its_target_with_its_image_upright():
+    target = np.array([850.0, 20.0, 100.0])
+    pose = guide_from_head(target, Gaze(azimuth_deg=10.0, elevation_deg=40.0, distance_mm=550.0))
+    assert np.allclose(pose.inverse().apply(target[None])[0], [0, 0, 550])
+    assert pose.rotation[2, 1] < 0  # image down is world down
+    assert abs(pose.rotation[2, 0]) < 1e-12  # image right is level
+
+
+@pytest.mark.parametrize("count", [1, 4, 6, 8, 26, 36])
+def test_a_plan_around_a_part_has_as_many_viewpoints_as_asked_and_stays_in_reach(rig, count):
+    plan = plan_around_part(rig, "impeller", radius_mm=140.0, height_mm=60.0, count=count)
+    assert len(plan) == count
+    check_reach(plan, rig)
+
+
+def test_a_plan_outside_the_axes_limits_is_refused_naming_viewpoint_and_axis(rig):
+    far = Viewpoint(id="far", flange=FlangePose(position_mm=(400, 0, 400), quaternion_wxyz=(1, 0, 0, 0)), guide_mm=9000.0, table_deg=0.0)
+    with pytest.raises(PlanError, match=r"far: guide at 9000.0 mm is outside"):
+        check_reach([far], rig)
+
+
+def test_no_viewpoints_are_refused(rig):
+    with pytest.raises(PlanError, match="0 viewpoints"):
+        plan_around_part(rig, "nothing", radius_mm=100.0, height_mm=50.0, count=0)
+
+
+def test_the_calibration_run_turns_the_head_about_axes_that_are_not_parallel(rig):
+    poses = [v for v in calibration_viewpoints(rig) if v.id.startswith("pose")]
+    first = poses[0].flange.transform()
+    axes = np.array([(first.inverse() @ pose.flange.transform()).rotation_vector for pose in poses[1:]])
+    spread = np.linalg.svd(axes, compute_uv=False)
+    assert len(poses) >= 15
+    assert spread[-1] / spread[0] > 0.15
+
+
+def test_the_calibration_run_turns_the_table_and_moves_the_guide_far_enough(rig):
+    views = calibration_viewpoints(rig)
+    assert np.ptp([v.table_deg for v in views if v.id.startswith("axis")]) >= 90.0
+    assert np.ptp([v.guide_mm for v in views if v.id.startswith("guide")]) >= 100.0
