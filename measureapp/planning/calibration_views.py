@@ -20,7 +20,7 @@ def calibration_viewpoints(rig: RigDescription) -> tuple[Viewpoint, ...]:
     The tilts and rolls of the poses follow Tsai and Lenz (IEEE Trans. Robotics and Automation 5(3), 1989): large
     rotations about axes that are not parallel. Places the rig cannot reach are left out.
     """
-    centre = np.array(rig.table.centre_in_guide_mm) + [0.0, 0.0, BOARD_ABOVE_TABLE_MM]
+    centre = np.array(rig.table.centre_in_guide_mm) + np.array([0.0, 0.0, BOARD_ABOVE_TABLE_MM])
     candidates = (*_poses(rig, centre), *_axis(rig, centre), *_guide(rig, centre))
     return tuple(viewpoint for viewpoint in candidates if not obstacles(viewpoint, rig))
 

@@ -145,7 +145,7 @@ def run(rig, plan, sink=None, progress=None, stored=()):
 
 
 def kinds(events):
-    return [type(event) for event in events if not type(event).__name__ == "ImageTaken"]
+    return [type(event) for event in events if type(event).__name__ != "ImageTaken"]
 
 
 def test_every_viewpoint_is_taken_with_all_patterns_exposures_and_cameras(rig, plan):

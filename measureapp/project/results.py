@@ -1,0 +1,99 @@
+"""What was computed, on disk: clouds, mesh and one document; recomputed by `process` at any time."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import asdict, replace
+from pathlib import Path
+from typing import Any
+
+from measureapp.data.calibration import RigCalibration
+from measureapp.data.cloud import CloudQuality
+from measureapp.data.measurement import Measurement, ViewResult
+from measureapp.errors import InputError, StorageError
+from measureapp.project.atomic import write_json
+from measureapp.project.documents import (
+    inspection_document,
+    inspection_from,
+    placement_document,
+    placement_from,
+    transform_document,
+    transform_from,
+)
+from measureapp.project.geometry_files import read_mesh, read_point_cloud, read_stitched, write_cloud, write_mesh
+
+DOCUMENT, STITCHED, MESH = "measurement.json", "stitched_cloud.ply", "mesh.ply"
+
+
+def cloud_path(folder: Path, viewpoint_id: str) -> Path:
+    """Return where the cloud of one view lies."""
+    return folder / "clouds" / f"{viewpoint_id}.ply"
+
+
+def save(folder: Path, measurement: Measurement) -> None:
+    """Write a measurement; the document last, so that without it there is none."""
+    (folder / DOCUMENT).unlink(missing_ok=True)
+    for view in measurement.views:
+        write_cloud(cloud_path(folder, view.viewpoint_id), view.cloud)
+    write_cloud(folder / STITCHED, measurement.stitched)
+    if measurement.mesh is None:
+        (folder / MESH).unlink(missing_ok=True)
+    else:
+        write_mesh(folder / MESH, measurement.mesh)
+    document = {
+        "schema_version": 1,
+        **{name: getattr(measurement, name) for name in ("project", "part", "rig", "measured_at", "settings", "timings_s")},
+        "views": [_view_document(view) for view in measurement.views],
+        "placements": [placement_document(placement) for placement in measurement.stitched.placements],
+        "notes": dict(measurement.stitched.notes),
+        "inspection": None if measurement.inspection is None else inspection_document(measurement.inspection),
+    }
+    write_json(folder / DOCUMENT, document)
+
+
+def load(folder: Path, calibration: RigCalibration) -> Measurement | None:
+    """Return the stored measurement, or None when there is none. Raises StorageError when it is damaged."""
+    path = folder / DOCUMENT
+    if not path.exists():
+        return None
+    try:
+        document = json.loads(path.read_text(encoding="utf-8"))
+        stitched = replace(
+            read_stitched(folder / STITCHED),
+            placements=tuple(placement_from(placement) for placement in document["placements"]),
+            notes=document["notes"],
+        )
+        return Measurement(
+            **{name: document[name] for name in ("project", "part", "rig", "measured_at", "settings", "timings_s")},
+            calibration=calibration,
+            views=tuple(_view_from(folder, view) for view in document["views"]),
+            stitched=stitched,
+            mesh=read_mesh(folder / MESH, "part") if (folder / MESH).exists() else None,
+            inspection=None if document["inspection"] is None else inspection_from(document["inspection"]),
+        )
+    except (OSError, ValueError, KeyError, TypeError, InputError) as error:
+        raise StorageError(f"The results in {folder} cannot be read: {error}.", "Compute them again: measureapp process PROJECT.") from error
+
+
+def _view_document(view: ViewResult) -> dict[str, Any]:
+    return {
+        "viewpoint_id": view.viewpoint_id,
+        "quality": asdict(view.quality),
+        "part_from_camera": transform_document(view.part_from_camera),
+        "decode": {camera: dict(figures) for camera, figures in view.decode.items()},
+        "pairs": [dict(pair) for pair in view.pairs],
+        "rejected": dict(view.rejected),
+    }
+
+
+def _view_from(folder: Path, document: Mapping[str, Any]) -> ViewResult:
+    return ViewResult(
+        viewpoint_id=document["viewpoint_id"],
+        cloud=read_point_cloud(cloud_path(folder, document["viewpoint_id"])),
+        quality=CloudQuality(**document["quality"]),
+        part_from_camera=transform_from(document["part_from_camera"]),
+        decode=document["decode"],
+        pairs=tuple(document["pairs"]),
+        rejected=document["rejected"],
+    )
