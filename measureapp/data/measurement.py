@@ -10,6 +10,7 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import CloudQuality, PointCloud, StitchedCloud
 from measureapp.data.dimension import Dimension
 from measureapp.data.feature import Feature
+from measureapp.data.fringe import AxisReadback
 from measureapp.data.mesh import Mesh
 from measureapp.geometry.transform import RigidTransform
 
@@ -25,6 +26,7 @@ class ViewResult:
     decode: Mapping[str, Mapping[str, Any]]  # camera -> figures of decoding (JSON-ready)
     pairs: tuple[Mapping[str, Any], ...]  # figures of matching (JSON-ready)
     rejected: Mapping[str, int]  # reason -> count
+    readback: AxisReadback
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -34,6 +36,8 @@ class Alignment:
     name: str
     nominal_from_part: RigidTransform
     rms_mm: float
+    overlap: float = 1.0  # share of the points that lie near the nominal
+    undetermined: tuple[str, ...] = ()  # motions the points leave open, in words: "shift along x", "turn about z"
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -39,6 +39,7 @@ class PhaseMap:
     valid_ratio_exposures: tuple[float, ...] = ()  # paper's figure 13, long to short
     valid_ratio_composite: float = 0.0
     details: dict[str, float] = field(default_factory=dict)
+    saturation: float = 255.0  # grey level of a saturated pixel
 
     @property
     def valid(self) -> BoolArray:

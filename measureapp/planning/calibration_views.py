@@ -31,7 +31,7 @@ def _poses(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
     azimuths = (-30.0, -12.0, 12.0, 30.0, 0.0)
     elevations = (BOARD_ELEVATION_DEG - 18.0, BOARD_ELEVATION_DEG + 2.0, BOARD_ELEVATION_DEG + 22.0)
     rolls = (-35.0, 0.0, 35.0, 15.0)
-    distances = (rig.standoff_mm - 10.0, rig.standoff_mm + 30.0, rig.standoff_mm + 75.0)
+    distances = (rig.standoff_mm + 15.0, rig.standoff_mm + 50.0, rig.standoff_mm + 90.0)
     sides = np.array([[0, 0, 0], [0, 26, 0], [0, -26, 0], [10, 0, 20], [-10, 0, -20]], float)
     for number in range(len(azimuths) * len(elevations) * 2):
         gaze = Gaze(
@@ -48,7 +48,7 @@ def _poses(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
 
 def _axis(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
     """One pose of the robot, the table turned as far as the board stays in sight to both sides."""
-    gaze = Gaze(0.0, BOARD_ELEVATION_DEG + 10.0, rig.standoff_mm + 40.0)
+    gaze = Gaze(0.0, BOARD_ELEVATION_DEG + 10.0, rig.standoff_mm + 60.0)
     angles = np.arange(-60.0, 60.1, 12.0)
     return [
         viewpoint_looking_at(rig, f"axis{index + 1:02d}", centre, gaze, table_deg=round(float(angle), 3))
@@ -58,7 +58,7 @@ def _axis(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
 
 def _guide(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
     """One pose of the robot, slid along the guide as far as the board stays in sight."""
-    gaze = Gaze(0.0, BOARD_ELEVATION_DEG + 5.0, rig.standoff_mm + 60.0)
+    gaze = Gaze(0.0, BOARD_ELEVATION_DEG + 5.0, rig.standoff_mm + 80.0)
     still = viewpoint_looking_at(rig, "still", centre, gaze)
     slides = np.arange(-60.0, 60.1, 20.0)
     return [

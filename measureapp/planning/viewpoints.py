@@ -15,7 +15,7 @@ from measureapp.errors import PlanError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.reach import obstacles
 
-ELEVATIONS_DEG = (32.0, 62.0, 47.0)  # rings in the order in which they are added
+RINGS_DEG = ((0.0, 32.0), (8.0, 62.0), (-8.0, 47.0))  # azimuth and elevation, in the order in which they are added
 FIELD_RADIUS_MM = 140.0  # half the shared field's smaller side, from the paper's rig
 ELEVATION_STEP_DEG = 2.0
 
@@ -55,6 +55,8 @@ def viewpoint_looking_at(
 def plan_around_part(rig: RigDescription, name: str, *, radius_mm: float, height_mm: float, count: int) -> ScanPlan:
     """Plan ``count`` viewpoints in rings around a part that stands on the table's centre.
 
+    Within a ring of one height only the table turns: it is one to two orders more accurate than the robot.
+
     Parameters
     ----------
     rig : the rig as drawn
@@ -72,13 +74,12 @@ def plan_around_part(rig: RigDescription, name: str, *, radius_mm: float, height
     rings = 1 if count < 5 else 2 if count < 16 else 3
     heights = _target_heights(height_mm)
     viewpoints: list[Viewpoint] = []
-    for ring in range(rings):
+    for ring, (azimuth, elevation) in enumerate(RINGS_DEG[:rings]):
         share = count // rings + (1 if ring < count % rings else 0)
         for index in range(share):
             table_deg = _wrapped(360.0 * (index + ring / rings) / share)
-            azimuth = 8.0 * ((index % 3) - 1)  # the table could do this alone; using the guide keeps its calibration observable
             target = _target(rig, radius_mm, heights[index % len(heights)], azimuth)
-            viewpoints.append(_reachable(rig, f"view{len(viewpoints) + 1:02d}", target, azimuth, ELEVATIONS_DEG[ring], table_deg))
+            viewpoints.append(_reachable(rig, f"view{len(viewpoints) + 1:02d}", target, azimuth, elevation, table_deg))
     return ScanPlan(name=name, viewpoints=tuple(viewpoints))
 
 

@@ -18,6 +18,8 @@ from measureapp.project.documents import (
     inspection_from,
     placement_document,
     placement_from,
+    readback_document,
+    readback_from,
     transform_document,
     transform_from,
 )
@@ -84,6 +86,7 @@ def _view_document(view: ViewResult) -> dict[str, Any]:
         "decode": {camera: dict(figures) for camera, figures in view.decode.items()},
         "pairs": [dict(pair) for pair in view.pairs],
         "rejected": dict(view.rejected),
+        "readback": readback_document(view.readback),
     }
 
 
@@ -96,4 +99,5 @@ def _view_from(folder: Path, document: Mapping[str, Any]) -> ViewResult:
         decode=document["decode"],
         pairs=tuple(document["pairs"]),
         rejected=document["rejected"],
+        readback=readback_from(document["readback"]),
     )

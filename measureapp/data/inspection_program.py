@@ -1,0 +1,181 @@
+"""What to inspect on a part: features cut from its points, features made from others, and toleranced dimensions."""
+
+from __future__ import annotations
+
+import re
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from measureapp.data.model import Model
+
+Vector = tuple[float, float, float]
+Range = tuple[float, float]
+PatternIndex = re.compile(r"\{k(?:\+(\d+))?\}")
+
+MeasuredShape = Literal["plane", "cylinder", "sphere", "cone", "surface_point"]
+ConstructedShape = Literal["midpoint", "midplane", "intersection"]
+DimensionKind = Literal["distance", "thickness", "diameter", "radius", "angle", "flatness"]
+
+
+class Repeat(Model):
+    """A pattern about the z axis: copy k (from 1) of a feature is turned by (k − 1)·angle and called `name.k`."""
+
+    count: int = Field(ge=2, le=1000)
+    angle_deg: float = 0.0
+
+
+class Cut(Model):
+    """Which measured points belong to a feature, in the nominal's frame (a pattern's copies turn it with them)."""
+
+    band_mm: float = Field(default=2.0, gt=0, description="greatest distance from the nominal surface")
+    along_mm: Range | None = Field(default=None, description="from/to along the direction, counted from the nominal point")
+    radial_mm: Range | None = Field(
+        default=None, description="from/to distance from the line through the nominal point along the direction"
+    )
+    x_mm: Range | None = None
+    y_mm: Range | None = None
+    z_mm: Range | None = None
+    edge_mm: float = Field(default=2.0, ge=0, description="distance kept from sharp edges of the nominal mesh")
+    normals_within_deg: float = Field(default=35.0, gt=0, le=180)
+
+    @model_validator(mode="after")
+    def _ranges_ascend(self) -> Cut:
+        for name in ("along_mm", "radial_mm", "x_mm", "y_mm", "z_mm"):
+            given = getattr(self, name)
+            if given is not None and given[0] >= given[1]:
+                raise ValueError(f"{name} must run from the smaller to the greater value")
+        return self
+
+
+class MeasuredFeature(Model):
+    """A shape fitted to the points around its nominal."""
+
+    name: str = Field(min_length=1)
+    shape: MeasuredShape
+    point_mm: Vector = Field(description="a point of the plane or axis, the centre, or the surface point itself")
+    direction: Vector | None = Field(
+        default=None, description="outward normal of planes and surface points, axis of a cylinder, of a cone towards its apex"
+    )
+    radius_mm: float | None = Field(default=None, gt=0)
+    half_angle_deg: float | None = Field(default=None, gt=0, lt=90)
+    patch_mm: float = Field(default=4.0, gt=0, description="radius of the patch a surface point is taken from")
+    hole: bool = Field(default=False, description="the material lies outside: a bore or a socket")
+    cut: Cut = Cut()
+    repeat: Repeat | None = None
+
+    @model_validator(mode="after")
+    def _has_what_its_shape_needs(self) -> MeasuredFeature:
+        if self.shape != "sphere" and self.direction is None:
+            raise ValueError(f"a {self.shape} needs `direction`")
+        if self.direction is not None and sum(value * value for value in self.direction) < 1e-12:
+            raise ValueError("`direction` has no length")
+        if self.shape in ("cylinder", "sphere", "cone") and self.radius_mm is None:
+            raise ValueError(f"a {self.shape} needs `radius_mm`")
+        if self.shape == "cone" and self.half_angle_deg is None:
+            raise ValueError("a cone needs `half_angle_deg`")
+        return self
+
+
+class ConstructedFeature(Model):
+    """A feature made from others: middle of two points, plane between two planes, or an axis or plane meeting a plane."""
+
+    name: str = Field(min_length=1)
+    shape: ConstructedShape
+    of: tuple[str, str] = Field(description="names of the two features; `{k}` and `{k+1}` count the copies of a pattern")
+    repeat: Repeat | None = None
+
+
+class DimensionProgram(Model):
+    """One toleranced value; with `count`, the mean, least or greatest over a pattern."""
+
+    name: str = Field(min_length=1)
+    kind: DimensionKind
+    features: tuple[str, ...] = Field(min_length=1, max_length=2)
+    nominal: float
+    lower_tolerance: float = -0.1
+    upper_tolerance: float = 0.1
+    count: int | None = Field(default=None, ge=2, description="how many copies `{k}` runs over, cyclically")
+    statistic: Literal["mean", "min", "max"] = "mean"
+
+    @model_validator(mode="after")
+    def _is_consistent(self) -> DimensionProgram:
+        pair = self.kind in ("distance", "thickness", "angle")
+        if len(self.features) != (2 if pair else 1):
+            raise ValueError(f"kind {self.kind!r} needs {'two features' if pair else 'one feature'}")
+        if self.lower_tolerance > self.upper_tolerance:
+            raise ValueError("lower_tolerance lies above upper_tolerance")
+        if self.count is None and any(PatternIndex.search(name) for name in self.features):
+            raise ValueError("`{k}` needs `count`, the number of copies")
+        return self
+
+    @property
+    def unit(self) -> str:
+        """The unit of the value: degrees for angles, else millimetres."""
+        return "°" if self.kind == "angle" else "mm"
+
+    @property
+    def feature_sets(self) -> tuple[tuple[str, ...], ...]:
+        """The features of each single value that the dimension is taken over."""
+        return tuple(indexed(self.features, k, self.count) for k in range(1, self.count + 1)) if self.count else (self.features,)
+
+
+class InspectionProgram(Model):
+    """All features and dimensions of a part, in the frame of its nominal: z up as it stands on the table."""
+
+    schema_version: Literal[1] = 1
+    name: str = Field(min_length=1)
+    nominal: str | None = Field(default=None, description="mesh file of the nominal, relative to the program's file")
+    alignment: Literal["best-fit", "none"] = "best-fit"
+    features: Annotated[tuple[MeasuredFeature | ConstructedFeature, ...], Field(min_length=1)]
+    dimensions: tuple[DimensionProgram, ...] = ()
+
+    @model_validator(mode="after")
+    def _names_meet(self) -> InspectionProgram:
+        known: set[str] = set()
+        for feature in self.features:
+            if isinstance(feature, ConstructedFeature):
+                for needed in needed_names(feature):
+                    if needed not in known:
+                        raise ValueError(f"feature {feature.name!r} is made of {needed!r}, which is not defined before it")
+            names = copy_names(feature.name, feature.repeat)
+            if twice := known.intersection(names):
+                raise ValueError(f"two features are called {sorted(twice)[0]!r}")
+            known.update(names)
+        for dimension in self.dimensions:
+            for needed in (name for names in dimension.feature_sets for name in names):
+                if needed not in known:
+                    raise ValueError(f"dimension {dimension.name!r} needs feature {needed!r}, which is not defined")
+        if len({dimension.name for dimension in self.dimensions}) != len(self.dimensions):
+            raise ValueError("two dimensions have the same name")
+        return self
+
+
+def copy_names(name: str, repeat: Repeat | None) -> tuple[str, ...]:
+    """Return the names a feature or its copies have.
+
+    >>> copy_names("flank", Repeat(count=2, angle_deg=180))
+    ('flank.1', 'flank.2')
+    """
+    return (name,) if repeat is None else tuple(f"{name}.{k}" for k in range(1, repeat.count + 1))
+
+
+def indexed(names: tuple[str, ...], k: int, count: int | None) -> tuple[str, ...]:
+    """Return ``names`` with `{k}` and `{k+n}` replaced by numbers 1…count, cyclically.
+
+    >>> indexed(("mid.{k}", "mid.{k+1}"), 7, 7)
+    ('mid.7', 'mid.1')
+    """
+
+    def number(match: re.Match[str]) -> str:
+        shifted = k + int(match.group(1) or 0)
+        return str(shifted if count is None else (shifted - 1) % count + 1)
+
+    return tuple(PatternIndex.sub(number, name) for name in names)
+
+
+def needed_names(feature: ConstructedFeature) -> tuple[str, ...]:
+    """Return the names of all features that ``feature`` and its copies are made of."""
+    if feature.repeat is None:
+        return feature.of
+    return tuple(name for k in range(1, feature.repeat.count + 1) for name in indexed(feature.of, k, feature.repeat.count))

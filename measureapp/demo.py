@@ -1,0 +1,193 @@
+"""The whole job on the virtual rig, compared with its hidden truth only after everything is measured."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from measureapp.acquire.events import Event
+from measureapp.arrays import FloatArray
+from measureapp.data.calibration import RigCalibration
+from measureapp.data.cloud import StitchedCloud
+from measureapp.data.measurement import Measurement
+from measureapp.data.mesh import Mesh
+from measureapp.data.rig import Resolution
+from measureapp.devices.plugin_loader import load_plugin
+from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.inspection.deviation import signed_distances
+from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.nominal_surface import NominalSurface
+from measureapp.inspection.point_to_plane import register
+from measureapp.inspection.settings import AlignmentSettings
+from measureapp.pipeline.measure import assemble, scan
+from measureapp.pipeline.run import Outcome, calibrate_rig, finished
+from measureapp.pipeline.watch import Stopwatch
+from measureapp.planning.viewpoints import plan_around_part
+from measureapp.progress import PartOf, Progress
+from measureapp.project.folder import ProjectFolder, ProjectSettings
+from measureapp.project.geometry_files import write_mesh
+from measureapp.project.rig_file import read_rig
+from measureapp.register.settings import StitchSettings
+from measureapp.register.stitch import stitch
+from measureapp.resources import plugin_folder, resource
+from measureapp.simulate.parts import SAMPLES, make_part
+from measureapp.simulate.truth import Truth
+from measureapp.simulate.world import World
+
+OnEvent = Callable[[Event], None]
+DEFAULT_VIEWPOINTS = {"impeller": 26}
+OTHER_VIEWPOINTS = 8
+PLUGIN = "virtual_rig"
+ALIGNMENT_POINTS = 60_000
+ALIGNMENT_REACH_MM = 3.0
+
+
+@dataclass(frozen=True, slots=True)
+class DemoRequest:
+    """What to measure on the virtual rig, and into which folder."""
+
+    folder: Path
+    part: str = "gypsum"  # one of the sample parts, or a mesh file
+    resolution: Resolution = "half"
+    viewpoints: int | None = None  # None: what the part needs
+    seed: int = 1  # draws the rig's hidden errors and all noise
+
+
+def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Outcome:
+    """Calibrate, scan, stitch, measure and report, then lay the hidden truth beside the results.
+
+    A folder that holds the same demo, begun or finished, is continued: images that are stored are not taken again.
+
+    Raises
+    ------
+    InputError
+        The part cannot be read, or the folder holds something else.
+    MeasureError
+        From the stages.
+    Cancelled
+        From ``progress``.
+    """
+    part = make_part(request.part)
+    description = read_rig("paper").at_resolution(request.resolution)
+    description = description.model_copy(update={"driver_settings": {"part": request.part, "seed": request.seed}})
+    plan = plan_around_part(
+        description,
+        part.name,
+        radius_mm=part.radius_mm,
+        height_mm=part.height_mm,
+        count=request.viewpoints if request.viewpoints is not None else DEFAULT_VIEWPOINTS.get(request.part, OTHER_VIEWPOINTS),
+    )
+    name = f"Demo: {part.name}, {request.resolution} resolution, {len(plan)} views, seed {request.seed}"
+    project = ProjectFolder.create(request.folder, ProjectSettings(name=name, part=part.name, rig=description))
+    project.save_plan(plan)
+    _give_drawing(project, request.part)
+    world = World(description, part, request.seed, project.settings.board)
+    rig = load_plugin(plugin_folder(), PLUGIN).module.rig_of(world)
+    watch = Stopwatch()
+    with watch.stage("total"):
+        calibrated = calibrate_rig(rig, project, on_event, PartOf(progress, 0.0, 0.3), watch)
+        views = scan(rig, project, calibrated.rig.calibration, on_event, PartOf(progress, 0.3, 0.8), watch)
+        measurement = assemble(project, calibrated.rig.calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch)
+    outcome = finished(project, measurement, watch)
+    return _with_truth(outcome, world, project)
+
+
+def _give_drawing(project: ProjectFolder, part: str) -> None:
+    """Put the sample part's inspection program and nominal into the project; a part given as a file has neither."""
+    if part in SAMPLES:
+        project.save_inspection(resource(f"parts/{part}/program.toml"), resource(f"parts/{part}/nominal.stl"))
+
+
+def _with_truth(outcome: Outcome, world: World, project: ProjectFolder) -> Outcome:
+    measurement = outcome.measurement
+    surface, deviation = truth_deviation(measurement, world)
+    path = project.results / "truth_mesh.ply"
+    write_mesh(path, surface)
+    files = {**outcome.files, "truth_mesh": path}
+    document = {
+        **outcome.document,
+        "calibration": {**outcome.document["calibration"], "truth": calibration_beside_truth(measurement.calibration, world.truth())},
+        "truth_deviation": deviation,
+        "files": {name: str(file) for name, file in files.items()},
+    }
+    return Outcome(measurement, document, files)
+
+
+def truth_deviation(measurement: Measurement, world: World) -> tuple[Mesh, dict[str, Any]]:
+    """Compare the stitched cloud with the true surface, after laying the one onto the other as a whole.
+
+    Returns
+    -------
+    surface : the true surface in the stitched cloud's frame
+    figures : `rms`, `p95`, `bias` in mm over all stitched points, the same for the views stitched by the axes alone, and
+        `offset_mm`, `offset_deg`: how far the calibrated frame of the part was from the true one
+    """
+    views = [view for view in measurement.views if view.quality.accepted]
+    kinematic = stitch([view.cloud for view in views], [view.part_from_camera for view in views], StitchSettings(fine=False))
+    surface, figures, offset = _against(measurement.stitched, world)
+    _, by_axes, _ = _against(kinematic, world)
+    shift = float(np.linalg.norm(offset.translation_mm))
+    return surface, {**figures, "kinematic_only": by_axes, "offset_mm": shift, "offset_deg": float(np.degrees(offset.angle_rad))}
+
+
+def _against(stitched: StitchedCloud, world: World) -> tuple[Mesh, dict[str, float], RigidTransform]:
+    """The true surface in the cloud's frame, the cloud's distances from it, and the motion that brought them together."""
+    truth = world.true_surface(stitched.frame)
+    surface = NominalSurface(truth)
+    points = MeasuredPoints.of(stitched)
+    fitted = register(points.thinned(ALIGNMENT_POINTS), surface, np.eye(4), AlignmentSettings(), reach_mm=ALIGNMENT_REACH_MM)
+    truth_from_cloud = RigidTransform(orthonormalised(fitted.matrix), stitched.frame, stitched.frame)
+    distances = signed_distances(truth_from_cloud.apply(stitched.points_mm), surface)
+    figures = {
+        "rms": float(np.sqrt(np.mean(distances**2))),
+        "p95": float(np.percentile(np.abs(distances), 95.0)),
+        "bias": float(np.mean(distances)),
+        "points": len(stitched),
+    }
+    return truth.seen_from(truth_from_cloud.inverse()), figures, truth_from_cloud
+
+
+def calibration_beside_truth(found: RigCalibration, truth: Truth) -> dict[str, Any]:
+    """Return the error of every solution, with the true values."""
+    true = truth.calibration
+    cameras = {}
+    for name, camera in found.cameras.cameras.items():
+        real = true.cameras.cameras[name]
+        off = camera.reference_from_camera.inverse() @ real.reference_from_camera
+        cameras[name] = {
+            "true_focal_px": float(real.pinhole.matrix[0, 0]),
+            "focal_error_px": float(camera.pinhole.matrix[0, 0] - real.pinhole.matrix[0, 0]),
+            "centre_error_px": (camera.pinhole.matrix[:2, 2] - real.pinhole.matrix[:2, 2]).tolist(),
+            "position_error_mm": float(np.linalg.norm(off.translation_mm)),
+            "direction_error_deg": float(np.degrees(off.angle_rad)),
+        }
+    hand_eye = found.hand_eye.flange_from_camera.inverse() @ true.hand_eye.flange_from_camera
+    axis_gap = found.axis.point_mm - true.axis.point_mm
+    return {
+        "cameras": cameras,
+        "hand_eye": {
+            "true_flange_from_camera": true.hand_eye.flange_from_camera.matrix.tolist(),
+            "position_error_mm": float(np.linalg.norm(hand_eye.translation_mm)),
+            "direction_error_deg": float(np.degrees(hand_eye.angle_rad)),
+        },
+        "guide": {
+            "true_direction": true.guide.direction.tolist(),
+            "true_scale": true.guide.scale,
+            "direction_error_deg": _angle_deg(found.guide.direction, true.guide.direction),
+            "scale_error": found.guide.scale - true.guide.scale,
+        },
+        "axis": {
+            "true_direction": true.axis.direction.tolist(),
+            "true_point_mm": true.axis.point_mm.tolist(),
+            "direction_error_deg": _angle_deg(found.axis.direction, true.axis.direction),
+            "position_error_mm": float(np.linalg.norm(np.cross(axis_gap, true.axis.direction))),
+        },
+    }
+
+
+def _angle_deg(one: FloatArray, other: FloatArray) -> float:
+    return float(np.degrees(np.arctan2(np.linalg.norm(np.cross(one, other)), one @ other)))

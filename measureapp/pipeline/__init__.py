@@ -1,0 +1,9 @@
+"""The order of the stages, and the only place that knows it.
+
+Images of the board become a rig calibration, fringe stacks become clouds, clouds become a part, the part becomes
+dimensions and a report. Everything here works on a rig's images and read-backs alone.
+"""
+
+from measureapp.pipeline.run import Outcome, calibrate_rig, process, process_project, scan_into_project, solve_calibration
+
+__all__ = ["Outcome", "calibrate_rig", "process", "process_project", "scan_into_project", "solve_calibration"]

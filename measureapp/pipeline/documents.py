@@ -1,0 +1,61 @@
+"""The JSON document of a run, and the report's files."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from measureapp.data.measurement import Measurement, ViewResult
+from measureapp.project.atomic import write_json, write_text
+from measureapp.project.folder import ProjectFolder
+from measureapp.project.geometry_files import read_mesh
+from measureapp.project.results import MESH, STITCHED
+from measureapp.report.compose import compose
+from measureapp.report.csv import csv_text
+from measureapp.report.json_document import measurement_document, report_document
+from measureapp.report.pdf import write_pdf
+
+
+def write_reports(project: ProjectFolder, measurement: Measurement) -> dict[str, Path]:
+    """Write the report as PDF, CSV and JSON, and return all files of the measurement."""
+    nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")
+    model = compose(measurement, nominal)
+    write_pdf(model, project.report_pdf)
+    write_text(project.report_csv, csv_text(model))
+    write_json(project.report_json, report_document(model))
+    files = {
+        "stitched_cloud": project.results / STITCHED,
+        "report_pdf": project.report_pdf,
+        "report_csv": project.report_csv,
+        "report_json": project.report_json,
+    }
+    return files | ({} if measurement.mesh is None else {"mesh": project.results / MESH})
+
+
+def outcome_document(measurement: Measurement, files: Mapping[str, Path], seconds: Mapping[str, float]) -> dict[str, Any]:
+    """Return what `process`, `scan` and `demo` print with `--json`; the truth is the demo's to add."""
+    document = measurement_document(measurement)
+    stitched = measurement.stitched
+    figures = {view.viewpoint_id: view_figures(view) for view in measurement.views}
+    document["views"] = [{**view, **figures.get(view["name"], {})} for view in document["views"]]
+    document["stitch"] = {
+        "points": len(stitched),
+        "views_used": sum(placement.used for placement in stitched.placements),
+        "largest_correction_mm": max((placement.correction_mm for placement in stitched.placements), default=0.0),
+        "residual_mm": max((placement.residual_mm for placement in stitched.placements if placement.used), default=0.0),
+        **dict(stitched.notes),
+    }
+    document["timings"] = {name: round(value, 3) for name, value in seconds.items()}
+    document["files"] = {name: str(path) for name, path in files.items()}
+    return document
+
+
+def view_figures(view: ViewResult) -> dict[str, Any]:
+    """Return what decoding and matching gave for one view."""
+    return {
+        "decode": dict(view.decode),
+        "pairs": list(view.pairs),
+        "rejected": dict(view.rejected),
+        "density": view.quality.density_per_mm2,
+    }

@@ -1,0 +1,226 @@
+"""From fringe stacks to clouds, from clouds to a part, from a part to its dimensions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict
+from datetime import UTC, datetime
+from typing import Any
+
+import numpy as np
+
+from measureapp.acquire.engine import Engine
+from measureapp.acquire.events import Event, InspectionReady, StitchReady, ViewpointFailed, ViewReady
+from measureapp.data.calibration import RigCalibration
+from measureapp.data.fringe import FringeStack
+from measureapp.data.measurement import Inspection, Measurement, ViewResult
+from measureapp.data.phase import PhaseMap, PixelState
+from measureapp.data.plan import ScanPlan
+from measureapp.data.rig import RigDescription
+from measureapp.devices.rig import Rig
+from measureapp.errors import CalibrationError, ReconstructError, RegistrationError
+from measureapp.fringe.decode import decode
+from measureapp.fringe.patterns import pattern_images
+from measureapp.pipeline.watch import Stopwatch
+from measureapp.planning.reach import check_reach
+from measureapp.progress import NoProgress, PartOf, Progress
+from measureapp.project.folder import ProjectFolder
+from measureapp.reconstruct.reconstruct import reconstruct
+from measureapp.register.cloud_quality import judge
+from measureapp.register.place import stations
+from measureapp.register.stitch import stitch
+from measureapp.register.surface import surface
+
+OnEvent = Callable[[Event], None]
+
+
+class _Processing:
+    """The sink of a scan: stores every stack for good, then makes a cloud of it."""
+
+    def __init__(self, project: ProjectFolder, calibration: RigCalibration, on_event: OnEvent, watch: Stopwatch) -> None:
+        self.views: dict[str, ViewResult] = {}
+        self._project, self._calibration, self._on_event, self._watch = project, calibration, on_event, watch
+
+    def store(self, stack: FringeStack) -> None:
+        """Keep the raw images, then process them."""
+        with self._watch.stage("storing"):
+            self._project.frames.store(stack)
+        self.process(stack, NoProgress())
+
+    def process(self, stack: FringeStack, progress: Progress) -> None:
+        """Make a cloud of a stack; a view without points is told, not passed on."""
+        with self._watch.stage("clouds"):
+            try:
+                view = cloud_of_view(stack, self._calibration, progress)
+            except ReconstructError as error:
+                self._on_event(ViewpointFailed(stack.viewpoint_id, str(error)))
+                return
+        self.views[view.viewpoint_id] = view
+        self._on_event(ViewReady(view))
+
+
+def scan(
+    rig: Rig, project: ProjectFolder, calibration: RigCalibration, on_event: OnEvent, progress: Progress, watch: Stopwatch
+) -> tuple[ViewResult, ...]:
+    """Run the project's plan on the rig and process every stack as it comes; stored viewpoints are not taken again.
+
+    Raises
+    ------
+    CalibrationError
+        The calibration is of other cameras than the rig's.
+    PlanError
+        A viewpoint is out of reach; nothing was moved.
+    StorageError
+        There is not enough disk space; nothing was moved.
+    """
+    plan = project.plan()
+    if plan is None:
+        raise CalibrationError(f"{project.path} has no scan plan.", "Plan the scan first.")
+    check_reach(plan, rig.description)
+    check_cameras(rig, calibration)
+    stored = project.stored_viewpoints()
+    project.frames.require_space(stack_bytes(rig.description, plan) * (len(plan) - len(stored)))
+    sink = _Processing(project, calibration, on_event, watch)
+    for viewpoint_id in stored:
+        sink.process(project.frames.load(viewpoint_id), NoProgress())
+    images = pattern_images(plan.patterns, rig.projector.width_px, rig.projector.height_px)
+    rig.place_on_table("part")
+    with watch.stage("scan with storing and clouds"):
+        Engine(rig, sink).run(plan, images, on_event, progress, stored)
+    return tuple(sink.views[viewpoint.id] for viewpoint in plan if viewpoint.id in sink.views)
+
+
+def clouds_from_disk(
+    project: ProjectFolder, calibration: RigCalibration, on_event: OnEvent, progress: Progress, watch: Stopwatch
+) -> tuple[ViewResult, ...]:
+    """Make the clouds of all stored viewpoints."""
+    sink = _Processing(project, calibration, on_event, watch)
+    stored = project.stored_viewpoints()
+    for index, viewpoint_id in enumerate(stored):
+        part = PartOf(progress, index / len(stored), (index + 1) / len(stored), f"{viewpoint_id}: ")
+        sink.process(project.frames.load(viewpoint_id), part)
+    return tuple(sink.views.values())
+
+
+def cloud_of_view(stack: FringeStack, calibration: RigCalibration, progress: Progress) -> ViewResult:
+    """Decode, match, triangulate and judge one viewpoint. Raises DecodeError, ReconstructError."""
+    if stack.readback is None:
+        raise ReconstructError(f"{stack.viewpoint_id} has no read-back of the axes.", "Only stacks taken by a rig can be placed.")
+    maps = decode(stack, None, PartOf(progress, 0.0, 0.5))
+    result = reconstruct(maps, calibration.cameras, progress=PartOf(progress, 0.5, 1.0))
+    quality = judge(result.cloud, completeness=_completeness(maps, result.cloud.pixel))
+    return ViewResult(
+        viewpoint_id=stack.viewpoint_id,
+        cloud=result.cloud,
+        quality=quality,
+        part_from_camera=calibration.part_from_camera(stack.readback),
+        decode={name: decode_figures(phase_map) for name, phase_map in maps.items()},
+        pairs=tuple(asdict(pair) for pair in result.pairs),
+        rejected=dict(result.rejected),
+        readback=stack.readback,
+    )
+
+
+def decode_figures(phase_map: PhaseMap) -> dict[str, Any]:
+    """Return the figures of decoding one camera, as `decode` prints them."""
+    valid = phase_map.valid
+    return {
+        "valid_ratio": {"exposures": list(phase_map.valid_ratio_exposures), "composite": phase_map.valid_ratio_composite},
+        "decoded_ratio": float(valid.mean()),
+        "modulation_median": float(np.median(phase_map.modulation[valid])) if valid.any() else 0.0,
+        "phase_sigma_median": float(np.median(phase_map.sigma_rad[valid])) if valid.any() else 0.0,
+        "order_conflicts": int(np.count_nonzero(phase_map.state == PixelState.ORDER_CONFLICT)),
+    }
+
+
+def _completeness(maps: Mapping[str, PhaseMap], pixels: np.typing.NDArray[Any]) -> float:
+    """Points over the pixels of the reference camera that see projected light."""
+    lit = int(np.count_nonzero(next(iter(maps.values())).state != PixelState.DARK))
+    return min(1.0, len(pixels) / lit) if lit else 0.0
+
+
+def assemble(
+    project: ProjectFolder, calibrated: RigCalibration, views: Sequence[ViewResult], on_event: OnEvent, progress: Progress, watch: Stopwatch
+) -> Measurement:
+    """Stitch the clouds of all views, make the surface, measure the dimensions and keep everything.
+
+    Raises
+    ------
+    RegistrationError
+        No view gave a cloud worth stitching.
+    """
+    good = [view for view in views if view.quality.accepted]
+    if not good:
+        reasons = "; ".join(sorted({view.quality.reason for view in views})) or "no view gave points"
+        raise RegistrationError(f"There is nothing to stitch: {reasons}.", "Look at the images; change exposures or viewpoints.")
+    with watch.stage("stitching"):
+        clouds, placed = [view.cloud for view in good], [view.part_from_camera for view in good]
+        standing = stations([view.readback for view in good])
+        stitched = stitch(clouds, placed, progress=PartOf(progress, 0.0, 0.5), stations=standing)
+    on_event(StitchReady(stitched))
+    with watch.stage("surface"):
+        mesh = surface(stitched, progress=PartOf(progress, 0.5, 0.7))
+    with watch.stage("inspection"):
+        inspection = _inspected(project, stitched, PartOf(progress, 0.7, 0.9))
+    if inspection is not None:
+        on_event(InspectionReady(inspection))
+    plan = project.plan()
+    measurement = Measurement(
+        project=project.name,
+        part=project.settings.part,
+        rig=project.rig().name,
+        measured_at=datetime.now(UTC).isoformat(timespec="seconds"),
+        calibration=calibrated,
+        views=tuple(views),
+        stitched=stitched,
+        mesh=mesh,
+        inspection=inspection,
+        settings={} if plan is None else _settings(plan),
+        timings_s=dict(watch.seconds),
+    )
+    with watch.stage("saving"):
+        project.save_measurement(measurement)
+    progress.report(1.0, 1.0, "measured")
+    return measurement
+
+
+def _inspected(project: ProjectFolder, stitched: Any, progress: Progress) -> Inspection | None:
+    if project.program is None:
+        return None
+    from measureapp.inspection.dimensions import inspect
+    from measureapp.project.geometry_files import read_mesh
+    from measureapp.project.program_file import read_program
+
+    nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")
+    return inspect(stitched, read_program(project.program), nominal, progress=progress)
+
+
+def _settings(plan: ScanPlan) -> dict[str, Any]:
+    return {
+        "plan": plan.name,
+        "patterns": plan.patterns.name,
+        "exposures_us": list(plan.bracket.exposures_us),
+        "exposure rule": "all unsaturated exposures, weighted by inverse variance",
+    }
+
+
+def check_cameras(rig: Rig, calibration: RigCalibration) -> None:
+    """Refuse a calibration of other cameras. Raises CalibrationError naming the camera."""
+    for name, camera in rig.cameras.items():
+        known = calibration.cameras.cameras.get(name)
+        if known is None:
+            raise CalibrationError(f"The calibration has no camera {name!r}.", "Calibrate this rig.")
+        if (known.pinhole.width_px, known.pinhole.height_px) != (camera.width_px, camera.height_px):
+            raise CalibrationError(
+                f"Camera {name!r} takes {camera.width_px} × {camera.height_px} px; its calibration is for "
+                f"{known.pinhole.width_px} × {known.pinhole.height_px} px.",
+                "Calibrate at this resolution.",
+            )
+        if known.serial and known.serial != camera.serial:
+            raise CalibrationError(f"Camera {name!r} is {camera.serial}; its calibration is of {known.serial}.", "Calibrate this rig.")
+
+
+def stack_bytes(rig: RigDescription, plan: ScanPlan) -> int:
+    """Return how much disk the images of one viewpoint take."""
+    images = plan.patterns.count * len(plan.bracket.exposures_us)
+    return sum(camera.width_px * camera.height_px * (1 if camera.bit_depth == 8 else 2) * images for camera in rig.cameras)

@@ -1,0 +1,118 @@
+"""Whole runs: calibrate a rig, scan into a project, process a project."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from measureapp.acquire.capture import capture_board
+from measureapp.acquire.events import CalibrationReady, Event
+from measureapp.data.calibration import RigCalibration
+from measureapp.data.measurement import Measurement
+from measureapp.data.plan import ScanPlan
+from measureapp.data.rig import RigDescription
+from measureapp.devices.plugin_loader import load_plugin
+from measureapp.devices.rig import Rig
+from measureapp.errors import CalibrationError, InputError
+from measureapp.pipeline.calibrate import CalibratedRig, calibrate_from_views
+from measureapp.pipeline.documents import outcome_document, write_reports
+from measureapp.pipeline.measure import assemble, clouds_from_disk, scan
+from measureapp.pipeline.watch import Stopwatch
+from measureapp.planning.calibration_views import calibration_viewpoints
+from measureapp.progress import PartOf, Progress
+from measureapp.project.folder import ProjectFolder
+from measureapp.resources import plugin_folder
+
+OnEvent = Callable[[Event], None]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outcome:
+    """What a run gave: the nouns, the JSON document and the files."""
+
+    measurement: Measurement
+    document: dict[str, Any]
+    files: dict[str, Path]
+
+
+def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> CalibratedRig:
+    """Take images of the board from all sides, keep them, and solve the whole rig from them."""
+    viewpoints = calibration_viewpoints(rig.description)
+    stored = {view.viewpoint_id for view in project.board_views()}
+    with watch.stage("calibration images"):
+        rig.place_on_table("board")
+        for index, viewpoint in enumerate(viewpoints):
+            progress.report(0.6 * index, len(viewpoints), f"board from {viewpoint.id}")
+            if viewpoint.id not in stored:
+                project.save_board_view(capture_board(rig, viewpoint))
+    return solve_calibration(project, on_event, PartOf(progress, 0.6, 1.0), watch)
+
+
+def solve_calibration(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> CalibratedRig:
+    """Calibrate the rig from the stored images of the board; raises CalibrationError when they do not suffice."""
+    with watch.stage("calibration"):
+        calibrated = calibrate_from_views(project.board_views(), project.settings.board, project.rig(), progress)
+        project.save_calibration(calibrated.rig.calibration)
+    on_event(CalibrationReady(calibrated.rig.calibration))
+    return calibrated
+
+
+def scan_into_project(
+    plan: ScanPlan, description: RigDescription, folder: Path, resume: bool, on_event: OnEvent, progress: Progress
+) -> Outcome:
+    """Connect the rig, run ``plan`` into the project in ``folder``, which holds the rig's calibration, and process the images.
+
+    Raises
+    ------
+    InputError, CalibrationError, PlanError, StorageError
+        Before anything moves.
+    DeviceError
+        From the rig.
+    """
+    project = ProjectFolder.open(folder)
+    if project.stored_viewpoints() and not resume:
+        raise InputError(f"{folder} holds images already.", "Use --resume to take only what is missing, or scan into a new project.")
+    calibration = project.calibration()
+    if calibration is None:
+        raise CalibrationError(f"{folder} has no calibration.", "Calibrate the rig into this project first.")
+    project.save_plan(plan)
+    watch = Stopwatch()
+    rig = load_plugin(plugin_folder(), description.driver).entry(description, description.driver_settings)
+    try:
+        views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch)
+    finally:
+        rig.close()
+    return finished(project, assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch), watch)
+
+
+def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Outcome:
+    """Recompute everything from the stored images: the calibration (where its images are stored), clouds, part, dimensions, report."""
+    watch = Stopwatch()
+    calibration = _calibration_of(project, on_event, PartOf(progress, 0.0, 0.2), watch)
+    views = clouds_from_disk(project, calibration, on_event, PartOf(progress, 0.2, 0.7), watch)
+    return finished(project, assemble(project, calibration, views, on_event, PartOf(progress, 0.7, 1.0), watch), watch)
+
+
+def process(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Measurement:
+    """Recompute everything from the stored images and return the measurement."""
+    return process_project(project, on_event, progress).measurement
+
+
+def _calibration_of(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigCalibration:
+    if project.board_views():
+        return solve_calibration(project, on_event, progress, watch).rig.calibration
+    calibration = project.calibration()
+    if calibration is None:
+        raise CalibrationError(f"{project.path} has neither a calibration nor images of the board.", "Calibrate the rig first.")
+    on_event(CalibrationReady(calibration))
+    return calibration
+
+
+def finished(project: ProjectFolder, measurement: Measurement, watch: Stopwatch) -> Outcome:
+    """Write the reports and the JSON document of a measurement."""
+    with watch.stage("report"):
+        files = {"project": project.path, **write_reports(project, measurement)}
+    document = outcome_document(measurement, files, watch.seconds)
+    return Outcome(measurement, document, files)

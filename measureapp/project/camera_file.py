@@ -1,0 +1,160 @@
+"""`cameras.json`: the cameras of a head, in the format that also comes from outside."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, Provenance
+from measureapp.errors import FrameMismatch, InputError
+from measureapp.geometry.pinhole import PinholeCamera
+from measureapp.geometry.transform import RigidTransform
+from measureapp.project.atomic import write_json
+
+SCHEMA_VERSION = 1
+DISTORTION_LENGTHS = (4, 5, 8, 12, 14)
+FILE_FIELDS = {"schema_version", "reference", "cameras", "pair_rms_px", "provenance"}
+CAMERA_FIELDS = {"width", "height", "matrix", "distortion", "reference_from_camera", "standard_deviations", "rms_px", "serial"}
+NEEDED_CAMERA_FIELDS = ("width", "height", "matrix", "distortion", "reference_from_camera")
+PROVENANCE_FIELDS = {"created", "method", "inputs"}
+
+
+def write_cameras(path: Path, calibration: CameraArrayCalibration) -> None:
+    """Write ``calibration``, whole or not at all."""
+    write_json(Path(path), cameras_document(calibration))
+
+
+def read_cameras(path: Path) -> CameraArrayCalibration:
+    """Read the cameras of a head.
+
+    Raises
+    ------
+    InputError
+        The file is missing, is not JSON, lacks a field or has a foreign one, or a value cannot be right; the message
+        names file and field.
+    """
+    path = Path(path)
+    try:
+        document = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give the path of a cameras.json.") from error
+    except ValueError as error:
+        raise InputError(f"{path} is not JSON: {error}.", "Give a cameras.json as `calibrate cameras` writes it.") from error
+    return cameras_from(document, str(path))
+
+
+def cameras_document(calibration: CameraArrayCalibration) -> dict[str, Any]:
+    """Return the JSON document of ``calibration``."""
+    provenance = calibration.provenance
+    return {
+        "schema_version": SCHEMA_VERSION,
+        "reference": calibration.reference,
+        "cameras": {name: _camera_document(calibration.cameras[name]) for name in calibration.names},
+        "pair_rms_px": {pair: float(value) for pair, value in calibration.pair_rms_px.items()},
+        "provenance": {"created": provenance.created, "method": provenance.method, "inputs": dict(provenance.inputs)},
+    }
+
+
+def _camera_document(camera: CameraCalibration) -> dict[str, Any]:
+    return {
+        "width": camera.pinhole.width_px,
+        "height": camera.pinhole.height_px,
+        "matrix": camera.pinhole.matrix.tolist(),
+        "distortion": camera.pinhole.distortion.tolist(),
+        "reference_from_camera": camera.reference_from_camera.matrix.tolist(),
+        "standard_deviations": {name: float(value) for name, value in camera.standard_deviations.items()},
+        "rms_px": float(camera.rms_px),
+        "serial": camera.serial,
+    }
+
+
+def cameras_from(document: Any, source: str = "cameras.json") -> CameraArrayCalibration:
+    """Return the calibration of a JSON document; raises InputError naming ``source`` and the field."""
+    _known(document, FILE_FIELDS, source, "the file")
+    if document.get("schema_version") != SCHEMA_VERSION:
+        raise InputError(
+            f"{source}: schema_version is {document.get('schema_version')!r}, not {SCHEMA_VERSION}.",
+            "Write the file again with this version.",
+        )
+    cameras = _field(document, "cameras", source)
+    if not isinstance(cameras, Mapping) or not cameras:
+        raise InputError(f"{source}: cameras names no camera.", 'Give {"left": {…}, …}.')
+    reference = _field(document, "reference", source)
+    if reference not in cameras:
+        raise InputError(
+            f"{source}: the reference camera {reference!r} is not among the cameras.", "Name one of: " + ", ".join(cameras) + "."
+        )
+    provenance = document.get("provenance", {})
+    _known(provenance, PROVENANCE_FIELDS, source, "provenance")
+    made = {name: _camera(name, entry, reference, source) for name, entry in cameras.items()}
+    pairs = _numbers(document.get("pair_rms_px", {}), source, "pair_rms_px")
+    return CameraArrayCalibration(str(reference), made, pairs, Provenance(**provenance))
+
+
+def _camera(name: str, entry: Any, reference: str, source: str) -> CameraCalibration:
+    place = f"cameras.{name}"
+    _known(entry, CAMERA_FIELDS, source, place)
+    for needed in NEEDED_CAMERA_FIELDS:
+        _field(entry, needed, source, f"{place}.")
+    matrix = _array(entry["matrix"], (3, 3), source, f"{place}.matrix")
+    if matrix[0, 0] <= 0 or matrix[1, 1] <= 0 or not np.allclose(matrix[2], [0, 0, 1]):
+        raise InputError(f"{source}: {place}.matrix is not a camera matrix.", "Give [[fx, 0, cx], [0, fy, cy], [0, 0, 1]] in pixels.")
+    distortion = _array(entry["distortion"], None, source, f"{place}.distortion").ravel()
+    if len(distortion) not in DISTORTION_LENGTHS:
+        raise InputError(f"{source}: {place}.distortion has {len(distortion)} coefficients.", "OpenCV's order has 4, 5, 8, 12 or 14.")
+    pose = _array(entry["reference_from_camera"], (4, 4), source, f"{place}.reference_from_camera")
+    size = [entry[side] for side in ("width", "height")]
+    if any(isinstance(value, bool) or not isinstance(value, int) or value <= 0 for value in size):
+        raise InputError(f"{source}: {place}.width and height must be whole numbers above 0.", "Give the image's size in pixels.")
+    if not np.allclose(pose[3], [0, 0, 0, 1]) or (name == reference and not np.allclose(pose, np.eye(4), atol=1e-9)):
+        wanted = "the identity for the reference camera" if name == reference else "a rigid 4×4 transform"
+        raise InputError(f"{source}: {place}.reference_from_camera is not {wanted}.", "Its last row is 0 0 0 1; lengths in mm.")
+    try:
+        transform = RigidTransform(pose, "camera", name)
+    except FrameMismatch as error:
+        raise InputError(
+            f"{source}: {place}.reference_from_camera is not a rigid transform.", "Its 3×3 part must be a rotation; lengths in mm."
+        ) from error
+    deviations = _numbers(entry.get("standard_deviations", {}), source, f"{place}.standard_deviations")
+    rms_px = _numbers({"rms_px": entry.get("rms_px", 0.0)}, source, place)["rms_px"]
+    return CameraCalibration(
+        name, PinholeCamera(size[0], size[1], matrix, distortion), transform, deviations, rms_px, str(entry.get("serial", ""))
+    )
+
+
+def _known(entry: Any, fields: set[str], source: str, place: str) -> None:
+    if not isinstance(entry, Mapping):
+        raise InputError(f"{source}: {place} is not a JSON object.", "See the format of cameras.json in the help.")
+    foreign = sorted(set(entry) - fields)
+    if foreign:
+        raise InputError(f"{source}: {place} has the unknown field {foreign[0]!r}.", "Known fields: " + ", ".join(sorted(fields)) + ".")
+
+
+def _field(entry: Mapping[str, Any], name: str, source: str, prefix: str = "") -> Any:
+    if name not in entry:
+        raise InputError(f"{source}: {prefix}{name} is missing.", "See the format of cameras.json in the help.")
+    return entry[name]
+
+
+def _array(value: Any, shape: tuple[int, ...] | None, source: str, place: str) -> Any:
+    try:
+        array = np.asarray(value, np.float64)
+    except (TypeError, ValueError):
+        array = np.full(1, np.nan)
+    if (shape is not None and array.shape != shape) or not np.all(np.isfinite(array)):
+        wanted = " × ".join(map(str, shape)) + " numbers" if shape else "a list of numbers"
+        raise InputError(f"{source}: {place} is not {wanted}.", "Correct the value.")
+    return array
+
+
+def _numbers(entry: Any, source: str, place: str) -> dict[str, float]:
+    if not isinstance(entry, Mapping):
+        raise InputError(f"{source}: {place} is not a JSON object.", "Give names with numbers.")
+    for name, value in entry.items():
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            raise InputError(f"{source}: {place}.{name} is not a number.", "Correct the value.")
+    return {str(name): float(value) for name, value in entry.items()}

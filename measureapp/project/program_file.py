@@ -1,0 +1,74 @@
+"""Inspection programs and their nominals on disk."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from measureapp.data.inspection_program import InspectionProgram
+from measureapp.data.mesh import Mesh
+from measureapp.errors import InputError
+from measureapp.project.geometry_files import read_mesh
+
+
+def read_program(path: Path) -> InspectionProgram:
+    """Read PROGRAM.toml.
+
+    Raises
+    ------
+    InputError
+        The file cannot be read, is not TOML (the line is named), or holds a value or key that is not allowed
+        (the place is named).
+    """
+    path = Path(path)
+    try:
+        document = tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Check the path of the inspection program.") from error
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path} is not a text file.", "Give an inspection program in TOML.") from error
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(f"{path} is not valid TOML: {error}.", "Correct the line named.") from error
+    try:
+        return InspectionProgram.model_validate(document)
+    except ValidationError as error:
+        raise InputError(f"{path}: {_first_problem(error, document)}.", "Correct this entry of the inspection program.") from error
+
+
+def read_program_nominal(path: Path, program: InspectionProgram) -> Mesh | None:
+    """Read the nominal mesh that the program at ``path`` names; None when it names none. Raises InputError."""
+    if program.nominal is None:
+        return None
+    nominal = Path(path).parent / program.nominal
+    if not nominal.is_file():
+        raise InputError(f"{nominal}, the nominal named in {path}, does not exist.", "Put the mesh there or correct `nominal`.")
+    return read_mesh(nominal)
+
+
+def _first_problem(error: ValidationError, document: dict[str, object]) -> str:
+    """Place and message of the most telling problem, with the name of the entry it lies in."""
+    problems = error.errors()
+    constructed = {problem["loc"][:2] for problem in problems if "ConstructedFeature" in problem["loc"]}
+    chosen = problems[0]
+    if chosen["loc"][:2] in constructed:  # a union reports every branch; take the one that the entry's keys point to
+        entry = _at(document, chosen["loc"][:2])
+        branch = "ConstructedFeature" if isinstance(entry, dict) and "of" in entry else "MeasuredFeature"
+        chosen = next((p for p in problems if p["loc"][:2] == chosen["loc"][:2] and branch in p["loc"]), chosen)
+    place = [str(part) for part in chosen["loc"] if part not in ("MeasuredFeature", "ConstructedFeature")]
+    entry = _at(document, chosen["loc"][:2])
+    named = f" ({entry['name']!r})" if isinstance(entry, dict) and isinstance(entry.get("name"), str) else ""
+    if chosen["type"] == "extra_forbidden":
+        return f"{'.'.join(place)}{named} is not a known key"
+    return f"{'.'.join(place) or 'the program'}{named}: {chosen['msg'].removeprefix('Value error, ')}"
+
+
+def _at(document: Any, place: tuple[int | str, ...]) -> Any:
+    for part in place:
+        try:
+            document = document[part]
+        except (KeyError, IndexError, TypeError):
+            return None
+    return document
