@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -33,3 +37,19 @@ def read_only(array: npt.ArrayLike, dtype: npt.DTypeLike | None = None, shape: t
     view = made.view()
     view.flags.writeable = False
     return view
+
+
+def in_bands(work: Callable[[int, int], Any], count: int, bands: int | None = None) -> list[Any]:
+    """Call ``work(start, stop)`` for consecutive shares of ``0…count`` on one thread per processor.
+
+    Worth it only where ``work`` releases the interpreter (compiled kernels, large NumPy calls).
+
+    Returns
+    -------
+    list : what each call returned, in order; the first exception of a call is raised
+    """
+    threads = max(1, os.cpu_count() or 1)
+    edges = np.linspace(0, count, (bands or 4 * threads) + 1).astype(int)
+    shares = [(int(start), int(stop)) for start, stop in pairwise(edges) if stop > start]
+    with ThreadPoolExecutor(threads) as pool:
+        return list(pool.map(lambda share: work(*share), shares))

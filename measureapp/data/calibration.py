@@ -14,6 +14,9 @@ from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, rotation_about
 
 
+SAME_STATION_MM, SAME_STATION_RAD = 0.01, 2e-5
+
+
 @dataclass(frozen=True, slots=True)
 class Provenance:
     """Where a calibration comes from."""
@@ -111,6 +114,22 @@ class LinearGuide:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class RobotStation:
+    """A pose of the robot whose error was measured.
+
+    The pose error of a robot is some tenths of a millimetre but repeats within hundredths, so that a measured one can be undone.
+    """
+
+    read: RigidTransform  # base_from_flange as the controller says
+    true: RigidTransform  # base_from_flange as measured with the board
+
+    def is_at(self, base_from_flange: RigidTransform) -> bool:
+        """Whether the controller says that the robot stands here."""
+        gap = self.read.inverse() @ base_from_flange
+        return bool(np.linalg.norm(gap.translation_mm) < SAME_STATION_MM and gap.angle_rad < SAME_STATION_RAD)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class RigCalibration:
     """The whole rig. The part's frame has its z axis on the table's axis and turns with the table."""
 
@@ -119,6 +138,7 @@ class RigCalibration:
     guide: LinearGuide
     axis: RotationAxis  # in the guide frame
     provenance: Provenance = field(default_factory=Provenance)
+    stations: tuple[RobotStation, ...] = ()
 
     def __post_init__(self) -> None:
         if self.axis.frame != "guide":
@@ -126,9 +146,15 @@ class RigCalibration:
                 f"The rotation axis is given in frame {self.axis.frame!r}, not in the guide frame.", "Carry it through the chain first."
             )
 
+    def station(self, readback: AxisReadback) -> RobotStation | None:
+        """Return the measured station at which the robot stands, if it stands at one."""
+        return next((station for station in self.stations if station.is_at(readback.base_from_flange)), None)
+
     def guide_from_camera(self, readback: AxisReadback) -> RigidTransform:
-        """Chain from the reference camera to the guide frame for the robot and guide as read back."""
-        return self.guide.guide_from_base(readback.guide_mm) @ readback.base_from_flange @ self.hand_eye.flange_from_camera
+        """Chain from the reference camera to the guide frame for the robot and guide as read back; at a station with its error undone."""
+        station = self.station(readback)
+        base_from_flange = readback.base_from_flange if station is None else station.true
+        return self.guide.guide_from_base(readback.guide_mm) @ base_from_flange @ self.hand_eye.flange_from_camera
 
     @property
     def table_from_guide(self) -> RigidTransform:

@@ -127,7 +127,7 @@ class InspectionProgram(Model):
     name: str = Field(min_length=1)
     nominal: str | None = Field(default=None, description="mesh file of the nominal, relative to the program's file")
     alignment: Literal["best-fit", "none"] = "best-fit"
-    features: Annotated[tuple[MeasuredFeature | ConstructedFeature, ...], Field(min_length=1)]
+    features: tuple[Annotated[MeasuredFeature | ConstructedFeature, Field(discriminator="shape")], ...] = Field(min_length=1)
     dimensions: tuple[DimensionProgram, ...] = ()
 
     @model_validator(mode="after")

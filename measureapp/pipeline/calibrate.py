@@ -57,7 +57,7 @@ def calibrate_from_views(
     solved = solve_cameras(problem, PartOf(progress, 0.5, 0.8))
     cameras = _with_serials(solved.calibration, rig)
     solved = replace(solved, calibration=cameras)
-    observations = _observations(views, found, solved, board)
+    observations = _observations(views, found, solved)
     noise = AxisNoise(
         robot_mm=rig.robot.absolute_accuracy_mm,
         robot_rad=float(np.deg2rad(rig.robot.absolute_accuracy_deg)),
@@ -95,7 +95,7 @@ def _detected(
 
 
 def _observations(
-    views: Sequence[BoardView], found: Mapping[str, Mapping[str, FloatArray]], solved: CameraArraySolution, board: CheckerboardDescription
+    views: Sequence[BoardView], found: Mapping[str, Mapping[str, FloatArray]], solved: CameraArraySolution
 ) -> list[RigObservation]:
     """Board poses from the sightings that the camera calibration kept."""
     used = {(residual.camera, residual.view) for residual in solved.views}
@@ -103,7 +103,7 @@ def _observations(
     for view in views:
         corners = {camera: seen for camera, seen in found[view.viewpoint_id].items() if (camera, view.viewpoint_id) in used}
         if corners:
-            pose = board_pose(corners, solved.calibration, board, solved.sigma_px)
+            pose = board_pose(corners, solved.calibration, solved.board, solved.sigma_px)
             observations.append(RigObservation(view.viewpoint_id, view.readback, pose))
     return observations
 

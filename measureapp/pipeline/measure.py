@@ -28,10 +28,12 @@ from measureapp.project.folder import ProjectFolder
 from measureapp.reconstruct.reconstruct import reconstruct
 from measureapp.register.cloud_quality import judge
 from measureapp.register.place import stations
+from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
 from measureapp.register.surface import surface
 
 OnEvent = Callable[[Event], None]
+KNOWN_STATION_MM, KNOWN_STATION_DEG = 0.05, 0.005  # repeatability of the robot and what the board leaves unknown
 
 
 class _Processing:
@@ -156,7 +158,8 @@ def assemble(
     with watch.stage("stitching"):
         clouds, placed = [view.cloud for view in good], [view.part_from_camera for view in good]
         standing = stations([view.readback for view in good])
-        stitched = stitch(clouds, placed, progress=PartOf(progress, 0.0, 0.5), stations=standing)
+        settings = stitch_settings(calibrated, good)
+        stitched = stitch(clouds, placed, settings, PartOf(progress, 0.0, 0.5), stations=standing)
     on_event(StitchReady(stitched))
     with watch.stage("surface"):
         mesh = surface(stitched, progress=PartOf(progress, 0.5, 0.7))
@@ -182,6 +185,12 @@ def assemble(
         project.save_measurement(measurement)
     progress.report(1.0, 1.0, "measured")
     return measurement
+
+
+def stitch_settings(calibration: RigCalibration, views: Sequence[ViewResult]) -> StitchSettings:
+    """Return the settings of stitching: the priors are tight where the robot's error was measured at every station of the scan."""
+    known = all(calibration.station(view.readback) is not None for view in views)
+    return StitchSettings(pose_sigma_mm=KNOWN_STATION_MM, pose_sigma_deg=KNOWN_STATION_DEG) if known else StitchSettings()
 
 
 def _inspected(project: ProjectFolder, stitched: Any, progress: Progress) -> Inspection | None:

@@ -39,7 +39,7 @@ class Outcome:
 
 def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> CalibratedRig:
     """Take images of the board from all sides, keep them, and solve the whole rig from them."""
-    viewpoints = calibration_viewpoints(rig.description)
+    viewpoints = calibration_viewpoints(rig.description, project.plan())
     stored = {view.viewpoint_id for view in project.board_views()}
     with watch.stage("calibration images"):
         rig.place_on_table("board")

@@ -18,6 +18,7 @@ from measureapp.planning.reach import obstacles
 RINGS_DEG = ((0.0, 32.0), (8.0, 62.0), (-8.0, 47.0))  # azimuth and elevation, in the order in which they are added
 FIELD_RADIUS_MM = 140.0  # half the shared field's smaller side, from the paper's rig
 ELEVATION_STEP_DEG = 2.0
+LEAST_TARGET_MM = 55.0  # above the table; from there the calibration board on its stand is in sight as well
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,7 +86,7 @@ def plan_around_part(rig: RigDescription, name: str, *, radius_mm: float, height
 
 def _target_heights(height_mm: float) -> list[float]:
     bands = max(1, ceil(height_mm / (2 * FIELD_RADIUS_MM)))
-    return [height_mm * (band + 0.5) / bands for band in range(bands)]
+    return [max(LEAST_TARGET_MM, height_mm * (band + 0.5) / bands) for band in range(bands)]
 
 
 def _target(rig: RigDescription, radius_mm: float, height_mm: float, azimuth_deg: float) -> FloatArray:

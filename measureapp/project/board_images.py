@@ -7,11 +7,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-import cv2
-import numpy as np
-
 from measureapp.arrays import ImageArray
 from measureapp.errors import InputError
+from measureapp.project.images import read_image
 from measureapp.project.tables import natural_order
 
 
@@ -81,15 +79,3 @@ def find_board_images(options: Sequence[str]) -> BoardImages:
         listed = ", ".join(f"{name}: {count}" for name, count in counts.items())
         raise InputError(f"The cameras have different numbers of images ({listed}).", "Give one image of every camera per board position.")
     return BoardImages(files)
-
-
-def read_image(path: Path) -> ImageArray:
-    """Read an image as grey levels, 8 or 16 bit. Raises InputError naming the file."""
-    try:
-        data = np.fromfile(path, np.uint8)
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Check the path.") from error
-    image = cv2.imdecode(data, cv2.IMREAD_GRAYSCALE | cv2.IMREAD_ANYDEPTH) if len(data) else None
-    if image is None or image.dtype not in (np.uint8, np.uint16):
-        raise InputError(f"{path} is not a readable image.", "Give PNG, TIFF, BMP or JPEG with 8 or 16 bit.")
-    return np.asarray(image)

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, Provenance, RigCalibration, RotationAxis
+from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, Provenance, RigCalibration, RobotStation, RotationAxis
 from measureapp.data.cloud import ViewPlacement
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.feature import Feature
@@ -49,6 +49,7 @@ def rig_calibration_document(calibration: RigCalibration) -> dict[str, Any]:
         "guide": _plain(calibration.guide),
         "axis": _plain(calibration.axis),
         "provenance": asdict(calibration.provenance),
+        "stations": [_plain(station) for station in calibration.stations],
     }
 
 
@@ -64,6 +65,7 @@ def rig_calibration_from(document: Mapping[str, Any], cameras: CameraArrayCalibr
         guide=LinearGuide(**guide),
         axis=RotationAxis(**axis),
         provenance=Provenance(**document["provenance"]),
+        stations=tuple(RobotStation(transform_from(station["read"]), transform_from(station["true"])) for station in document["stations"]),
     )
 
 

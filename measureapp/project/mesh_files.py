@@ -78,7 +78,7 @@ def read_obj(path: Path) -> tuple[FloatArray, IntArray, FloatArray | None]:
 
 
 def _obj_index(word: str, vertices: int) -> int:
-    index = int(word.split("/")[0])
+    index = int(word.split("/", 1)[0])
     return index - 1 if index > 0 else vertices + index
 
 

@@ -203,7 +203,9 @@ class _BinaryBody:
             at += length * np.dtype(prop.type).itemsize
         table_type = np.dtype(fields)
         if element.count * table_type.itemsize > len(self.body) - self.at:
-            return self._not_uniform(element)
+            if not element.has_lists:
+                raise _cut_short(self.path, element)
+            return None
         table = np.frombuffer(self.body, table_type, element.count, self.at)
         columns: dict[str, Any] = {}
         for prop in element.properties:
@@ -217,10 +219,6 @@ class _BinaryBody:
                 columns[prop.name] = column
         self.at += element.count * table_type.itemsize
         return columns
-
-    def _not_uniform(self, element: Element) -> None:
-        if not element.has_lists:
-            raise _cut_short(self.path, element)
 
     def _length(self, element: Element, prop: Property, at: int) -> tuple[int, int]:
         """Return how many values a property has in the row at ``at`` and where they begin."""
@@ -253,7 +251,7 @@ class _AsciiBody:
 
     def __init__(self, path: Path, body: memoryview) -> None:
         try:
-            self.numbers = np.fromstring(bytes(body), sep=" ")  # type: ignore[call-overload]
+            self.numbers = np.fromstring(bytes(body), sep=" ")
         except (ValueError, DeprecationWarning) as error:
             raise InputError(f"{path} holds something that is not a number.", DAMAGED) from error
         self.path, self.at = path, 0

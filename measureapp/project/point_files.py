@@ -32,7 +32,9 @@ def read_table(path: Path, least_columns: int = 3) -> FloatArray:
         raise InputError(f"{path} holds no points.", "Give a file with one point (x y z) a line.")
     width = len(kept[0][1].split())
     if width < least_columns:
-        raise InputError(f"{path}, line {kept[0][0]}: {width} values where a point needs {least_columns}.", "Give x, y and z on every line.")
+        raise InputError(
+            f"{path}, line {kept[0][0]}: {width} values where a point needs {least_columns}.", "Give x, y and z on every line."
+        )
     for number, line in kept:
         if len(line.split()) != width:
             raise InputError(f"{path}, line {number}: {len(line.split())} values where line {kept[0][0]} has {width}.", DAMAGED)

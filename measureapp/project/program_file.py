@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -49,23 +50,20 @@ def read_program_nominal(path: Path, program: InspectionProgram) -> Mesh | None:
 
 
 def _first_problem(error: ValidationError, document: dict[str, object]) -> str:
-    """Place and message of the most telling problem, with the name of the entry it lies in."""
-    problems = error.errors()
-    constructed = {problem["loc"][:2] for problem in problems if "ConstructedFeature" in problem["loc"]}
-    chosen = problems[0]
-    if chosen["loc"][:2] in constructed:  # a union reports every branch; take the one that the entry's keys point to
-        entry = _at(document, chosen["loc"][:2])
-        branch = "ConstructedFeature" if isinstance(entry, dict) and "of" in entry else "MeasuredFeature"
-        chosen = next((p for p in problems if p["loc"][:2] == chosen["loc"][:2] and branch in p["loc"]), chosen)
-    place = [str(part) for part in chosen["loc"] if part not in ("MeasuredFeature", "ConstructedFeature")]
-    entry = _at(document, chosen["loc"][:2])
+    """Place and message of the first problem, with the name of the entry it lies in."""
+    problem = error.errors()[0]
+    place = list(problem["loc"])
+    entry = _at(document, place[:2])
+    if isinstance(entry, dict) and len(place) > 2 and place[2] == entry.get("shape"):
+        del place[2]  # the shape by which pydantic told the kind of feature
     named = f" ({entry['name']!r})" if isinstance(entry, dict) and isinstance(entry.get("name"), str) else ""
-    if chosen["type"] == "extra_forbidden":
-        return f"{'.'.join(place)}{named} is not a known key"
-    return f"{'.'.join(place) or 'the program'}{named}: {chosen['msg'].removeprefix('Value error, ')}"
+    where = ".".join(str(part) for part in place)
+    if problem["type"] == "extra_forbidden":
+        return f"{where}{named} is not a known key"
+    return f"{where or 'the program'}{named}: {problem['msg'].removeprefix('Value error, ')}"
 
 
-def _at(document: Any, place: tuple[int | str, ...]) -> Any:
+def _at(document: Any, place: Sequence[int | str]) -> Any:
     for part in place:
         try:
             document = document[part]

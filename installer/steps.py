@@ -1,0 +1,75 @@
+"""The two commands: run the application, test the project."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Sequence
+
+import environment
+import system_libraries
+from trouble import SetupTrouble
+
+DEMO_FOLDER = "demo-gypsum-half"
+CANCELLED = 130
+
+
+def perform(step: str, arguments: Sequence[str]) -> int:
+    """Set up what is missing, then do one step; trouble is told in words and gives exit code 2."""
+    try:
+        return STEPS[step](list(arguments))
+    except SetupTrouble as trouble:
+        print(f"{trouble.message}\n{trouble.remedy}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("Cancelled.", file=sys.stderr)
+        return CANCELLED
+
+
+def has_screen() -> bool:
+    """Tell whether a window can be shown."""
+    return sys.platform in ("win32", "darwin") or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Open the application with the demo project, or run the demo where there is no screen."""
+    screen = has_screen()
+    system_libraries.ensure(screen)
+    home = environment.ensure()
+    if screen:
+        return _call([str(home.script("measureapp")), "gui", "--demo", *arguments], home)
+    print("There is no screen, so the demo runs without its window; it says at the end where its report is.", flush=True)
+    return _call([str(home.script("measureapp")), "demo", "--out", str(environment.ROOT / DEMO_FOLDER), *arguments], home)
+
+
+def test(arguments: Sequence[str]) -> int:
+    """Run every check and return the worst exit code."""
+    system_libraries.ensure(screen=False)
+    home = environment.ensure()
+    checks = {
+        "ruff check": [str(home.script("ruff")), "check", "."],
+        "ruff format": [str(home.script("ruff")), "format", "--check", "."],
+        "mypy": [str(home.script("mypy"))],
+        "lint-imports": [str(home.script("lint-imports")), "--no-logo"],
+        "pytest": [str(home.python), "-m", "pytest", *arguments],
+    }
+    results = []
+    for name, command in checks.items():
+        print(f"== {name}", flush=True)
+        started = time.monotonic()
+        code = _call(command, home)
+        results.append((name, code, time.monotonic() - started))
+    print("== summary")
+    for name, code, seconds in results:
+        print(f"{name:<14}{'passed' if code == 0 else f'failed ({code})':<14}{seconds:7.1f} s")
+    sys.stdout.flush()
+    return max(abs(code) for _, code, _ in results)
+
+
+def _call(command: Sequence[str], home: environment.Environment) -> int:
+    return subprocess.run(command, cwd=environment.ROOT, env=home.variables(), check=False).returncode
+
+
+STEPS: dict[str, Callable[[Sequence[str]], int]] = {"run": run, "test": test}

@@ -1,0 +1,126 @@
+"""The pose of the board from the corners all cameras see, with its information matrix."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from measureapp.arrays import FloatArray, read_only
+from measureapp.calibrate.least_squares import NormalEquations, minimise
+from measureapp.calibrate.poses import moved
+from measureapp.calibrate.projection import cross_matrices, project_with_derivatives
+from measureapp.calibrate.sightings import rms
+from measureapp.data.board import CheckerboardDescription
+from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
+from measureapp.errors import CalibrationError
+from measureapp.geometry.transform import RigidTransform, orthonormalised
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BoardPose:
+    """A pose of the board in the reference camera's frame.
+
+    `information` is the inverse covariance (6, 6) of a small change (ω, τ) of the pose: R' = exp(ω) R, t' = t + τ.
+    """
+
+    camera_from_board: RigidTransform
+    information: FloatArray
+    rms_px: float = 0.0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "information", read_only(self.information, np.float64, (6, 6)))
+
+
+def stated_pose(camera_from_board: RigidTransform, sigma_rad: float, sigma_mm: float) -> BoardPose:
+    """Return a pose whose noise is stated instead of following from images."""
+    return BoardPose(camera_from_board, np.diag([sigma_rad**-2.0] * 3 + [sigma_mm**-2.0] * 3))
+
+
+def board_pose(
+    corners_px: Mapping[str, FloatArray],
+    cameras: CameraArrayCalibration,
+    board: CheckerboardDescription,
+    corner_sigma_px: float = 0.1,
+) -> BoardPose:
+    """Find camera_from_board by least squares over the corners of all cameras that see the board.
+
+    Parameters
+    ----------
+    corners_px : camera -> corners (N, 2), ordered like ``board.corners_mm``
+    corner_sigma_px : standard deviation of one coordinate of a corner, from the camera calibration
+
+    Raises
+    ------
+    CalibrationError
+        No camera saw the board, or a camera is not among ``cameras``.
+    """
+    unknown = [name for name in corners_px if name not in cameras.cameras]
+    if unknown or not corners_px:
+        raise CalibrationError(
+            f"Camera {unknown[0]!r} is not calibrated." if unknown else "No camera saw the board.",
+            "Use the calibration of the cameras that took the images: " + ", ".join(cameras.cameras) + ".",
+        )
+    seen = [(cameras.cameras[name], np.asarray(pixels, float)) for name, pixels in corners_px.items()]
+    start = min((_first_guess(camera, pixels, board) for camera, pixels in seen), key=lambda pose: _cost(pose, seen, board))
+    minimum = minimise(
+        start,
+        lambda pose: _normal(pose, seen, board),
+        lambda pose: _cost(pose, seen, board),
+        lambda pose, step: np.asarray(moved(pose, step)),
+        iterations=30,
+    )
+    pose = RigidTransform(orthonormalised(minimum.state), "camera", "board")
+    residuals = np.concatenate([_residuals(minimum.state, camera, pixels, board) for camera, pixels in seen])
+    return BoardPose(pose, minimum.hessian / corner_sigma_px**2, rms(residuals))
+
+
+def triangulated(corners_px: Mapping[str, FloatArray], cameras: CameraArrayCalibration) -> FloatArray:
+    """Return the points (N, 3) in the reference camera's frame nearest to the rays of two or more cameras."""
+    normal, right = np.zeros((1, 3, 3)), np.zeros((1, 3))
+    for name, pixels in corners_px.items():
+        camera = cameras.cameras[name]
+        rays = camera.reference_from_camera.rotate(camera.pinhole.rays(np.asarray(pixels, float)))
+        across = np.eye(3) - rays[:, :, None] * rays[:, None, :]
+        normal = normal + across
+        right = right + across @ camera.reference_from_camera.translation_mm
+    return np.asarray(np.linalg.solve(normal, right[..., None])[..., 0])
+
+
+def _first_guess(camera: CameraCalibration, pixels: FloatArray, board: CheckerboardDescription) -> FloatArray:
+    flat = camera.pinhole.normalise(pixels)
+    _, turns, shifts, errors = cv2.solvePnPGeneric(
+        board.flat_corners_mm, flat.reshape(-1, 1, 2), np.eye(3), np.zeros(5), flags=cv2.SOLVEPNP_IPPE
+    )
+    best = int(np.argmin(np.ravel(errors)))
+    in_camera = RigidTransform.from_vector(np.ravel(turns[best]), np.ravel(shifts[best]), camera.name, "board")
+    place = camera.reference_from_camera
+    return np.asarray((RigidTransform(place.matrix, "camera", camera.name) @ in_camera).matrix)
+
+
+def _in_camera(pose: FloatArray, camera: CameraCalibration, board: CheckerboardDescription) -> tuple[FloatArray, FloatArray]:
+    turned = board.corners_mm @ pose[:3, :3].T
+    place = camera.reference_from_camera
+    return turned, (turned + pose[:3, 3] - place.translation_mm) @ place.rotation
+
+
+def _residuals(pose: FloatArray, camera: CameraCalibration, pixels: FloatArray, board: CheckerboardDescription) -> FloatArray:
+    return camera.pinhole.project(_in_camera(pose, camera, board)[1]) - pixels
+
+
+def _cost(pose: FloatArray, seen: list[tuple[CameraCalibration, FloatArray]], board: CheckerboardDescription) -> float:
+    return sum(float(np.sum(_residuals(pose, camera, pixels, board) ** 2)) for camera, pixels in seen)
+
+
+def _normal(pose: FloatArray, seen: list[tuple[CameraCalibration, FloatArray]], board: CheckerboardDescription) -> NormalEquations:
+    hessian, gradient = np.zeros((6, 6)), np.zeros(6)
+    for camera, pixels in seen:
+        turned, points = _in_camera(pose, camera, board)
+        projected, by_point, _ = project_with_derivatives(camera.pinhole, points)
+        by_reference = by_point @ camera.reference_from_camera.rotation.T
+        jacobian = np.concatenate([-by_reference @ cross_matrices(turned), by_reference], axis=2).reshape(-1, 6)
+        hessian += jacobian.T @ jacobian
+        gradient += jacobian.T @ (projected - pixels).ravel()
+    return NormalEquations(hessian, gradient, _cost(pose, seen, board))

@@ -1,0 +1,184 @@
+"""Bundle adjustment: all cameras and all board positions at once, with analytic derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.calibrate.least_squares import Minimum, NormalEquations, minimise
+from measureapp.calibrate.poses import inverted, moved
+from measureapp.calibrate.projection import cross_matrices, project_with_derivatives, with_intrinsics_moved
+from measureapp.data.board import CheckerboardDescription
+from measureapp.geometry.pinhole import PinholeCamera
+from measureapp.progress import Progress
+
+POSE = 6
+BOW = 3  # quadratic departure of the board from a plane
+HUBER_FACTOR = 3.0  # residuals beyond this many standard deviations count linearly
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BundleState:
+    """Lenses, camera poses, board poses and the board's bow. Camera 0 is the reference and does not move."""
+
+    pinholes: tuple[PinholeCamera, ...]
+    reference_from_camera: FloatArray  # (C, 4, 4)
+    reference_from_board: FloatArray  # (V, 4, 4)
+    bow_mm: FloatArray  # (3,), factors of the board's `bow_terms`
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sight:
+    """The corners of board position ``view`` in camera ``camera``, with those that count."""
+
+    camera: int
+    view: int
+    corners_px: FloatArray  # (N, 2)
+    used: BoolArray  # (N,)
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """Where each parameter stands in the vector: per camera lens and (but for the reference) pose, the bow, then the boards."""
+
+    lens: int  # parameters of a lens
+    cameras: int
+    bow: int  # BOW, or 0 where the board counts as flat
+
+    @property
+    def bow_at(self) -> int:
+        """Index of the first parameter of the board's bow."""
+        return self.cameras * (self.lens + POSE) - POSE
+
+    @property
+    def boards_at(self) -> int:
+        """Index of the first board pose, which is the number of parameters that all views share."""
+        return self.bow_at + self.bow
+
+    def lens_at(self, camera: int) -> int:
+        """Index of the first lens parameter of a camera."""
+        return camera * (self.lens + POSE) - (POSE if camera else 0)
+
+    def pose_at(self, camera: int) -> int:
+        """Index of the first pose parameter of a camera that is not the reference."""
+        return self.lens_at(camera) + self.lens
+
+    def board_at(self, view: int) -> int:
+        """Index of the first parameter of a board pose."""
+        return self.boards_at + POSE * view
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Bundle:
+    """The adjustment of given sights on a given board."""
+
+    board: CheckerboardDescription
+    sights: tuple[Sight, ...]
+    layout: Layout
+    huber_px: float = np.inf
+
+    def corners_mm(self, state: BundleState) -> FloatArray:
+        """Return the corners of the board as bowed in ``state`` (N, 3)."""
+        corners = self.board.flat_corners_mm
+        corners[:, 2] += self.board.bow_terms @ state.bow_mm
+        return corners
+
+    def residuals(self, state: BundleState, sight: Sight) -> FloatArray:
+        """Return projected minus seen corners (N, 2)."""
+        board = state.reference_from_board[sight.view]
+        camera = inverted(state.reference_from_camera[sight.camera])
+        points = (self.corners_mm(state) @ board[:3, :3].T + board[:3, 3]) @ camera[:3, :3].T + camera[:3, 3]
+        return state.pinholes[sight.camera].project(points) - sight.corners_px
+
+    def cost(self, state: BundleState) -> float:
+        """Return the robust sum of squares."""
+        total = 0.0
+        for sight in self.sights:
+            length = np.linalg.norm(self.residuals(state, sight)[sight.used], axis=1)
+            total += float(np.sum(np.where(length <= self.huber_px, length**2, self.huber_px * (2 * length - self.huber_px))))
+        return total
+
+    def linearise(self, state: BundleState) -> NormalEquations:
+        """Return the normal equations, with Huber's weights [1]_.
+
+        References
+        ----------
+        .. [1] P. J. Huber, Annals of Mathematical Statistics 35(1), 73-101, 1964.
+        """
+        size = self.layout.board_at(len(state.reference_from_board))
+        hessian, gradient = np.zeros((size, size)), np.zeros(size)
+        for sight in self.sights:
+            residual, jacobian, index = self._linearised(state, sight)
+            length = np.linalg.norm(residual, axis=1)
+            weight = np.where(length <= self.huber_px, 1.0, self.huber_px / np.maximum(length, 1e-30)) * sight.used
+            weighted = (jacobian * weight[:, None, None]).reshape(-1, len(index))
+            flat = jacobian.reshape(-1, len(index))
+            hessian[np.ix_(index, index)] += weighted.T @ flat
+            gradient[index] += weighted.T @ residual.ravel()
+        return NormalEquations(hessian, gradient, self.cost(state))
+
+    def _linearised(self, state: BundleState, sight: Sight) -> tuple[FloatArray, FloatArray, IntArray]:
+        board = state.reference_from_board[sight.view]
+        place = state.reference_from_camera[sight.camera]
+        turned = self.corners_mm(state) @ board[:3, :3].T
+        from_centre = turned + board[:3, 3] - place[:3, 3]
+        into_camera = place[:3, :3].T
+        pixels, by_point, by_lens = project_with_derivatives(state.pinholes[sight.camera], from_centre @ into_camera.T)
+        by_reference = by_point @ into_camera
+        by_board = np.concatenate([-by_reference @ cross_matrices(turned), by_reference], axis=2)
+        blocks = [by_lens, by_board]
+        layout = self.layout
+        lens_at, board_at = layout.lens_at(sight.camera), layout.board_at(sight.view)
+        index = [np.arange(lens_at, lens_at + layout.lens), np.arange(board_at, board_at + POSE)]
+        if layout.bow:
+            blocks.append((by_reference @ board[:3, 2])[:, :, None] * self.board.bow_terms[:, None, :])
+            index.append(np.arange(layout.bow_at, layout.boards_at))
+        if sight.camera:
+            blocks.append(np.concatenate([by_reference @ cross_matrices(from_centre), -by_reference], axis=2))
+            index.append(np.arange(layout.pose_at(sight.camera), layout.pose_at(sight.camera) + POSE))
+        return pixels - sight.corners_px, np.concatenate(blocks, axis=2), np.concatenate(index)
+
+    def moved(self, state: BundleState, step: FloatArray) -> BundleState:
+        """Return the state after a step of all parameters."""
+        layout = self.layout
+        lenses, places = [], [state.reference_from_camera[0]]
+        for camera, pinhole in enumerate(state.pinholes):
+            at = layout.lens_at(camera)
+            lenses.append(with_intrinsics_moved(pinhole, step[at : at + layout.lens]))
+            if camera:
+                at = layout.pose_at(camera)
+                places.append(moved(state.reference_from_camera[camera], step[at : at + POSE]))
+        boards = moved(state.reference_from_board, step[layout.boards_at :].reshape(-1, POSE))
+        bow = state.bow_mm + step[layout.bow_at : layout.boards_at] if layout.bow else state.bow_mm
+        return BundleState(tuple(lenses), np.array(places), boards, bow)
+
+    def variance(self, state: BundleState) -> float:
+        """Return the variance of one pixel coordinate after the adjustment, px²."""
+        length = np.concatenate([np.linalg.norm(self.residuals(state, sight)[sight.used], axis=1) for sight in self.sights])
+        weight = np.minimum(1.0, self.huber_px / np.maximum(length, 1e-30))
+        freedom = 2 * len(length) - self.layout.board_at(len(state.reference_from_board))
+        return float(np.sum(weight * length**2)) / max(freedom, 1)
+
+
+def adjust(
+    board: CheckerboardDescription, sights: Sequence[Sight], start: BundleState, *, free_bow: bool, progress: Progress | None = None
+) -> Minimum[BundleState]:
+    """Minimise the robust reprojection error over lenses, camera poses, board poses and, where asked, the board's bow."""
+    bundle = robust_bundle(board, sights, start, free_bow=free_bow)
+    return minimise(start, bundle.linearise, bundle.cost, bundle.moved, progress=progress)
+
+
+def robust_bundle(board: CheckerboardDescription, sights: Sequence[Sight], state: BundleState, *, free_bow: bool) -> Bundle:
+    """Return the bundle of ``sights`` whose limit of linear growth follows from the residuals at ``state``."""
+    layout = Layout(4 + len(state.pinholes[0].distortion), len(state.pinholes), BOW if free_bow else 0)
+    plain = Bundle(board, tuple(sights), layout)
+    return Bundle(board, tuple(sights), layout, HUBER_FACTOR * np.sqrt(2) * robust_sigma(plain, state))
+
+
+def robust_sigma(bundle: Bundle, state: BundleState) -> float:
+    """Return the standard deviation of one pixel coordinate, by the median of the absolute residuals."""
+    everything = np.concatenate([bundle.residuals(state, sight)[sight.used].ravel() for sight in bundle.sights])
+    return max(1.4826 * float(np.median(np.abs(everything))), 1e-6)

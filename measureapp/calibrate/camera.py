@@ -1,0 +1,101 @@
+"""One camera from views of a board, by Zhang's method."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.calibrate.sightings import Rejection, Sighting, rms
+from measureapp.data.board import CheckerboardDescription
+from measureapp.errors import CalibrationError
+from measureapp.geometry.pinhole import PinholeCamera
+from measureapp.geometry.transform import RigidTransform
+
+LEAST_VIEWS = 3
+BAD_VIEW_FACTOR = 3.0  # a view whose rms exceeds the median this many times was refined wrongly or shows something else
+BAD_VIEW_FLOOR_PX = 0.1
+FIXED_COEFFICIENTS = {4: cv2.CALIB_FIX_K3, 5: 0, 8: cv2.CALIB_RATIONAL_MODEL}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MonoSolution:
+    """One camera's lens and the board poses it saw."""
+
+    pinhole: PinholeCamera
+    camera_from_board: dict[str, RigidTransform]  # by view
+    rejected: tuple[Rejection, ...]
+
+
+def calibrate_camera(
+    sightings: Sequence[Sighting], board: CheckerboardDescription, size_px: tuple[int, int], distortion_count: int = 5
+) -> MonoSolution:
+    """Calibrate one camera [1]_, leaving out views that fit three times worse than the median view.
+
+    Raises
+    ------
+    CalibrationError
+        Fewer than three usable views, or views that do not determine the lens.
+
+    References
+    ----------
+    .. [1] Z. Zhang, IEEE Trans. Pattern Analysis and Machine Intelligence 22(11), 1330-1334, 2000.
+    """
+    used = list(sightings)
+    rejected: list[Rejection] = []
+    while True:
+        if len(used) < LEAST_VIEWS:
+            raise _too_few(sightings, used, rejected)
+        pinhole, poses, errors = _zhang(used, board, size_px, distortion_count)
+        limit = max(BAD_VIEW_FACTOR * float(np.median(errors)), BAD_VIEW_FLOOR_PX)
+        worst = int(np.argmax(errors))
+        if errors[worst] <= limit:
+            break
+        rejected.append(Rejection(used[worst].camera, used[worst].view, bad_view_reason(errors[worst], float(np.median(errors)))))
+        del used[worst]
+    return MonoSolution(pinhole, {sighting.view: pose for sighting, pose in zip(used, poses, strict=True)}, tuple(rejected))
+
+
+def bad_view_reason(error_px: float, median_px: float) -> str:
+    """Say why a view was left out."""
+    return (
+        f"its rms of {error_px:.2f} px is more than {BAD_VIEW_FACTOR:.0f} times the median of {median_px:.2f} px: "
+        "corners were found in a wrong place, or the board moved"
+    )
+
+
+def _zhang(
+    sightings: Sequence[Sighting], board: CheckerboardDescription, size_px: tuple[int, int], distortion_count: int
+) -> tuple[PinholeCamera, list[RigidTransform], FloatArray]:
+    corners = board.corners_mm.astype(np.float32)
+    pixels = [sighting.corners_px.astype(np.float32).reshape(-1, 1, 2) for sighting in sightings]
+    flags = FIXED_COEFFICIENTS[distortion_count]
+    camera = sightings[0].camera
+    try:
+        _, matrix, distortion, turns, shifts = cv2.calibrateCamera([corners] * len(pixels), pixels, size_px, None, None, flags=flags)
+    except cv2.error as error:
+        raise CalibrationError(
+            f"The views of camera {camera!r} do not determine its lens.", "Tilt the board in several directions and fill the image."
+        ) from error
+    if not (np.all(np.isfinite(matrix)) and np.all(np.isfinite(distortion))):
+        raise CalibrationError(f"The views of camera {camera!r} do not determine its lens.", "Tilt the board in several directions.")
+    pinhole = PinholeCamera(*size_px, np.asarray(matrix, np.float64), np.ravel(distortion)[:distortion_count].astype(np.float64))
+    poses = [
+        RigidTransform.from_vector(np.ravel(turn), np.ravel(shift), camera, "board") for turn, shift in zip(turns, shifts, strict=True)
+    ]
+    errors = [
+        rms(pinhole.project(pose.apply(board.corners_mm)) - sighting.corners_px) for pose, sighting in zip(poses, sightings, strict=True)
+    ]
+    return pinhole, poses, np.array(errors)
+
+
+def _too_few(sightings: Sequence[Sighting], used: Sequence[Sighting], rejected: Sequence[Rejection]) -> CalibrationError:
+    camera = sightings[0].camera if sightings else "a camera"
+    left_out = f" {len(rejected)} were left out because they fit badly." if rejected else ""
+    return CalibrationError(
+        f"Camera {camera!r} has {len(used)} usable views of the board; at least {LEAST_VIEWS} are needed.{left_out}",
+        "Add sharp views with the board tilted in different directions.",
+    )

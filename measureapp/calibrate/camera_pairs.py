@@ -1,0 +1,100 @@
+"""Where two cameras stand to each other, from the board poses both saw."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.calibrate.poses import change_between, inverted, median_pose, stacked
+from measureapp.calibrate.sightings import Rejection
+from measureapp.errors import CalibrationError
+from measureapp.geometry.transform import RigidTransform
+
+LARGEST_TURN_RAD = np.deg2rad(3.0)  # a view that turns one camera against the other by more shows another board position
+Poses = Mapping[str, Mapping[str, RigidTransform]]  # camera -> view -> camera_from_board
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LoopCheck:
+    """What remains of the chain first ← second ← third ← first, which should be the identity."""
+
+    cameras: tuple[str, str, str]
+    angle_deg: float
+    distance_mm: float
+
+
+def pair_transform(left: Mapping[str, RigidTransform], right: Mapping[str, RigidTransform]) -> tuple[FloatArray, list[str]]:
+    """Return left_from_right (4, 4) from the poses of one board in both, and the views that contradict it.
+
+    Per view R = R_l R_rᵀ and t = t_l - R t_r; the median over the views stands against single wrong ones.
+    """
+    shared = [view for view in left if view in right]
+    each = stacked(left[view] for view in shared) @ inverted(stacked(right[view] for view in shared))
+    middle = median_pose(each)
+    turn = np.linalg.norm(change_between(np.broadcast_to(middle, each.shape), each)[:, :3], axis=1)
+    return middle, [view for view, angle in zip(shared, turn, strict=True) if angle > LARGEST_TURN_RAD]
+
+
+def contradictions(poses: Poses) -> list[Rejection]:
+    """Find views in which two cameras did not see the same board position.
+
+    Raises
+    ------
+    CalibrationError
+        Most views of a pair contradict each other: the images do not belong together.
+    """
+    rejected = {}
+    for left, right in combinations(poses, 2):
+        shared = [view for view in poses[left] if view in poses[right]]
+        if not shared:
+            continue
+        _, odd = pair_transform(poses[left], poses[right])
+        if len(odd) * 2 >= len(shared) and len(shared) > 1:
+            raise CalibrationError(
+                f"The images of cameras {left!r} and {right!r} do not belong together: in {len(odd)} of {len(shared)} views "
+                "they saw different board positions.",
+                "Give the images of all cameras in the same order, one of each camera per board position.",
+            )
+        for view in odd:
+            reason = f"cameras {left} and {right} did not see the same board position"
+            rejected.update({(camera, view): Rejection(camera, view, reason) for camera in (left, right)})
+    return list(rejected.values())
+
+
+def placed_from_reference(poses: Poses, reference: str) -> dict[str, FloatArray]:
+    """Return reference_from_camera (4, 4) of every camera, chained over the pairs with most shared views.
+
+    Raises
+    ------
+    CalibrationError
+        A camera shares no board position with the others.
+    """
+    placed: dict[str, FloatArray] = {reference: np.eye(4)}
+    while len(placed) < len(poses):
+        shared = {(known, new): sum(view in poses[new] for view in poses[known]) for known in placed for new in poses if new not in placed}
+        known, new = max(shared, key=lambda pair: shared[pair])
+        if shared[known, new] == 0:
+            raise CalibrationError(
+                f"Camera {new!r} shares no view of the board with the other cameras.",
+                "Add views in which both it and another camera see the whole board.",
+            )
+        placed[new] = placed[known] @ pair_transform(poses[known], poses[new])[0]
+    return placed
+
+
+def loops(poses: Poses) -> tuple[LoopCheck, ...]:
+    """Close the loop over every three cameras that pairwise share views."""
+    checks = []
+    for first, second, third in combinations(poses, 3):
+        chain = ((first, second), (second, third), (third, first))
+        if any(not any(view in poses[b] for view in poses[a]) for a, b in chain):
+            continue
+        closed = np.linalg.multi_dot([pair_transform(poses[a], poses[b])[0] for a, b in chain])
+        change = change_between(np.eye(4)[None], closed[None])[0]
+        angle, distance = float(np.rad2deg(np.linalg.norm(change[:3]))), float(np.linalg.norm(change[3:]))
+        checks.append(LoopCheck((first, second, third), angle, distance))
+    return tuple(checks)

@@ -1,0 +1,164 @@
+"""Damped least squares on states that are not plain vectors (poses), through the normal equations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+import numpy as np
+
+from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.errors import CalibrationError
+from measureapp.progress import NoProgress, Progress
+
+State = TypeVar("State")
+FIRST_DAMPING = 1e-4
+LARGEST_DAMPING = 1e10
+RELATIVE_DECREASE = 1e-11
+NULL_EIGENVALUE = 1e-13
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class NormalEquations:
+    """The problem linearised at one state: H δ = -g, with the sum of squares ``cost``."""
+
+    hessian: FloatArray  # (P, P)
+    gradient: FloatArray  # (P,)
+    cost: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Minimum(Generic[State]):
+    """Where the sum of squares is smallest, and the curvature there."""
+
+    state: State
+    hessian: FloatArray  # (P, P), JᵀWJ
+    cost: float
+    iterations: int
+
+    def covariance(self, variance: float = 1.0) -> FloatArray:
+        """Return the covariance (P, P) of the parameters; ``variance`` is that of a residual of weight one.
+
+        Raises
+        ------
+        CalibrationError
+            Some combination of parameters does not change any residual.
+        """
+        scale = _scale_of(self.hessian)
+        values, vectors = np.linalg.eigh(self.hessian / np.outer(scale, scale))
+        if values[0] <= NULL_EIGENVALUE * values[-1]:
+            raise CalibrationError(
+                "The observations leave a parameter undetermined.", "Add observations from other distances, tilts and positions."
+            )
+        inverse = (vectors / values) @ vectors.T
+        return np.asarray(variance * inverse / np.outer(scale, scale))
+
+
+def minimise(
+    start: State,
+    linearise: Callable[[State], NormalEquations],
+    cost_of: Callable[[State], float],
+    moved: Callable[[State, FloatArray], State],
+    *,
+    iterations: int = 60,
+    progress: Progress | None = None,
+) -> Minimum[State]:
+    """Minimise a sum of squares by Levenberg-Marquardt with Marquardt's scaling [1]_.
+
+    Parameters
+    ----------
+    start : state to begin with
+    linearise : gives the normal equations at a state
+    cost_of : gives the sum of squares only
+    moved : gives the state after a step (P,) in local parameters
+    iterations : most linearisations made
+
+    References
+    ----------
+    .. [1] D. W. Marquardt, J. SIAM 11(2), 431-441, 1963.
+    """
+    progress = progress or NoProgress()
+    state, damping = start, FIRST_DAMPING
+    normal = linearise(state)
+    for done in range(1, iterations + 1):
+        progress.report(done, iterations, f"iteration {done}")
+        better = _better_state(state, normal, damping, cost_of, moved)
+        if better is None:
+            break
+        state, damping, cost = better
+        decrease = normal.cost - cost
+        normal = linearise(state)
+        if decrease <= RELATIVE_DECREASE * max(cost, 1e-30):
+            break
+    return Minimum(state, normal.hessian, normal.cost, done)
+
+
+def _better_state(
+    state: State,
+    normal: NormalEquations,
+    damping: float,
+    cost_of: Callable[[State], float],
+    moved: Callable[[State, FloatArray], State],
+) -> tuple[State, float, float] | None:
+    """Raise the damping until a step lowers the cost; None where none does, which is the minimum."""
+    scale = _scale_of(normal.hessian)
+    scaled = normal.hessian / np.outer(scale, scale)
+    while damping < LARGEST_DAMPING:
+        step = -np.linalg.solve(scaled + damping * np.eye(len(scale)), normal.gradient / scale) / scale
+        tried = moved(state, step)
+        cost = cost_of(tried)
+        if np.isfinite(cost) and cost < normal.cost:
+            return tried, max(damping / 10, 1e-12), cost
+        damping *= 10
+    return None
+
+
+def _scale_of(hessian: FloatArray) -> FloatArray:
+    diagonal = np.sqrt(np.maximum(np.diag(hessian), 0))
+    return np.where(diagonal > 0, diagonal, 1.0)
+
+
+def minimise_residuals(
+    start: State,
+    residuals: Callable[[State], FloatArray],
+    moved: Callable[[State, FloatArray], State],
+    steps: FloatArray,
+    *,
+    together: Sequence[IntArray] = (),
+    rows_of: Callable[[int], BoolArray] | None = None,
+    iterations: int = 60,
+    progress: Progress | None = None,
+) -> Minimum[State]:
+    """Minimise the squares of ``residuals`` with derivatives by central differences.
+
+    Parameters
+    ----------
+    residuals : gives the whitened residuals (M,) of a state
+    steps : (P,) step of the difference of every parameter
+    together : sets of parameters that never touch the same residual: they are shifted at once
+    rows_of : for a parameter of such a set, the mask (M,) of the residuals it touches
+    """
+    alone = np.setdiff1d(np.arange(len(steps)), np.concatenate([np.empty(0, int), *together]))
+
+    def difference(state: State, chosen: IntArray) -> FloatArray:
+        shift = np.zeros(len(steps))
+        shift[chosen] = steps[chosen]
+        return residuals(moved(state, shift)) - residuals(moved(state, -shift))
+
+    def linearise(state: State) -> NormalEquations:
+        at = residuals(state)
+        jacobian = np.zeros((len(at), len(steps)))
+        for parameter in alone:
+            jacobian[:, parameter] = difference(state, np.array([parameter])) / (2 * steps[parameter])
+        for chosen in together:
+            change = difference(state, chosen)
+            for parameter in chosen:
+                rows = rows_of(int(parameter)) if rows_of else np.ones(len(at), bool)
+                jacobian[rows, parameter] = change[rows] / (2 * steps[parameter])
+        return NormalEquations(jacobian.T @ jacobian, jacobian.T @ at, float(at @ at))
+
+    def cost_of(state: State) -> float:
+        return float(np.sum(residuals(state) ** 2))
+
+    return minimise(start, linearise, cost_of, moved, iterations=iterations, progress=progress)

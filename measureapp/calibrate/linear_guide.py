@@ -1,0 +1,140 @@
+"""How the linear guide moves the robot: direction in the base frame and scale, from a board that stands still."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from measureapp.arrays import FloatArray
+from measureapp.calibrate.poses import stacked
+from measureapp.data.calibration import HandEye, LinearGuide
+from measureapp.errors import CalibrationError
+from measureapp.geometry.transform import RigidTransform
+
+LEAST_POSITIONS = 3
+SHORTEST_STROKE_MM = 10.0
+ADVISED_STROKE_MM = 100.0
+LARGEST_TURN_RAD = np.deg2rad(1.0)
+PAPER_DIRECTION = np.array([0.0, 1.0, 0.0])
+SCALE_RANGE = (0.5, 2.0)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class GuideObservation:
+    """One sighting of the standing board from one position of the slide."""
+
+    base_from_flange: RigidTransform
+    guide_mm: float
+    camera_from_board: RigidTransform
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class GuideProblem:
+    """Sightings from several slide positions, with the hand-eye transform."""
+
+    observations: tuple[GuideObservation, ...]
+    hand_eye: HandEye
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class GuideSolution:
+    """Direction and scale, and what they leave unexplained."""
+
+    guide: LinearGuide
+    straightness_mm: FloatArray  # (N,), distance of the slide from its straight line
+    along_mm: FloatArray  # (N,), signed error of the position along it
+    turn_rad: FloatArray  # (N,), apparent turn of the board against its mean: pitch, yaw and roll of the slide
+    stroke_mm: float
+    paper_cost_mm: float  # error at the end of the stroke had pure +Y and scale 1 been assumed
+    warnings: tuple[str, ...] = ()
+
+
+class GuideDraft:
+    """Collects slide positions until they determine the guide."""
+
+    def __init__(self, hand_eye: HandEye) -> None:
+        self._hand_eye = hand_eye
+        self._observations: list[GuideObservation] = []
+
+    def add(self, observation: GuideObservation) -> None:
+        """Add one slide position."""
+        self._observations.append(observation)
+
+    def remove(self, index: int) -> None:
+        """Take a position out again."""
+        del self._observations[index]
+
+    def shortfalls(self) -> tuple[str, ...]:
+        """Say what is still missing."""
+        missing = []
+        if len(self._observations) < LEAST_POSITIONS:
+            missing.append(f"{LEAST_POSITIONS - len(self._observations)} more slide positions are needed.")
+        stroke = _stroke(self._observations)
+        if stroke < ADVISED_STROKE_MM:
+            missing.append(f"The positions span {stroke:.0f} mm; {ADVISED_STROKE_MM:.0f} mm or more give a better direction.")
+        return tuple(missing)
+
+    def problem(self) -> GuideProblem:
+        """Return what was collected."""
+        return GuideProblem(tuple(self._observations), self._hand_eye)
+
+
+def solve(problem: GuideProblem) -> GuideSolution:
+    """Fit the straight line on which the guide carried the robot past a standing board.
+
+    The board's place in the base frame, b_i = base_from_flange_i · X · camera_from_board_i, moves by -scale · direction
+    per displayed millimetre; direction and scale follow by linear least squares over all positions.
+
+    Raises
+    ------
+    CalibrationError
+        Fewer than three positions, a stroke that is too short, positions in another unit, or a board that turned.
+    """
+    count, stroke = len(problem.observations), _stroke(problem.observations)
+    if count < LEAST_POSITIONS or stroke < SHORTEST_STROKE_MM:
+        raise CalibrationError(
+            f"{count} slide positions over {stroke:.1f} mm do not determine the guide.",
+            f"Give at least {LEAST_POSITIONS} positions over {ADVISED_STROKE_MM:.0f} mm or more.",
+        )
+    robot = stacked(observation.base_from_flange for observation in problem.observations)
+    camera = stacked(observation.camera_from_board for observation in problem.observations)
+    boards = robot @ problem.hand_eye.flange_from_camera.matrix @ camera
+    slide = np.array([observation.guide_mm for observation in problem.observations])
+    turn = _turns(boards)
+    return _fitted(boards[:, :3, 3], slide, turn, stroke)
+
+
+def _fitted(boards_mm: FloatArray, slide: FloatArray, turn: FloatArray, stroke: float) -> GuideSolution:
+    away = slide - slide.mean()
+    travel = -(away @ (boards_mm - boards_mm.mean(axis=0))) / float(away @ away)
+    scale = float(np.linalg.norm(travel))
+    if not SCALE_RANGE[0] < scale < SCALE_RANGE[1]:
+        raise CalibrationError(
+            f"The robot moved {scale:.4g} mm per displayed millimetre of the guide.",
+            "Check that guide positions and poses are in mm, in the same order, and that the board stood still.",
+        )
+    direction = travel / scale
+    residual = boards_mm - boards_mm.mean(axis=0) + away[:, None] * travel
+    along = -residual @ direction
+    aside = np.linalg.norm(residual + along[:, None] * direction, axis=1)
+    freedom = 3 * len(slide) - 6
+    sigma = float(np.sqrt(np.sum(residual**2) / freedom / float(away @ away)))
+    guide = LinearGuide(direction, scale, sigma / scale, sigma, float(np.sqrt(np.mean(aside**2))))
+    warnings = [] if stroke >= ADVISED_STROKE_MM else [f"The positions span only {stroke:.0f} mm: spread them over more of the stroke."]
+    if turn.max() > LARGEST_TURN_RAD:
+        warnings.append(f"The board seems to turn by up to {np.rad2deg(turn.max()):.2f}°: it moved, or the hand-eye transform is wrong.")
+    cost = float(np.linalg.norm(travel - PAPER_DIRECTION)) * stroke
+    return GuideSolution(guide, aside, along, turn, stroke, cost, tuple(warnings))
+
+
+def _stroke(observations: Sequence[GuideObservation]) -> float:
+    positions = [observation.guide_mm for observation in observations]
+    return float(np.ptp(positions)) if positions else 0.0
+
+
+def _turns(boards: FloatArray) -> FloatArray:
+    rotations = Rotation.from_matrix(boards[:, :3, :3])
+    return (rotations.mean().inv() * rotations).magnitude()

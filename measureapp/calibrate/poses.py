@@ -1,0 +1,63 @@
+"""Many poses at once as 4×4 matrices, and small changes of them.
+
+A small change (ω, τ) of a pose turns it by the rotation vector ω on the left and adds τ: R' = exp(ω) R, t' = t + τ.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from measureapp.arrays import FloatArray
+from measureapp.geometry.transform import RigidTransform
+
+
+def stacked(transforms: Iterable[RigidTransform]) -> FloatArray:
+    """Return the matrices (N, 4, 4) of transforms."""
+    return np.array([transform.matrix for transform in transforms], float).reshape(-1, 4, 4)
+
+
+def inverted(poses: FloatArray) -> FloatArray:
+    """Return the inverses of rigid poses (..., 4, 4)."""
+    result = np.zeros_like(poses)
+    turned = np.swapaxes(poses[..., :3, :3], -1, -2)
+    result[..., :3, :3] = turned
+    result[..., :3, 3] = -(turned @ poses[..., :3, 3, None])[..., 0]
+    result[..., 3, 3] = 1.0
+    return result
+
+
+def moved(poses: FloatArray, change: FloatArray) -> FloatArray:
+    """Return poses (..., 4, 4) after the small changes (..., 6)."""
+    result = np.array(poses, float)
+    turn = Rotation.from_rotvec(np.reshape(change[..., :3], (-1, 3))).as_matrix().reshape((*change.shape[:-1], 3, 3))
+    result[..., :3, :3] = turn @ poses[..., :3, :3]
+    result[..., :3, 3] = poses[..., :3, 3] + change[..., 3:]
+    return result
+
+
+def change_between(origin: FloatArray, goal: FloatArray) -> FloatArray:
+    """Return the changes (N, 6) that take the poses ``origin`` (N, 4, 4) to ``goal``."""
+    turn = goal[:, :3, :3] @ np.swapaxes(origin[:, :3, :3], -1, -2)
+    return np.hstack([Rotation.from_matrix(turn).as_rotvec(), goal[:, :3, 3] - origin[:, :3, 3]])
+
+
+def mean_pose(poses: FloatArray) -> FloatArray:
+    """Return the mean (4, 4) of poses (N, 4, 4): chordal mean of the rotations, mean of the translations."""
+    result = np.eye(4)
+    result[:3, :3] = Rotation.from_matrix(poses[:, :3, :3]).mean().as_matrix()
+    result[:3, 3] = poses[:, :3, 3].mean(axis=0)
+    return result
+
+
+def median_pose(poses: FloatArray) -> FloatArray:
+    """Return a pose (4, 4) in the middle of ``poses`` (N, 4, 4) that a few bad ones do not move."""
+    turns = Rotation.from_matrix(poses[:, :3, :3])
+    spread = np.array([np.sum((turn.inv() * turns).magnitude()) for turn in turns])
+    middle = turns[int(np.argmin(spread))]
+    result = np.eye(4)
+    result[:3, :3] = (Rotation.from_rotvec(np.median((turns * middle.inv()).as_rotvec(), axis=0)) * middle).as_matrix()
+    result[:3, 3] = np.median(poses[:, :3, 3], axis=0)
+    return result

@@ -1,0 +1,254 @@
+"""The table's rotation axis in the camera's frame: plain and distance-weighted circle fits, and maximum likelihood."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.calibrate.axis_circles import LEAST_POSITIONS, axis_through_centres
+from measureapp.calibrate.axis_motion import (
+    AXIS_PARAMETERS,
+    Turning,
+    across,
+    most_likely_from_corners,
+    most_likely_from_poses,
+    turning_of,
+)
+from measureapp.calibrate.board_pose import BoardPose
+from measureapp.calibrate.poses import moved, stacked
+from measureapp.data.board import CheckerboardDescription
+from measureapp.data.calibration import RotationAxis
+from measureapp.errors import CalibrationError
+from measureapp.progress import NoProgress, Progress
+
+DRAWS = 40  # simulated repetitions behind the standard deviations of the circle methods
+ANGLE_TOLERANCE_RAD = np.deg2rad(2.0)
+SHORT_SWEEP_RAD = np.deg2rad(30.0)
+METHODS = ("least_squares", "distance_weighted", "maximum_likelihood")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AxisProblem:
+    """Corners of a board on the table at several table positions, in one frame."""
+
+    corners_mm: FloatArray  # (n, m, 3)
+    angles_rad: FloatArray | None = None  # (n,), as read back
+    poses: tuple[BoardPose, ...] = ()  # where the corners come from board poses, these with their information
+    power: float = 2.0
+    free_angles: bool = False  # estimate the angles, even where they were read back
+    frame: str = "camera"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AxisEstimate:
+    """The axis by one method, and how the corners lie about it."""
+
+    axis: RotationAxis
+    radial_mm: FloatArray  # (n,), rms per position of distance to the axis minus the corner's mean distance
+    axial_mm: FloatArray  # (n,), rms per position of height along the axis minus the corner's mean height
+    angles_rad: FloatArray  # (n,) against the first position
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AxisSolution:
+    """The axis by every method that has an answer."""
+
+    estimates: Mapping[str, AxisEstimate]
+    refused: Mapping[str, str]  # method -> reason
+    sweep_rad: float
+    power: float
+    covariance: FloatArray  # (4, 4) of maximum likelihood: direction (2, rad) and point (2, mm) across the axis
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def best(self) -> AxisEstimate:
+        """The estimate of maximum likelihood."""
+        return self.estimates["maximum_likelihood"]
+
+
+class AxisDraft:
+    """Collects table positions until they determine the axis."""
+
+    def __init__(self, board: CheckerboardDescription) -> None:
+        self._board = board
+        self._sightings: list[tuple[BoardPose, float | None]] = []
+
+    def add(self, pose: BoardPose, angle_rad: float | None = None) -> None:
+        """Add one table position."""
+        self._sightings.append((pose, angle_rad))
+
+    def remove(self, index: int) -> None:
+        """Take a position out again."""
+        del self._sightings[index]
+
+    def shortfalls(self) -> tuple[str, ...]:
+        """Say what is still missing."""
+        if len(self._sightings) < LEAST_POSITIONS:
+            return (f"{LEAST_POSITIONS - len(self._sightings)} more table positions are needed.",)
+        try:
+            sweep = float(np.ptp(turning_of(self.problem().corners_mm).angles_rad))
+        except CalibrationError as error:
+            return (str(error),)
+        return (f"The table turned by {np.rad2deg(sweep):.0f}°; turn it by 30° or more.",) if sweep < SHORT_SWEEP_RAD else ()
+
+    def problem(self) -> AxisProblem:
+        """Return what was collected."""
+        return problem_from_poses([pose for pose, _ in self._sightings], self._board, [angle for _, angle in self._sightings])
+
+
+def problem_from_poses(
+    poses: Sequence[BoardPose],
+    board: CheckerboardDescription,
+    angles_rad: Sequence[float | None] = (),
+    *,
+    power: float = 2.0,
+    free_angles: bool = False,
+) -> AxisProblem:
+    """Return the problem of board poses; angles count only where all of them are known."""
+    corners = np.array([pose.camera_from_board.apply(board.corners_mm) for pose in poses]).reshape(len(poses), -1, 3)
+    known = [angle for angle in angles_rad if angle is not None]
+    angles = np.array(known) if poses and len(known) == len(poses) else None
+    return AxisProblem(corners, angles, tuple(poses), power, free_angles)
+
+
+def solve(problem: AxisProblem, progress: Progress | None = None) -> AxisSolution:
+    """Find the axis by circle fits, plain and weighted by distance, and by maximum likelihood.
+
+    The direction is right-handed for growing angles where angles are known, otherwise for growing positions (steps below
+    half a turn). Maximum likelihood estimates one axis and one place of the board on the table from all positions; the
+    angles are those read back, or free.
+
+    Raises
+    ------
+    CalibrationError
+        Fewer than three positions, a board that hardly turned, or angles that contradict what was seen.
+    """
+    progress = progress or NoProgress()
+    corners = np.asarray(problem.corners_mm, float)
+    if len(corners) < LEAST_POSITIONS or corners.shape[1] < 3:
+        raise CalibrationError(
+            f"{len(corners)} table positions with {corners.shape[1]} corners do not determine the axis.",
+            f"Give at least {LEAST_POSITIONS} positions of at least 3 corners.",
+        )
+    start = _start(corners, problem.angles_rad)
+    free = problem.free_angles or problem.angles_rad is None
+    progress.report(0, 3, "maximum likelihood")
+    likely, covariance, variance = _maximum_likelihood(problem, corners, start, free)
+    estimates = {"maximum_likelihood": likely}
+    refused = {}
+    for done, (method, power) in enumerate((("least_squares", 0.0), ("distance_weighted", problem.power)), 1):
+        progress.report(done, 3, method)
+        try:
+            estimates[method] = _by_circles(problem, corners, power, likely, variance)
+        except CalibrationError as error:
+            refused[method] = str(error)
+    progress.report(3, 3)
+    sweep = float(np.ptp(likely.angles_rad))
+    short = (f"The arcs span only {np.rad2deg(sweep):.0f}°, which makes their centres uncertain: turn the table further.",)
+    ordered = {method: estimates[method] for method in METHODS if method in estimates}
+    return AxisSolution(ordered, refused, sweep, problem.power, covariance, short if sweep < SHORT_SWEEP_RAD else ())
+
+
+def _start(corners: FloatArray, angles_rad: FloatArray | None) -> Turning:
+    seen = turning_of(corners)
+    if angles_rad is None:
+        return seen
+    given = np.asarray(angles_rad, float) - angles_rad[0]
+    if len(given) != len(corners):
+        raise CalibrationError(f"{len(given)} angles do not belong to {len(corners)} table positions.", "Give one angle per position.")
+    if float(seen.angles_rad @ np.sin(given)) + float(np.sin(seen.angles_rad) @ given) < 0:
+        seen = replace(seen, direction=-seen.direction, angles_rad=-seen.angles_rad)
+    wrong = np.abs(np.angle(np.exp(1j * (seen.angles_rad - given))))
+    worst = int(np.argmax(wrong))
+    if wrong[worst] > ANGLE_TOLERANCE_RAD:
+        raise CalibrationError(
+            f"Position {worst} turned by {np.rad2deg(seen.angles_rad[worst]):.2f}° against the first, "
+            f"but its angle says {np.rad2deg(given[worst]):.2f}°.",
+            "Check the order of the positions, the unit (degrees) of the angles, and that the board did not move on the table.",
+        )
+    return replace(seen, angles_rad=given)
+
+
+def _maximum_likelihood(problem: AxisProblem, corners: FloatArray, start: Turning, free: bool) -> tuple[AxisEstimate, FloatArray, float]:
+    if problem.poses:
+        poses = stacked(pose.camera_from_board for pose in problem.poses)
+        roots = np.array([np.linalg.cholesky(pose.information).T for pose in problem.poses])
+        minimum, freedom = most_likely_from_poses(replace(start, board=poses[0]), poses, roots, free)
+    else:
+        minimum, freedom = most_likely_from_corners(start, corners, free)
+    variance = minimum.cost / max(freedom, 1)
+    covariance = minimum.covariance(variance)[:AXIS_PARAMETERS, :AXIS_PARAMETERS]
+    turning = minimum.state
+    foot = _foot(turning.point_mm, turning.direction, corners)
+    covariance = _carried_along(covariance, float(turning.direction @ (foot - turning.point_mm)))
+    axis = _axis(problem, corners, foot, turning.direction, covariance)
+    return _estimate(axis, corners, turning.angles_rad), covariance, variance
+
+
+def _by_circles(problem: AxisProblem, corners: FloatArray, power: float, likely: AxisEstimate, variance: float) -> AxisEstimate:
+    def fitted(points: FloatArray) -> tuple[FloatArray, FloatArray]:
+        point, direction = axis_through_centres(points, power)
+        direction = direction * np.sign(direction @ likely.axis.direction)
+        return _foot(point, direction, corners), direction
+
+    point, direction = fitted(corners)
+    basis = across(direction)
+    generator = np.random.default_rng(0)
+    scatter = []
+    for _ in range(DRAWS):
+        drawn_point, drawn_direction = fitted(_redrawn(problem, corners, variance, generator))
+        scatter.append(np.concatenate([basis @ drawn_direction, basis @ (drawn_point - point)]))
+    axis = _axis(problem, corners, point, direction, np.cov(np.array(scatter).T))
+    return _estimate(axis, corners, likely.angles_rad)
+
+
+def _redrawn(problem: AxisProblem, corners: FloatArray, variance: float, generator: np.random.Generator) -> FloatArray:
+    """Return the corners as another run of the same noise might have given them."""
+    if not problem.poses:
+        return corners + generator.normal(scale=np.sqrt(variance), size=corners.shape)
+    result = []
+    for pose, points in zip(problem.poses, corners, strict=True):
+        covariance = variance * np.linalg.inv(pose.information)
+        origin = pose.camera_from_board.translation_mm
+        change = moved(np.eye(4), generator.multivariate_normal(np.zeros(6), covariance, method="cholesky"))
+        result.append((points - origin) @ change[:3, :3].T + origin + change[:3, 3])
+    return np.array(result)
+
+
+def _foot(point: FloatArray, direction: FloatArray, corners: FloatArray) -> FloatArray:
+    """Return the point of the axis nearest to the middle of all corners."""
+    return point + direction * float(direction @ (corners.reshape(-1, 3).mean(axis=0) - point))
+
+
+def _carried_along(covariance: FloatArray, distance_mm: float) -> FloatArray:
+    """Return the covariance of (direction, point) for a point further along the axis."""
+    carry = np.eye(AXIS_PARAMETERS)
+    carry[2:, :2] = distance_mm * np.eye(2)
+    return carry @ covariance @ carry.T
+
+
+def _axis(problem: AxisProblem, corners: FloatArray, point: FloatArray, direction: FloatArray, covariance: FloatArray) -> RotationAxis:
+    radial, axial = _residuals(point, direction, corners)
+    return RotationAxis(
+        point,
+        direction,
+        problem.frame,
+        point_sigma_mm=float(np.sqrt(np.linalg.eigvalsh(covariance[2:, 2:])[-1])),
+        direction_sigma_rad=float(np.sqrt(np.linalg.eigvalsh(covariance[:2, :2])[-1])),
+        residual_mm=float(np.sqrt(np.mean(radial**2 + axial**2))),
+    )
+
+
+def _residuals(point: FloatArray, direction: FloatArray, corners: FloatArray) -> tuple[FloatArray, FloatArray]:
+    away = corners - point
+    height = away @ direction
+    distance = np.linalg.norm(away - height[..., None] * direction, axis=2)
+    return distance - distance.mean(axis=0), height - height.mean(axis=0)
+
+
+def _estimate(axis: RotationAxis, corners: FloatArray, angles_rad: FloatArray) -> AxisEstimate:
+    radial, axial = _residuals(axis.point_mm, axis.direction, corners)
+    return AxisEstimate(axis, np.sqrt(np.mean(radial**2, axis=1)), np.sqrt(np.mean(axial**2, axis=1)), angles_rad)

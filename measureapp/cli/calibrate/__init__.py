@@ -1,0 +1,15 @@
+"""`calibrate cameras|axis|hand-eye|guide|rig`: calibrations from recorded images and tables."""
+
+from __future__ import annotations
+
+import typer
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command group."""
+    from measureapp.cli.calibrate import axis, cameras, guide, hand_eye, rig
+
+    group = typer.Typer(help="Calibrate cameras, rotation axis, hand-eye, guide or the whole rig.", no_args_is_help=True)
+    for command in (cameras, axis, hand_eye, guide, rig):
+        command.register(group)
+    app.add_typer(group, name="calibrate")

@@ -1,0 +1,140 @@
+"""`calibrate axis`: the table's rotation axis in the reference camera's frame."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from measureapp.cli.calibrate.options import BoardOption, CamerasOption, ImagesOption, OutOption, SquareOption
+from measureapp.cli.reply import JsonOption, TerminalProgress, jsonable, reply
+from measureapp.errors import InputError
+
+if TYPE_CHECKING:
+    from measureapp.calibrate.rotation_axis import AxisEstimate, AxisProblem, AxisSolution
+    from measureapp.progress import Progress
+
+
+def register(group: typer.Typer) -> None:
+    """Add the command."""
+
+    @group.command()
+    def axis(
+        corners: Annotated[Path | None, typer.Option(help="Corners: position,corner,x_mm,y_mm,z_mm[,angle_deg].")] = None,
+        images: ImagesOption = None,
+        cameras: CamerasOption = None,
+        board: BoardOption = None,
+        square_mm: SquareOption = None,
+        angles: Annotated[Path | None, typer.Option(help="Table angles: position,angle_deg, in the order of the images.")] = None,
+        power: Annotated[float, typer.Option(help="p of the distance weighting, above 1.")] = 2.0,
+        free_angles: Annotated[bool, typer.Option("--free-angles", help="Estimate the angles as well.")] = False,
+        out: OutOption = None,
+        as_json: JsonOption = False,
+    ) -> None:
+        """Find the rotation axis by least squares, distance weighting and maximum likelihood."""
+        from dataclasses import replace
+
+        from measureapp.calibrate.rotation_axis import solve
+        from measureapp.project.atomic import write_json
+
+        if not 1 < power < 100:
+            raise InputError(f"--power {power:g} is not above 1.", "The paper's weighting needs p > 1; 2 is usual.")
+        if (corners is None) == (not images):
+            raise InputError("Give either --corners or --images.", "With --images also --cameras, --board and --square-mm.")
+        progress = TerminalProgress()
+        problem, rejected = (
+            (_from_corners(corners, angles), [])
+            if corners is not None
+            else _from_images(images, cameras, board, square_mm, angles, progress)
+        )
+        solution = solve(replace(problem, power=power, free_angles=free_angles))
+        document = axis_answer(solution, problem.frame) | {"rejected": rejected}
+        if out is not None:
+            write_json(out, {"schema_version": 1, **jsonable(document)})
+        reply(document, "\n".join(_lines(document)), as_json)
+
+
+def _from_corners(corners: Path, angles: Path | None) -> AxisProblem:
+    import numpy as np
+
+    from measureapp.calibrate.rotation_axis import AxisProblem
+    from measureapp.project.tables import read_angles, read_corners
+
+    table = read_corners(corners)
+    known = table.angles_rad
+    if angles is not None:
+        given = list(read_angles(angles).values())
+        if len(given) != len(table.corners_mm):
+            raise InputError(f"{angles} has {len(given)} angles for {len(table.corners_mm)} positions.", "Give one angle per position.")
+        known = np.array(given)
+    return AxisProblem(table.corners_mm, known)
+
+
+def _from_images(
+    images: list[str] | None, cameras: Path | None, board: str | None, square_mm: float | None, angles: Path | None, progress: Progress
+) -> tuple[AxisProblem, list[dict[str, Any]]]:
+    from measureapp.calibrate.rotation_axis import problem_from_poses
+    from measureapp.cli.calibrate.sightings import poses_from_images
+    from measureapp.project.tables import read_angles
+
+    seen = poses_from_images(images, cameras, board, square_mm, "the rotation axis", progress)
+    known: list[float | None] = [None] * seen.positions
+    if angles is not None:
+        given = list(read_angles(angles).values())
+        if len(given) != seen.positions:
+            raise InputError(f"{angles} has {len(given)} angles for {seen.positions} positions.", "Give one angle per position.")
+        known = list(given)
+    return problem_from_poses(list(seen.poses.values()), seen.board, [known[position] for position in seen.poses]), seen.rejected
+
+
+def axis_answer(solution: AxisSolution, frame: str) -> dict[str, Any]:
+    """Return the JSON answer of a solution."""
+    document: dict[str, Any] = {name: _estimate(estimate) for name, estimate in solution.estimates.items()}
+    if "distance_weighted" in document:
+        document["distance_weighted"]["p"] = solution.power
+    return document | {
+        "refused": dict(solution.refused),
+        "frame": frame,
+        "positions": len(solution.best.angles_rad),
+        "sweep_deg": math.degrees(solution.sweep_rad),
+        "warnings": list(solution.warnings),
+    }
+
+
+def _estimate(estimate: AxisEstimate) -> dict[str, Any]:
+    import numpy as np
+
+    axis = estimate.axis
+    return {
+        "direction": axis.direction,
+        "point_mm": axis.point_mm,
+        "residuals": {
+            "rms_mm": axis.residual_mm,
+            "radial_mm": float(np.sqrt(np.mean(estimate.radial_mm**2))),
+            "axial_mm": float(np.sqrt(np.mean(estimate.axial_mm**2))),
+            "positions": [
+                {"angle_deg": math.degrees(angle), "radial_mm": float(radial), "axial_mm": float(axial)}
+                for angle, radial, axial in zip(estimate.angles_rad, estimate.radial_mm, estimate.axial_mm, strict=True)
+            ],
+        },
+        "standard_deviations": {"direction_deg": math.degrees(axis.direction_sigma_rad), "point_mm": axis.point_sigma_mm},
+    }
+
+
+def _lines(document: dict[str, Any]) -> list[str]:
+    lines = [f"Rotation axis from {document['positions']} positions over {document['sweep_deg']:.1f}°, in frame {document['frame']}:"]
+    for name in ("least_squares", "distance_weighted", "maximum_likelihood"):
+        if name in document:
+            entry = document[name]
+            direction = " ".join(f"{value:+.6f}" for value in entry["direction"])
+            point = " ".join(f"{value:.3f}" for value in entry["point_mm"])
+            deviations = entry["standard_deviations"]
+            lines.append(
+                f"  {name:<19} direction {direction} ± {deviations['direction_deg']:.4f}°, point {point} ± {deviations['point_mm']:.4f} mm, "
+                f"residual {entry['residuals']['rms_mm']:.4f} mm"
+            )
+    lines += [f"  {name}: {reason}" for name, reason in document["refused"].items()]
+    lines += [f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
+    return lines + [f"  {warning}" for warning in document["warnings"]]

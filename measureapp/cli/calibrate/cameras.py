@@ -1,0 +1,163 @@
+"""`calibrate cameras`: lenses and places of 1…n cameras from images of a board."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from measureapp.cli.calibrate.options import BoardOption, ImagesOption, OutOption, SquareOption, board_of
+from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+
+if TYPE_CHECKING:
+    from measureapp.calibrate.camera_array import CameraArrayProblem, CameraArraySolution
+    from measureapp.data.board import CheckerboardDescription
+    from measureapp.progress import Progress
+    from measureapp.project.board_images import BoardImages
+
+
+def register(group: typer.Typer) -> None:
+    """Add the command."""
+
+    @group.command()
+    def cameras(
+        images: ImagesOption = None,
+        board: BoardOption = None,
+        square_mm: SquareOption = None,
+        out: OutOption = None,
+        reference: Annotated[str | None, typer.Option(help="Reference camera; default: the first given.")] = None,
+        distortion: Annotated[int, typer.Option(help="Distortion coefficients: 4, 5 or 8.")] = 5,
+        as_json: JsonOption = False,
+    ) -> None:
+        """Calibrate the lenses of all cameras and their places to each other."""
+        from measureapp.calibrate.camera_array import solve
+        from measureapp.progress import PartOf
+        from measureapp.project.board_images import find_board_images
+
+        description = board_of(board, square_mm)
+        files = find_board_images(images or ())
+        progress = TerminalProgress()
+        problem = _problem(files, description, reference or files.cameras[0], distortion, PartOf(progress, 0.0, 0.6))
+        solution = _dated(solve(problem, PartOf(progress, 0.6, 1.0)), files)
+        if out is not None:
+            from measureapp.project.camera_file import write_cameras
+
+            write_cameras(out, solution.calibration)
+        document = cameras_answer(solution, files) | {"files": {"cameras": out} if out else {}}
+        reply(document, "\n".join(_lines(solution, document)), as_json)
+
+
+def _problem(files: BoardImages, board: CheckerboardDescription, reference: str, distortion: int, progress: Progress) -> CameraArrayProblem:
+    from measureapp.calibrate.board import detect
+    from measureapp.calibrate.camera_draft import CameraArrayDraft
+    from measureapp.errors import CalibrationError
+
+    draft = CameraArrayDraft(board, reference, {camera: files.size_px(camera) for camera in files.cameras}, distortion)
+    total = len(files.cameras) * files.positions
+    for done, (camera, position, image) in enumerate(files.each()):
+        progress.report(done, total, f"board in {files.path(camera, position).name}")
+        try:
+            draft.add(camera, _view(position), detect(image, board))
+        except CalibrationError as error:
+            draft.reject(camera, _view(position), error.message.rstrip("."))
+    return draft.problem()
+
+
+def _view(position: int) -> str:
+    return f"{position + 1:02d}"
+
+
+def _dated(solution: CameraArraySolution, files: BoardImages) -> CameraArraySolution:
+    """Return the solution with today's date and the checksums of its images."""
+    import hashlib
+    from dataclasses import replace
+
+    provenance = replace(
+        solution.calibration.provenance,
+        created=datetime.now(UTC).isoformat(timespec="seconds"),
+        inputs={path.name: hashlib.sha256(path.read_bytes()).hexdigest() for paths in files.files.values() for path in paths},
+    )
+    return replace(solution, calibration=replace(solution.calibration, provenance=provenance))
+
+
+def cameras_answer(solution: CameraArraySolution, files: BoardImages) -> dict[str, Any]:
+    """Return the JSON answer of a solution."""
+    calibration = solution.calibration
+    return {
+        "reference": calibration.reference,
+        "rms_px": {name: camera.rms_px for name, camera in calibration.cameras.items()} | dict(calibration.pair_rms_px),
+        "joint_rms_px": solution.joint_rms_px,
+        "corner_sigma_px": solution.sigma_px,
+        "cameras": {name: _parameters(solution, name) for name in calibration.names},
+        "pairs": _pairs(solution),
+        "loops": [{"cameras": loop.cameras, "angle_deg": loop.angle_deg, "distance_mm": loop.distance_mm} for loop in solution.loops],
+        "views": [
+            {"camera": view.camera, "view": view.view, "image": _image(files, view), "rms_px": view.rms_px, "corners": view.corners}
+            for view in solution.views
+        ],
+        "rejected": [
+            {"camera": one.camera, "view": one.view, "image": _image(files, one), "reason": one.reason} for one in solution.rejected
+        ],
+    }
+
+
+def _image(files: BoardImages, sighting: Any) -> str:
+    return files.path(sighting.camera, int(sighting.view) - 1).name
+
+
+def _parameters(solution: CameraArraySolution, name: str) -> dict[str, Any]:
+    from measureapp.calibrate.projection import intrinsic_names
+
+    camera = solution.calibration.cameras[name]
+    matrix, distortion = camera.pinhole.matrix, camera.pinhole.distortion
+    values = dict(zip(intrinsic_names(len(distortion)), [matrix[0, 0], matrix[1, 1], matrix[0, 2], matrix[1, 2], *distortion], strict=True))
+    place = camera.reference_from_camera
+    values |= dict(
+        zip(
+            ("rotation_x_rad", "rotation_y_rad", "rotation_z_rad", "x_mm", "y_mm", "z_mm"),
+            [*place.rotation_vector, *place.translation_mm],
+            strict=True,
+        )
+    )
+    deviations = camera.standard_deviations
+    return {
+        "width": camera.pinhole.width_px,
+        "height": camera.pinhole.height_px,
+        "matrix": matrix,
+        "distortion": distortion,
+        "reference_from_camera": place.matrix,
+        "parameters": {key: {"value": value, "standard_deviation": deviations.get(key, 0.0)} for key, value in values.items()},
+    }
+
+
+def _pairs(solution: CameraArraySolution) -> dict[str, Any]:
+    import numpy as np
+
+    from measureapp.calibrate.camera_array import left_from_right
+
+    pairs = {}
+    for pair, rms_px in solution.calibration.pair_rms_px.items():
+        names = [name for name in solution.calibration.cameras if pair.startswith(f"{name}-")]
+        left = max(names, key=len)
+        transform = left_from_right(solution.calibration, left, pair.removeprefix(f"{left}-"))
+        pairs[pair] = {
+            "rms_px": rms_px,
+            "left_from_right": transform.matrix,
+            "baseline_mm": float(np.linalg.norm(transform.translation_mm)),
+            "angle_deg": float(np.rad2deg(transform.angle_rad)),
+        }
+    return pairs
+
+
+def _lines(solution: CameraArraySolution, document: dict[str, Any]) -> list[str]:
+    lines = [f"Joint rms {solution.joint_rms_px:.3f} px over {len(solution.views)} views of {len(solution.calibration.cameras)} cameras."]
+    for name, entry in document["cameras"].items():
+        focal = entry["parameters"]["fx"]
+        lines.append(f"  {name}: fx {focal['value']:.2f} ± {focal['standard_deviation']:.2f} px, rms {document['rms_px'][name]:.3f} px")
+    for pair, entry in document["pairs"].items():
+        lines.append(f"  {pair}: baseline {entry['baseline_mm']:.3f} mm, {entry['angle_deg']:.3f}°, rms {entry['rms_px']:.3f} px")
+    for loop in document["loops"]:
+        lines.append(f"  loop {' → '.join(loop['cameras'])}: {loop['angle_deg']:.4f}°, {loop['distance_mm']:.3f} mm")
+    lines += [f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
+    return lines + [f"Written: {path}" for path in document["files"].values()]

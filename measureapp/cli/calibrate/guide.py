@@ -1,0 +1,116 @@
+"""`calibrate guide`: direction and scale of the linear guide in the robot's base."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from measureapp.cli.calibrate.options import (
+    BoardOption,
+    BoardPosesOption,
+    CamerasOption,
+    ImagesOption,
+    OutOption,
+    RobotPosesOption,
+    SquareOption,
+)
+from measureapp.cli.reply import JsonOption, TerminalProgress, jsonable, reply
+from measureapp.errors import InputError, MeasureError
+
+if TYPE_CHECKING:
+    from measureapp.calibrate.linear_guide import GuideSolution
+    from measureapp.data.calibration import HandEye
+
+
+def register(group: typer.Typer) -> None:
+    """Add the command."""
+
+    @group.command()
+    def guide(
+        robot_poses: RobotPosesOption,
+        guide_positions: Annotated[Path, typer.Option(help="Slide positions: name,position_mm.")],
+        hand_eye: Annotated[Path, typer.Option(help="What `calibrate hand-eye --out` wrote, or a pose table of one pose.")],
+        board_poses: BoardPosesOption = None,
+        images: ImagesOption = None,
+        cameras: CamerasOption = None,
+        board: BoardOption = None,
+        square_mm: SquareOption = None,
+        out: OutOption = None,
+        as_json: JsonOption = False,
+    ) -> None:
+        """Find the guide's direction and scale from a board that stands still."""
+        from measureapp.calibrate.linear_guide import GuideObservation, GuideProblem, solve
+        from measureapp.cli.calibrate.sightings import named_board_poses, read_robot_poses, same_names
+        from measureapp.project.atomic import write_json
+        from measureapp.project.tables import read_guide
+
+        robot, slide = read_robot_poses(robot_poses), read_guide(guide_positions)
+        same_names(guide_positions, tuple(robot), tuple(slide))
+        boards, rejected = named_board_poses(tuple(robot), board_poses, images, cameras, board, square_mm, (1.0, 1.0), TerminalProgress())
+        names = [name for name in robot if name in boards]
+        observations = tuple(GuideObservation(robot[name], slide[name], boards[name].camera_from_board) for name in names)
+        solution = solve(GuideProblem(observations, read_hand_eye(hand_eye)))
+        document = guide_answer(solution, names) | {"rejected": rejected}
+        if out is not None:
+            write_json(out, {"schema_version": 1, **jsonable(document)})
+        reply(document, "\n".join(_lines(document)), as_json)
+
+
+def read_hand_eye(path: Path) -> HandEye:
+    """Read flange_from_camera from the answer of `calibrate hand-eye`, or from a pose table with one pose.
+
+    Raises
+    ------
+    InputError
+        The file holds no such transform.
+    """
+    from measureapp.data.calibration import HandEye
+    from measureapp.geometry.transform import RigidTransform
+    from measureapp.project.tables import read_poses
+
+    if path.suffix.lower() == ".csv":
+        poses = list(read_poses(path, "flange", "camera").values())
+        if len(poses) != 1:
+            raise InputError(f"{path} has {len(poses)} poses.", "Give exactly one, flange_from_camera.")
+        return HandEye(poses[0])
+    try:
+        document = json.loads(path.read_text(encoding="utf-8"))
+        matrix = document["flange_from_camera"] if "flange_from_camera" in document else document["refined"]["flange_from_camera"]
+        return HandEye(RigidTransform(matrix, "flange", "camera"))
+    except (OSError, ValueError, KeyError, TypeError, MeasureError) as error:
+        raise InputError(f"{path} holds no flange_from_camera: {error}.", "Give the file that `calibrate hand-eye --out` wrote.") from error
+
+
+def guide_answer(solution: GuideSolution, names: list[str]) -> dict[str, Any]:
+    """Return the JSON answer of a solution."""
+    fitted = solution.guide
+    return {
+        "direction": fitted.direction,
+        "scale": fitted.scale,
+        "standard_deviations": {"direction_deg": math.degrees(fitted.direction_sigma_rad), "scale": fitted.scale_sigma},
+        "straightness_mm": {"rms": fitted.straightness_mm, "max": float(solution.straightness_mm.max())},
+        "positions": [
+            {"name": name, "straightness_mm": float(aside), "along_mm": float(along), "turn_deg": math.degrees(turn)}
+            for name, aside, along, turn in zip(names, solution.straightness_mm, solution.along_mm, solution.turn_rad, strict=True)
+        ],
+        "turn_deg": math.degrees(float(solution.turn_rad.max())),
+        "stroke_mm": solution.stroke_mm,
+        "paper_cost_mm": solution.paper_cost_mm,
+        "warnings": list(solution.warnings),
+    }
+
+
+def _lines(document: dict[str, Any]) -> list[str]:
+    direction = " ".join(f"{value:+.6f}" for value in document["direction"])
+    deviations = document["standard_deviations"]
+    return [
+        f"Guide direction {direction} ± {deviations['direction_deg']:.4f}°, scale {document['scale']:.6f} ± {deviations['scale']:.6f}",
+        f"  straightness {document['straightness_mm']['rms']:.4f} mm rms over {document['stroke_mm']:.0f} mm; "
+        f"pure +Y would have cost {document['paper_cost_mm']:.3f} mm",
+        *(f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]),
+        *(f"  {warning}" for warning in document["warnings"]),
+    ]

@@ -1,0 +1,111 @@
+"""`calibrate hand-eye`: where the reference camera sits on the flange."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from measureapp.cli.calibrate.options import (
+    BoardOption,
+    BoardPosesOption,
+    CamerasOption,
+    ImagesOption,
+    OutOption,
+    RobotPosesOption,
+    SquareOption,
+)
+from measureapp.cli.main import OUT_OF_TOLERANCE
+from measureapp.cli.reply import JsonOption, TerminalProgress, jsonable, reply
+
+if TYPE_CHECKING:
+    from measureapp.calibrate.hand_eye import HandEyeEstimate, HandEyeSolution
+
+
+def register(group: typer.Typer) -> None:
+    """Add the command."""
+
+    @group.command("hand-eye")
+    def hand_eye(
+        robot_poses: RobotPosesOption,
+        board_poses: BoardPosesOption = None,
+        images: ImagesOption = None,
+        cameras: CamerasOption = None,
+        board: BoardOption = None,
+        square_mm: SquareOption = None,
+        robot_sigma_mm: Annotated[float, typer.Option(min=1e-6, help="Standard deviation of robot positions, mm.")] = 0.3,
+        robot_sigma_deg: Annotated[float, typer.Option(min=1e-6, help="Standard deviation of robot rotations, degrees.")] = 0.02,
+        board_sigma_mm: Annotated[float, typer.Option(min=1e-6, help="The same of the board poses of a table, mm.")] = 0.05,
+        board_sigma_deg: Annotated[float, typer.Option(min=1e-6, help="The same of the board poses of a table, degrees.")] = 0.01,
+        out: OutOption = None,
+        as_json: JsonOption = False,
+    ) -> None:
+        """Find flange_from_camera by five methods, then refine it jointly."""
+        from measureapp.calibrate.chain import AxisNoise
+        from measureapp.calibrate.hand_eye import HandEyeProblem, solve
+        from measureapp.cli.calibrate.sightings import named_board_poses, read_robot_poses
+        from measureapp.project.atomic import write_json
+
+        robot = read_robot_poses(robot_poses)
+        noise = (board_sigma_mm, board_sigma_deg)
+        boards, rejected = named_board_poses(tuple(robot), board_poses, images, cameras, board, square_mm, noise, TerminalProgress())
+        names = [name for name in robot if name in boards]
+        axis_noise = AxisNoise(robot_sigma_mm, math.radians(robot_sigma_deg))
+        solution = solve(HandEyeProblem(tuple(robot[name] for name in names), tuple(boards[name] for name in names), axis_noise))
+        document = hand_eye_answer(solution, names) | {"rejected": rejected}
+        if out is not None:
+            write_json(
+                out, {"schema_version": 1, "flange_from_camera": solution.refined.flange_from_camera.matrix.tolist(), **jsonable(document)}
+            )
+        reply(document, "\n".join(_lines(document)), as_json)
+        if solution.degeneracy.verdict != "good":
+            raise typer.Exit(OUT_OF_TOLERANCE)
+
+
+def hand_eye_answer(solution: HandEyeSolution, names: list[str]) -> dict[str, Any]:
+    """Return the JSON answer of a solution."""
+    degeneracy = solution.degeneracy
+    refined = solution.refined
+    return {
+        "methods": {name: _estimate(estimate) for name, estimate in solution.methods.items()},
+        "refused": dict(solution.refused),
+        "refined": _estimate(refined) | {"standard_deviations": dict(solution.standard_deviations)},
+        "base_from_board": solution.base_from_board.matrix,
+        "poses": [
+            {"name": name, "residual_mm": float(length), "residual_deg": math.degrees(angle)}
+            for name, length, angle in zip(names, refined.residual_mm, refined.residual_rad, strict=True)
+        ],
+        "spread_of_methods_mm": solution.spread_mm,
+        "degeneracy": {
+            "axis_spread_deg": degeneracy.axis_spread_deg,
+            "largest_angle_deg": degeneracy.largest_angle_deg,
+            "pairs": degeneracy.pairs,
+            "pairs_left_out": degeneracy.left_out,
+            "verdict": degeneracy.verdict,
+        },
+    }
+
+
+def _estimate(estimate: HandEyeEstimate) -> dict[str, Any]:
+    length, angle = estimate.residual_mm, estimate.residual_rad
+    return {
+        "flange_from_camera": estimate.flange_from_camera.matrix,
+        "residual_mm": {"mean": float(length.mean()), "max": float(length.max())},
+        "residual_deg": {"mean": math.degrees(angle.mean()), "max": math.degrees(angle.max())},
+    }
+
+
+def _lines(document: dict[str, Any]) -> list[str]:
+    lines = [f"Hand-eye transform from {len(document['poses'])} poses; translation of flange_from_camera in mm:"]
+    for name, entry in (*document["methods"].items(), ("refined", document["refined"])):
+        place = " ".join(f"{value:9.3f}" for value in entry["flange_from_camera"][:3, 3])
+        lines.append(
+            f"  {name:<13} {place}   residual {entry['residual_mm']['mean']:.3f} mm (max {entry['residual_mm']['max']:.3f}), "
+            f"{entry['residual_deg']['mean']:.4f}° (max {entry['residual_deg']['max']:.4f})"
+        )
+    deviations = document["refined"]["standard_deviations"]
+    lines.append("  ± " + " ".join(f"{deviations[f'{axis}_mm']:.3f}" for axis in "xyz") + " mm (refined)")
+    lines += [f"  {name}: {reason}" for name, reason in document["refused"].items()]
+    lines += [f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
+    return [*lines, f"  motions: {document['degeneracy']['verdict']}, {document['degeneracy']['axis_spread_deg']:.1f}° from parallel"]

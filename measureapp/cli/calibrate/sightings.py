@@ -1,0 +1,140 @@
+"""Board poses from images or from a table, as the calibrations of the axes need them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from measureapp.calibrate.board import detect, require_unambiguous
+from measureapp.calibrate.board_pose import BoardPose, board_pose, stated_pose
+from measureapp.cli.calibrate.options import board_of
+from measureapp.data.board import CheckerboardDescription
+from measureapp.data.calibration import CameraArrayCalibration
+from measureapp.errors import CalibrationError, InputError
+from measureapp.geometry.transform import RigidTransform
+from measureapp.progress import Progress
+from measureapp.project.board_images import BoardImages, find_board_images
+from measureapp.project.camera_file import read_cameras
+from measureapp.project.tables import read_poses, require_millimetres
+
+LEAST_CORNER_SIGMA_PX = 0.02
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PosesFromImages:
+    """Board poses by position; a position without a board is missing."""
+
+    board: CheckerboardDescription
+    cameras: CameraArrayCalibration
+    positions: int
+    poses: dict[int, BoardPose]
+    rejected: list[dict[str, Any]]
+
+
+def poses_from_images(
+    images: Sequence[str] | None, cameras: Path | None, board: str | None, square_mm: float | None, purpose: str, progress: Progress
+) -> PosesFromImages:
+    """Find the board in all images and its pose at every position; the noise of the corners is that of all residuals.
+
+    Raises
+    ------
+    InputError
+        Images, cameras or board are missing or do not fit each other.
+    CalibrationError
+        The board is symmetric.
+    """
+    if cameras is None:
+        raise InputError("--images need --cameras.", "Calibrate the cameras first: `measureapp calibrate cameras`.")
+    description = board_of(board, square_mm)
+    require_unambiguous(description, purpose)
+    array = read_cameras(cameras)
+    files = find_board_images(images or ())
+    unknown = [name for name in files.cameras if name not in array.cameras]
+    if unknown:
+        raise InputError(f"{cameras} has no camera {unknown[0]!r}.", "It has: " + ", ".join(array.cameras) + ".")
+    found, rejected = _corners(files, array, description, progress)
+    poses = {position: board_pose(corners, array, description) for position, corners in sorted(found.items())}
+    return PosesFromImages(description, array, files.positions, _with_seen_noise(poses), rejected)
+
+
+def _corners(
+    files: BoardImages, array: CameraArrayCalibration, board: CheckerboardDescription, progress: Progress
+) -> tuple[dict[int, dict[str, Any]], list[dict[str, Any]]]:
+    found: dict[int, dict[str, Any]] = {}
+    rejected = []
+    total = len(files.cameras) * files.positions
+    for done, (camera, position, image) in enumerate(files.each()):
+        path = files.path(camera, position)
+        progress.report(done, total, path.name)
+        lens = array.cameras[camera].pinhole
+        if image.shape[:2] != (lens.height_px, lens.width_px):
+            raise InputError(
+                f"{path} is {image.shape[1]} × {image.shape[0]} px, camera {camera!r} was calibrated for {lens.width_px} × {lens.height_px} px.",
+                "Use the calibration of the camera that took the images.",
+            )
+        try:
+            found.setdefault(position, {})[camera] = detect(image, board)
+        except CalibrationError as error:
+            rejected.append({"camera": camera, "position": position, "image": path, "reason": error.message})
+    progress.report(total, total)
+    return {position: corners for position, corners in found.items() if corners}, rejected
+
+
+def _with_seen_noise(poses: dict[int, BoardPose]) -> dict[int, BoardPose]:
+    """Scale the information to the noise the residuals of all positions show, instead of the assumed 0.1 px."""
+    if not poses:
+        return poses
+    sigma = max(float(np.sqrt(np.mean([pose.rms_px**2 for pose in poses.values()]) / 2)), LEAST_CORNER_SIGMA_PX)
+    return {position: replace(pose, information=pose.information * (0.1 / sigma) ** 2) for position, pose in poses.items()}
+
+
+def named_board_poses(
+    names: Sequence[str],
+    board_poses: Path | None,
+    images: Sequence[str] | None,
+    cameras: Path | None,
+    board: str | None,
+    square_mm: float | None,
+    noise: tuple[float, float],
+    progress: Progress,
+) -> tuple[dict[str, BoardPose], list[dict[str, Any]]]:
+    """Return the board pose of every robot pose, from a table or from images in the order of the sorted names.
+
+    ``noise`` is the standard deviation (mm, degrees) of poses from a table.
+
+    Raises
+    ------
+    InputError
+        Neither or both sources were given, or names or counts do not fit.
+    """
+    if (board_poses is None) == (not images):
+        raise InputError("Give either --board-poses or --images.", "With --images also --cameras, --board and --square-mm.")
+    if board_poses is not None:
+        table = read_poses(board_poses, "camera", "board")
+        require_millimetres(board_poses, table)
+        same_names(board_poses, names, tuple(table))
+        return {name: stated_pose(table[name], math.radians(noise[1]), noise[0]) for name in names}, []
+    seen = poses_from_images(images, cameras, board, square_mm, "this calibration", progress)
+    if seen.positions != len(names):
+        raise InputError(f"{seen.positions} images do not belong to {len(names)} robot poses.", "Give one image per camera and robot pose.")
+    return {names[position]: pose for position, pose in seen.poses.items()}, seen.rejected
+
+
+def read_robot_poses(path: Path) -> dict[str, RigidTransform]:
+    """Read base_from_flange by name, in mm. Raises InputError."""
+    poses = read_poses(path, "base", "flange")
+    require_millimetres(path, poses)
+    return poses
+
+
+def same_names(path: Path, wanted: Sequence[str], given: Sequence[str]) -> None:
+    """Refuse a table whose names differ from those of the robot poses. Raises InputError naming the first."""
+    for name in (*(name for name in wanted if name not in given), *(name for name in given if name not in wanted)):
+        where = "is missing in" if name in wanted else "of"
+        other = "" if name in wanted else " is not among the robot poses"
+        raise InputError(f"The name {name!r} {where} {path}{other}.", "Use the same names in all tables.")

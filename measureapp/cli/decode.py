@@ -1,0 +1,95 @@
+"""`decode`: recorded fringe images to absolute phase."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+
+if TYPE_CHECKING:
+    from measureapp.data.phase import PhaseMap
+    from measureapp.fringe.settings import DecodeSettings
+
+RuleOption = Annotated[
+    str, typer.Option("--rule", help="combined: all unsaturated exposures; paper: the brightest unsaturated one of each pixel.")
+]
+PerFrequencyOption = Annotated[bool, typer.Option("--per-frequency", help="Choose exposures for each pitch by itself.")]
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+
+    @app.command()
+    def decode(
+        manifest: Annotated[Path, typer.Argument(help="MANIFEST.toml of the recorded images.")],
+        out: Annotated[Path, typer.Option("--out", help="Folder of the phase maps, one .npz per camera.")],
+        rule: RuleOption = "combined",
+        per_frequency: PerFrequencyOption = False,
+        as_json: JsonOption = False,
+    ) -> None:
+        """Decode fringe images: exposure synthesis, wrapped phase, absolute phase.
+
+        MANIFEST.toml has shift_sign (image n is A + B cos(phase + shift_sign · 2πn/N)), saturation, projector_px, and from long to
+        short [[exposure]] tables with exposure_us and [[exposure.group]] tables: kind = "phase-shift" with pitch_px or periods, or
+        kind = "gray-code" (most significant bit first; complementary = true when a shifted last plane follows); each with
+        images = { camera = ["file", …] }.
+
+        A phase map holds phase_rad, sigma_rad, modulation, exposure_index and mask: 0 valid, 1 saturated, 2 dark,
+        3 order conflict, 4 out of range, 5 edge.
+        """
+        from measureapp.fringe.decode import decode as decode_stack
+        from measureapp.project.fringe_manifest import read_manifest
+        from measureapp.project.phase_file import write_phase_map
+
+        settings = decode_settings(rule, per_frequency)
+        progress = TerminalProgress()
+        maps = decode_stack(read_manifest(manifest), settings, progress)
+        cameras = {}
+        for name, phase_map in maps.items():
+            file = out / f"{name}.npz"
+            write_phase_map(file, phase_map)
+            cameras[name] = {**figures(phase_map), "file": file}
+        lines = [line for name, entry in cameras.items() for line in _lines(name, entry)]
+        reply({"cameras": cameras, "settings": settings.model_dump()}, "\n".join(lines), as_json)
+
+
+def decode_settings(rule: str, per_frequency: bool) -> DecodeSettings:
+    """Return the settings of the options; raises InputError for a rule that is not known."""
+    from measureapp.errors import InputError
+    from measureapp.fringe.settings import DecodeSettings
+
+    if rule not in ("combined", "paper"):
+        raise InputError(f"--rule {rule} is not known.", "Give combined or paper.")
+    return DecodeSettings.model_validate({"rule": rule, "joint": not per_frequency})
+
+
+def figures(phase_map: PhaseMap) -> dict[str, Any]:
+    """Return what the answer says about one camera."""
+    import numpy as np
+
+    from measureapp.data.phase import PixelState
+
+    valid = phase_map.valid
+    return {
+        "valid_ratio": {"exposures": phase_map.valid_ratio_exposures, "composite": phase_map.valid_ratio_composite},
+        "decoded_ratio": float(valid.mean()),
+        "decoded_px": int(valid.sum()),
+        "modulation_median": float(np.median(phase_map.modulation[valid])) if valid.any() else 0.0,
+        "phase_sigma_median": float(np.median(phase_map.sigma_rad[valid])) if valid.any() else None,
+        "order_conflicts": int((phase_map.state == PixelState.ORDER_CONFLICT).sum()),
+        "orders_repaired": int(phase_map.details.get("orders_repaired", 0)),
+        "rejected": {state.name.lower(): int((phase_map.state == state).sum()) for state in PixelState if state != PixelState.VALID},
+    }
+
+
+def _lines(name: str, entry: dict[str, Any]) -> list[str]:
+    exposures = ", ".join(f"{ratio:.1%}" for ratio in entry["valid_ratio"]["exposures"])
+    sigma = entry["phase_sigma_median"]
+    noise = "no phase at all" if sigma is None else f"modulation {entry['modulation_median']:.1f}, phase noise {sigma:.4f} rad (medians)"
+    return [
+        f"{name}: valid by exposure {exposures}; composite {entry['valid_ratio']['composite']:.1%}; decoded {entry['decoded_ratio']:.1%}",
+        f"  {noise}; {entry['order_conflicts']} order conflicts → {entry['file']}",
+    ]

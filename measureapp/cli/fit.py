@@ -1,0 +1,104 @@
+"""`measureapp fit`: one shape through the points of a file."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import numpy as np
+import typer
+
+from measureapp.cli.reply import JsonOption, reply
+
+if TYPE_CHECKING:
+    from measureapp.geometry.feature import Feature
+
+
+class ShapeName(StrEnum):
+    """What can be fitted."""
+
+    PLANE = "plane"
+    LINE = "line"
+    CIRCLE = "circle"
+    SPHERE = "sphere"
+    CYLINDER = "cylinder"
+    CONE = "cone"
+    TORUS = "torus"
+
+
+class Criterion(StrEnum):
+    """What is minimised."""
+
+    LEAST_SQUARES = "least-squares"
+    MINIMUM_ZONE = "minimum-zone"
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+
+    @app.command("fit")
+    def fit_points(
+        shape: Annotated[ShapeName, typer.Argument(help="The shape to fit.")],
+        points: Annotated[Path, typer.Argument(help="One point a line (white space or commas), or a PLY, STL, OBJ or PCD file.")],
+        criterion: Annotated[Criterion, typer.Option(help="What is minimised.")] = Criterion.LEAST_SQUARES,
+        robust: Annotated[bool, typer.Option("--robust", help="Leave out outliers and say how many.")] = False,
+        as_json: JsonOption = False,
+    ) -> None:
+        """Fit a shape by orthogonal distances."""
+        from measureapp.errors import FitError
+        from measureapp.geometry.fits import fit
+        from measureapp.geometry.minimum_zone import fit_minimum_zone
+
+        read = _read(points)
+        if criterion is Criterion.MINIMUM_ZONE and robust:
+            raise FitError("A minimum zone holds all points.", "Leave --robust out.")
+        made = fit_minimum_zone(shape.value, read) if criterion is Criterion.MINIMUM_ZONE else fit(shape.value, read, robust=robust)
+        document = _document(made, criterion.value)
+        reply(document, _lines(document), as_json)
+
+
+def _read(path: Path) -> Any:
+    from measureapp.errors import InputError
+    from measureapp.project.geometry_files import KINDS, read_points
+    from measureapp.project.point_files import read_table
+
+    if path.suffix.lower() in KINDS or not path.is_file():
+        return read_points(path).points_mm
+    points = read_table(path)[:, :3]
+    if not np.isfinite(points).all():
+        raise InputError(f"{path} holds points that are not numbers.", "Leave these lines out.")
+    return points
+
+
+def _document(made: Feature, criterion: str) -> dict[str, Any]:
+    document: dict[str, Any] = {"shape": made.shape, "criterion": criterion, "point_mm": made.point_mm, "direction": made.direction}
+    document["radius_mm"] = made.radius_mm
+    document["half_angle_deg"] = None if made.half_angle_rad is None else float(np.degrees(made.half_angle_rad))
+    document["minor_radius_mm"] = made.minor_radius_mm
+    document = {name: value for name, value in document.items() if value is not None}
+    deviations = {name: value for name, value in made.standard_deviations.items() if not name.endswith("_rad")}
+    deviations |= {
+        f"{name[:-4]}_deg": float(np.degrees(value)) for name, value in made.standard_deviations.items() if name.endswith("_rad")
+    }
+    return document | {
+        "form_error_mm": made.form_error_mm,
+        "rms_mm": made.rms_mm,
+        "points": made.points,
+        "left_out": made.left_out,
+        "standard_deviations": deviations,
+    }
+
+
+def _lines(document: dict[str, Any]) -> str:
+    rows = []
+    for name, value in document.items():
+        if name == "standard_deviations":
+            rows += [f"{'σ ' + key:<18} {sigma:.3g}" for key, sigma in value.items()]
+        elif isinstance(value, float):
+            rows.append(f"{name:<18} {value:.6f}")
+        elif isinstance(value, np.ndarray):
+            rows.append(f"{name:<18} " + " ".join(f"{number:.6f}" for number in value))
+        else:
+            rows.append(f"{name:<18} {value}")
+    return "\n".join(rows)

@@ -1,0 +1,71 @@
+"""`gui`: the window."""
+
+from __future__ import annotations
+
+import ctypes
+import importlib
+import importlib.util
+import os
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from measureapp.errors import InputError
+
+REPAIR = "Run `python3 installer/bootstrap.py run`, which installs what Qt needs."
+FROM_TERMINAL = "Everything works without the window too: see `measureapp --help`."
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+
+    @app.command()
+    def gui(
+        project: Annotated[Path | None, typer.Argument(help="Project folder to open.")] = None,
+        demo: Annotated[bool, typer.Option("--demo", help="Open with the demo project on the virtual rig.")] = False,
+    ) -> None:
+        """Open the window."""
+        if project is not None and not project.is_dir():
+            raise InputError(f"{project} is not a project folder.", "Name a folder made by `measureapp demo` or `measureapp scan`.")
+        check_screen()
+        raise typer.Exit(_window().run(project, demo))
+
+
+def check_screen() -> None:
+    """Raise InputError where no window can be shown; Qt itself would abort the process."""
+    if not sys.platform.startswith("linux") or "QT_QPA_PLATFORM" in os.environ or os.environ.get("WAYLAND_DISPLAY"):
+        return
+    display = os.environ.get("DISPLAY")
+    if not display:
+        raise InputError("There is no screen: neither DISPLAY nor WAYLAND_DISPLAY is set.", FROM_TERMINAL)
+    try:
+        answers = _x_server_answers()
+    except OSError as error:
+        raise InputError(f"Qt cannot start: {error}.", f"{REPAIR} {FROM_TERMINAL}") from error
+    if not answers:
+        raise InputError(f"The screen {display} named by DISPLAY does not answer.", f"Correct DISPLAY. {FROM_TERMINAL}")
+
+
+def _x_server_answers() -> bool:
+    """Tell whether the X server can be reached; raises OSError naming a library that Qt's X plugin lacks."""
+    qt = importlib.util.find_spec("PySide6")
+    for folder in (qt.submodule_search_locations or ()) if qt else ():
+        for plugin in Path(folder).glob("Qt/plugins/platforms/libqxcb.so"):
+            ctypes.CDLL(str(plugin))
+    xcb = ctypes.CDLL("libxcb.so.1")
+    xcb.xcb_connect.restype = ctypes.c_void_p
+    connection = ctypes.c_void_p(xcb.xcb_connect(None, None))
+    failed = xcb.xcb_connection_has_error(connection)
+    xcb.xcb_disconnect(connection)
+    return not failed
+
+
+def _window() -> Any:
+    """Return the module of the window. By name, because the core knows no window: it is looked for only here and only now."""
+    try:
+        importlib.import_module("PySide6.QtWidgets")
+    except ImportError as error:
+        raise InputError(f"Qt cannot start: {error}.", f"{REPAIR} {FROM_TERMINAL}") from error
+    return importlib.import_module("ui.app")

@@ -1,0 +1,48 @@
+"""`measure`: dimensions of a cloud or mesh by an inspection program."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from measureapp.cli.main import OUT_OF_TOLERANCE
+from measureapp.cli.outcome import dimension_line
+from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+
+    @app.command()
+    def measure(
+        cloud: Annotated[Path, typer.Argument(help="Cloud or mesh: PLY, STL, OBJ, PCD, XYZ; in mm.")],
+        program: Annotated[Path, typer.Argument(help="Inspection program (TOML).")],
+        as_json: JsonOption = False,
+    ) -> None:
+        """Measure the dimensions of an inspection program; exit code 1 when any does not pass."""
+        from measureapp.data.dimension import Verdict
+        from measureapp.inspection.dimensions import inspect
+        from measureapp.inspection.settings import InspectionSettings
+        from measureapp.inspection.verdict import RULES
+        from measureapp.project.geometry_files import read_cloud_or_mesh
+        from measureapp.project.program_file import read_program, read_program_nominal
+        from measureapp.report.json_document import alignment_document, dimension_document
+
+        described = read_program(program)
+        nominal = read_program_nominal(program, described)
+        settings = InspectionSettings()
+        inspection = inspect(read_cloud_or_mesh(cloud), described, nominal, settings, TerminalProgress())
+        rule = RULES[settings.verdict_rule]
+        document = {
+            "program": inspection.program,
+            "alignment": alignment_document(inspection.alignment),
+            "dimensions": [dimension_document(dimension) for dimension in inspection.dimensions],
+            "verdict_rule": rule,
+        }
+        alignment = inspection.alignment
+        lines = [f"{inspection.program}. Alignment: {alignment.name}, rms {alignment.rms_mm:.3f} mm."]
+        reply(document, "\n".join([*lines, *map(dimension_line, inspection.dimensions), rule]), as_json)
+        if any(dimension.verdict is not Verdict.PASS for dimension in inspection.dimensions):
+            raise typer.Exit(OUT_OF_TOLERANCE)

@@ -1,0 +1,51 @@
+"""`report`: the documents of a measured project."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+
+if TYPE_CHECKING:
+    from measureapp.report.documents import DocumentKind
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+
+    @app.command()
+    def report(
+        project: Annotated[Path, typer.Argument(help="Project folder.")],
+        pdf: Annotated[bool, typer.Option("--pdf", help="Write report.pdf.")] = False,
+        csv: Annotated[bool, typer.Option("--csv", help="Write report.csv.")] = False,
+        html: Annotated[bool, typer.Option("--html", help="Write report.html.")] = False,
+        out: Annotated[Path | None, typer.Option("--out", help="Folder for the documents; by default the project's.")] = None,
+        as_json: JsonOption = False,
+    ) -> None:
+        """Write the documents of the last measurement: those named, or PDF, CSV and JSON."""
+        from measureapp.errors import StorageError
+        from measureapp.project.folder import ProjectFolder
+        from measureapp.project.geometry_files import read_mesh
+        from measureapp.report.compose import compose
+        from measureapp.report.documents import write_documents
+
+        folder = ProjectFolder.open(project)
+        measurement = folder.measurement()
+        if measurement is None:
+            raise StorageError(f"{project} holds no measurement to report on.", "Scan, or recompute it: measureapp process PROJECT.")
+        nominal = None if folder.nominal is None else read_mesh(folder.nominal)
+        model = compose(measurement, nominal, progress=TerminalProgress())
+        files = write_documents(model, out or folder.report_pdf.parent, _kinds(pdf, csv, html))
+        document = {"files": dict(files), "verdict": None if model.verdict is None else model.verdict.value}
+        reply(document, "\n".join([model.summary, *(str(path) for path in files.values())]), as_json)
+
+
+def _kinds(pdf: bool, csv: bool, html: bool) -> tuple[DocumentKind, ...]:
+    asked: list[DocumentKind] = []
+    for kind, wanted in (("pdf", pdf), ("csv", csv), ("html", html)):
+        if wanted:
+            asked.append(kind)  # type: ignore[arg-type]
+    return tuple(asked) or ("pdf", "csv", "json")

@@ -1,0 +1,153 @@
+"""`measureapp stitch`: fine registration of clouds, merge and surface."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import numpy as np
+import typer
+
+from measureapp.cli.reply import JsonOption, TerminalProgress, reply, say
+from measureapp.progress import PartOf
+
+if TYPE_CHECKING:
+    from measureapp.data.cloud import PointCloud, StitchedCloud, ViewPlacement
+
+DEFAULT_SIGMA_MM = 0.05  # for clouds that do not say how certain their points are
+LEAST_EXTENT_MM = 3.0
+LARGEST_EXTENT_MM = 20_000.0
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+
+    @app.command("stitch")
+    def stitch_clouds(
+        clouds: Annotated[
+            list[Path], typer.Argument(help="One cloud per view, in its camera's frame; its name without ending is the pose's.")
+        ],
+        poses: Annotated[Path, typer.Option(help="poses.csv: name,x_mm,y_mm,z_mm,qw,qx,qy,qz (part_from_camera).")],
+        out: Annotated[Path, typer.Option(help="The stitched cloud (.ply or .xyz).")],
+        mesh: Annotated[Path | None, typer.Option(help="Also make a surface (.ply or .stl).")] = None,
+        pose_sigma_mm: Annotated[float, typer.Option(min=1e-6, help="How well the poses are known (standard deviation).")] = 0.5,
+        pose_sigma_deg: Annotated[float, typer.Option(min=1e-6, help="The same for their directions.")] = 0.05,
+        fine: Annotated[bool, typer.Option("--fine/--kinematic-only", help="Register finely, or place by the poses alone.")] = True,
+        as_json: JsonOption = False,
+    ) -> None:
+        """Register clouds finely, starting from their poses, and merge them."""
+        from measureapp.project.geometry_files import write_cloud, write_mesh
+        from measureapp.project.tables import read_poses
+        from measureapp.register.settings import StitchSettings
+        from measureapp.register.stitch import stitch
+
+        _check_outputs(clouds, out, mesh)
+        known = read_poses(poses, "part", "camera")
+        kinematic = [_pose(known, path, poses) for path in clouds]
+        progress = TerminalProgress()
+        read = [_read(path, PartOf(progress, 0.2 * i / len(clouds), 0.2 * (i + 1) / len(clouds))) for i, path in enumerate(clouds)]
+        settings = StitchSettings(pose_sigma_mm=pose_sigma_mm, pose_sigma_deg=pose_sigma_deg, fine=fine)
+        stitched = stitch(read, kinematic, settings, PartOf(progress, 0.2, 0.8))
+        triangles = _surface(stitched, PartOf(progress, 0.8, 1.0)) if mesh else None
+        write_cloud(out, stitched)
+        if mesh and triangles is not None:
+            write_mesh(mesh, triangles)
+        progress.report(1, 1, "done")
+        document = _document(stitched, out, mesh)
+        reply(document, _lines(stitched, out), as_json)
+        if any(placement.verdict != "good" for placement in stitched.placements):
+            raise typer.Exit(1)
+
+
+def _check_outputs(clouds: list[Path], out: Path, mesh: Path | None) -> None:
+    from measureapp.errors import InputError
+
+    stems = [path.stem for path in clouds]
+    twice = sorted({stem for stem in stems if stems.count(stem) > 1})
+    if twice:
+        raise InputError(f"Two clouds are called {twice[0]!r}.", "Give each view its own file name: it names the pose.")
+    if out.suffix.lower() not in (".ply", ".xyz"):
+        raise InputError(f"{out}: a cloud cannot be written as this.", "Use .ply or .xyz.")
+    if mesh and mesh.suffix.lower() not in (".ply", ".stl"):
+        raise InputError(f"{mesh}: a mesh cannot be written as this.", "Use .ply or .stl.")
+
+
+def _pose(known: dict[str, Any], path: Path, table: Path) -> Any:
+    from measureapp.errors import InputError
+
+    if path.stem not in known:
+        raise InputError(f"{table} has no pose called {path.stem!r} for {path}.", "Name the poses like the cloud files, without ending.")
+    return known[path.stem]
+
+
+def _read(path: Path, progress: PartOf) -> PointCloud:
+    """Read a cloud of any kind and fill in what it does not have."""
+    from measureapp.data.cloud import PointCloud
+    from measureapp.errors import InputError
+    from measureapp.project.geometry_files import read_points
+    from measureapp.register.normals import estimated_normals
+
+    progress.report(0, 1, f"reading {path.name}")
+    plain = read_points(path)
+    if plain.frame not in ("", "camera"):
+        raise InputError(f"{path} is in frame {plain.frame!r}.", "Give the views' clouds in their camera's frame.")
+    _check_units(path, np.asarray(plain.points_mm))
+    if plain.dropped:
+        say(f"{path}: {plain.dropped} points that are not numbers were left out.")
+    count = len(plain)
+    normals = plain.normals
+    if normals is None or np.count_nonzero(np.any(normals != 0, axis=1)) < count:
+        normals = estimated_normals(np.asarray(plain.points_mm), np.zeros(3)) if count >= 3 else np.zeros((count, 3))
+    sigma = plain.sigma_mm if plain.sigma_mm is not None else np.zeros(count)
+    sigma = np.where(np.asarray(sigma) > 0, sigma, DEFAULT_SIGMA_MM)
+    grey = plain.grey if plain.grey is not None else np.full(count, 0.5)
+    pixel = plain.pixel if plain.pixel is not None else np.full((count, 2), -1, np.int32)
+    cameras = plain.cameras if plain.cameras is not None else np.ones(count, np.uint8)
+    return PointCloud(plain.points_mm, normals, sigma, grey, pixel, cameras, "camera", path.stem)
+
+
+def _check_units(path: Path, points_mm: Any) -> None:
+    from measureapp.errors import InputError
+
+    extent = float(np.ptp(points_mm, axis=0).max())
+    if len(points_mm) > 100 and extent < LEAST_EXTENT_MM:
+        raise InputError(f"{path} is only {extent:.3g} mm large: is it in metres or inches?", "Export it in millimetres.")
+    if extent > LARGEST_EXTENT_MM:
+        raise InputError(f"{path} is {extent / 1000:.3g} m large: is it in micrometres?", "Export it in millimetres.")
+
+
+def _surface(stitched: StitchedCloud, progress: PartOf) -> Any:
+    from measureapp.register.surface import surface
+
+    return surface(stitched, progress=progress)
+
+
+def _document(stitched: StitchedCloud, out: Path, mesh: Path | None) -> dict[str, Any]:
+    return {
+        "views": [_view(placement) for placement in stitched.placements],
+        "points": len(stitched),
+        "notes": dict(stitched.notes),
+        "files": {"stitched_cloud": out} | ({"mesh": mesh} if mesh else {}),
+    }
+
+
+def _view(placement: ViewPlacement) -> dict[str, Any]:
+    return {
+        "name": placement.viewpoint_id,
+        "pose": placement.part_from_camera.matrix,
+        "correction_mm": placement.correction_mm,
+        "correction_deg": placement.correction_deg,
+        "residual_mm": placement.residual_mm,
+        "overlap": placement.overlap,
+        "verdict": placement.verdict,
+        "used": placement.used,
+    }
+
+
+def _lines(stitched: StitchedCloud, out: Path) -> str:
+    rows = [f"{'view':<16} {'moved':>9} {'turned':>9} {'residual':>9} {'overlap':>8}  verdict"]
+    rows += [
+        f"{p.viewpoint_id:<16} {p.correction_mm:6.3f} mm {p.correction_deg:8.3f}° {p.residual_mm:6.3f} mm {p.overlap:8.0%}  {p.verdict}"
+        for p in stitched.placements
+    ]
+    return "\n".join([*rows, f"{len(stitched)} points in {out}"])

@@ -1,0 +1,67 @@
+"""Phase shifting: from equally shifted sinusoids to the wrapped phase. The readable statement of what the kernels compute."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.data.fringe import PatternSet, PhaseShiftGroup
+from measureapp.errors import DecodeError
+
+
+def shift_weights(steps: int, shift_sign: int) -> tuple[FloatArray, FloatArray]:
+    """Return the weights (N,) whose sums with the images are N/2 · B sin(phase) and N/2 · B cos(phase)."""
+    if steps < 3:
+        raise DecodeError(
+            f"{steps} shifted images do not determine mean, modulation and phase.", "Record at least three steps of every pitch."
+        )
+    shifts = 2.0 * np.pi * np.arange(steps) / steps
+    return -shift_sign * np.sin(shifts), np.cos(shifts)
+
+
+def image_weights(patterns: PatternSet) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return for every image of a set its phase-shift group (-1 for other images), sine weight and cosine weight, each (P,)."""
+    group_of, sines, cosines, number = [], [], [], 0
+    for group in patterns.groups:
+        if isinstance(group, PhaseShiftGroup):
+            sine, cosine = shift_weights(group.steps, patterns.shift_sign)
+            group_of += [number] * group.steps
+            sines += list(sine)
+            cosines += list(cosine)
+            number += 1
+        else:
+            group_of += [-1] * group.count
+            sines += [0.0] * group.count
+            cosines += [0.0] * group.count
+    return np.array(group_of), np.array(sines), np.array(cosines)
+
+
+def wrapped_phase(images: FloatArray, shift_sign: int = -1) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Recover the wrapped phase of N equally shifted fringe images [1]_.
+
+    Image ``n`` is modelled as ``A + B * cos(phase + shift_sign * 2*pi*n/N)``.
+
+    Parameters
+    ----------
+    images : (N, ...) float, N >= 3; linear grey levels, in shift order
+    shift_sign : -1 or 1
+
+    Returns
+    -------
+    phase_rad : (...), in (-pi, pi]
+    modulation : (...), ``B`` in grey levels; masking by it is the caller's decision
+    mean : (...), ``A`` in grey levels
+
+    Raises
+    ------
+    DecodeError
+        Fewer than three images, which leaves A, B and phase undetermined.
+
+    References
+    ----------
+    .. [1] J. H. Bruning et al., Applied Optics 13(11), 2693-2703, 1974.
+    """
+    sine_weights, cosine_weights = shift_weights(len(images), shift_sign)
+    sine = np.tensordot(sine_weights, images, 1)
+    cosine = np.tensordot(cosine_weights, images, 1)
+    return np.arctan2(sine, cosine), 2.0 / len(images) * np.hypot(sine, cosine), images.mean(axis=0)

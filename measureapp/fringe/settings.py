@@ -1,0 +1,32 @@
+"""What can be chosen about decoding."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from measureapp.data.model import Model
+from measureapp.fringe.noise import CameraNoise
+
+EIGHT_BIT_WHITE = 255.0
+
+
+class DecodeSettings(Model):
+    """How fringe images become a phase map. The defaults serve rendered and real images alike."""
+
+    rule: Literal["combined", "paper"] = Field(
+        default="combined",
+        description="combined: all unsaturated exposures, weighted by their signal; paper: the brightest unsaturated one",
+    )
+    joint: bool = Field(default=True, description="all groups from the same exposures; otherwise each pitch for itself")
+    min_modulation: float = Field(default=10.0, ge=0, description="least B at the exposure taken, in grey levels of an 8-bit image")
+    max_sigma_rad: float = Field(default=0.15, gt=0, description="largest standard deviation of the absolute phase")
+    residual_gate: float = Field(default=0.35, gt=0, le=0.5, description="largest rounding residual of an order without support, cycles")
+    vote_radius: int = Field(default=2, ge=0, le=4, description="radius of the window that votes about orders, px; 0: no vote")
+    edge_step_rad: float = Field(default=3.0, gt=0, description="phase step between neighbours that marks an edge")
+    noise: CameraNoise = CameraNoise()
+
+    def min_modulation_grey(self, saturation: float) -> float:
+        """Return the least modulation in grey levels of images that saturate at ``saturation``."""
+        return self.min_modulation * saturation / EIGHT_BIT_WHITE

@@ -1,0 +1,39 @@
+"""Geometry fitted to points."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+
+from measureapp.arrays import FloatArray, read_only
+
+Shape = Literal["point", "line", "plane", "circle", "sphere", "cylinder", "cone", "torus"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Feature:
+    """A fitted shape; what a shape does not have is None. Lengths in mm, in one frame."""
+
+    name: str
+    shape: Shape
+    point_mm: FloatArray  # (3,) on the plane or axis, nearest the data's centroid; the centre of circle, sphere, torus; the apex side is given by `direction` for a cone
+    direction: FloatArray | None = None  # (3,), unit: normal or axis
+    radius_mm: float | None = None  # for a cone: its radius at `point_mm`
+    half_angle_rad: float | None = None
+    minor_radius_mm: float | None = None
+    points: int = 0
+    left_out: int = 0
+    rms_mm: float = 0.0
+    form_error_mm: float = 0.0  # greatest minus smallest signed distance
+    standard_deviations: Mapping[str, float] = field(
+        default_factory=dict
+    )  # keys like the fields: "radius_mm", "position_mm", "direction_rad"
+    boundary_mm: FloatArray | None = None  # (K, 3) extent of the points used, for display
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "point_mm", read_only(self.point_mm, np.float64, (3,)))
+        if self.direction is not None:
+            object.__setattr__(self, "direction", read_only(self.direction, np.float64, (3,)))

@@ -1,0 +1,92 @@
+"""Signed distances of a cloud from its nominal."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from measureapp.arrays import FloatArray, read_only
+from measureapp.data.measurement import Alignment
+from measureapp.data.mesh import Mesh
+from measureapp.inspection.measured import HasPoints, MeasuredPoints, sampled
+from measureapp.inspection.nominal_surface import NominalSurface
+from measureapp.progress import NoProgress, Progress
+
+CHUNK = 200_000
+COVERAGE_SAMPLES = 40_000
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Deviation:
+    """Distances of measured points from the nominal surface along its normals; outside is positive."""
+
+    points_mm: FloatArray  # (N, 3), in the nominal's frame
+    distances_mm: FloatArray  # (N,)
+    mean_mm: float
+    rms_mm: float
+    p95_mm: float  # of the absolute distances
+    min_mm: float
+    max_mm: float
+    unmeasured_share: float  # of the nominal's area: no measured point near
+    alignment: Alignment
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "points_mm", read_only(self.points_mm, np.float64, (None, 3)))
+        object.__setattr__(self, "distances_mm", read_only(self.distances_mm, np.float64, (len(self.points_mm),)))
+
+
+def deviation(
+    measured: MeasuredPoints | HasPoints | Mesh,
+    nominal: Mesh,
+    alignment: Alignment,
+    *,
+    near_mm: float = 2.0,
+    progress: Progress = NoProgress(),  # noqa: B008 - stateless
+) -> Deviation:
+    """Compare measured points with a nominal mesh that may be open.
+
+    Parameters
+    ----------
+    near_mm : a place of the nominal counts as measured when a point lies closer than this
+
+    Raises
+    ------
+    InspectionError
+        There are no points, or the nominal has no surface.
+    """
+    points = MeasuredPoints.of(measured).seen_from(alignment.nominal_from_part)
+    surface = NominalSurface(nominal)
+    distances = np.empty(len(points))
+    for start in range(0, len(points), CHUNK):
+        progress.report(start, len(points), "distances from the nominal")
+        chunk = slice(start, start + CHUNK)
+        distances[chunk] = signed_distances(points.points_mm[chunk], surface)
+    progress.report(1, 1, "distances from the nominal")
+    return Deviation(
+        points.points_mm,
+        distances,
+        float(distances.mean()),
+        float(np.sqrt(np.mean(distances**2))),
+        float(np.percentile(np.abs(distances), 95)),
+        float(distances.min()),
+        float(distances.max()),
+        unmeasured_share(points.points_mm, nominal, near_mm),
+        alignment,
+    )
+
+
+def signed_distances(points_mm: FloatArray, surface: NominalSurface) -> FloatArray:
+    """Return distances (N,) to the nearest surface point, positive on the side its normal points to."""
+    closest = surface.closest(points_mm)
+    offset = points_mm - closest.points_mm
+    side = np.where(np.einsum("nd,nd->n", offset, closest.normals) < 0, -1.0, 1.0)
+    return side * np.linalg.norm(offset, axis=1)
+
+
+def unmeasured_share(points_mm: FloatArray, nominal: Mesh, near_mm: float) -> float:
+    """Return the share of the nominal's area that no point lies near."""
+    places = sampled(nominal, COVERAGE_SAMPLES).points_mm
+    distance, _ = cKDTree(points_mm).query(places, distance_upper_bound=near_mm)
+    return float(np.mean(~np.isfinite(distance)))

@@ -1,0 +1,122 @@
+"""Inspection of a part: from measured points and a program to features, dimensions and verdicts."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from measureapp.data.dimension import Dimension, Verdict
+from measureapp.data.inspection_program import ConstructedFeature, DimensionProgram, InspectionProgram
+from measureapp.data.measurement import Alignment, Inspection
+from measureapp.data.mesh import Mesh
+from measureapp.errors import InspectionError
+from measureapp.inspection.alignment import best_fit, no_alignment
+from measureapp.inspection.constructed import construct
+from measureapp.inspection.features import Found, find
+from measureapp.inspection.measured import HasPoints, MeasuredPoints
+from measureapp.inspection.nominal_surface import NominalSurface
+from measureapp.inspection.settings import InspectionSettings
+from measureapp.inspection.uncertainty import COVERAGE_FACTOR, expanded
+from measureapp.inspection.values import Value, value_of
+from measureapp.inspection.verdict import judge
+from measureapp.progress import NoProgress, Progress
+
+
+def inspect(
+    measured: MeasuredPoints | HasPoints | Mesh,
+    program: InspectionProgram,
+    nominal: Mesh | None = None,
+    settings: InspectionSettings = InspectionSettings(),  # noqa: B008 - frozen
+    progress: Progress = NoProgress(),  # noqa: B008 - stateless
+    alignment: Alignment | None = None,
+) -> Inspection:
+    """Measure the features and dimensions of ``program`` on measured points.
+
+    Parameters
+    ----------
+    measured : stitched cloud, cloud, plain points or mesh, in the part's frame
+    nominal : mesh of the nominal; needed for a best fit, and for keeping away from its edges
+    alignment : one known beforehand; None finds the one the program names
+
+    Raises
+    ------
+    InspectionError
+        There are no points, the best fit has no nominal, or the points do not match it. A single feature or
+        dimension that has no answer does not raise: it is "not measured" with its reason.
+    """
+    points = MeasuredPoints.of(measured)
+    surface = None if nominal is None else NominalSurface(nominal)
+    progress.report(0, 3, "alignment")
+    placed = alignment or _align(points, program, surface, settings, getattr(measured, "frame", "part"))
+    progress.report(1, 3, "features")
+    found = _find_all(points.seen_from(placed.nominal_from_part), program, surface, settings, progress)
+    progress.report(2, 3, "dimensions")
+    dimensions = tuple(_dimension(described, found, settings) for described in program.dimensions)
+    features = tuple(one.feature for one in found.values() if one.feature is not None)
+    progress.report(3, 3, "inspected")
+    return Inspection(program.name, placed, features, dimensions)
+
+
+def _align(
+    points: MeasuredPoints, program: InspectionProgram, surface: NominalSurface | None, settings: InspectionSettings, frame: str
+) -> Alignment:
+    if program.alignment == "none":
+        return no_alignment(frame)
+    if surface is None:
+        raise InspectionError(
+            f"The program {program.name!r} aligns by best fit but there is no nominal mesh.",
+            'Name one (nominal = "…") in the program, or set alignment = "none".',
+        )
+    return best_fit(points, surface, settings.alignment, frame)
+
+
+def _find_all(
+    points: MeasuredPoints, program: InspectionProgram, surface: NominalSurface | None, settings: InspectionSettings, progress: Progress
+) -> dict[str, Found]:
+    edges = None if surface is None else surface.sharp_edges()
+    found: dict[str, Found] = {}
+    for number, described in enumerate(program.features):
+        progress.report(1 + number / len(program.features), 3, described.name)
+        if isinstance(described, ConstructedFeature):
+            found.update(construct(described, found))
+        else:
+            found.update(find(described, points, edges, settings))
+    return found
+
+
+def _dimension(described: DimensionProgram, found: dict[str, Found], settings: InspectionSettings) -> Dimension:
+    try:
+        value = _combined(described, found, settings)
+    except InspectionError as error:
+        return _stated(described, None, None, Verdict.NOT_MEASURED, error.message)
+    uncertainty = COVERAGE_FACTOR * value.sigma if described.unit == "°" else expanded(value.sigma, value.value, settings.uncertainty)
+    if not (np.isfinite(value.value) and np.isfinite(uncertainty)):
+        return _stated(described, None, None, Verdict.NOT_MEASURED, "the points do not determine this value")
+    verdict = judge(
+        value.value - described.nominal, uncertainty, described.lower_tolerance, described.upper_tolerance, settings.verdict_rule
+    )
+    return _stated(described, value.value, uncertainty, verdict, "")
+
+
+def _combined(described: DimensionProgram, found: dict[str, Found], settings: InspectionSettings) -> Value:
+    """The value, or mean, least or greatest value of a pattern; the random errors of a mean average out, those of an extreme do not."""
+    values = [value_of(described.kind, tuple(found[name] for name in names), settings) for names in described.feature_sets]
+    numbers, sigmas = np.array([v.value for v in values]), np.array([v.sigma for v in values])
+    if described.statistic == "mean":
+        return Value(float(numbers.mean()), float(np.linalg.norm(sigmas)) / len(values))
+    chosen = int(numbers.argmin() if described.statistic == "min" else numbers.argmax())
+    return Value(float(numbers[chosen]), float(sigmas[chosen]))
+
+
+def _stated(described: DimensionProgram, value: float | None, uncertainty: float | None, verdict: Verdict, reason: str) -> Dimension:
+    return Dimension(
+        name=described.name,
+        nominal=described.nominal,
+        measured=value,
+        uncertainty=uncertainty,
+        lower_tolerance=described.lower_tolerance,
+        upper_tolerance=described.upper_tolerance,
+        verdict=verdict,
+        unit=described.unit,
+        reason=reason,
+        features=tuple(dict.fromkeys(name for names in described.feature_sets for name in names)),
+    )

@@ -1,0 +1,115 @@
+"""The points an inspection works on, whatever they came from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+import numpy as np
+
+from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
+from measureapp.data.mesh import Mesh
+from measureapp.errors import InspectionError
+from measureapp.geometry.transform import RigidTransform
+
+MESH_SAMPLES = 200_000
+SAMPLE_SEED = 20
+
+
+class HasPoints(Protocol):
+    """Anything with points: a cloud of one view, a stitched cloud, points read from a file."""
+
+    @property
+    def points_mm(self) -> FloatArray:
+        """The points, (N, 3)."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MeasuredPoints:
+    """Points of a measured surface; what is unknown is None."""
+
+    points_mm: FloatArray  # (N, 3) float64
+    normals: FloatArray | None = None  # (N, 3), unit, outwards
+    sigma_mm: FloatArray | None = None  # (N,)
+    view: IntArray | None = None  # (N,), index of the view that weighs most
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "points_mm", read_only(self.points_mm, np.float64, (None, 3)))
+
+    def __len__(self) -> int:
+        return len(self.points_mm)
+
+    @classmethod
+    def of(cls, source: MeasuredPoints | HasPoints | Mesh) -> MeasuredPoints:
+        """Take the points out of a cloud, or sample the measured part of a mesh evenly.
+
+        Raises
+        ------
+        InspectionError
+            There are no points, or some are not finite.
+        """
+        made = source if isinstance(source, MeasuredPoints) else sampled(source) if isinstance(source, Mesh) else _from_cloud(source)
+        if len(made) == 0:
+            raise InspectionError("There are no measured points to inspect.", "Scan the part first, or check the file.")
+        if not np.isfinite(made.points_mm).all():
+            raise InspectionError("Some measured points are not finite numbers.", "Export the cloud again without invalid points.")
+        return made
+
+    def where(self, keep: BoolArray | IntArray) -> MeasuredPoints:
+        """Return the points chosen by a mask or by indices."""
+        chosen = {name: None if (values := getattr(self, name)) is None else values[keep] for name in ("normals", "sigma_mm", "view")}
+        return replace(self, points_mm=self.points_mm[keep], **chosen)
+
+    def seen_from(self, transform: RigidTransform) -> MeasuredPoints:
+        """Return the same points in ``transform.to_frame``."""
+        normals = None if self.normals is None else transform.rotate(np.asarray(self.normals, np.float64))
+        return replace(self, points_mm=transform.apply(self.points_mm), normals=normals)
+
+    def thinned(self, count: int) -> MeasuredPoints:
+        """Return about ``count`` points spread evenly over the surface: one of each cell of a grid."""
+        if len(self) <= count:
+            return self
+        cells = np.asarray(self.points_mm - self.points_mm.min(axis=0))
+        size = float(cells.max()) / np.sqrt(count)
+        for _ in range(12):
+            first = _first_of_each_cell(cells, size)
+            if 0.8 * count <= len(first) <= 1.2 * count:
+                break
+            size *= np.sqrt(len(first) / count)
+        return self.where(np.sort(first))
+
+
+def _first_of_each_cell(offsets_mm: FloatArray, size_mm: float) -> IntArray:
+    index = np.floor(offsets_mm / size_mm).astype(np.int64)
+    key = (index[:, 0] << 42) + (index[:, 1] << 21) + index[:, 2]
+    return np.unique(key, return_index=True)[1]
+
+
+def _from_cloud(source: HasPoints) -> MeasuredPoints:
+    normals, sigma, view = (getattr(source, name, None) for name in ("normals", "sigma_mm", "view"))
+    if sigma is not None and not bool(np.all(np.isfinite(sigma) & (np.asarray(sigma) > 0))):
+        sigma = None
+    if normals is not None and not bool(np.all(np.any(np.asarray(normals) != 0, axis=1))):
+        normals = None  # a file without normals for some points: better judged by place alone
+    return MeasuredPoints(source.points_mm, normals, sigma, view)
+
+
+def sampled(mesh: Mesh, count: int = MESH_SAMPLES) -> MeasuredPoints:
+    """Sample ``mesh`` evenly by area, leaving out triangles that were filled without points."""
+    triangles = np.asarray(mesh.triangles)
+    if mesh.measured is not None:
+        triangles = triangles[mesh.measured[triangles].all(axis=1)]
+    corners = mesh.vertices_mm[triangles]
+    cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    doubled = np.linalg.norm(cross, axis=1)
+    if doubled.sum() <= 0:
+        return MeasuredPoints(np.empty((0, 3)))
+    rng = np.random.default_rng(SAMPLE_SEED)
+    chosen = np.searchsorted(np.cumsum(doubled), (np.arange(count) + rng.random(count)) / count * doubled.sum())
+    chosen = np.minimum(chosen, len(doubled) - 1)
+    u, v = rng.random((2, count))
+    folded = u + v > 1
+    u, v = np.where(folded, 1 - u, u), np.where(folded, 1 - v, v)
+    a, b, c = corners[chosen, 0], corners[chosen, 1], corners[chosen, 2]
+    points = a + u[:, None] * (b - a) + v[:, None] * (c - a)
+    return MeasuredPoints(points, cross[chosen] / doubled[chosen, None])

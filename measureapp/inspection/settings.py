@@ -1,0 +1,45 @@
+"""Settings of the inspection, with their defaults."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from measureapp.data.model import Model
+
+VerdictRule = Literal["iso-14253-1:2017", "guard-band", "simple"]
+
+
+class AlignmentSettings(Model):
+    """How measured points are laid onto a nominal mesh."""
+
+    upright: bool = Field(default=True, description="try turning about z first: the part stands as drawn")
+    coarse_points: int = Field(default=700, ge=50)
+    fine_points: int = Field(default=20_000, ge=100)
+    iterations: int = Field(default=60, ge=1)
+    least_overlap: float = Field(default=0.6, ge=0, le=1, description="share of the points that must lie near the nominal")
+    near_share: float = Field(default=0.01, gt=0, description="'near' in the overlap, as a share of the nominal's diagonal")
+    normals_within_deg: float = Field(default=60.0, gt=0, le=180)
+
+
+class UncertaintySettings(Model):
+    """What is known of errors that the scatter of the points does not show; standard uncertainties, k = 1."""
+
+    correlation_mm: float = Field(default=8.0, gt=0, description="points closer than this may share their errors")
+    placement_mm: float = Field(default=0.010, ge=0, description="of a single view after stitching")
+    systematic_mm: float = Field(default=0.006, ge=0, description="of the calibration, the same for every length")
+    systematic_relative: float = Field(default=4e-5, ge=0, description="of the calibration's scale, per length")
+
+
+class InspectionSettings(Model):
+    """Everything an inspection can be told."""
+
+    alignment: AlignmentSettings = AlignmentSettings()
+    uncertainty: UncertaintySettings = UncertaintySettings()
+    verdict_rule: VerdictRule = "iso-14253-1:2017"
+    least_points: int = Field(default=30, ge=6, description="fewer points than this do not make a feature")
+    trim_sigma: float = Field(default=3.5, gt=1, description="points farther from the fit than this many robust σ are left out")
+    parallel_within_deg: float = Field(default=3.0, gt=0)
+    flatness_cell_mm: float = Field(default=5.0, gt=0, description="flatness is taken over the means of cells of this size")
+    fit_points: int = Field(default=30_000, ge=1000, description="a feature is fitted to at most this many of its points, evenly chosen")

@@ -1,0 +1,240 @@
+"""`MANIFEST.toml`: recorded fringe images and what they show."""
+
+from __future__ import annotations
+
+import tomllib
+from collections import Counter
+from collections.abc import Iterator
+from itertools import product
+from pathlib import Path
+from typing import Annotated, Literal
+
+import numpy as np
+from pydantic import Field, ValidationError, model_validator
+
+from measureapp.arrays import ImageArray, read_only
+from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternSet, PhaseShiftGroup
+from measureapp.data.model import Model
+from measureapp.errors import InputError
+from measureapp.fringe.patterns import check_determines_phase
+from measureapp.project.images import read_image
+
+Images = dict[str, tuple[str, ...]]  # camera -> paths beside the manifest
+NOT_GIVEN = -1.0
+
+
+class PhaseShiftEntry(Model):
+    """One group of equally shifted sinusoids; its pitch in projector pixels, or how many periods fill ``projector_px``."""
+
+    kind: Literal["phase-shift"]
+    pitch_px: float | None = Field(default=None, gt=2)
+    periods: float | None = Field(default=None, gt=0)
+    projector_px: int | None = Field(default=None, gt=0)
+    images: Images = Field(min_length=1)
+
+    @model_validator(mode="after")
+    def _has_one_pitch(self) -> PhaseShiftEntry:
+        if (self.pitch_px is None) == (self.periods is None):
+            raise ValueError("give either pitch_px or periods")
+        return self
+
+
+class GrayCodeEntry(Model):
+    """Gray code planes, most significant bit first; with ``complementary`` the last one is shifted by half a period."""
+
+    kind: Literal["gray-code"]
+    complementary: bool = False
+    projector_px: int | None = Field(default=None, gt=0)
+    images: Images = Field(min_length=1)
+
+
+GroupEntry = Annotated[PhaseShiftEntry | GrayCodeEntry, Field(discriminator="kind")]
+
+
+class ExposureEntry(Model):
+    """All images of one exposure."""
+
+    exposure_us: int = Field(gt=0)
+    group: tuple[GroupEntry, ...] = Field(min_length=1)
+
+
+class FringeManifest(Model):
+    """The whole file. Where ``projector_px`` is given nowhere, the phase runs over the beat of the pitches or the reach of the Gray code."""
+
+    shift_sign: Literal[-1, 1] = -1
+    saturation: int | None = Field(default=None, gt=0, le=65536, description="grey level of a saturated pixel; needed for 16-bit images")
+    projector_px: int | None = Field(default=None, gt=0)
+    exposure: tuple[ExposureEntry, ...] = Field(min_length=1)
+
+
+def read_manifest(path: Path) -> FringeStack:
+    """Read the manifest and all its images.
+
+    Raises
+    ------
+    InputError
+        The manifest or an image cannot be read, an entry is wrong or foreign, images are missing, repeated or do not fit each other.
+    DecodeError
+        The images do not determine the phase over the projector.
+    """
+    path = Path(path)
+    manifest = parse_manifest(path)
+    exposures = sorted(manifest.exposure, key=lambda entry: -entry.exposure_us)
+    _check_same(path, exposures)
+    patterns = _patterns(path, manifest, exposures[0].group)
+    check_determines_phase(patterns)
+    cameras = tuple(exposures[0].group[0].images)
+    images = {camera: _read_camera(path, exposures, camera) for camera in cameras}
+    return FringeStack(
+        viewpoint_id=path.parent.resolve().name,
+        patterns=patterns,
+        exposures_us=tuple(entry.exposure_us for entry in exposures),
+        images=images,
+        saturation=_saturation(path, manifest, images),
+    )
+
+
+def parse_manifest(path: Path) -> FringeManifest:
+    """Read the file alone, without its images; raises InputError."""
+    try:
+        document = tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give the path of a MANIFEST.toml.") from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise InputError(f"{path} is not TOML: {error}.", "Mend the line it names.") from error
+    try:
+        return FringeManifest.model_validate(document)
+    except ValidationError as error:
+        first = error.errors()[0]
+        place = ".".join(str(part) for part in first["loc"])
+        reason = "is not known here" if first["type"] == "extra_forbidden" else first["msg"].removeprefix("Value error, ")
+        raise InputError(
+            f"{path}: {place or 'the file'}: {reason}.", "Write the manifest as `measureapp decode --help` describes."
+        ) from error
+
+
+def _check_same(path: Path, exposures: list[ExposureEntry]) -> None:
+    """Raise InputError unless every exposure has the same groups, cameras and numbers of images, and names no image twice."""
+    times = [entry.exposure_us for entry in exposures]
+    if len(set(times)) < len(times):
+        raise InputError(f"{path}: two exposures have the same exposure_us.", "Give each exposure once.")
+    for entry in exposures:
+        for number, (group, model) in enumerate(zip(entry.group, exposures[0].group, strict=False)):
+            _check_group(f"{path}: exposure {entry.exposure_us} µs, group {number + 1}", group, model)
+        if len(entry.group) != len(exposures[0].group):
+            raise InputError(
+                f"{path}: exposure {entry.exposure_us} µs has {len(entry.group)} groups, the first has {len(exposures[0].group)}.",
+                "Record every pattern at every exposure.",
+            )
+        cameras = [set(group.images) for group in entry.group]
+        if any(names != cameras[0] for names in cameras):
+            raise InputError(
+                f"{path}: the groups of exposure {entry.exposure_us} µs have different cameras.", "Name every camera in every group."
+            )
+    repeated = [file for file, count in Counter(_files(path, exposures)).items() if count > 1]
+    if repeated:
+        raise InputError(f"{path} names the image {repeated[0]} more than once.", "Give every image its own place.")
+
+
+def _check_group(place: str, group: PhaseShiftEntry | GrayCodeEntry, model: PhaseShiftEntry | GrayCodeEntry) -> None:
+    counts = {camera: len(files) for camera, files in group.images.items()}
+    if len(set(counts.values())) > 1:
+        listed = ", ".join(f"{camera}: {count}" for camera, count in counts.items())
+        raise InputError(f"{place} has different numbers of images ({listed}).", "Give every camera the same images.")
+    least = 3 if group.kind == "phase-shift" else 1 + int(group.complementary)
+    if min(counts.values()) < least:
+        raise InputError(f"{place} has {min(counts.values())} images and needs at least {least}.", "Add the missing images.")
+    expected = {camera: len(files) for camera, files in model.images.items()}
+    if counts != expected or group.model_copy(update={"images": {}}) != model.model_copy(update={"images": {}}):
+        raise InputError(f"{place} differs from the group of the longest exposure.", "Record the same patterns at every exposure.")
+
+
+def _files(path: Path, exposures: list[ExposureEntry]) -> Iterator[Path]:
+    for entry in exposures:
+        for group in entry.group:
+            for files in group.images.values():
+                yield from (path.parent / file for file in files)
+
+
+def _patterns(path: Path, manifest: FringeManifest, entries: tuple[PhaseShiftEntry | GrayCodeEntry, ...]) -> PatternSet:
+    given = {width for width in (manifest.projector_px, *(entry.projector_px for entry in entries)) if width is not None}
+    if len(given) > 1:
+        raise InputError(f"{path} gives different projector_px: {sorted(given)}.", "Give one value, at the top of the file.")
+    projector_px = given.pop() if given else None
+    groups = tuple(_group(path, entry, projector_px) for entry in entries)
+    return PatternSet(name=path.name, projector_px=projector_px or _reach_px(path, groups), groups=groups, shift_sign=manifest.shift_sign)
+
+
+def _group(path: Path, entry: PhaseShiftEntry | GrayCodeEntry, projector_px: int | None) -> PhaseShiftGroup | GrayCodeGroup:
+    count = len(next(iter(entry.images.values())))
+    if isinstance(entry, GrayCodeEntry):
+        return GrayCodeGroup(planes=count, complementary=entry.complementary)
+    if entry.pitch_px is not None:
+        return PhaseShiftGroup(pitch_px=entry.pitch_px, steps=count)
+    if projector_px is None:
+        raise InputError(f"{path}: `periods` needs `projector_px`, the width they fill.", "Add projector_px at the top of the file.")
+    pitch_px = projector_px / (entry.periods or NOT_GIVEN)
+    if pitch_px <= 2:
+        raise InputError(
+            f"{path}: {entry.periods:g} periods over {projector_px} px are finer than 2 px.", "Correct periods or projector_px."
+        )
+    return PhaseShiftGroup(pitch_px=pitch_px, steps=count)
+
+
+def _reach_px(path: Path, groups: tuple[PhaseShiftGroup | GrayCodeGroup, ...]) -> int:
+    """Return how many columns the groups can tell apart: the Gray code's reach, or the longest beat of the pitches."""
+    pitches = [group.pitch_px for group in groups if isinstance(group, PhaseShiftGroup)]
+    if not pitches:
+        raise InputError(f"{path} has no phase-shift group.", "Add the shifted sinusoids.")
+    for group in groups:
+        if isinstance(group, GrayCodeGroup):
+            return int(2 ** (group.planes - int(group.complementary)) * min(pitches))
+    frequencies = [abs(float(np.dot(factors, 1 / np.array(pitches)))) for factors in product((-1, 0, 1), repeat=len(pitches))]
+    if len(pitches) == 1:
+        raise InputError(
+            f"{path}: a single pitch of {pitches[0]:g} px does not tell the periods apart.", "Add a second pitch or a Gray code."
+        )
+    return int(1 / min(frequency for frequency in frequencies if frequency > 1e-9) + 1e-6)
+
+
+def _read_camera(path: Path, exposures: list[ExposureEntry], camera: str) -> ImageArray:
+    """Read the images of one camera into one array (exposures, patterns, height, width)."""
+    files = [[path.parent / file for group in entry.group for file in group.images[camera]] for entry in exposures]
+    stack: ImageArray | None = None
+    for e, row in enumerate(files):
+        for p, file in enumerate(row):
+            image = read_image(file)
+            if stack is None:
+                stack = np.empty((len(files), len(row), *image.shape), image.dtype)
+            _check_image(file, image, files[0][0], stack)
+            stack[e, p] = image
+    assert stack is not None
+    return np.asarray(read_only(stack))
+
+
+def _check_image(file: Path, image: ImageArray, first: Path, stack: ImageArray) -> None:
+    height, width = stack.shape[2:]
+    if image.shape != (height, width):
+        raise InputError(
+            f"Image {file} has {image.shape[1]} × {image.shape[0]} px, {first.name} has {width} × {height} px.",
+            "All images of a camera must have one size.",
+        )
+    if image.dtype != stack.dtype:
+        raise InputError(
+            f"Image {file} has {image.dtype.itemsize * 8} bit, {first.name} has {stack.dtype.itemsize * 8} bit.",
+            "Record all images with one bit depth.",
+        )
+
+
+def _saturation(path: Path, manifest: FringeManifest, images: dict[str, ImageArray]) -> int:
+    depths = {array.dtype.itemsize * 8 for array in images.values()}
+    if len(depths) > 1:
+        raise InputError(f"{path}: the cameras have images of different bit depth.", "Record all images with one bit depth.")
+    largest = 255 if depths == {8} else 65535
+    if manifest.saturation is None:
+        if depths == {8}:
+            return 255
+        raise InputError(f"{path}: 16-bit images need `saturation`.", "Add the level of a saturated pixel: 1023, 4095 or 65535.")
+    if manifest.saturation > largest + 1:
+        raise InputError(f"{path}: saturation = {manifest.saturation}, but the images have {depths.pop()} bit.", f"Give at most {largest}.")
+    return manifest.saturation

@@ -1,0 +1,169 @@
+"""Merging overlapping views: σ-weighted means of points that lie together and face the same way."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
+
+from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.data.cloud import PointCloud
+from measureapp.progress import NoProgress, Progress
+from measureapp.register.voxels import VoxelSums
+
+# columns of the sums of one voxel
+WEIGHT, POSITION, NORMAL, GREY, NOISE = 0, slice(1, 4), slice(4, 7), 7, 8
+WIDTH = 9
+GRAZING = 0.15  # cosine below which a point counts no less than this
+LEAST_SIGMA_MM = 0.005
+LAYER_GAP = 1.5  # in voxels: layers of one face nearer than this along its axis are one surface
+SPARSE_FACTOR = 3.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MergedPoints:
+    """What merging gives; the arrays are those of a StitchedCloud."""
+
+    points_mm: FloatArray
+    normals: FloatArray
+    sigma_mm: FloatArray
+    grey: FloatArray
+    view: IntArray
+
+    def where(self, keep: BoolArray) -> MergedPoints:
+        """Return the points chosen by a mask."""
+        return MergedPoints(self.points_mm[keep], self.normals[keep], self.sigma_mm[keep], self.grey[keep], self.view[keep])
+
+
+def merge(
+    clouds: Sequence[PointCloud],
+    origins_mm: Sequence[FloatArray],
+    voxel_mm: float,
+    *,
+    views: Sequence[int] | None = None,
+    island_mm2: float = 0.0,
+    progress: Progress | None = None,
+) -> MergedPoints:
+    """Merge clouds of one frame on a grid; points of surfaces that face different ways never mix.
+
+    Points are gathered in columns of the grid along the largest component of their normals, so that noise across the
+    surface is averaged over the whole layer and not cut by the grid. A point weighs 1/σ² times the squared cosine of
+    its viewing angle. Sparse points and islands are dropped.
+
+    Parameters
+    ----------
+    origins_mm : where the camera stood for each cloud, in the clouds' frame
+    voxel_mm : grid step; about the spacing of the points, far below the thinnest wall
+    views : the number each cloud goes by in ``view``; None: 0, 1, 2 …
+    island_mm2 : connected patches smaller than this are dropped
+    """
+    progress = progress or NoProgress()
+    numbers = list(views) if views is not None else list(range(len(clouds)))
+    sums = VoxelSums(WIDTH)
+    parts: list[tuple[IntArray, FloatArray]] = []
+    for i, (cloud, origin) in enumerate(zip(clouds, origins_mm, strict=True)):
+        progress.report(i, len(clouds), "merging")
+        single = VoxelSums(WIDTH)
+        single.add(*_rows(cloud, np.asarray(origin), voxel_mm))
+        keys, rows = single.sorted()
+        sums.add(keys, rows)
+        parts.append((keys, rows[:, WEIGHT].astype(np.float32)))
+    keys, rows = sums.sorted()
+    view = _heaviest(keys, parts, numbers)
+    merged = _layers(keys, rows, view, voxel_mm)
+    merged = merged.where(_dense(merged.points_mm)) if len(merged.points_mm) > 10 else merged
+    merged = merged.where(_large(merged.points_mm, voxel_mm, island_mm2)) if island_mm2 > 0 else merged
+    progress.report(1, 1, "merged")
+    return merged
+
+
+def _rows(cloud: PointCloud, origin_mm: FloatArray, voxel_mm: float) -> tuple[IntArray, FloatArray]:
+    """Return the voxel key and the row to be summed of every point."""
+    from measureapp.register.kernels import dominant_faces, voxel_keys
+
+    points, normals = np.asarray(cloud.points_mm), np.asarray(cloud.normals)
+    ray = points - origin_mm
+    cosine = np.abs(np.einsum("ij,ij->i", normals, ray)) / np.maximum(np.linalg.norm(ray, axis=1), 1e-9)
+    sigma = np.maximum(cloud.sigma_mm, LEAST_SIGMA_MM).astype(np.float64)
+    weight = np.maximum(cosine, GRAZING) ** 2 / sigma**2
+    rows = np.empty((len(points), WIDTH))
+    rows[:, WEIGHT] = weight
+    rows[:, POSITION] = points * weight[:, None]
+    rows[:, NORMAL] = normals * weight[:, None]
+    rows[:, GREY] = cloud.grey * weight
+    rows[:, NOISE] = (weight * sigma) ** 2
+    return voxel_keys(points, dominant_faces(normals), voxel_mm), rows
+
+
+def _heaviest(keys: IntArray, parts: list[tuple[IntArray, FloatArray]], numbers: list[int]) -> IntArray:
+    """Return for every key the view that weighs most in it; of equals the one of the lower number."""
+    best = np.full(len(keys), -1.0, np.float32)
+    view = np.zeros(len(keys), np.int16)
+    for number, (own, weight) in sorted(zip(numbers, parts, strict=True), key=lambda pair: pair[0]):
+        place = np.searchsorted(keys, own)
+        more = weight > best[place]
+        best[place[more]] = weight[more]
+        view[place[more]] = number
+    return view
+
+
+def _layers(keys: IntArray, rows: FloatArray, view: IntArray, voxel_mm: float) -> MergedPoints:
+    """Join voxels that lie on each other in one column of one face and hold the same surface."""
+    if len(keys) == 0:
+        return MergedPoints(np.empty((0, 3)), np.empty((0, 3)), np.empty(0), np.empty(0), np.empty(0, np.int16))
+    axis = (keys >> 61).astype(np.int64)
+    depth = np.take_along_axis(rows[:, POSITION], axis[:, None], axis=1)[:, 0] / rows[:, WEIGHT]
+    same_column = (keys[1:] >> 20) == (keys[:-1] >> 20)
+    begins = np.concatenate([[True], ~same_column | (np.abs(np.diff(depth)) > LAYER_GAP * voxel_mm)])
+    first = np.flatnonzero(begins)
+    group = np.cumsum(begins) - 1
+    heaviest = np.lexsort((rows[:, WEIGHT], group))[np.append(first[1:], len(keys)) - 1]
+    total = np.add.reduceat(rows, first, axis=0)
+    weight = total[:, WEIGHT]
+    normals = total[:, NORMAL]
+    length = np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
+    return MergedPoints(
+        total[:, POSITION] / weight[:, None],
+        (normals / length).astype(np.float32),
+        (np.sqrt(total[:, NOISE]) / weight).astype(np.float32),
+        np.clip(total[:, GREY] / weight, 0, 1).astype(np.float32),
+        view[heaviest],
+    )
+
+
+def _dense(points_mm: FloatArray) -> BoolArray:
+    """Return which points have neighbours no more than three times as far as is usual in the cloud."""
+    distances, _ = cKDTree(points_mm).query(points_mm, 7, workers=-1)
+    mean = distances[:, 1:].mean(axis=1)
+    return np.asarray(mean <= SPARSE_FACTOR * np.median(mean))
+
+
+def _large(points_mm: FloatArray, voxel_mm: float, island_mm2: float) -> BoolArray:
+    """Return which points belong to a connected patch of at least ``island_mm2``; connected: in touching cells of three voxels."""
+    cell = 3 * voxel_mm
+    index = np.floor(points_mm / cell).astype(np.int64)
+    index -= index.min(axis=0)
+    extent = index.max(axis=0) + 3
+    flat = (index[:, 0] * extent[1] + index[:, 1]) * extent[2] + index[:, 2]
+    cells, inverse = np.unique(flat, return_inverse=True)
+    rows, columns = [], []
+    for step in _half_neighbours(extent):
+        place = np.searchsorted(cells, cells + step)
+        place[place == len(cells)] = 0
+        found = np.flatnonzero(cells[place] == cells + step)
+        rows.append(found)
+        columns.append(place[found])
+    i, j = np.concatenate(rows), np.concatenate(columns)
+    _, label = connected_components(coo_matrix((np.ones(len(i), np.int8), (i, j)), (len(cells), len(cells))), directed=False)
+    sizes = np.bincount(label[inverse])
+    return np.asarray(sizes[label[inverse]] * voxel_mm**2 >= island_mm2)
+
+
+def _half_neighbours(extent: IntArray) -> list[int]:
+    """Return the flat steps to 13 of the 26 neighbours of a cell; the others come by symmetry."""
+    steps = [(x * extent[1] + y) * extent[2] + z for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)]
+    return [int(step) for step in steps if step > 0]

@@ -1,0 +1,194 @@
+"""From a measurement to the model of its report."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from math import degrees
+from typing import Any
+
+from measureapp import __version__
+from measureapp.data.calibration import RigCalibration
+from measureapp.data.dimension import Dimension, Verdict
+from measureapp.data.measurement import Alignment, Measurement
+from measureapp.data.mesh import Mesh
+from measureapp.errors import InspectionError
+from measureapp.inspection.alignment import best_fit
+from measureapp.inspection.deviation import Deviation
+from measureapp.inspection.deviation import deviation as deviation_from
+from measureapp.inspection.settings import VerdictRule
+from measureapp.inspection.verdict import RULES
+from measureapp.progress import NoProgress, Progress
+from measureapp.report.model import Fact, ReportModel, Section, ViewLine
+from measureapp.report.part_pictures import deviation_summary, part_pictures
+from measureapp.report.words import moment, number, percent, setting, spoken
+
+GRAVITY = (Verdict.FAIL, Verdict.NOT_PROVEN, Verdict.NOT_MEASURED)
+
+
+def compose(
+    measurement: Measurement,
+    nominal: Mesh | None = None,
+    *,
+    verdict_rule: VerdictRule = "iso-14253-1:2017",
+    pictures: bool = True,
+    progress: Progress = NoProgress(),  # noqa: B008 - stateless
+) -> ReportModel:
+    """Gather everything a report says.
+
+    Parameters
+    ----------
+    nominal : the nominal mesh, where there is one; the report then shows the cloud's deviation from it
+    pictures : False leaves out the pictures of the part, which take a second or two
+    """
+    dimensions = () if measurement.inspection is None else measurement.inspection.dimensions
+    verdict, summary = overall(dimensions)
+    deviation, why_not = (None, "") if nominal is None else _deviation(measurement, nominal, progress)
+    return ReportModel(
+        measurement=measurement,
+        title=measurement.part,
+        software=f"MeasureApp {__version__}",
+        verdict=verdict,
+        summary=summary,
+        verdict_rule=RULES[verdict_rule],
+        dimensions=tuple(dimensions),
+        views=view_lines(measurement),
+        header=_header(measurement),
+        sections=(
+            Section("Cloud and alignment", _cloud_facts(measurement, deviation, why_not)),
+            Section("Calibration", _calibration_facts(measurement.calibration)),
+            Section("Settings", _settings_facts(measurement.settings)),
+        ),
+        pictures=part_pictures(measurement) if pictures else (),
+        deviation=None if deviation is None or nominal is None else deviation_summary(measurement, nominal, deviation),
+    )
+
+
+def _deviation(measurement: Measurement, nominal: Mesh, progress: Progress) -> tuple[Deviation | None, str]:
+    """The stitched cloud's deviation from the nominal, in the inspection's alignment or else a best fit; or why there is none."""
+    try:
+        alignment = best_fit(measurement.stitched, nominal) if measurement.inspection is None else measurement.inspection.alignment
+        return deviation_from(measurement.stitched, nominal, alignment, progress=progress), ""
+    except InspectionError as error:
+        return None, error.message
+
+
+def overall(dimensions: tuple[Dimension, ...]) -> tuple[Verdict | None, str]:
+    """Return the verdict on the part, the gravest of its dimensions, and how many there are of each."""
+    if not dimensions:
+        return None, "No inspection program: no dimension was asked for."
+    counts = Counter(dimension.verdict for dimension in dimensions)
+    verdict = next((grave for grave in GRAVITY if counts[grave]), Verdict.PASS)
+    total = len(dimensions)
+    if verdict is Verdict.PASS:
+        return verdict, "The one dimension passes." if total == 1 else f"All {total} dimensions pass."
+    words = [f"{counts[kind]} {kind.value}" for kind in (*GRAVITY, Verdict.PASS) if counts[kind]]
+    return verdict, f"Of {total} dimension{'s' if total > 1 else ''}: " + ", ".join(words) + "."
+
+
+def view_lines(measurement: Measurement) -> tuple[ViewLine, ...]:
+    """Return one line per view, in the order they were measured."""
+    placements = {placement.viewpoint_id: placement for placement in measurement.stitched.placements}
+    lines = []
+    for view in measurement.views:
+        placed, quality = placements.get(view.viewpoint_id), view.quality
+        lines.append(
+            ViewLine(
+                viewpoint_id=view.viewpoint_id,
+                points=quality.points,
+                noise_mm=quality.noise_mm,
+                completeness=quality.completeness,
+                outlier_ratio=quality.outlier_ratio,
+                correction_mm=None if placed is None else placed.correction_mm,
+                correction_deg=None if placed is None else placed.correction_deg,
+                residual_mm=None if placed is None else placed.residual_mm,
+                overlap=None if placed is None else placed.overlap,
+                used=placed is not None and placed.used,
+                verdict=quality.reason or "not stitched" if placed is None else placed.verdict,
+            )
+        )
+    return tuple(lines)
+
+
+def _header(measurement: Measurement) -> tuple[Fact, ...]:
+    inspection, calibration = measurement.inspection, measurement.calibration
+    return (
+        Fact("Project", measurement.project),
+        Fact("Measured", moment(measurement.measured_at)),
+        Fact("Rig", measurement.rig),
+        Fact("Inspection program", "none" if inspection is None else inspection.program),
+        Fact("Rig calibrated", moment(calibration.provenance.created)),
+        Fact("Views", f"{sum(line.used for line in view_lines(measurement))} of {len(measurement.views)} used"),
+    )
+
+
+def _cloud_facts(measurement: Measurement, deviation: Deviation | None, why_not: str) -> tuple[Fact, ...]:
+    mesh, inspection = measurement.mesh, measurement.inspection
+    facts = [Fact("Stitched points", f"{len(measurement.stitched):,}".replace(",", " "))]
+    if mesh is not None:
+        filled = 0.0 if mesh.measured is None or len(mesh.measured) == 0 else 1.0 - float(mesh.measured.mean())
+        facts.append(
+            Fact("Surface", f"{len(mesh.triangles):,} triangles".replace(",", " ") + (f", {percent(filled)} filled" if filled else ""))
+        )
+    alignment = inspection.alignment if inspection is not None else None if deviation is None else deviation.alignment
+    if alignment is not None:
+        facts += _alignment_facts(alignment)
+    if why_not:
+        facts.append(Fact("Not compared with the nominal", why_not))
+    facts += [Fact(spoken(name).capitalize(), f"{value:.4g}") for name, value in measurement.stitched.notes.items()]
+    return tuple(facts)
+
+
+def _alignment_facts(alignment: Alignment) -> list[Fact]:
+    facts = [Fact("Alignment to the nominal", alignment.name)]
+    if alignment.rms_mm > 0:
+        facts.append(
+            Fact("Residual of the alignment", f"{number(alignment.rms_mm)} mm rms over {percent(alignment.overlap)} of the points")
+        )
+    if alignment.undetermined:
+        facts.append(Fact("Left open by the points", ", ".join(alignment.undetermined)))
+    return facts
+
+
+def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
+    cameras = calibration.cameras
+    facts = [
+        Fact(f"Camera {name}", f"rms {number(cameras.cameras[name].rms_px)} px" + _serial(cameras.cameras[name].serial))
+        for name in cameras.names
+    ]
+    facts += [Fact(f"Pair {name}", f"rms {number(rms)} px") for name, rms in cameras.pair_rms_px.items()]
+    axis, hand_eye, guide = calibration.axis, calibration.hand_eye, calibration.guide
+    facts += [
+        Fact("Rotation axis", f"σ {_sigmas(axis.point_sigma_mm, axis.direction_sigma_rad)}, residual {number(axis.residual_mm)} mm"),
+        Fact(
+            "Hand–eye",
+            f"σ {_sigmas(hand_eye.translation_sigma_mm, hand_eye.rotation_sigma_rad)}, residual {number(hand_eye.residual_mm)} mm"
+            + (f" ({hand_eye.method})" if hand_eye.method else ""),
+        ),
+        Fact(
+            "Linear guide",
+            f"scale {guide.scale:.6f} ± {guide.scale_sigma:.6f}, σ {number(degrees(guide.direction_sigma_rad), 4)}°, "
+            f"straight to {number(guide.straightness_mm)} mm",
+        ),
+    ]
+    if calibration.provenance.method:
+        facts.append(Fact("Method", calibration.provenance.method))
+    return tuple(facts)
+
+
+def _serial(serial: str) -> str:
+    return f", serial {serial}" if serial else ""
+
+
+def _sigmas(length_mm: float, angle_rad: float) -> str:
+    return f"{number(length_mm)} mm and {number(degrees(angle_rad), 4)}°"
+
+
+def _settings_facts(settings: Mapping[str, Any]) -> tuple[Fact, ...]:
+    facts: list[Fact] = []
+    for name, value in settings.items():
+        if isinstance(value, Mapping):
+            facts += [Fact(f"{spoken(name)}: {spoken(key)}".capitalize(), setting(item)) for key, item in value.items()]
+        else:
+            facts.append(Fact(spoken(name).capitalize(), setting(value)))
+    return tuple(facts)

@@ -1,0 +1,45 @@
+"""The table of dimensions as CSV, in the columns of the paper: nominal, measured, error, relative error."""
+
+from __future__ import annotations
+
+import csv
+import io
+from pathlib import Path
+
+from measureapp.project.atomic import replacing
+from measureapp.report.json_document import dimension_document
+from measureapp.report.model import ReportModel
+
+COLUMNS = (
+    "name",
+    "nominal",
+    "measured",
+    "error",
+    "relative_error",
+    "uncertainty",
+    "lower_tolerance",
+    "upper_tolerance",
+    "unit",
+    "verdict",
+    "reason",
+)
+DIGITS = 9
+
+
+def csv_text(model: ReportModel) -> str:
+    """Return one line per dimension, after a line of column names; values that do not exist are empty."""
+    text = io.StringIO()
+    writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
+    writer.writeheader()
+    for dimension in model.dimensions:
+        document = dimension_document(dimension)
+        document["lower_tolerance"], document["upper_tolerance"] = document.pop("tolerance")
+        writer.writerow({key: round(value, DIGITS) if isinstance(value, float) else value for key, value in document.items()})
+    return text.getvalue()
+
+
+def write_csv(model: ReportModel, path: Path) -> Path:
+    """Write the table, whole or not at all, and return ``path``. Raises StorageError."""
+    with replacing(path) as temporary:
+        temporary.write_text(csv_text(model), encoding="utf-8-sig")  # the mark lets spreadsheets know it is UTF-8
+    return path

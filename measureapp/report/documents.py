@@ -1,0 +1,34 @@
+"""Writing the documents of a measurement: one model, several files."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Literal
+
+from measureapp.project.atomic import write_json
+from measureapp.report.csv import write_csv
+from measureapp.report.html import write_html
+from measureapp.report.json_document import report_document
+from measureapp.report.model import ReportModel
+from measureapp.report.pdf import write_pdf
+
+DocumentKind = Literal["pdf", "csv", "json", "html"]
+ALL_KINDS: tuple[DocumentKind, ...] = ("pdf", "csv", "json", "html")
+
+
+def write_documents(model: ReportModel, folder: Path, kinds: Iterable[DocumentKind] = ALL_KINDS) -> Mapping[DocumentKind, Path]:
+    """Write `report.pdf`, `.csv`, `.json`, `.html` into ``folder``, each whole or not at all. Raises StorageError."""
+    writers: dict[DocumentKind, Callable[[ReportModel, Path], Path]] = {
+        "pdf": write_pdf,
+        "csv": write_csv,
+        "json": write_report_json,
+        "html": write_html,
+    }
+    return {kind: writers[kind](model, folder / f"report.{kind}") for kind in kinds}
+
+
+def write_report_json(model: ReportModel, path: Path) -> Path:
+    """Write the report as JSON and return ``path``. Raises StorageError."""
+    write_json(path, report_document(model))
+    return path

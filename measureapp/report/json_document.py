@@ -1,0 +1,138 @@
+"""Dimensions and measurements as JSON, in the form the command line answers in."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import isfinite
+from typing import Any
+
+from measureapp.data.calibration import RigCalibration
+from measureapp.data.dimension import Dimension
+from measureapp.data.measurement import Alignment, Measurement
+from measureapp.report.model import ReportModel, ViewLine
+
+
+def dimension_document(dimension: Dimension) -> dict[str, Any]:
+    """Return one line of the table of dimensions; numbers that do not exist are None."""
+    return {
+        "name": dimension.name,
+        "nominal": dimension.nominal,
+        "measured": dimension.measured,
+        "error": dimension.error,
+        "relative_error": dimension.relative_error,
+        "uncertainty": dimension.uncertainty,
+        "tolerance": [dimension.lower_tolerance, dimension.upper_tolerance],
+        "unit": dimension.unit,
+        "verdict": dimension.verdict.value,
+        "reason": dimension.reason,
+    }
+
+
+def alignment_document(alignment: Alignment) -> dict[str, Any]:
+    """Return how the part was laid onto its nominal."""
+    return {
+        "name": alignment.name,
+        "matrix": alignment.nominal_from_part.matrix.tolist(),
+        "rms_mm": alignment.rms_mm,
+        "overlap": alignment.overlap,
+        "undetermined": list(alignment.undetermined),
+    }
+
+
+def view_document(view: ViewLine) -> dict[str, Any]:
+    """Return one line of the table of views."""
+    return {
+        "name": view.viewpoint_id,
+        "points": view.points,
+        "noise_mm": view.noise_mm,
+        "completeness": view.completeness,
+        "outlier_ratio": view.outlier_ratio,
+        "correction_mm": view.correction_mm,
+        "correction_deg": view.correction_deg,
+        "residual_mm": view.residual_mm,
+        "overlap": view.overlap,
+        "used": view.used,
+        "verdict": view.verdict,
+    }
+
+
+def calibration_document(calibration: RigCalibration) -> dict[str, Any]:
+    """Return the calibration a measurement rests on, with its standard deviations."""
+    axis, hand_eye, guide = calibration.axis, calibration.hand_eye, calibration.guide
+    return {
+        "created": calibration.provenance.created,
+        "method": calibration.provenance.method,
+        "cameras": {
+            name: {"rms_px": camera.rms_px, "serial": camera.serial, "standard_deviations": dict(camera.standard_deviations)}
+            for name, camera in calibration.cameras.cameras.items()
+        },
+        "pair_rms_px": dict(calibration.cameras.pair_rms_px),
+        "axis": {
+            "point_mm": axis.point_mm.tolist(),
+            "direction": axis.direction.tolist(),
+            "point_sigma_mm": axis.point_sigma_mm,
+            "direction_sigma_rad": axis.direction_sigma_rad,
+            "residual_mm": axis.residual_mm,
+        },
+        "hand_eye": {
+            "flange_from_camera": hand_eye.flange_from_camera.matrix.tolist(),
+            "rotation_sigma_rad": hand_eye.rotation_sigma_rad,
+            "translation_sigma_mm": hand_eye.translation_sigma_mm,
+            "residual_mm": hand_eye.residual_mm,
+            "method": hand_eye.method,
+        },
+        "guide": {
+            "direction": guide.direction.tolist(),
+            "scale": guide.scale,
+            "direction_sigma_rad": guide.direction_sigma_rad,
+            "scale_sigma": guide.scale_sigma,
+            "straightness_mm": guide.straightness_mm,
+        },
+    }
+
+
+def measurement_document(measurement: Measurement) -> dict[str, Any]:
+    """Return a measurement as JSON: what it says about the part, without points."""
+    from measureapp.report.compose import view_lines
+
+    inspection = measurement.inspection
+    return {
+        "schema_version": 1,
+        "project": measurement.project,
+        "part": measurement.part,
+        "rig": measurement.rig,
+        "measured_at": measurement.measured_at,
+        "points": len(measurement.stitched),
+        "triangles": None if measurement.mesh is None else len(measurement.mesh.triangles),
+        "views": [view_document(view) for view in view_lines(measurement)],
+        "program": None if inspection is None else inspection.program,
+        "alignment": None if inspection is None else alignment_document(inspection.alignment),
+        "dimensions": [] if inspection is None else [dimension_document(dimension) for dimension in inspection.dimensions],
+        "calibration": calibration_document(measurement.calibration),
+        "settings": dict(measurement.settings),
+        "timings_s": dict(measurement.timings_s),
+    }
+
+
+def report_document(model: ReportModel) -> dict[str, Any]:
+    """Return a composed report as JSON: the measurement, the verdict and its rule, and the deviation from the nominal."""
+    deviation = model.deviation
+    document = {
+        **measurement_document(model.measurement),
+        "software": model.software,
+        "verdict": None if model.verdict is None else model.verdict.value,
+        "summary": model.summary,
+        "verdict_rule": model.verdict_rule,
+        "deviation_mm": None if deviation is None else deviation.figures_mm,
+        "unmeasured_share": None if deviation is None else deviation.unmeasured_share,
+    }
+    return _without_nan(document)
+
+
+def _without_nan(value: Any) -> Any:
+    """Return a document with null for numbers that are not finite, which JSON does not have."""
+    if isinstance(value, Mapping):
+        return {str(key): _without_nan(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_without_nan(item) for item in value]
+    return None if isinstance(value, float) and not isfinite(value) else value

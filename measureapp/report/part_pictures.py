@@ -1,0 +1,93 @@
+"""The pictures of a report: the measured part, and its deviation from the nominal in colours."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from measureapp.arrays import FloatArray, ImageArray
+from measureapp.data.measurement import Measurement
+from measureapp.data.mesh import Mesh
+from measureapp.geometry.transform import RigidTransform
+from measureapp.inspection.deviation import Deviation, signed_distances
+from measureapp.inspection.nominal_surface import NominalSurface
+from measureapp.report.model import DeviationSummary, Picture
+from measureapp.report.picture import ViewDirection, cloud_picture, png, surface_picture
+
+OBLIQUE, TOP = ViewDirection(-58.0, 34.0), ViewDirection(-90.0, 89.9)
+BLUE, WHITE, RED = np.array([0.13, 0.34, 0.67]), np.array([0.97, 0.97, 0.97]), np.array([0.76, 0.15, 0.18])
+NOT_MEASURED = np.array([0.62, 0.64, 0.67])
+BINS = 40
+NICE_LIMITS_MM = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
+WIDE = (840, 500)
+
+
+def part_pictures(measurement: Measurement) -> tuple[Picture, ...]:
+    """Return pictures of the measured surface (or cloud) from obliquely above and from the top."""
+    what = "Measured points" if measurement.mesh is None else "Measured surface"
+    return tuple(
+        Picture(f"{what}, {where}", png(_render(measurement, None, direction, None)))
+        for where, direction in (("seen obliquely", OBLIQUE), ("seen from above", TOP))
+    )
+
+
+def deviation_summary(measurement: Measurement, nominal: Mesh, deviation: Deviation) -> DeviationSummary:
+    """Return the deviation with its picture, colour scale and histogram."""
+    limit = nice_limit(deviation.p95_mm)
+    transform = deviation.alignment.nominal_from_part
+    if measurement.mesh is None:
+        colours = diverging(deviation.distances_mm / limit)
+    else:
+        colours = _mesh_colours(measurement.mesh, transform, NominalSurface(nominal), limit)
+    image = _render(measurement, transform, OBLIQUE, colours, *WIDE)
+    clipped = np.clip(deviation.distances_mm, -limit, limit)
+    counts, _ = np.histogram(clipped, bins=BINS, range=(-limit, limit))
+    figures = {name: float(getattr(deviation, f"{name}_mm")) for name in ("mean", "rms", "p95", "min", "max")}
+    return DeviationSummary(
+        deviation.alignment.name,
+        figures,
+        deviation.unmeasured_share,
+        limit,
+        tuple(float(share) for share in counts / max(counts.sum(), 1)),
+        Picture("Deviation of the measured surface from the nominal", png(image)),
+    )
+
+
+def nice_limit(p95_mm: float) -> float:
+    """Return the end of the colour scale: the next round number above 1.2 times the 95th percentile.
+
+    >>> nice_limit(0.07), nice_limit(0.3)
+    (0.1, 0.5)
+    """
+    return next((limit for limit in NICE_LIMITS_MM if limit >= 1.2 * p95_mm), 2 * p95_mm)
+
+
+def diverging(values: FloatArray) -> FloatArray:
+    """Return colours (N, 3) of values in −1…1: blue, white, red."""
+    share = np.abs(np.clip(values, -1, 1))[:, None]
+    return WHITE + share * (np.where(values[:, None] < 0, BLUE, RED) - WHITE)
+
+
+def _mesh_colours(mesh: Mesh, nominal_from_part: RigidTransform, nominal: NominalSurface, limit_mm: float) -> FloatArray:
+    colours = diverging(signed_distances(nominal_from_part.apply(mesh.vertices_mm), nominal) / limit_mm)
+    if mesh.measured is not None:
+        colours[~mesh.measured] = NOT_MEASURED
+    return colours
+
+
+def _render(
+    measurement: Measurement,
+    transform: RigidTransform | None,
+    direction: ViewDirection,
+    colours: FloatArray | None,
+    width: int = 680,
+    height: int = 480,
+) -> ImageArray:
+    """Render mesh or cloud, turned into the nominal's frame where one is known, so that parts always look alike."""
+    placed = transform or (None if measurement.inspection is None else measurement.inspection.alignment.nominal_from_part)
+    mesh, cloud = measurement.mesh, measurement.stitched
+    if mesh is not None:
+        shown = mesh if placed is None else mesh.seen_from(placed)
+        return surface_picture(shown, direction, width, height, colours)
+    points = cloud.points_mm if placed is None else placed.apply(cloud.points_mm)
+    normals = cloud.normals if placed is None else placed.rotate(np.asarray(cloud.normals, float))
+    return cloud_picture(points, normals, direction, width, height, colours)

@@ -1,0 +1,91 @@
+"""Numbers and verdicts as they are printed."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from measureapp.data.dimension import Verdict
+
+MINUS = "−"
+NONE = "–"
+SIGNS: dict[Verdict, str] = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdict.NOT_MEASURED: "–"}
+COLOURS: dict[Verdict, str] = {
+    Verdict.PASS: "#1B998B",
+    Verdict.FAIL: "#D1495B",
+    Verdict.NOT_PROVEN: "#EDAE49",
+    Verdict.NOT_MEASURED: "#8A8F98",
+}
+NEUTRAL = "#8A8F98"
+
+
+def number(value: float | None, digits: int = 3, *, signed: bool = False) -> str:
+    """Return a number with fixed digits and a true minus sign; a dash where there is none.
+
+    >>> number(-0.01234), number(0.5, 2, signed=True), number(None)
+    ('−0.012', '+0.50', '–')
+    """
+    if value is None:
+        return NONE
+    text = f"{value:+.{digits}f}" if signed else f"{value:.{digits}f}"
+    if float(text) == 0:
+        text = f"{0:.{digits}f}"
+    return text.replace("-", MINUS)
+
+
+def percent(value: float | None, digits: int = 1, *, signed: bool = False) -> str:
+    """Return a share as per cent.
+
+    >>> percent(0.1234), percent(None)
+    ('12.3 %', '–')
+    """
+    return NONE if value is None else number(100 * value, digits, signed=signed) + " %"
+
+
+def tolerance(lower: float, upper: float) -> str:
+    """Return a tolerance, shortly where it is symmetric.
+
+    >>> tolerance(-0.1, 0.1), tolerance(-0.2, 0.05)
+    ('± 0.1', '−0.2 / +0.05')
+    """
+    if lower == -upper:
+        return f"± {upper:g}"
+    return f"{lower:+g} / {upper:+g}".replace("-", MINUS)
+
+
+def setting(value: Any) -> str:
+    """Return a setting of any JSON kind as words."""
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        return f"{value:g}".replace("-", MINUS)
+    if isinstance(value, dict):
+        return ", ".join(f"{spoken(key)} {setting(item)}" for key, item in value.items())
+    if isinstance(value, (list, tuple)):
+        return ", ".join(setting(item) for item in value)
+    return NONE if value is None else str(value)
+
+
+def spoken(key: str) -> str:
+    """Return a key of a document as words, its unit in brackets.
+
+    >>> spoken("exposures_us"), spoken("least_points"), spoken("stitch.voxel_mm")
+    ('exposures (µs)', 'least points', 'stitch voxel (mm)')
+    """
+    match = re.fullmatch(r"(.*)_(mm|us|deg|rad|px|s)", key)
+    name, unit = (match.group(1), {"us": "µs", "deg": "°"}.get(match.group(2), match.group(2))) if match else (key, "")
+    words = name.replace("_", " ").replace(".", " ")
+    return f"{words} ({unit})" if unit else words
+
+
+def moment(iso: str) -> str:
+    """Return an ISO 8601 moment as date and time of day.
+
+    >>> moment("2026-05-04T10:20:30.123+00:00")
+    '2026-05-04 10:20:30 UTC'
+    """
+    match = re.match(r"(\d{4}-\d\d-\d\d)T(\d\d:\d\d:\d\d)(?:\.\d+)?(Z|[+-]\d\d:\d\d)?$", iso)
+    if match is None:
+        return iso or NONE
+    zone = match.group(3) or ""
+    return f"{match.group(1)} {match.group(2)}" + (" UTC" if zone in ("Z", "+00:00") else f" {zone}" if zone else "")

@@ -1,0 +1,35 @@
+"""Files that come with the program: rigs, boards, sample parts, templates, driver plugins."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from measureapp.errors import InputError
+
+PACKAGE = Path(__file__).resolve().parent
+ROOTS = (PACKAGE.parent, PACKAGE / "_checkout")  # the checkout; the same folders inside an installed wheel
+
+
+def resource(path: str | Path) -> Path:
+    """Return the place of ``path``, relative to the folder `resources`.
+
+    Raises
+    ------
+    InputError
+        The program comes without such a file.
+    """
+    return _shipped(Path("resources") / path)
+
+
+def plugin_folder() -> Path:
+    """Return the folder of the driver plugins that come with the program; raises InputError when it is absent."""
+    return _shipped(Path("plugins"))
+
+
+def _shipped(path: Path) -> Path:
+    for root in ROOTS:
+        if (root / path).exists():
+            return root / path
+    raise InputError(
+        f"The program comes without {path.as_posix()}.", "Check the name; if it is right, the installation is incomplete: get it anew."
+    )

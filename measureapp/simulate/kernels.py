@@ -1,0 +1,326 @@
+"""Compiled loops over pixels.
+
+Every kernel works on the items ``start … stop`` (pixels, rows or blocks of pixels) and releases the interpreter, so
+that bands of them run on threads (`in_bands`).
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numba import njit
+
+from measureapp.arrays import BoolArray, FloatArray, ImageArray, IntArray
+
+PROCESSORS = os.cpu_count() or 1
+UNDISTORT_STEPS = 30
+UNDISTORT_TOLERANCE = 1e-11  # on the plane z = 1
+NOT_LIT = -1e6  # projector column of a point its light does not reach
+NO_HIT = 0xFFFFFFFF
+SUPERSAMPLES = 7  # squared: samples of a pixel that straddles an edge of the checker pattern
+
+
+def in_bands(kernel: Callable[..., None], start: int, stop: int, *arguments: Any) -> None:
+    """Run ``kernel(start, stop, *arguments)`` in bands, one per processor."""
+    edges = [start + (stop - start) * band // PROCESSORS for band in range(PROCESSORS + 1)]
+    with ThreadPoolExecutor(PROCESSORS) as pool:
+        for done in [pool.submit(kernel, low, high, *arguments) for low, high in pairwise(edges)]:
+            done.result()
+
+
+@njit(cache=True)
+def _distorted(x, y, d):  # type: ignore[no-untyped-def]
+    """Brown-Conrady with k1 k2 p1 p2 k3."""
+    r2 = x * x + y * y
+    radial = 1.0 + r2 * (d[0] + r2 * (d[1] + r2 * d[4]))
+    return (
+        x * radial + 2.0 * d[2] * x * y + d[3] * (r2 + 2.0 * x * x),
+        y * radial + d[2] * (r2 + 2.0 * y * y) + 2.0 * d[3] * x * y,
+    )
+
+
+@njit(cache=True)
+def _undistorted(u, v, k, d):  # type: ignore[no-untyped-def]
+    """Fixed-point inverse of `_distorted` for a pixel; ``k`` = fx, fy, cx, cy."""
+    x0 = (u - k[2]) / k[0]
+    y0 = (v - k[3]) / k[1]
+    x, y = x0, y0
+    for _ in range(UNDISTORT_STEPS):
+        dx, dy = _distorted(x, y, d)
+        dx, dy = x0 - dx, y0 - dy
+        x += dx
+        y += dy
+        if abs(dx) + abs(dy) < UNDISTORT_TOLERANCE:
+            break
+    return x, y
+
+
+@njit(cache=True, nogil=True)
+def pixel_rays(start: int, stop: int, box: IntArray, k: FloatArray, d: FloatArray, pose: FloatArray, rays: FloatArray) -> None:
+    """Fill ``rays`` (n, 6) float32: origin and unit direction of the pixels in ``box``; ``pose`` is scene_from_camera.
+
+    A box is (first row, end row, first column, end column).
+    """
+    columns = box[3] - box[2]
+    for i in range(start, stop):
+        x, y = _undistorted(float(box[2] + i % columns), float(box[0] + i // columns), k, d)
+        length = np.sqrt(x * x + y * y + 1.0)
+        for a in range(3):
+            rays[i, a] = pose[a, 3]
+            rays[i, 3 + a] = (pose[a, 0] * x + pose[a, 1] * y + pose[a, 2]) / length
+
+
+@njit(cache=True)
+def _reflected(normal, to_light, to_eye, material, standoff_mm):  # type: ignore[no-untyped-def]
+    """Light sent to the eye per unit of irradiance on a facing surface at standoff: Lambert plus a Blinn-Phong lobe."""
+    distance = np.sqrt(to_light[0] ** 2 + to_light[1] ** 2 + to_light[2] ** 2)
+    cosine = (normal[0] * to_light[0] + normal[1] * to_light[1] + normal[2] * to_light[2]) / distance
+    if cosine <= 0.0:
+        return 0.0
+    lobe = 0.0
+    if material[1] > 0.0:
+        hx = to_light[0] / distance + to_eye[0]
+        hy = to_light[1] / distance + to_eye[1]
+        hz = to_light[2] / distance + to_eye[2]
+        h = max(0.0, (normal[0] * hx + normal[1] * hy + normal[2] * hz) / np.sqrt(hx * hx + hy * hy + hz * hz))
+        lobe = material[1] * h ** material[2]
+    return (material[0] * cosine + lobe * np.sqrt(cosine)) * (standoff_mm / distance) ** 2
+
+
+@njit(cache=True)
+def _projector_pixel(point, light_from_scene, k, d):  # type: ignore[no-untyped-def]
+    m = light_from_scene
+    z = m[2, 0] * point[0] + m[2, 1] * point[1] + m[2, 2] * point[2] + m[2, 3]
+    if z <= 0.0:
+        return NOT_LIT, NOT_LIT
+    x = (m[0, 0] * point[0] + m[0, 1] * point[1] + m[0, 2] * point[2] + m[0, 3]) / z
+    y = (m[1, 0] * point[0] + m[1, 1] * point[1] + m[1, 2] * point[2] + m[1, 3]) / z
+    dx, dy = _distorted(x, y, d)
+    return k[0] * dx + k[2], k[1] * dy + k[3]
+
+
+@njit(cache=True, nogil=True)
+def light_surface(
+    start: int,
+    stop: int,
+    rays: FloatArray,
+    triangle: IntArray,
+    corner: FloatArray,
+    normals: FloatArray,
+    material: IntArray,
+    materials: FloatArray,
+    light: FloatArray,
+    light_from_scene: FloatArray,
+    light_k: FloatArray,
+    light_d: FloatArray,
+    standoff_mm: float,
+    offset_mm: float,
+    out: FloatArray,
+    shadow_rays: FloatArray,
+) -> None:
+    """Meet every ray with the plane of its triangle and work out what the light there does.
+
+    ``out`` (n, 4) float32 gets projector column and row, reflected light and albedo; ``shadow_rays`` (n, 6) float32
+    lead from the surface to the projector, with its distance as their length.
+    """
+    for i in range(start, stop):
+        t = triangle[i]
+        out[i, 0] = NOT_LIT
+        out[i, 1] = 0.0
+        out[i, 2] = 0.0
+        out[i, 3] = 0.0
+        for a in range(3):
+            shadow_rays[i, a] = 1e7
+            shadow_rays[i, 3 + a] = 1.0
+        if t == NO_HIT:
+            continue
+        ox, oy, oz = float(rays[i, 0]), float(rays[i, 1]), float(rays[i, 2])
+        dx, dy, dz = float(rays[i, 3]), float(rays[i, 4]), float(rays[i, 5])
+        nx, ny, nz = normals[t, 0], normals[t, 1], normals[t, 2]
+        slope = nx * dx + ny * dy + nz * dz
+        if slope == 0.0:
+            continue
+        s = (nx * (corner[t, 0] - ox) + ny * (corner[t, 1] - oy) + nz * (corner[t, 2] - oz)) / slope
+        if slope > 0.0:
+            nx, ny, nz = -nx, -ny, -nz
+        point = (ox + s * dx, oy + s * dy, oz + s * dz)
+        to_light = (light[0] - point[0], light[1] - point[1], light[2] - point[2])
+        properties = materials[material[t]]
+        reflected = _reflected((nx, ny, nz), to_light, (-dx, -dy, -dz), properties, standoff_mm)
+        out[i, 3] = properties[0]
+        if reflected <= 0.0:
+            continue
+        out[i, 2] = reflected
+        u, v = _projector_pixel(point, light_from_scene, light_k, light_d)
+        out[i, 0] = u
+        out[i, 1] = v
+        shadow_rays[i, 0] = point[0] + offset_mm * nx
+        shadow_rays[i, 1] = point[1] + offset_mm * ny
+        shadow_rays[i, 2] = point[2] + offset_mm * nz
+        for a in range(3):
+            shadow_rays[i, 3 + a] = to_light[a]
+
+
+@njit(cache=True, nogil=True)
+def darken_shadows(start: int, stop: int, hidden: BoolArray, out: FloatArray) -> None:
+    """Mark in ``out`` (n, 4) what the projector does not reach."""
+    for i in range(start, stop):
+        if hidden[i]:
+            out[i, 0] = NOT_LIT
+
+
+@njit(cache=True)
+def _bow(x, y, bow):  # type: ignore[no-untyped-def]
+    """Height of a bowed board; ``bow`` = height at the centre, centre x, centre y, radius where it is flat."""
+    return bow[0] * (1.0 - ((x - bow[1]) ** 2 + (y - bow[2]) ** 2) / (bow[3] * bow[3]))
+
+
+@njit(cache=True)
+def _on_board(x, y, pose, bow):  # type: ignore[no-untyped-def]
+    """Board coordinates seen at normalised image coordinates; ``pose`` is board_from_camera."""
+    dx = pose[0, 0] * x + pose[0, 1] * y + pose[0, 2]
+    dy = pose[1, 0] * x + pose[1, 1] * y + pose[1, 2]
+    dz = pose[2, 0] * x + pose[2, 1] * y + pose[2, 2]
+    if dz <= 0.0:
+        return 1e9, 1e9, 0.0
+    s = -pose[2, 3] / dz
+    for _ in range(2):
+        s = (_bow(pose[0, 3] + s * dx, pose[1, 3] + s * dy, bow) - pose[2, 3]) / dz
+    return pose[0, 3] + s * dx, pose[1, 3] + s * dy, pose[2, 3] + s * dz
+
+
+@njit(cache=True)
+def _paint(x, y, layout, colours):  # type: ignore[no-untyped-def]
+    """Albedo of the board at a place; ``layout`` = square, columns, rows of inner corners; 0 beyond its white margin."""
+    i = np.floor(x / layout[0])
+    j = np.floor(y / layout[0])
+    if i < -2 or j < -2 or i > layout[1] or j > layout[2]:
+        return 0.0
+    if i < -1 or j < -1 or i > layout[1] - 1 or j > layout[2] - 1:
+        return colours[0]
+    return colours[1] if (int(i) + int(j)) % 2 == 0 else colours[0]
+
+
+@njit(cache=True, nogil=True)
+def light_board(
+    start: int,
+    stop: int,
+    box: IntArray,
+    k: FloatArray,
+    d: FloatArray,
+    board_from_camera: FloatArray,
+    light: FloatArray,
+    light_from_board: FloatArray,
+    light_k: FloatArray,
+    light_d: FloatArray,
+    standoff_mm: float,
+    layout: FloatArray,
+    colours: FloatArray,
+    bow: FloatArray,
+    out: FloatArray,
+) -> None:
+    """Fill ``out`` (H, W, 4) inside ``box``, see `pixel_rays`, as `light_surface` does.
+
+    The pattern is averaged over each pixel's footprint on the board, taken as a parallelogram without distortion; no two
+    samples lie in one line along its sides, so that edges along pixel rows come out as smooth as any.
+    """
+    for row in range(start, stop):
+        for column in range(box[2], box[3]):
+            out[row, column, 0] = NOT_LIT
+            out[row, column, 1:] = 0.0
+            xn, yn = _undistorted(float(column), float(row), k, d)
+            x, y, z = _on_board(xn, yn, board_from_camera, bow)
+            if x > 1e8:
+                continue
+            xr, yr, _ = _on_board(xn + 0.5 / k[0], yn, board_from_camera, bow)
+            xd, yd, _ = _on_board(xn, yn + 0.5 / k[1], board_from_camera, bow)
+            ax, ay, bx, by = xr - x, yr - y, xd - x, yd - y
+            albedo = _paint(x, y, layout, colours)
+            if (
+                albedo != _paint(x + ax + bx, y + ay + by, layout, colours)
+                or albedo != _paint(x - ax - bx, y - ay - by, layout, colours)
+                or albedo != _paint(x + ax - bx, y + ay - by, layout, colours)
+                or albedo != _paint(x - ax + bx, y - ay + by, layout, colours)
+            ):
+                total = 0.0
+                for m in range(SUPERSAMPLES):
+                    for n in range(SUPERSAMPLES):
+                        p = (2 * m + (2 * n + 1.0) / SUPERSAMPLES) / SUPERSAMPLES - 1.0
+                        q = (2 * n + (2 * m + 1.0) / SUPERSAMPLES) / SUPERSAMPLES - 1.0
+                        total += _paint(x + p * ax + q * bx, y + p * ay + q * by, layout, colours)
+                albedo = total / (SUPERSAMPLES * SUPERSAMPLES)
+            if albedo == 0.0:
+                continue
+            to_light = (light[0] - x, light[1] - y, light[2] - z)
+            out[row, column, 3] = albedo
+            out[row, column, 2] = _reflected((0.0, 0.0, -1.0), to_light, (0.0, 0.0, -1.0), (albedo, 0.0, 1.0), standoff_mm)
+            u, v = _projector_pixel((x, y, z), light_from_board, light_k, light_d)
+            out[row, column, 0] = u
+            out[row, column, 1] = v
+
+
+@njit(cache=True, nogil=True, fastmath=True)
+def expose(
+    start: int, stop: int, light: FloatArray, pattern: FloatArray, lamp: float, ambient: float, scale: float, floor: float, out: FloatArray
+) -> None:
+    """Mean image (n,) float32 as a share of full scale for ``light`` (n, 4) as `light_surface` leaves it.
+
+    ``pattern`` (h, w) is sampled bilinearly where the projector's light falls; ``lamp`` lights everything from the
+    projector's place, ``ambient`` from all around.
+    """
+    height, width = pattern.shape
+    for i in range(start, stop):
+        albedo = light[i, 3]
+        value = 0.0
+        if albedo > 0.0:
+            reflected = light[i, 2]
+            strength = lamp
+            u = light[i, 0]
+            v = light[i, 1]
+            if reflected > 0.0 and u >= -0.5 and v >= -0.5 and u <= width - 0.5 and v <= height - 0.5:
+                u = min(max(u, 0.0), width - 1.001)
+                v = min(max(v, 0.0), height - 1.001)
+                c = int(u)
+                r = int(v)
+                fu = u - c
+                fv = v - r
+                top = pattern[r, c] + fu * (pattern[r, c + 1] - pattern[r, c])
+                low = pattern[r + 1, c] + fu * (pattern[r + 1, c + 1] - pattern[r + 1, c])
+                strength += top + fv * (low - top)
+            value = reflected * strength + ambient * albedo
+        out[i] = value * scale + floor
+
+
+@njit(cache=True)
+def _scrambled(x):  # type: ignore[no-untyped-def]
+    """Sixty-four random bits from a counter (splitmix64: G. L. Steele et al., OOPSLA 2014)."""
+    x = (x ^ (x >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
+    x = (x ^ (x >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
+    return x ^ (x >> np.uint64(31))
+
+
+@njit(cache=True, nogil=True)
+def quantise(
+    start: int, stop: int, mean: FloatArray, full_scale: int, variance: FloatArray, key: int, normal: FloatArray, out: ImageArray
+) -> None:
+    """Turn a mean image (n,) into grey levels with noise, in blocks of four pixels.
+
+    ``variance`` = (of a dark pixel, added per grey level); ``normal`` holds 65536 quantiles of the standard normal
+    distribution, drawn from by a counter so that the image depends on ``key`` alone, not on threads.
+    """
+    golden = np.uint64(0x9E3779B97F4A7C15)
+    origin = _scrambled(np.uint64(key) * golden)
+    for block in range(start, stop):
+        bits = _scrambled(origin + np.uint64(block + 1) * golden)
+        first = 4 * block
+        for i in range(first, min(first + 4, out.shape[0])):
+            level = mean[i] * full_scale
+            draw = normal[np.int64(bits & np.uint64(0xFFFF))]
+            bits >>= np.uint64(16)
+            level += draw * np.sqrt(variance[0] + variance[1] * level)
+            out[i] = int(min(max(level + np.float32(0.5), np.float32(0.0)), np.float32(full_scale)))

@@ -1,0 +1,208 @@
+"""The renderer: one ray per camera pixel and one back to the projector, kept until something moves."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import cv2
+import numpy as np
+
+from measureapp.arrays import BoolArray, FloatArray, ImageArray, IntArray
+from measureapp.data.board import CheckerboardDescription
+from measureapp.geometry.pinhole import PinholeCamera
+from measureapp.geometry.transform import RigidTransform
+from measureapp.simulate import kernels
+from measureapp.simulate.options import LightSettings
+from measureapp.simulate.part import Part
+
+PIXELS_AT_ONCE = 2**19
+SHADOW_OFFSET_MM = 0.02
+FLOOR = 0.004  # black level, share of full scale
+WHITE, BLACK = 0.85, 0.06  # albedo of the board's print
+MARGIN_PX, MARGIN_SHARE = 3.0, 0.005  # round the box of pixels that can see a thing
+OUTLINE_SAMPLES = 9
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Lights:
+    """The projector as light source in a scene."""
+
+    pinhole: PinholeCamera
+    scene_from_projector: RigidTransform
+    standoff_mm: float
+
+    @property
+    def position(self) -> FloatArray:
+        """Where the light comes from, (3,)."""
+        return np.array(self.scene_from_projector.translation_mm)
+
+    @property
+    def from_scene(self) -> FloatArray:
+        """Scene to projector, (4, 4)."""
+        return np.array(self.scene_from_projector.inverse().matrix)
+
+
+class Surface:
+    """A part ready to be looked at; its scene is the nominal frame."""
+
+    def __init__(self, part: Part) -> None:
+        corners = part.mesh.vertices_mm[part.mesh.triangles]
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        self._corner = np.ascontiguousarray(corners[:, 0])
+        self._normals = normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
+        self._material = part.material.astype(np.int64)
+        self._materials = np.array([[m.albedo, m.gloss, m.sharpness] for m in part.materials])
+        self._bounds = part.mesh.vertices_mm.min(axis=0), part.mesh.vertices_mm.max(axis=0)
+        self._scene, self._tensor = _ray_scene(part)
+
+    def lit(self, camera: PinholeCamera, scene_from_camera: RigidTransform, lights: Lights, out: FloatArray) -> None:
+        """Fill ``out`` (H, W, 4): projector column and row (NOT_LIT in shadow), reflected light, albedo; zero off the part."""
+        out[:] = 0.0
+        low, high = self._bounds
+        outline = np.stack(np.meshgrid(*np.linspace(low, high, OUTLINE_SAMPLES).T), axis=-1).reshape(-1, 3)
+        box = image_box(camera, scene_from_camera.inverse(), outline)
+        if box is None:
+            return
+        pose = np.array(scene_from_camera.matrix)
+        rows_at_once = max(1, PIXELS_AT_ONCE // int(box[3] - box[2]))
+        for first in range(box[0], box[1], rows_at_once):
+            stripe = np.array([first, min(first + rows_at_once, box[1]), box[2], box[3]])
+            rays = np.empty(((stripe[1] - stripe[0]) * (stripe[3] - stripe[2]), 6), np.float32)
+            light = np.empty((len(rays), 4), np.float32)
+            kernels.in_bands(kernels.pixel_rays, 0, len(rays), stripe, *lens(camera), pose, rays)
+            self._light(rays, self._triangles(rays), lights, light)
+            out[stripe[0] : stripe[1], stripe[2] : stripe[3]] = light.reshape(stripe[1] - stripe[0], -1, 4)
+
+    def _light(self, rays: FloatArray, triangles: IntArray, lights: Lights, out: FloatArray) -> None:
+        shadow_rays = np.empty_like(rays)
+        kernels.in_bands(
+            kernels.light_surface,
+            0,
+            len(rays),
+            rays,
+            triangles,
+            self._corner,
+            self._normals,
+            self._material,
+            self._materials,
+            lights.position,
+            lights.from_scene,
+            *lens(lights.pinhole),
+            lights.standoff_mm,
+            SHADOW_OFFSET_MM,
+            out,
+            shadow_rays,
+        )
+        kernels.in_bands(kernels.darken_shadows, 0, len(rays), self._hidden(shadow_rays), out)
+
+    def _triangles(self, rays: FloatArray) -> IntArray:
+        return self._scene.cast_rays(self._tensor(rays))["primitive_ids"].numpy()
+
+    def _hidden(self, shadow_rays: FloatArray) -> BoolArray:
+        return self._scene.test_occlusions(self._tensor(shadow_rays), tnear=0.0, tfar=1.0).numpy()
+
+
+def _ray_scene(part: Part) -> tuple[Any, Callable[[FloatArray], Any]]:
+    import open3d
+
+    tensor: Callable[[Any], Any] = open3d.core.Tensor.from_numpy
+    scene = open3d.t.geometry.RaycastingScene()
+    scene.add_triangles(tensor(part.mesh.vertices_mm.astype(np.float32)), tensor(part.mesh.triangles.astype(np.uint32)))
+    return scene, tensor
+
+
+class PrintedBoard:
+    """A checkerboard on a slightly bowed plate; its scene is the board frame."""
+
+    def __init__(self, board: CheckerboardDescription, bow_mm: float) -> None:
+        self._board = board
+        self._layout = np.array([board.square_mm, board.columns, board.rows], float)
+        middle = np.array([board.columns - 1, board.rows - 1]) * board.square_mm / 2.0
+        self._bow = np.array([-bow_mm, *middle, float(np.linalg.norm(middle))])  # the printed side faces -z
+
+    def corners_mm(self) -> FloatArray:
+        """The true inner corners (N, 3), bow included."""
+        corners = self._board.corners_mm.copy()
+        height, x, y, radius = self._bow
+        corners[:, 2] = height * (1.0 - ((corners[:, 0] - x) ** 2 + (corners[:, 1] - y) ** 2) / radius**2)
+        return corners
+
+    def lit(self, camera: PinholeCamera, scene_from_camera: RigidTransform, lights: Lights, out: FloatArray) -> None:
+        """Fill ``out`` as `Surface.lit` does; the board shadows nothing."""
+        out[:] = 0.0
+        square, columns, rows = self._layout
+        x = np.linspace(-2 * square, (columns + 1) * square, OUTLINE_SAMPLES)
+        y = np.linspace(-2 * square, (rows + 1) * square, OUTLINE_SAMPLES)
+        outline = np.stack(np.meshgrid(x, y, [0.0]), axis=-1).reshape(-1, 3)
+        box = image_box(camera, scene_from_camera.inverse(), outline)
+        if box is None or scene_from_camera.translation_mm[2] >= 0.0:
+            return
+        kernels.in_bands(
+            kernels.light_board,
+            box[0],
+            box[1],
+            box,
+            *lens(camera),
+            np.array(scene_from_camera.matrix),
+            lights.position,
+            lights.from_scene,
+            *lens(lights.pinhole),
+            lights.standoff_mm,
+            self._layout,
+            np.array([WHITE, BLACK]),
+            self._bow,
+            out,
+        )
+
+
+def image_box(camera: PinholeCamera, camera_from_scene: RigidTransform, outline_mm: FloatArray) -> IntArray | None:
+    """Return first row, end row, first and end column of the image part that holds ``outline_mm`` (N, 3); None when it is out of sight."""
+    points = camera_from_scene.apply(outline_mm)
+    if points[:, 2].min() <= 0.0:
+        whole = np.array([0, camera.height_px, 0, camera.width_px])
+        return whole if points[:, 2].max() > 0.0 else None
+    pixels = camera.project(points)
+    margin = MARGIN_PX + MARGIN_SHARE * camera.width_px
+    low = np.maximum(np.floor(pixels.min(axis=0) - margin), 0)
+    high = np.minimum(np.ceil(pixels.max(axis=0) + margin), [camera.width_px, camera.height_px])
+    return np.array([low[1], high[1], low[0], high[0]], np.int64) if np.all(low < high) else None
+
+
+def lens(pinhole: PinholeCamera) -> tuple[FloatArray, FloatArray]:
+    """Return (fx, fy, cx, cy) and (k1, k2, p1, p2, k3) for the kernels."""
+    m = pinhole.matrix
+    coefficients = np.zeros(5)
+    coefficients[: len(pinhole.distortion)] = pinhole.distortion
+    return np.array([m[0, 0], m[1, 1], m[0, 2], m[1, 2]]), coefficients
+
+
+def projected(images: ImageArray | FloatArray, settings: LightSettings) -> FloatArray:
+    """Return what a projector makes of images (n, h, w) of levels 0…255 (or floats 0…1): light 0…1 (n, h, w) float32, blurred."""
+    levels = images.astype(np.float32) / (255.0 if images.dtype == np.uint8 else 1.0)
+    light = settings.black + (1.0 - settings.black) * levels**settings.gamma
+    return np.stack([_blurred(image, settings.defocus_px) for image in light.astype(np.float32)])
+
+
+def exposed(light: FloatArray, pattern: FloatArray | None, exposure_us: int, settings: LightSettings) -> FloatArray:
+    """Return the mean image (H, W) float32 as a share of full scale, from the light map of `Surface.lit`.
+
+    Parameters
+    ----------
+    light : (H, W, 4) float32
+    pattern : (h, w) light of the projector; None for the head lamp, which lights beyond the projector's field
+    """
+    mean = np.empty(light.shape[:2], np.float32)
+    scale = exposure_us / settings.reference_exposure_us
+    shown = np.zeros((2, 2), np.float32) if pattern is None else pattern * np.float32(settings.projector)
+    lamp = settings.lamp if pattern is None else 0.0
+    kernels.in_bands(kernels.expose, 0, mean.size, light.reshape(-1, 4), shown, lamp, settings.ambient, scale, FLOOR, mean.reshape(-1))
+    return _blurred(mean, settings.lens_blur_px)
+
+
+def _blurred(image: FloatArray, sigma_px: float) -> FloatArray:
+    if sigma_px == 0.0:
+        return image
+    size = 2 * max(1, round(3.0 * sigma_px)) + 1 if sigma_px > 0.6 else 3
+    return np.asarray(cv2.GaussianBlur(image, (size, size), sigma_px, borderType=cv2.BORDER_REPLICATE))

@@ -1,0 +1,42 @@
+"""What of the simulated world can be set; the defaults are the paper's rig in a dim room."""
+
+from __future__ import annotations
+
+from pydantic import Field
+
+from measureapp.data.model import Model
+from measureapp.simulate.sensor import SensorSettings
+
+
+class LightSettings(Model):
+    """Light levels as shares of full scale on a matt surface of albedo 1 that faces the projector at standoff, at the reference exposure."""
+
+    reference_exposure_us: int = Field(default=100_000, gt=0)
+    projector: float = Field(default=1.4, ge=0, description="white of the projector")
+    ambient: float = Field(default=0.05, ge=0, description="light from all around")
+    lamp: float = Field(default=0.85, ge=0, description="head lamp, lit while no pattern is shown")
+    gamma: float = Field(default=1.02, gt=0, description="response of the projector: light = level^gamma")
+    black: float = Field(default=0.003, ge=0, lt=1, description="light of a black projector pixel, share of white")
+    defocus_px: float = Field(default=0.8, ge=0, description="blur of the projected image, standard deviation in projector pixels")
+    lens_blur_px: float = Field(default=0.7, ge=0, lt=2, description="blur of the camera image, standard deviation in camera pixels")
+
+
+class RigErrors(Model):
+    """How far the rig is from its drawing: rms lengths and tilts."""
+
+    camera_shift_mm: float = Field(default=1.0, ge=0)
+    camera_turn_deg: float = Field(default=0.3, ge=0)
+    hand_eye_shift_mm: float = Field(default=3.0, ge=0)
+    hand_eye_turn_deg: float = Field(default=1.0, ge=0)
+    table_shift_mm: float = Field(default=3.0, ge=0)
+    table_tilt_deg: float = Field(default=0.2, ge=0)
+    axes: bool = Field(default=True, description="False: robot, guide and table are perfect")
+
+
+class WorldOptions(Model):
+    """All of it."""
+
+    light: LightSettings = LightSettings()
+    sensor: SensorSettings = SensorSettings()
+    errors: RigErrors = RigErrors()
+    board_bow_mm: float = Field(default=0.02, description="height of the board's middle over its border")

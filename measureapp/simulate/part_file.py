@@ -1,0 +1,105 @@
+"""A part from a mesh file: STL, PLY or OBJ, in millimetres."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+
+from measureapp.arrays import FloatArray, IntArray
+from measureapp.data.mesh import Mesh
+from measureapp.errors import InputError
+from measureapp.simulate.part import MATT_WHITE, Part
+
+KINDS = (".stl", ".ply", ".obj")
+STL_HEADER_BYTES, STL_TRIANGLE_BYTES = 84, 50
+PLY_HEADER_BYTES = 65536
+SMALLEST_MM, LARGEST_MM = 1.0, 2000.0
+
+
+def part_from_file(path: Path) -> Part:
+    """Read a mesh as a part that stands on the table, its centre on the axis; it is taken as matt white.
+
+    Raises
+    ------
+    InputError
+        The file is missing, of another kind, damaged, cut off, empty, or its size makes no sense in millimetres.
+    """
+    if path.suffix.lower() not in KINDS:
+        raise InputError(
+            f"{path} is not a mesh the simulator reads.", "Give an STL, PLY or OBJ file in millimetres, or the name of a sample part."
+        )
+    vertices, triangles, closed = _read(path)
+    size = np.ptp(vertices, axis=0)
+    if not SMALLEST_MM <= size.max() <= LARGEST_MM:
+        raise InputError(
+            f"{path}: the part would be {size.max():.3g} mm long.", f"Scale it to millimetres ({SMALLEST_MM:g}…{LARGEST_MM:g} mm)."
+        )
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    standing = vertices - [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]]
+    mesh = Mesh(standing, triangles, "nominal")
+    return Part(path.stem, mesh, (MATT_WHITE,), np.zeros(len(triangles), np.uint8), watertight=closed)
+
+
+def _read(path: Path) -> tuple[FloatArray, IntArray, bool]:
+    import trimesh
+
+    again = "Export it again, or copy it again if the copy was cut off."
+    if not path.is_file():
+        raise InputError(f"{path} does not exist.", "Give the path of an STL, PLY or OBJ file.")
+    _refuse_cut_off(path, again)
+    try:
+        loaded = trimesh.load(path, force="mesh")
+    except Exception as error:  # a damaged file can fail anywhere in the reader
+        raise InputError(f"{path} cannot be read as a mesh: {error}.", again) from error
+    if not isinstance(loaded, trimesh.Trimesh) or len(loaded.faces) == 0:
+        raise InputError(f"{path} holds no triangles.", again)
+    loaded.merge_vertices()
+    loaded.update_faces(loaded.nondegenerate_faces())
+    vertices, triangles = np.asarray(loaded.vertices, float), np.asarray(loaded.faces)
+    if len(triangles) == 0 or not np.isfinite(vertices).all():
+        raise InputError(f"{path} holds no usable triangles.", again)
+    closed = bool(loaded.is_watertight)
+    if closed and loaded.volume < 0:
+        triangles = triangles[:, [0, 2, 1]]
+    used, index = np.unique(triangles, return_inverse=True)
+    return vertices[used], index.reshape(-1, 3), closed
+
+
+def _refuse_cut_off(path: Path, again: str) -> None:
+    """Compare what the header promises with the length of the file."""
+    size = path.stat().st_size
+    with path.open("rb") as file:
+        head = file.read(PLY_HEADER_BYTES)
+    if size == 0:
+        raise InputError(f"{path} is empty.", again)
+    kind = path.suffix.lower()
+    if kind == ".stl" and not _is_text_stl(head):
+        promised = int.from_bytes(head[80:84], "little") if len(head) >= STL_HEADER_BYTES else 1
+        needed = STL_HEADER_BYTES + promised * STL_TRIANGLE_BYTES
+        if size < needed:
+            raise InputError(f"{path} is cut off: it has {size} of {needed} bytes.", again)
+    elif kind == ".stl" and b"endsolid" not in path.read_bytes()[-1024:]:
+        raise InputError(f"{path} is cut off: the closing line `endsolid` is missing.", again)
+    elif kind == ".ply":
+        _refuse_cut_off_ply(path, head, size, again)
+
+
+def _is_text_stl(head: bytes) -> bool:
+    return head.lstrip().startswith(b"solid") and b"facet" in head[:4096]
+
+
+def _refuse_cut_off_ply(path: Path, head: bytes, size: int, again: str) -> None:
+    end = head.find(b"end_header")
+    if not head.startswith(b"ply") or end < 0:
+        raise InputError(f"{path} has no complete PLY header.", again)
+    header = head[:end].decode("ascii", "replace")
+    counts = {name: int(count) for name, count in re.findall(r"element\s+(\w+)\s+(\d+)", header)}
+    smallest = 12 * counts.get("vertex", 0) + 9 * counts.get("face", 0)  # three floats; a count byte and three short indices
+    if "format ascii" in header:
+        rows = path.read_bytes().count(b"\n", end) - 1
+        if rows + 1 < sum(counts.values()):
+            raise InputError(f"{path} is cut off: it has {rows} of {sum(counts.values())} rows.", again)
+    elif size - end < smallest:
+        raise InputError(f"{path} is cut off: it has {size} bytes, its header promises at least {end + smallest}.", again)

@@ -1,0 +1,152 @@
+"""What the simulated rig really is: drawn once from a seed, hidden from all measuring code."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.data.board import CheckerboardDescription
+from measureapp.data.calibration import (
+    CameraArrayCalibration,
+    CameraCalibration,
+    HandEye,
+    LinearGuide,
+    Provenance,
+    RigCalibration,
+    RotationAxis,
+)
+from measureapp.data.rig import CameraDescription, ProjectorDescription, RigDescription
+from measureapp.geometry.pinhole import PinholeCamera
+from measureapp.geometry.transform import RigidTransform, rotation_about
+from measureapp.simulate.kinematics import (
+    GuideErrors,
+    RobotErrors,
+    TableErrors,
+    displaced,
+    draw_guide_errors,
+    draw_robot_errors,
+    draw_table_errors,
+    tilted_axis,
+)
+from measureapp.simulate.options import RigErrors
+
+BOARD_HEIGHT_MM = 90.0  # centre of the board above the table
+BOARD_OFF_AXIS_MM = 20.0
+BOARD_TILT_DEG = 45.0
+CAMERA_LENS = np.array([-0.10, 0.05, 0.0, 0.0, 0.0])  # k1 k2 p1 p2 k3
+CAMERA_LENS_SPREAD = np.array([0.015, 0.02, 4e-4, 4e-4, 0.0])
+PROJECTOR_LENS = np.array([-0.03, 0.01, 0.0, 0.0, 0.0])
+PROJECTOR_LENS_SPREAD = np.array([0.01, 0.005, 3e-4, 3e-4, 0.0])
+FOCAL_SPREAD = 0.005
+CENTRE_SPREAD = 0.01  # of the width
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Truth:
+    """The hidden values, in the nouns of the calibrations that look for them; frame `part` is `table` at table angle 0."""
+
+    calibration: RigCalibration
+    projector: PinholeCamera
+    camera_from_projector: RigidTransform
+    table_from_nominal: RigidTransform  # how the part stands on the table
+    table_from_board: RigidTransform
+    robot: RobotErrors | None  # None: a perfect axis
+    guide: GuideErrors | None
+    table: TableErrors | None
+
+
+def draw_truth(rig: RigDescription, board: CheckerboardDescription, errors: RigErrors, seed: int) -> Truth:
+    """Draw a rig as it might have been built from ``rig``; the same seed gives the same rig at every camera resolution."""
+    generators = [np.random.default_rng([seed, subject]) for subject in range(9)]
+    heads = {
+        camera.name: displaced(
+            camera.head_from_camera.transform("head", camera.name), rng, shift_mm=errors.camera_shift_mm, turn_deg=errors.camera_turn_deg
+        )
+        for camera, rng in zip(rig.cameras, generators[0].spawn(len(rig.cameras)), strict=True)
+    }
+    camera_from_head = _renamed(heads[rig.reference], "head", "camera").inverse()
+    lenses = generators[1].spawn(len(rig.cameras))
+    cameras = {
+        camera.name: _camera(camera, camera_from_head @ heads[camera.name], rng) for camera, rng in zip(rig.cameras, lenses, strict=True)
+    }
+    flange_from_head = displaced(
+        rig.flange_from_head.transform("flange", "head"),
+        generators[2],
+        shift_mm=errors.hand_eye_shift_mm,
+        turn_deg=errors.hand_eye_turn_deg,
+    )
+    head_from_projector = displaced(
+        rig.projector.head_from_projector.transform("head", "projector"),
+        generators[3],
+        shift_mm=errors.camera_shift_mm,
+        turn_deg=errors.camera_turn_deg,
+    )
+    guide = draw_guide_errors(rig.guide, generators[4]) if errors.axes else None
+    axis, top = _table_axis(rig, errors, generators[5])
+    calibration = RigCalibration(
+        cameras=CameraArrayCalibration(rig.reference, cameras, provenance=Provenance(method="truth")),
+        hand_eye=HandEye(flange_from_head @ camera_from_head.inverse(), method="truth"),
+        guide=LinearGuide(guide.direction, guide.scale) if guide else LinearGuide(np.array([0.0, 1.0, 0.0]), 1.0),
+        axis=axis,
+        provenance=Provenance(method="truth"),
+    )
+    table_from_guide = calibration.table_from_guide
+    return Truth(
+        calibration=calibration,
+        projector=_projector(rig.projector, generators[3]),
+        camera_from_projector=camera_from_head @ head_from_projector,
+        table_from_nominal=_standing(table_from_guide.apply(top), generators[6]),
+        table_from_board=table_from_guide @ _board_on_stand(top, board, generators[7]),
+        robot=draw_robot_errors(rig.robot, generators[8]) if errors.axes else None,
+        guide=guide,
+        table=draw_table_errors(rig.table, generators[8]) if errors.axes else None,
+    )
+
+
+def _renamed(transform: RigidTransform, to_frame: str, from_frame: str) -> RigidTransform:
+    return RigidTransform(transform.matrix, to_frame, from_frame)
+
+
+def _camera(camera: CameraDescription, reference_from_camera: RigidTransform, rng: np.random.Generator) -> CameraCalibration:
+    pinhole = _pinhole(camera.width_px, camera.height_px, camera.focal_px, CAMERA_LENS + CAMERA_LENS_SPREAD * rng.standard_normal(5), rng)
+    return CameraCalibration(camera.name, pinhole, reference_from_camera, serial=camera.serial)
+
+
+def _projector(projector: ProjectorDescription, rng: np.random.Generator) -> PinholeCamera:
+    lens = PROJECTOR_LENS + PROJECTOR_LENS_SPREAD * rng.standard_normal(5)
+    return _pinhole(projector.width_px, projector.height_px, projector.focal_px, lens, rng)
+
+
+def _pinhole(width_px: int, height_px: int, focal_px: float, lens: FloatArray, rng: np.random.Generator) -> PinholeCamera:
+    focal = focal_px * (1.0 + FOCAL_SPREAD * rng.standard_normal())
+    aspect = 1.0 + 2e-4 * rng.standard_normal()
+    centre = (np.array([width_px, height_px]) - 1.0) / 2.0 + CENTRE_SPREAD * width_px * rng.standard_normal(2)
+    matrix = np.array([[focal, 0.0, centre[0]], [0.0, focal * aspect, centre[1]], [0.0, 0.0, 1.0]])
+    return PinholeCamera(width_px, height_px, matrix, lens)
+
+
+def _table_axis(rig: RigDescription, errors: RigErrors, rng: np.random.Generator) -> tuple[RotationAxis, FloatArray]:
+    """The axis in the guide frame, and the centre of the table's top on it."""
+    top = np.array(rig.table.centre_in_guide_mm) + errors.table_shift_mm / np.sqrt(3.0) * rng.standard_normal(3)
+    return RotationAxis(top, tilted_axis(errors.table_tilt_deg, rng), "guide"), top
+
+
+def _standing(top_in_table_mm: FloatArray, rng: np.random.Generator) -> RigidTransform:
+    """The part on the table's top, a little off centre and turned."""
+    turn = np.deg2rad(rng.uniform(-10.0, 10.0))
+    shift = [*rng.uniform(-3.0, 3.0, 2), 0.0]
+    return RigidTransform.from_parts(rotation_about([0, 0, 1], turn), top_in_table_mm + shift, "table", "nominal")
+
+
+def _board_on_stand(top_mm: FloatArray, board: CheckerboardDescription, rng: np.random.Generator) -> RigidTransform:
+    """guide_from_board: printed side up and towards the robot, rows running down."""
+    tilt = np.deg2rad(BOARD_TILT_DEG + rng.uniform(-3.0, 3.0))
+    turn = rotation_about([0, 0, 1], np.deg2rad(rng.uniform(-5.0, 5.0)))
+    x, y = np.array([0.0, -1.0, 0.0]), np.array([-np.cos(tilt), 0.0, -np.sin(tilt)])
+    rotation = turn @ np.column_stack([x, y, np.cross(x, y)])
+    away = rng.uniform(0.0, 2.0 * np.pi)
+    centre = top_mm + np.array([BOARD_OFF_AXIS_MM * np.cos(away), BOARD_OFF_AXIS_MM * np.sin(away), BOARD_HEIGHT_MM])
+    middle = np.array([board.columns - 1, board.rows - 1, 0.0]) * board.square_mm / 2.0
+    return RigidTransform.from_parts(rotation, centre - rotation @ middle, "guide", "board")

@@ -1,0 +1,232 @@
+"""The simulated world: the rig as it really is, where its axes really stand, and what its cameras see."""
+
+from __future__ import annotations
+
+import threading
+from typing import Literal
+
+import numpy as np
+
+from measureapp.arrays import FloatArray, ImageArray
+from measureapp.data.board import CheckerboardDescription
+from measureapp.data.fringe import AxisReadback
+from measureapp.data.mesh import Mesh
+from measureapp.data.rig import RigDescription
+from measureapp.geometry.transform import RigidTransform, rotation_about
+from measureapp.simulate.optics import Lights, PrintedBoard, Surface, exposed, projected
+from measureapp.simulate.options import WorldOptions
+from measureapp.simulate.part import Part
+from measureapp.simulate.sensor import read_out
+from measureapp.simulate.truth import Truth, draw_truth
+
+PAPER_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
+Held = Literal["empty", "board", "part"]
+PLAIN_LIGHT = -1
+DARK = -2
+HOME_MM = (450.0, 0.0, 600.0)
+POSE_STEP_MM, GUIDE_STEP_MM, TABLE_STEP_RAD = 1e-4, 1e-4, float(np.deg2rad(1e-5))  # resolution of the displays
+QUATERNION_DIGITS = 9
+
+
+class World:
+    """Holds all truth; devices of the virtual rig command it and read back what real controllers would say.
+
+    Commands and read-backs are nominal; the true places carry the errors drawn from the seed. A command that
+    repeats the last one moves nothing, as on real controllers. All methods may be called from any thread.
+
+    Parameters
+    ----------
+    description : the rig as drawn
+    part : what lies on the table while `table_holds` is "part"
+    seed : draws the rig's errors and all noise
+    board : the calibration board
+    options : light, sensor and errors
+    """
+
+    def __init__(
+        self,
+        description: RigDescription,
+        part: Part,
+        seed: int,
+        board: CheckerboardDescription = PAPER_BOARD,
+        options: WorldOptions | None = None,
+    ) -> None:
+        self.description = description
+        self.part = part
+        self.board = board
+        self.options = options or WorldOptions()
+        self._truth = draw_truth(description, board, self.options.errors, seed)
+        self._lock = threading.RLock()
+        self._moves = np.random.default_rng([seed, 101])
+        self._noise_key = int(np.random.default_rng([seed, 102]).integers(2**31)) << 31
+        self._images = 0
+        self._printed = PrintedBoard(board, self.options.board_bow_mm)
+        self._surface: Surface | None = None
+        self._table_holds: Held = "empty"
+        self._patterns: FloatArray = np.zeros((0, 2, 2), np.float32)
+        self._shown = DARK
+        self._state = 0
+        self._light_maps: dict[str, tuple[int, FloatArray]] = {}
+        self._commanded = AxisReadback(_home(), 0.0, 0.0)
+        self._base_from_flange = self._flange_reached(self._commanded.base_from_flange)
+        self._guide_from_base = self._slide_reached(0.0)
+        self._table_rad = self._angle_reached(0.0)
+
+    # what is on the table
+
+    @property
+    def table_holds(self) -> Held:
+        """What lies on the table."""
+        return self._table_holds
+
+    @table_holds.setter
+    def table_holds(self, thing: Held) -> None:
+        with self._lock:
+            self._table_holds = thing
+            self._state += 1
+
+    # axes
+
+    def readback(self) -> AxisReadback:
+        """Return what the controllers say: the commands, rounded to their displays."""
+        with self._lock:
+            goal = self._commanded
+            return AxisReadback(
+                _displayed(goal.base_from_flange),
+                round(goal.guide_mm / GUIDE_STEP_MM) * GUIDE_STEP_MM,
+                round(goal.table_rad / TABLE_STEP_RAD) * TABLE_STEP_RAD,
+            )
+
+    def move_robot(self, base_from_flange: RigidTransform) -> None:
+        """Bring the flange to a commanded pose."""
+        with self._lock:
+            if not np.array_equal(base_from_flange.matrix, self._commanded.base_from_flange.matrix):
+                self._base_from_flange = self._flange_reached(base_from_flange)
+                self._moved(AxisReadback(base_from_flange, self._commanded.guide_mm, self._commanded.table_rad))
+
+    def move_guide(self, position_mm: float) -> None:
+        """Bring the slide to a commanded position."""
+        with self._lock:
+            if position_mm != self._commanded.guide_mm:
+                self._guide_from_base = self._slide_reached(position_mm)
+                self._moved(AxisReadback(self._commanded.base_from_flange, position_mm, self._commanded.table_rad))
+
+    def turn_table(self, angle_rad: float) -> None:
+        """Bring the table to a commanded angle."""
+        with self._lock:
+            if angle_rad != self._commanded.table_rad:
+                self._table_rad = self._angle_reached(angle_rad)
+                self._moved(AxisReadback(self._commanded.base_from_flange, self._commanded.guide_mm, angle_rad))
+
+    def _moved(self, commanded: AxisReadback) -> None:
+        self._commanded = commanded
+        self._state += 1
+
+    def _flange_reached(self, commanded: RigidTransform) -> RigidTransform:
+        return self._truth.robot.true_pose(commanded, self._moves) if self._truth.robot else commanded
+
+    def _slide_reached(self, commanded_mm: float) -> RigidTransform:
+        if self._truth.guide:
+            return self._truth.guide.guide_from_base(commanded_mm, self._moves)
+        return self._truth.calibration.guide.guide_from_base(commanded_mm)
+
+    def _angle_reached(self, commanded_rad: float) -> float:
+        return self._truth.table.true_angle_rad(commanded_rad, self._moves) if self._truth.table else commanded_rad
+
+    # light
+
+    def load_patterns(self, images: ImageArray | FloatArray) -> None:
+        """Give the projector its images (n, h, w): uint8, or floats 0…1 for an ideal projector."""
+        with self._lock:
+            self._patterns = projected(images, self.options.light)
+            self._shown = DARK
+
+    def show(self, index: int) -> None:
+        """Show pattern ``index``, PLAIN_LIGHT for the head lamp, DARK for neither."""
+        with self._lock:
+            self._shown = index
+
+    @property
+    def shown(self) -> int:
+        """What is shown."""
+        return self._shown
+
+    # images
+
+    def image(self, camera: str, exposure_us: int) -> ImageArray:
+        """Return what ``camera`` sees now, with noise."""
+        with self._lock:
+            mean = self.mean_image(camera, exposure_us)
+            self._images += 1
+            return read_out(mean, self.description.camera(camera).bit_depth, self.options.sensor, self._noise_key + self._images)
+
+    def mean_image(self, camera: str, exposure_us: int) -> FloatArray:
+        """Return what ``camera`` sees now on average, (H, W) float32 as a share of full scale, not yet limited to it."""
+        with self._lock:
+            light = self._light_map(camera)
+            settings = self.options.light
+            if self._shown == DARK:
+                return exposed(light, np.zeros((2, 2), np.float32), exposure_us, settings)
+            pattern = None if self._shown == PLAIN_LIGHT else self._patterns[self._shown]
+            return exposed(light, pattern, exposure_us, settings)
+
+    def _light_map(self, camera: str) -> FloatArray:
+        state, light = self._light_maps.get(camera, (-1, None))
+        if light is None:
+            described = self.description.camera(camera)
+            light = np.empty((described.height_px, described.width_px, 4), np.float32)
+        if state != self._state:
+            self._fill(camera, light)
+            self._light_maps[camera] = (self._state, light)
+        return light
+
+    def _fill(self, camera: str, light: FloatArray) -> None:
+        if self._table_holds == "empty":
+            light[:] = 0.0
+            return
+        calibration = self._truth.calibration.cameras.cameras[camera]
+        scene_from_reference = self.scene_from_camera()
+        lights = Lights(self._truth.projector, scene_from_reference @ self._truth.camera_from_projector, self.description.standoff_mm)
+        seen: Surface | PrintedBoard = self._printed if self._table_holds == "board" else self._part_surface()
+        seen.lit(calibration.pinhole, scene_from_reference @ calibration.reference_from_camera, lights, light)
+
+    def _part_surface(self) -> Surface:
+        if self._surface is None:
+            self._surface = Surface(self.part)
+        return self._surface
+
+    # truth: for demonstrations and tests only
+
+    def truth(self) -> Truth:
+        """Return the hidden values."""
+        return self._truth
+
+    def true_surface(self, frame: str = "table") -> Mesh:
+        """Return the part's surface at table angle 0 in the true table frame (of which the part frame is the turning copy)."""
+        mesh = self.part.mesh.seen_from(self._truth.table_from_nominal)
+        return mesh.seen_from(RigidTransform.identity(frame, "table"))
+
+    def true_board_corners_mm(self) -> FloatArray:
+        """Return the board's true corners (N, 3) in frame `board`, its bow included."""
+        return self._printed.corners_mm()
+
+    def guide_from_camera(self) -> RigidTransform:
+        """Return where the reference camera truly stands now."""
+        return self._guide_from_base @ self._base_from_flange @ self._truth.calibration.hand_eye.flange_from_camera
+
+    def scene_from_camera(self) -> RigidTransform:
+        """Return where the reference camera truly stands now, seen from the thing on the table (frame `nominal` or `board`)."""
+        part_from_table = RigidTransform.from_parts(rotation_about([0, 0, 1], -self._table_rad), np.zeros(3), "table", "table")
+        thing = self._truth.table_from_board if self._table_holds == "board" else self._truth.table_from_nominal
+        return thing.inverse() @ part_from_table @ self._truth.calibration.table_from_guide @ self.guide_from_camera()
+
+
+def _home() -> RigidTransform:
+    forward, right = np.array([0.8, 0.0, -0.6]), np.array([0.0, -1.0, 0.0])
+    return RigidTransform.from_parts(np.column_stack([right, np.cross(forward, right), forward]), HOME_MM, "base", "flange")
+
+
+def _displayed(pose: RigidTransform) -> RigidTransform:
+    quaternion = np.round(pose.quaternion_wxyz, QUATERNION_DIGITS)
+    position = np.round(pose.translation_mm / POSE_STEP_MM) * POSE_STEP_MM
+    return RigidTransform.from_quaternion(quaternion, position, pose.to_frame, pose.from_frame)

@@ -1,0 +1,61 @@
+"""Connects the virtual rig: all its devices share one world."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import cast
+
+from pydantic import ValidationError
+
+from measureapp.data.rig import RigDescription
+from measureapp.devices.rig import Rig
+from measureapp.errors import DeviceError
+from measureapp.simulate.parts import make_part
+from measureapp.simulate.world import Held, World
+
+from .axes import VirtualGuide, VirtualRobot, VirtualTable
+from .head import VirtualCamera, VirtualProjector
+from .settings import VirtualRigSettings
+from .waiting import Clock, ScaledClock
+
+THINGS = ("board", "part", "empty")
+
+
+def connect(description: RigDescription, settings: Mapping[str, object]) -> Rig:
+    """Build a world from settings and connect to it.
+
+    Raises
+    ------
+    DeviceError
+        A setting is wrong; names it.
+    InputError
+        The part cannot be read.
+    """
+    try:
+        chosen = VirtualRigSettings.model_validate(dict(settings))
+    except ValidationError as error:
+        first = error.errors()[0]
+        place = ".".join(str(part) for part in first["loc"])
+        raise DeviceError(f"Virtual rig: setting {place}: {first['msg']}.", "Correct it in the rig's driver_settings.") from error
+    world = World(description, make_part(chosen.part), chosen.seed, chosen.board, chosen.world)
+    return rig_of(world, ScaledClock(chosen.time_scale))
+
+
+def rig_of(world: World, clock: Clock | None = None) -> Rig:
+    """Connect to a world that exists already; without a clock nothing ever waits."""
+    time = clock or ScaledClock(0.0)
+
+    def place_on_table(thing: str) -> None:
+        if thing not in THINGS:
+            raise DeviceError(f"The virtual rig has no {thing!r} to put on the table.", f"Ask for one of: {', '.join(THINGS)}.")
+        world.table_holds = cast(Held, thing)
+
+    return Rig(
+        description=world.description,
+        cameras={camera.name: VirtualCamera(camera, world, time) for camera in world.description.cameras},
+        projector=VirtualProjector(world, time),
+        robot=VirtualRobot(world, time),
+        guide=VirtualGuide(world, time),
+        table=VirtualTable(world, time),
+        place_on_table=place_on_table,
+    )

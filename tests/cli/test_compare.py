@@ -1,0 +1,88 @@
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from measureapp.cli import main
+from measureapp.geometry.transform import RigidTransform
+from measureapp.inspection.measured import sampled
+from measureapp.project.geometry_files import read_mesh
+from measureapp.resources import resource
+
+NOMINAL = resource("parts/gypsum/nominal.stl")
+PLACED = RigidTransform.from_vector([0.01, -0.02, 0.5], [10, -5, 3], "part", "nominal")
+
+
+@pytest.fixture(scope="module")
+def cloud(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("clouds") / "cloud.xyz"
+    points = sampled(read_mesh(NOMINAL), 30_000)
+    assert points.normals is not None
+    noisy = points.points_mm + np.random.default_rng(1).normal(0, 0.02, (len(points), 1)) * points.normals
+    np.savetxt(path, PLACED.apply(noisy), fmt="%.6f")
+    return path
+
+
+def answer(capsys: pytest.CaptureFixture[str], *arguments: str) -> dict:
+    assert main(["compare", *arguments, "--json"]) == 0
+    return json.loads(capsys.readouterr().out)
+
+
+def test_a_best_fit_finds_the_part_and_leaves_the_noise(cloud: Path, capsys) -> None:
+    document = answer(capsys, str(cloud), str(NOMINAL))
+    assert set(document["deviation_mm"]) == {"mean", "rms", "p95", "min", "max"}
+    assert document["deviation_mm"]["rms"] == pytest.approx(0.02, rel=0.1)
+    assert document["unmeasured_share"] < 0.01
+    assert document["alignment"]["name"] == "best fit"
+    back = np.array(document["alignment"]["matrix"]) @ PLACED.matrix
+    half_turn = np.diag([-1.0, -1.0, 1.0, 1.0])
+    assert min(np.abs(back - np.eye(4)).max(), np.abs(back - half_turn).max()) < 0.01
+
+
+@pytest.mark.parametrize("as_json", [True, False])
+def test_a_given_alignment_is_used_and_named(as_json: bool, cloud: Path, tmp_path: Path, capsys) -> None:
+    path = tmp_path / "matrix.txt"
+    matrix = PLACED.inverse().matrix
+    if as_json:
+        path.write_text(json.dumps({"matrix": matrix.tolist()}))
+    else:
+        np.savetxt(path, matrix)
+    document = answer(capsys, str(cloud), str(NOMINAL), "--align", str(path))
+    assert document["alignment"]["name"] == "given: matrix.txt"
+    assert document["deviation_mm"]["rms"] == pytest.approx(0.02, rel=0.1)
+
+
+def test_without_alignment_the_displacement_is_seen(cloud: Path, capsys) -> None:
+    document = answer(capsys, str(cloud), str(NOMINAL), "--align", "none")
+    assert document["alignment"]["name"].startswith("none")
+    assert document["deviation_mm"]["max"] > 1
+
+
+@pytest.mark.parametrize(
+    ("text", "complaint"),
+    [
+        ("1 2 3", "16 finite numbers"),
+        ("a b", "numbers only"),
+        ("2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1", "not a rigid transform"),
+        ("[1, {}]", "numbers only"),
+    ],
+)
+def test_a_matrix_that_is_none_is_refused(text: str, complaint: str, cloud: Path, tmp_path: Path, capsys) -> None:
+    path = tmp_path / "matrix.txt"
+    path.write_text(text)
+    assert main(["compare", str(cloud), str(NOMINAL), "--align", str(path)]) == 2
+    err = capsys.readouterr().err
+    assert complaint in err and "matrix.txt" in err
+
+
+def test_a_nominal_that_does_not_exist_is_refused(cloud: Path, capsys) -> None:
+    assert main(["compare", str(cloud), "absent.stl"]) == 2
+    assert "absent.stl" in capsys.readouterr().err
+
+
+def test_an_unknown_alignment_is_refused(cloud: Path, capsys) -> None:
+    assert main(["compare", str(cloud), str(NOMINAL), "--align", "best"]) == 2
+    assert "best-fit" in capsys.readouterr().err

@@ -1,0 +1,68 @@
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from measureapp.cli.main import main
+
+
+@pytest.fixture
+def cone(tmp_path: Path) -> Path:
+    rng = np.random.default_rng(1)
+    a, h = rng.uniform(0, 6, 200), rng.uniform(-10, 10, 200)
+    radius = 30 - h * np.tan(np.radians(20))
+    path = tmp_path / "cone.txt"
+    np.savetxt(path, np.column_stack([radius * np.cos(a), radius * np.sin(a), h]))
+    return path
+
+
+def test_a_fit_answers_in_one_json_document(cone: Path, capsys: pytest.CaptureFixture[str]):
+    assert main(["fit", "cone", str(cone), "--json"]) == 0
+    answer = json.loads(capsys.readouterr().out)
+    assert answer["half_angle_deg"] == pytest.approx(20, abs=1e-9)
+    assert answer["radius_mm"] == pytest.approx(30 - answer["point_mm"][2] * np.tan(np.radians(20)), abs=1e-9)
+    assert {"form_error_mm", "rms_mm", "direction", "standard_deviations", "left_out"} <= answer.keys()
+    assert "half_angle_deg" in answer["standard_deviations"]
+
+
+def test_a_fit_answers_people_too(cone: Path, capsys: pytest.CaptureFixture[str]):
+    assert main(["fit", "plane", str(cone), "--robust"]) == 0
+    assert "form_error_mm" in capsys.readouterr().out
+
+
+def test_a_minimum_zone_is_narrower_than_least_squares(cone: Path, capsys: pytest.CaptureFixture[str]):
+    widths = []
+    for criterion in ("least-squares", "minimum-zone"):
+        assert main(["fit", "plane", str(cone), "--criterion", criterion, "--json"]) == 0
+        widths.append(json.loads(capsys.readouterr().out)["form_error_mm"])
+    assert widths[1] < widths[0]
+
+
+@pytest.mark.parametrize(
+    ("content", "arguments", "said"),
+    [
+        ("1 2 3\n4 5 6\n", ["plane"], "at least 3 points"),
+        ("1 2 3\n4 five 6\n7 8 9\n", ["plane"], "line 2"),
+        ("", ["plane"], "empty"),
+        ("1 2\n3 4\n", ["plane"], "line 1"),
+        ("0 0 0\n1 1 1\n2 2 2\n", ["circle"], "do not determine"),
+        ("0 0 0\n1 0 0\n0 1 0\n", ["circle", "--criterion", "minimum-zone"], "not offered"),
+    ],
+)
+def test_bad_points_are_refused_in_words(tmp_path: Path, capsys: pytest.CaptureFixture[str], content: str, arguments: list[str], said: str):
+    path = tmp_path / "points.txt"
+    path.write_text(content)
+    assert main(["fit", arguments[0], str(path), *arguments[1:], "--json"]) == 2
+    refusal = json.loads(capsys.readouterr().out)["error"]
+    assert said in refusal["message"] and refusal["hint"]
+
+
+def test_any_ending_may_hold_points(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
+    path = tmp_path / "points.dat"
+    path.write_text("0 0 1\n1 0 1\n0 1 1\n1 1 1\n")
+    assert main(["fit", "plane", str(path)]) == 0
+    assert main(["fit", "plane", str(tmp_path / "none.dat")]) == 2
+    assert "Traceback" not in capsys.readouterr().err

@@ -1,0 +1,52 @@
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from measureapp.cli import main
+from measureapp.inspection.measured import sampled
+from measureapp.project.geometry_files import read_mesh
+from measureapp.resources import resource
+
+PROGRAM = resource("parts/gypsum/program.toml")
+
+
+@pytest.fixture(scope="module")
+def clouds(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    folder = tmp_path_factory.mktemp("clouds")
+    points = sampled(read_mesh(resource("parts/gypsum/nominal.stl")), 40_000)
+    rng = np.random.default_rng(2)
+    seen = points.points_mm[points.points_mm[:, 2] > 0.01] + rng.normal(0, 0.01, (int(np.sum(points.points_mm[:, 2] > 0.01)), 3))
+    made = {"good": seen, "grown": seen * [1.002, 1.0, 1.0], "metres": seen / 1000}
+    for name, values in made.items():
+        np.savetxt(folder / f"{name}.xyz", values, fmt="%.6f")
+    return {name: folder / f"{name}.xyz" for name in made}
+
+
+def test_measuring_a_good_part_answers_its_dimensions_and_ends_with_0(clouds, capsys) -> None:
+    assert main(["measure", str(clouds["good"]), str(PROGRAM), "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert [dimension["name"] for dimension in document["dimensions"]] == ["a", "b", "c", "d"]
+    assert all(dimension["verdict"] == "pass" and abs(dimension["error"]) < 0.01 for dimension in document["dimensions"])
+    assert document["alignment"]["name"] == "best fit"
+    assert "ISO 14253-1" in document["verdict_rule"]
+
+
+def test_a_dimension_out_of_tolerance_ends_with_1(clouds, capsys) -> None:
+    assert main(["measure", str(clouds["grown"]), str(PROGRAM)]) == 1
+    out = capsys.readouterr().out
+    assert "✗ a" in out and "✓ b" in out
+
+
+def test_a_cloud_in_metres_is_bad_input_and_the_unit_is_named(clouds, capsys) -> None:
+    assert main(["measure", str(clouds["metres"]), str(PROGRAM), "--json"]) == 2
+    error = json.loads(capsys.readouterr().out)["error"]
+    assert error["type"] == "InspectionError" and "metres" in error["message"] and error["hint"]
+
+
+def test_a_missing_program_is_bad_input(clouds, capsys) -> None:
+    assert main(["measure", str(clouds["good"]), "absent.toml"]) == 2
+    assert "absent.toml" in capsys.readouterr().err

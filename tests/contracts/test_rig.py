@@ -1,0 +1,42 @@
+"""What every rig driver must do."""
+
+from __future__ import annotations
+
+import pytest
+
+from measureapp.devices.rig import Rig
+from measureapp.errors import DeviceError
+
+
+def test_every_described_camera_is_connected(rig: Rig) -> None:
+    assert set(rig.cameras) == {camera.name for camera in rig.description.cameras}
+    for described in rig.description.cameras:
+        camera = rig.cameras[described.name]
+        assert (camera.serial, camera.width_px, camera.height_px, camera.bit_depth) == (
+            described.serial,
+            described.width_px,
+            described.height_px,
+            described.bit_depth,
+        )
+
+
+def test_the_readback_gathers_every_axis(rig: Rig) -> None:
+    rig.guide.move_to(30.0, timeout_s=10.0)
+    rig.table.move_to(0.5, timeout_s=10.0)
+    readback = rig.readback()
+    assert readback.guide_mm == rig.guide.position_mm()
+    assert readback.table_rad == rig.table.angle_rad()
+    assert (readback.base_from_flange.matrix == rig.robot.pose().matrix).all()
+
+
+def test_the_table_takes_board_and_part_and_refuses_anything_else(rig: Rig) -> None:
+    for thing in ("board", "part", "empty"):
+        rig.place_on_table(thing)
+    with pytest.raises(DeviceError, match="teapot"):
+        rig.place_on_table("teapot")
+
+
+def test_all_devices_can_be_stopped_at_rest(rig: Rig) -> None:
+    rig.stop_all()
+    rig.guide.move_to(1.0, timeout_s=10.0)
+    assert rig.guide.position_mm() == pytest.approx(1.0, abs=0.01)

@@ -1,0 +1,176 @@
+from __future__ import annotations
+
+from math import erfc, pi, sqrt, tau
+
+import numpy as np
+import pytest
+
+from measureapp.data.fringe import PAPER_PATTERNS, FringeStack, PatternSet
+from measureapp.data.phase import PixelState
+from measureapp.errors import DecodeError
+from measureapp.fringe import kernels
+from measureapp.fringe.decode import decode
+from measureapp.fringe.exposure import synthesise
+from measureapp.fringe.noise import CameraNoise, phase_sigma
+from measureapp.fringe.phase_shift import wrapped_phase
+from measureapp.fringe.settings import DecodeSettings
+from tests.fringe.conftest import EXPOSURES_US, images_of, ramp, stack_of
+
+
+def predicted_sigma(mean: float, modulation: float) -> float:
+    return float(phase_sigma(4, np.sqrt(CameraNoise().variance(np.array(mean), 255)), np.array(modulation)))
+
+
+def test_every_kind_of_set_recovers_noisy_columns(sets: dict[str, PatternSet]) -> None:
+    column = ramp()
+    for name, patterns in sets.items():
+        decoded = decode(stack_of(images_of(column, patterns), patterns))["left"]
+        error = (decoded.column_px - column)[decoded.valid] * tau / patterns.finest_pitch_px
+        assert decoded.valid.mean() > 0.98, name
+        assert np.abs(error).max() < 7 * decoded.sigma_rad[decoded.valid].max(), name
+        assert error.std() == pytest.approx(float(np.sqrt((decoded.sigma_rad[decoded.valid] ** 2).mean())), rel=0.12), name
+
+
+def test_phase_noise_is_at_most_1_12_times_the_prediction_and_falls_by_averaging_pitches_and_exposures() -> None:
+    column = ramp(100, 400)
+    one = decode(stack_of(images_of(column, PAPER_PATTERNS)))["left"]
+    all_five = decode(stack_of(images_of(column, PAPER_PATTERNS, EXPOSURES_US), exposures_us=EXPOSURES_US))["left"]
+    single = predicted_sigma(110, 80)
+    for decoded, gain in ((one, sqrt(2)), (all_five, sqrt(2) * sqrt(3))):  # five exposures carry three times the light
+        error = ((decoded.column_px - column) * tau / 32)[decoded.valid]
+        assert error.std() < 1.12 * single / gain
+        assert error.std() > 0.9 * single / gain
+
+
+def test_the_rate_of_order_errors_is_the_predicted_one_and_the_vote_mends_them() -> None:
+    column = ramp(150, 600)
+    images = images_of(column, PAPER_PATTERNS, mean=80.0, modulation=45.0)
+    expected = erfc(pi / (45.97 * sqrt(2) * predicted_sigma(80, 45)))
+    raw = decode(stack_of(images.copy()), DecodeSettings(vote_radius=0, residual_gate=0.5, edge_step_rad=1e6))["left"]
+    mended = decode(stack_of(images.copy()))["left"]
+    rates = [float((np.abs(each.column_px - column)[each.valid] > 16).mean()) for each in (raw, mended)]
+    assert rates[0] == pytest.approx(expected, rel=0.25)
+    assert rates[1] < 1e-5
+    assert mended.valid.mean() > 0.99
+
+
+def test_orders_without_support_are_marked_and_never_let_out() -> None:
+    column = ramp(100, 400)
+    decoded = decode(stack_of(images_of(column, PAPER_PATTERNS, mean=30.0, modulation=12.0)))["left"]
+    wrong = np.abs(decoded.column_px - column)[decoded.valid] > 16
+    assert wrong.mean() < 0.02
+    assert (decoded.state == PixelState.ORDER_CONFLICT).sum() > 100
+
+
+def test_highlights_and_dark_places_are_told_apart() -> None:
+    column = ramp(40, 200)
+    mean, modulation = np.full(column.shape, 110.0), np.full(column.shape, 80.0)
+    mean[:10], modulation[:10] = 900, 700  # saturated above 20 ms
+    mean[10:20], modulation[10:20] = 3000, 2500  # in every exposure
+    mean[20:30], modulation[20:30] = 12, 1
+    decoded = decode(stack_of(images_of(column, PAPER_PATTERNS, EXPOSURES_US, mean, modulation), exposures_us=EXPOSURES_US))["left"]
+    assert (decoded.state[10:20] == PixelState.SATURATED).mean() > 0.95
+    assert (decoded.state[21:29] == PixelState.DARK).all()
+    assert decoded.valid[32:].all()
+    assert (decoded.exposure_index[10:20] == -1).mean() > 0.95
+    assert (decoded.phase_rad[~decoded.valid] == 0).all()
+
+
+def test_highlights_take_the_brightest_unsaturated_exposure_by_the_papers_rule() -> None:
+    column = ramp(20, 200)
+    images = images_of(column, PAPER_PATTERNS, EXPOSURES_US, 300.0, 190.0, seed=None)  # peaks 490, 392, 294, 196, 98
+    for rule in ("paper", "combined"):
+        decoded = decode(stack_of(images.copy(), exposures_us=EXPOSURES_US), DecodeSettings(rule=rule))["left"]
+        bright = images.max(axis=1) >= 255
+        expected = np.argmax(~bright, axis=0)
+        assert (decoded.exposure_index == expected)[decoded.valid].all()
+        assert decoded.valid_ratio_composite >= max(decoded.valid_ratio_exposures)
+        share = np.array(EXPOSURES_US)[expected] / EXPOSURES_US[0]
+        assert np.abs(decoded.modulation - 190 * share)[decoded.valid].max() < 1.5
+
+
+def test_valid_ratios_count_pixels_above_zero_and_below_saturation() -> None:
+    column = ramp(20, 200)
+    images = images_of(column, PAPER_PATTERNS, EXPOSURES_US, 150.0, 148.0)
+    decoded = decode(stack_of(images.copy(), exposures_us=EXPOSURES_US))["left"]
+    counted = ((images > 0) & (images < 255)).all(axis=1).mean(axis=(1, 2))
+    assert decoded.valid_ratio_exposures == pytest.approx(counted)
+
+
+def test_one_pitch_may_take_another_exposure_where_exposures_are_chosen_per_frequency() -> None:
+    column = ramp(20, 200)
+    images = images_of(column, PAPER_PATTERNS, EXPOSURES_US, seed=None)
+    images[0, 0] = 255  # spoils the first pitch at the longest exposure only
+    joint = synthesise(stack_of(images.copy(), exposures_us=EXPOSURES_US), "left", DecodeSettings(rule="paper"))
+    apart = synthesise(stack_of(images.copy(), exposures_us=EXPOSURES_US), "left", DecodeSettings(rule="paper", joint=False))
+    assert (joint.used == 0b10).all()
+    assert (apart.used[0] == 0b10).all()
+    assert (apart.used[1] == 0b01).all()
+
+
+def test_the_kernel_agrees_with_the_reference() -> None:
+    images = np.random.default_rng(3).integers(5, 250, (1, 8, 40, 50)).astype(np.uint8)
+    wrapped = synthesise(stack_of(images), "left", DecodeSettings())
+    for group in range(2):
+        phase, modulation, mean = wrapped_phase(images[0, 4 * group : 4 * group + 4].astype(float))
+        sigma = phase_sigma(4, np.sqrt(CameraNoise().variance(mean, 255)), modulation)
+        clear = modulation.ravel() > 1
+        difference = np.angle(np.exp(1j * (wrapped.phase_rad[group] - phase.ravel())))
+        assert np.abs(difference[clear]).max() < 1e-6
+        assert np.sqrt(wrapped.variance[group])[clear] == pytest.approx(sigma.ravel()[clear], rel=1e-4)
+
+
+def test_the_polynomial_arc_tangent_is_exact_to_float_precision() -> None:
+    angle = np.linspace(-np.pi, np.pi, 20001)[1:-1].astype(np.float32)
+    found = np.array([kernels.fast_atan2(np.float32(np.sin(a)), np.float32(np.cos(a))) for a in angle[::20]])
+    assert np.abs(found - angle[::20]).max() < 5e-7
+
+
+def test_a_twelve_bit_camera_decodes_as_well_as_an_eight_bit_one() -> None:
+    column = ramp(30, 200)
+    images = images_of(column, PAPER_PATTERNS, mean=1770.0, modulation=1285.0, saturation=4095)
+    decoded = decode(stack_of(images, saturation=4095))["left"]
+    assert decoded.valid.mean() > 0.99
+    assert ((decoded.column_px - column) * tau / 32)[decoded.valid].std() < 1.12 * predicted_sigma(110, 80) / sqrt(2)
+
+
+def test_a_step_in_depth_is_marked_as_edge() -> None:
+    column = ramp(30, 200, 100, 700)
+    column[:, 100:] += 200
+    decoded = decode(stack_of(images_of(column, PAPER_PATTERNS)))["left"]
+    assert (decoded.state[:, 99:101] == PixelState.EDGE).all()
+    assert decoded.valid[:, :98].mean() > 0.99
+
+
+def test_columns_beyond_the_projector_are_out_of_range() -> None:
+    decoded = decode(stack_of(images_of(ramp(20, 300, 900, 1038), PAPER_PATTERNS)))["left"]
+    assert (decoded.state == PixelState.OUT_OF_RANGE)[:, -15:].mean() > 0.95
+
+
+def test_patterns_that_start_with_a_trough_are_recognised(sets: dict[str, PatternSet]) -> None:
+    column = ramp(40, 500)
+    for name in ("two pitches", "three pitches", "complementary gray"):
+        patterns = sets[name]
+        images = images_of(column, patterns)
+        bits = sum(group.count for group in patterns.groups if group.kind == "phase-shift")
+        images[:, :bits] = 220 - images[:, :bits]
+        decoded = decode(stack_of(images, patterns))["left"]
+        assert decoded.details["origin_rad"] == pytest.approx(-pi)
+        error = decoded.phase_rad + pi - column * tau / patterns.finest_pitch_px
+        assert decoded.valid.mean() > 0.97, name
+        assert np.abs(error[decoded.valid]).max() < 0.3, name
+
+
+def test_the_wrong_shift_sign_is_recognised_against_a_gray_code(sets: dict[str, PatternSet]) -> None:
+    patterns = sets["complementary gray"]
+    images = images_of(ramp(), patterns)
+    with pytest.raises(DecodeError, match="against the Gray code") as raised:
+        decode(stack_of(images, patterns.model_copy(update={"shift_sign": 1})))
+    assert "shift_sign" in raised.value.hint
+
+
+def test_images_that_do_not_fit_the_set_are_refused() -> None:
+    with pytest.raises(DecodeError, match="1 exposures of 8 images"):
+        decode(stack_of(np.zeros((1, 7, 5, 5), np.uint8)))
+    with pytest.raises(DecodeError, match="float32 images"):
+        decode(FringeStack("v", PAPER_PATTERNS, (1,), {"left": np.zeros((1, 8, 5, 5), np.float32)}, 255))

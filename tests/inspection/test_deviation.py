@@ -1,0 +1,65 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from measureapp.data.mesh import Mesh
+from measureapp.errors import InspectionError
+from measureapp.inspection.alignment import no_alignment
+from measureapp.inspection.deviation import deviation, signed_distances
+from measureapp.inspection.measured import MeasuredPoints, sampled
+from measureapp.inspection.nominal_surface import NominalSurface
+
+
+def box_distance(points: np.ndarray, half: np.ndarray) -> np.ndarray:
+    """Signed distance from a box, in closed form."""
+    q = np.abs(points) - half
+    return np.linalg.norm(np.maximum(q, 0), axis=1) + np.minimum(q.max(axis=1), 0)
+
+
+def box(half: np.ndarray) -> Mesh:
+    import trimesh
+
+    made = trimesh.creation.box(2 * half)
+    return Mesh(made.vertices, made.faces, "nominal")
+
+
+def test_signed_distances_from_a_box_are_those_of_the_closed_form_at_faces_edges_and_corners() -> None:
+    half, rng = np.array([50.0, 30.0, 20.0]), np.random.default_rng(1)
+    points = rng.uniform(-1.3, 1.3, (4000, 3)) * half
+    found = signed_distances(points, NominalSurface(box(half)))
+    assert np.allclose(found, box_distance(points, half), atol=2e-4)
+
+
+def test_an_open_surface_has_signs_on_both_sides(samples) -> None:
+    sheet = Mesh([[0, 0, 0], [40, 0, 0], [40, 40, 0], [0, 40, 0]], [[0, 1, 2], [0, 2, 3]], "nominal")
+    above = np.array([[10, 10, 0.5], [20, 20, -0.25]])
+    assert np.allclose(signed_distances(above, NominalSurface(sheet)), [0.5, -0.25], atol=1e-6)
+
+
+def test_noise_and_offset_of_a_cloud_come_back_as_rms_and_mean(samples) -> None:
+    nominal, rng = samples("gypsum").nominal, np.random.default_rng(3)
+    points = sampled(nominal, 50_000)
+    assert points.normals is not None
+    moved = points.points_mm + (0.1 + 0.03 * rng.standard_normal(len(points)))[:, None] * points.normals
+    found = deviation(MeasuredPoints(moved), nominal, no_alignment())
+    assert found.mean_mm == pytest.approx(0.1, abs=0.002)
+    assert found.rms_mm == pytest.approx(np.hypot(0.1, 0.03), abs=0.002)
+    assert found.min_mm < found.mean_mm < found.p95_mm < found.max_mm
+    assert found.unmeasured_share == pytest.approx(0.0, abs=0.001)
+
+
+def test_the_unmeasured_share_is_the_area_without_points() -> None:
+    half = np.array([50.0, 30.0, 20.0])
+    points = sampled(box(half), 60_000)
+    seen = points.points_mm[points.points_mm[:, 2] > -19.99]  # all but the underside and what lies near it
+    share = 60 * 100 / (2 * (100 * 60 + 100 * 40 + 60 * 40))
+    border = 2 * (100 + 60) * 2.0 / (2 * (100 * 60 + 100 * 40 + 60 * 40))  # a strip 2 mm wide counts as near
+    found = deviation(MeasuredPoints(seen), box(half), no_alignment())
+    assert share - border - 0.01 < found.unmeasured_share < share
+
+
+def test_a_nominal_without_area_is_refused() -> None:
+    line = Mesh([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]], "nominal")
+    with pytest.raises(InspectionError, match="no surface"):
+        deviation(MeasuredPoints(np.zeros((3, 3))), line, no_alignment())

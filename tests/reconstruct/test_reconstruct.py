@@ -1,0 +1,167 @@
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from measureapp.data.phase import PixelState
+from measureapp.errors import ReconstructError
+from measureapp.progress import CallbackProgress, Cancelled
+from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
+from measureapp.reconstruct.rectifier import Rectifier
+from measureapp.reconstruct.settings import ReconstructSettings
+from tests.reconstruct.conftest import Head, make_head, nearest, plane, sphere
+
+SIGMA_RAD = 0.012
+NORMAL = np.array([-0.2, -0.1, 1.0]) / np.linalg.norm([-0.2, -0.1, 1.0])
+FLOAT32_PHASE_MM = 3e-3  # half a unit of a float32 phase near 200 rad and the rounding of float32 rays, in depth, six-fold
+
+
+@pytest.fixture(scope="module")
+def rectifier(head: Head) -> Rectifier:
+    return Rectifier(head.cameras)
+
+
+def off_plane(head: Head, made: Reconstruction) -> np.ndarray:
+    """Signed distance to the plane through (0, 0, 550) along the viewing ray of the first camera."""
+    points = head.head_from_reference.apply(made.cloud.points_mm)
+    rays = head.head_from_reference.rotate(made.cloud.points_mm / np.linalg.norm(made.cloud.points_mm, axis=1)[:, None])
+    return ((points - [0, 0, 550]) @ NORMAL) / (rays @ NORMAL)
+
+
+def test_a_plane_without_noise_is_recovered_to_the_resolution_of_its_phase(head: Head, rectifier: Rectifier) -> None:
+    maps = head.phase_maps(plane(550, 0.2, 0.1))
+    made = reconstruct(maps, head.cameras, rectifier=rectifier)
+    assert len(made.cloud) > 0.99 * maps["left"].valid.sum()
+    assert np.abs(off_plane(head, made)).max() < FLOAT32_PHASE_MM
+    normals = head.head_from_reference.rotate(made.cloud.normals)
+    assert np.degrees(np.arccos(np.clip(-normals @ NORMAL, -1, 1))).max() < 0.1
+    assert made.cloud.frame == "camera"
+    assert np.allclose(made.cloud.grey, 0.4)
+    assert all(pair.epipolar_rms_px is not None and pair.epipolar_rms_px < 1e-3 for pair in made.pairs)
+    assert [pair.names for pair in made.pairs] == [("left", "right"), ("left", "upper"), ("right", "upper")]
+
+
+def test_the_scatter_of_a_noisy_plane_is_the_predicted_one_for_every_set_of_cameras(head: Head, rectifier: Rectifier) -> None:
+    made = reconstruct(head.phase_maps(plane(550, 0.2, 0.1), SIGMA_RAD, 1), head.cameras, rectifier=rectifier)
+    score = off_plane(head, made)[made.cloud.cameras != 6] / made.cloud.sigma_mm[made.cloud.cameras != 6]
+    assert score.std() == pytest.approx(1.0, abs=0.1)
+    for bits, least in ((7, 50_000), (5, 1_000)):
+        chosen = made.cloud.cameras == bits
+        assert chosen.sum() > least
+        assert (off_plane(head, made)[chosen] / made.cloud.sigma_mm[chosen]).std() == pytest.approx(1.0, abs=0.1)
+
+
+def test_a_third_camera_lowers_the_noise(head: Head, rectifier: Rectifier) -> None:
+    maps = head.phase_maps(plane(550, 0.2, 0.1), SIGMA_RAD, 1)
+    three = reconstruct(maps, head.cameras, rectifier=rectifier)
+    two = reconstruct(
+        {name: maps[name] for name in ("left", "right")}, head.cameras, ReconstructSettings(grid="image"), rectifier=rectifier
+    )
+    assert np.median(three.cloud.sigma_mm) < np.median(two.cloud.sigma_mm)
+    assert two.pairs[0].epipolar_rms_px is None
+
+
+def test_a_sphere_before_a_wall_has_no_false_points(head: Head, rectifier: Rectifier) -> None:
+    maps = head.phase_maps(nearest(sphere((20, -10, 500), 40), plane(560)), SIGMA_RAD, 2)
+    made = reconstruct(maps, head.cameras, rectifier=rectifier)
+    points = head.head_from_reference.apply(made.cloud.points_mm)
+    off = np.minimum(np.abs(np.linalg.norm(points - [20, -10, 500], axis=1) - 40), np.abs(points[:, 2] - 560))
+    assert (off > np.maximum(6 * made.cloud.sigma_mm, 0.3)).mean() < 1e-4
+    assert made.rejected["contradicted"] > 0
+    assert set(np.unique(made.cloud.cameras)) <= {3, 5, 6, 7}
+    unique = np.unique(made.cloud.pixel[made.cloud.cameras != 6], axis=0)
+    assert len(unique) == (made.cloud.cameras != 6).sum()
+
+
+def test_points_unseen_by_the_reference_camera_come_from_the_others_without_doubling(head: Head, rectifier: Rectifier) -> None:
+    maps = head.phase_maps(plane(550, 0.2, 0.1))
+    blind = maps["left"].state.copy()
+    blind[:, :100] = PixelState.SATURATED
+    maps["left"] = replace(maps["left"], state=blind)
+    made = reconstruct(maps, head.cameras, rectifier=rectifier)
+    extra = made.cloud.cameras == 6
+    assert extra.sum() > 5_000
+    assert np.abs(off_plane(head, made)[~extra]).max() < FLOAT32_PHASE_MM
+    left = head.cameras.cameras["left"].pinhole.project(made.cloud.points_mm[extra])
+    inside = (left > 0.5).all(axis=1) & (left[:, 0] < 323) & (left[:, 1] < 242)
+    assert (left[inside, 0] < 100.0).all()
+
+
+def test_two_cameras_give_the_same_plane_on_the_rectified_grid(head: Head, rectifier: Rectifier) -> None:
+    maps = head.phase_maps(plane(550, 0.2, 0.1), SIGMA_RAD, 3)
+    made = reconstruct({name: maps[name] for name in ("left", "right")}, head.cameras, rectifier=rectifier)
+    off = off_plane(head, made)
+    assert (off / made.cloud.sigma_mm).std() == pytest.approx(1.0, abs=0.1)
+    assert abs(off.mean()) < 4 * off.std() / np.sqrt(len(off) / 4)
+    native = head.cameras.cameras["left"].pinhole.project(made.cloud.points_mm)
+    assert np.abs(native - made.cloud.pixel[:, ::-1]).max() < 0.75
+
+
+def test_a_phase_that_another_camera_contradicts_gives_no_point(head: Head, rectifier: Rectifier) -> None:
+    maps = head.phase_maps(plane(550, 0.2, 0.1))
+    wrong = maps["left"].phase_rad.copy()
+    wrong[100:130, 150:180] += np.float32(2.5)  # a patch of the reference camera has a wrong order
+    maps["left"] = replace(maps["left"], phase_rad=wrong)
+    shifted = maps["right"].phase_rad + np.float32(0.0)
+    maps["right"] = replace(maps["right"], phase_rad=shifted)
+    made = reconstruct(maps, head.cameras, rectifier=rectifier)
+    assert made.rejected["contradicted"] > 300
+    assert np.abs(off_plane(head, made)).max() < 0.05
+
+
+def test_a_point_that_stands_alone_is_removed(head: Head, rectifier: Rectifier) -> None:
+    maps = head.phase_maps(plane(550, 0.2, 0.1))
+    state = np.full_like(maps["left"].state, PixelState.DARK)
+    state[50:200, 50:250] = PixelState.VALID
+    state[60:80, 60:80] = PixelState.DARK
+    state[70, 70] = PixelState.VALID
+    state[68:73, 61:66] = PixelState.VALID
+    made = reconstruct(
+        {"left": replace(maps["left"], state=state), "right": maps["right"]},
+        head.cameras,
+        ReconstructSettings(grid="image"),
+        rectifier=rectifier,
+    )
+    assert made.rejected["flying"] >= 1
+    assert made.rejected["flying"] + made.rejected["island"] == 26
+    lone = (made.cloud.pixel[:, 0] > 62) & (made.cloud.pixel[:, 0] < 78) & (made.cloud.pixel[:, 1] > 60) & (made.cloud.pixel[:, 1] < 78)
+    assert not lone.any()
+
+
+def test_grazing_surfaces_are_left_out_beyond_the_limit(head: Head, rectifier: Rectifier) -> None:
+    maps = head.phase_maps(plane(550, 0.2, 0.1))
+    made = reconstruct(maps, head.cameras, ReconstructSettings(max_incidence_deg=15.0), rectifier=rectifier)
+    cosine = -(made.cloud.normals * made.cloud.points_mm).sum(axis=1) / np.linalg.norm(made.cloud.points_mm, axis=1)
+    left = made.cloud.cameras != 6
+    assert np.degrees(np.arccos(cosine[left].min())) < 15.5
+    assert made.rejected["grazing"] > 0
+
+
+def test_a_calibration_of_other_cameras_is_refused_in_words(head: Head) -> None:
+    maps = head.phase_maps(plane(550))
+    with pytest.raises(ReconstructError, match="324 × 243"):
+        reconstruct(maps, make_head(16).cameras)
+    with pytest.raises(ReconstructError, match="'front' is not in the calibration"):
+        reconstruct({"front": maps["left"], "right": maps["right"]}, head.cameras)
+    with pytest.raises(ReconstructError, match="points need two"):
+        reconstruct({"left": maps["left"]}, head.cameras)
+    with pytest.raises(ReconstructError, match="different pitches"):
+        reconstruct({"left": maps["left"], "right": replace(maps["right"], pitch_px=33.0)}, head.cameras)
+    with pytest.raises(ReconstructError, match="needs two cameras"):
+        reconstruct(maps, head.cameras, ReconstructSettings(grid="rectified"))
+
+
+def test_empty_phase_maps_give_an_empty_cloud(head: Head, rectifier: Rectifier) -> None:
+    maps = {name: replace(each, state=np.full_like(each.state, PixelState.DARK)) for name, each in head.phase_maps(plane(550)).items()}
+    made = reconstruct(maps, head.cameras, rectifier=rectifier)
+    assert len(made.cloud) == 0
+
+
+def test_it_can_be_cancelled(head: Head, rectifier: Rectifier) -> None:
+    def stop(done: float, total: float, note: str) -> None:
+        raise Cancelled
+
+    with pytest.raises(Cancelled):
+        reconstruct(head.phase_maps(plane(550)), head.cameras, progress=CallbackProgress(stop), rectifier=rectifier)

@@ -1,0 +1,86 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from measureapp.data.cloud import PointCloud
+from measureapp.register.cloud_quality import judge, point_spacing_mm
+from measureapp.register.merge import merge
+from measureapp.register.settings import QualitySettings
+
+ABOVE = np.array([0.0, 0.0, 500.0])
+
+
+def plane(count: int, sigma_mm: float, seed: int, *, height_mm: float = 0.0, up: float = 1.0, half_mm: float = 30.0) -> PointCloud:
+    rng = np.random.default_rng(seed)
+    points = np.column_stack([rng.uniform(-half_mm, half_mm, (count, 2)), height_mm + rng.normal(0, sigma_mm, count)])
+    normals = np.column_stack([rng.normal(0, 0.03, (count, 2)), np.full(count, up)])
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    return PointCloud(
+        points, normals, np.full(count, sigma_mm), np.full(count, 0.5), np.full((count, 2), -1), np.ones(count), "part", f"v{seed}"
+    )
+
+
+def test_merging_lowers_the_noise_as_predicted():
+    views = [plane(15_000, 0.04, seed) for seed in range(6)]
+    merged = merge(views, [ABOVE] * 6, 0.5)
+    predicted = float(np.sqrt(np.mean(merged.sigma_mm.astype(float) ** 2)))
+    assert merged.points_mm[:, 2].std() == pytest.approx(predicted, rel=0.1)
+    assert predicted < 0.04 / 2
+    assert abs(merged.points_mm[:, 2].mean()) < 4 * 0.04 / np.sqrt(90_000)
+
+
+def test_the_better_view_weighs_more():
+    merged = merge([plane(20_000, 0.01, 1, height_mm=0.1), plane(20_000, 0.1, 2)], [ABOVE] * 2, 1.0)
+    assert merged.points_mm[:, 2].mean() == pytest.approx(0.1 * 100 / 101, abs=0.003)
+    assert np.mean(merged.view == 0) > 0.99
+
+
+def test_the_two_sides_of_a_thin_wall_never_mix():
+    merged = merge([plane(20_000, 0.02, 1, height_mm=1.0), plane(20_000, 0.02, 2, up=-1.0)], [ABOVE, -ABOVE], 0.6)
+    top = merged.normals[:, 2] > 0
+    assert np.abs(merged.points_mm[top, 2] - 1).max() < 0.12
+    assert np.abs(merged.points_mm[~top, 2]).max() < 0.12
+
+
+def test_islands_and_single_points_are_dropped():
+    stray = plane(40, 0.02, 3, height_mm=60.0, half_mm=1.0)
+    alone = plane(20, 0.02, 4, height_mm=-40.0)
+    merged = merge([plane(20_000, 0.02, 1), stray, alone], [ABOVE] * 3, 0.6, island_mm2=15)
+    assert np.abs(merged.points_mm[:, 2]).max() < 1
+
+
+def test_spacing_density_and_noise_are_those_the_cloud_was_made_with():
+    cloud = plane(18_000, 0.04, 1)
+    quality = judge(cloud)
+    assert quality.density_per_mm2 == pytest.approx(5.0, rel=0.1)
+    assert point_spacing_mm(np.asarray(cloud.points_mm)) == pytest.approx(1 / np.sqrt(5), rel=0.05)
+    assert quality.noise_mm == pytest.approx(0.04, rel=0.1)
+    assert quality.outlier_ratio < 0.01
+    assert quality.accepted and quality.reason == ""
+
+
+def test_a_large_cloud_is_judged_by_a_sample_to_the_same_figures():
+    quality = judge(plane(400_000, 0.04, 2, half_mm=140.0))
+    assert quality.density_per_mm2 == pytest.approx(400_000 / 280**2, rel=0.1)
+    assert quality.noise_mm == pytest.approx(0.04, rel=0.1)
+
+
+def test_a_poor_cloud_is_refused_with_every_reason():
+    quality = judge(plane(3_000, 0.3, 1, half_mm=60), QualitySettings(plane_radius_mm=6.0), completeness=0.01)
+    assert not quality.accepted
+    assert "per mm²" in quality.reason and "noise" in quality.reason and "visible surface" in quality.reason
+
+
+def test_outliers_are_counted():
+    rng = np.random.default_rng(5)
+    clean = plane(10_000, 0.02, 1)
+    points = np.array(clean.points_mm)
+    wrong = rng.choice(len(points), 1000, replace=False)
+    points[wrong, 2] += rng.uniform(5, 40, 1000) * rng.choice([-1, 1], 1000)
+    spoiled = PointCloud(points, clean.normals, clean.sigma_mm, clean.grey, clean.pixel, clean.cameras, "part", "v")
+    assert judge(spoiled).outlier_ratio == pytest.approx(0.1, abs=0.03)
+
+
+def test_a_cloud_of_a_few_points_is_refused():
+    assert judge(plane(20, 0.02, 1)).reason == "only 20 points"

@@ -1,0 +1,122 @@
+from __future__ import annotations
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from measureapp.data.dimension import Verdict
+from measureapp.data.mesh import Mesh
+from measureapp.errors import StorageError
+from measureapp.report.compose import compose, overall
+from measureapp.report.csv import csv_text
+from measureapp.report.documents import ALL_KINDS, write_documents
+from measureapp.report.html import html_text
+from measureapp.report.json_document import dimension_document, report_document
+from measureapp.report.part_pictures import diverging, nice_limit
+from measureapp.report.pdf import model_page_images, pdf_bytes, typst_document
+from measureapp.report.words import number, tolerance
+
+
+def test_pdf_csv_and_json_say_the_same_of_every_dimension(measured) -> None:
+    model = compose(measured(), pictures=False)
+    rows = list(csv.DictReader(io.StringIO(csv_text(model))))
+    document = json.loads(json.dumps(report_document(model)))
+    printed = typst_document(model)["dimensions"]
+    assert len(rows) == len(document["dimensions"]) == len(printed) == len(model.dimensions)
+    for row, entry, line, dimension in zip(rows, document["dimensions"], printed, model.dimensions, strict=True):
+        assert row["name"] == entry["name"] == line["name"] == dimension.name
+        assert row["verdict"] == entry["verdict"] == line["verdict"] == dimension.verdict.value
+        assert row["reason"] == entry["reason"] == dimension.reason
+        for key in ("measured", "error", "uncertainty"):
+            value = getattr(dimension, key)
+            assert entry[key] == value
+            assert (row[key] == "") if value is None else (float(row[key]) == pytest.approx(value, abs=1e-9))
+            assert line[key].startswith(number(value, signed=key == "error"))
+
+
+def test_the_json_form_of_a_dimension_is_the_one_of_the_command_line(measured) -> None:
+    first = dimension_document(measured().inspection.dimensions[0])
+    assert set(first) == {
+        "name", "nominal", "measured", "error", "relative_error", "uncertainty", "tolerance", "unit", "verdict", "reason",
+    }  # fmt: skip
+    assert first["relative_error"] == pytest.approx(0.0123456789 / 80)
+    assert first["tolerance"] == [-0.1, 0.1]
+
+
+def test_the_gravest_dimension_decides(measured) -> None:
+    dimensions = measured().inspection.dimensions
+    assert overall(dimensions) == (Verdict.FAIL, "Of 5 dimensions: 1 fail, 1 not proven, 1 not measured, 2 pass.")
+    assert overall(dimensions[2:]) == (Verdict.NOT_PROVEN, "Of 3 dimensions: 1 not proven, 1 not measured, 1 pass.")
+    assert overall(dimensions[:1]) == (Verdict.PASS, "The one dimension passes.")
+    assert overall(())[0] is None
+
+
+def test_a_report_with_everything_becomes_pages_with_pictures(measured, block) -> None:
+    measurement = measured()
+    model = compose(measurement, block)
+    assert pdf_bytes(model).startswith(b"%PDF-")
+    pages = model_page_images(model, ppi=40)
+    assert len(pages) == 2
+    assert all(page.startswith(b"\x89PNG") for page in pages)
+
+
+def test_many_views_run_over_to_further_pages(measured) -> None:
+    model = compose(measured(view_count=90), pictures=False)
+    assert len(model_page_images(model, ppi=20)) == 3
+
+
+@pytest.mark.parametrize("mesh", [True, False])
+def test_a_part_without_program_gets_a_report_that_says_so(mesh: bool, measured) -> None:
+    model = compose(measured(dimensions=None, mesh=mesh), pictures=mesh)
+    assert model.verdict is None and typst_document(model)["verdict"]["word"] == "NO VERDICT"
+    assert pdf_bytes(model).startswith(b"%PDF-")
+    assert "without an inspection program" in html_text(model)
+
+
+def test_names_with_the_signs_of_markup_are_printed_as_they_are(measured) -> None:
+    model = compose(measured(), pictures=False)
+    assert typst_document(model)["title"] == model.measurement.part
+    html = html_text(model)
+    assert html.count("<i>") == 1  # the template's own, around the reason of the dimension that was not measured
+    assert "&lt;i&gt; &amp;" in html
+
+
+def test_a_broken_template_is_named(measured, tmp_path: Path) -> None:
+    template = tmp_path / "mine.typ"
+    template.write_text("#let x = (")
+    with pytest.raises(StorageError, match=r"mine\.typ"):
+        pdf_bytes(compose(measured(), pictures=False), template)
+
+
+def test_all_documents_are_written_whole(measured, block, tmp_path: Path) -> None:
+    files = write_documents(compose(measured(), block), tmp_path / "out", ALL_KINDS)
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["report.csv", "report.html", "report.json", "report.pdf"]
+    document = json.loads(files["json"].read_text())
+    assert document["verdict"] == "fail"
+    assert document["deviation_mm"]["rms"] == pytest.approx(0.0, abs=1e-4)
+    assert document["views"][1]["verdict"].startswith("correction exceeds")
+
+
+def test_the_deviation_scale_is_symmetric_and_ends_on_a_round_number() -> None:
+    colours = diverging(np.array([-1.0, 0.0, 1.0]))
+    assert colours[0, 2] > colours[0, 0] and colours[2, 0] > colours[2, 2]  # blue below, red above
+    assert np.ptp(colours[1]) < 0.01
+    assert nice_limit(0.05) == 0.1
+
+
+def test_numbers_are_printed_with_a_true_minus_and_no_negative_zero() -> None:
+    assert number(-0.0001) == "0.000"
+    assert number(-1.5) == "−1.500"
+    assert tolerance(-0.1, 0.1) == "± 0.1"
+    assert tolerance(-0.1, 0.05) == "−0.1 / +0.05"
+
+
+def test_a_cloud_that_does_not_match_the_nominal_is_reported_without_deviation_and_says_why(measured, block) -> None:
+    tiny = Mesh(np.asarray(block.vertices_mm) / 1000, block.triangles, "nominal")
+    model = compose(measured(dimensions=None), tiny, pictures=False)
+    assert model.deviation is None
+    assert any(fact.name == "Not compared with the nominal" and "metres" in fact.value for fact in model.sections[0].facts)

@@ -1,0 +1,179 @@
+"""A measurement made by hand, and a window to show it in."""
+
+from __future__ import annotations
+
+import os
+
+os.environ["QT_QPA_PLATFORM"] = "offscreen"
+os.environ.pop("DISPLAY", None)
+
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from measureapp.data.calibration import (
+    CameraArrayCalibration,
+    CameraCalibration,
+    HandEye,
+    LinearGuide,
+    Provenance,
+    RigCalibration,
+    RotationAxis,
+)
+from measureapp.data.cloud import CloudQuality, PointCloud, StitchedCloud, ViewPlacement
+from measureapp.data.dimension import Dimension, Verdict
+from measureapp.data.feature import Feature
+from measureapp.data.fringe import AxisReadback
+from measureapp.data.measurement import Alignment, Inspection, Measurement, ViewResult
+from measureapp.data.mesh import Mesh
+from measureapp.data.plan import FlangePose, ScanPlan, Viewpoint
+from measureapp.data.rig import RigDescription
+from measureapp.geometry.pinhole import PinholeCamera
+from measureapp.geometry.transform import RigidTransform
+from ui.app import Application, build
+
+VIEWS = 6
+
+
+def sphere_points(count: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
+    rng = np.random.default_rng(seed)
+    normals = rng.normal(size=(count, 3))
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    return normals * 60.0 + [0, 0, 60.0], normals
+
+
+def make_view(index: int) -> ViewResult:
+    points, normals = sphere_points(2000, index)
+    angle = 2 * np.pi * index / VIEWS
+    seen = normals @ [np.cos(angle), np.sin(angle), 0.3] > 0.1
+    points, normals = points[seen], normals[seen]
+    count = len(points)
+    part_from_camera = RigidTransform.from_vector([0, 0, angle], [200, 0, 300], "part", "camera")
+    camera_points = part_from_camera.inverse().apply(points)
+    cloud = PointCloud(
+        camera_points,
+        part_from_camera.inverse().rotate(normals),
+        np.full(count, 0.012 + 0.004 * index),
+        np.linspace(0.1, 0.9, count),
+        np.full((count, 2), -1),
+        np.full(count, 3),
+        "camera",
+        f"view-{index + 1:02d}",
+    )
+    accepted = index != 4
+    quality = CloudQuality(count, 3.2, 0.018, 0.004, 0.93, accepted, "" if accepted else "noise 0.31 mm is above the limit")
+    readback = AxisReadback(RigidTransform.identity("base", "flange"), 0.0, angle)
+    return ViewResult(cloud.viewpoint_id, cloud, quality, part_from_camera, {}, (), {"behind the table": 120}, readback)
+
+
+@pytest.fixture
+def calibration() -> RigCalibration:
+    def camera(name: str, x: float) -> CameraCalibration:
+        pinhole = PinholeCamera(1296, 972, np.array([[2045.3, 0, 648.2], [0, 2046.1, 486.4], [0, 0, 1]]), np.zeros(5))
+        pose = RigidTransform.from_vector([0, 0, 0], [x, 0, 0], "camera", name)
+        return CameraCalibration(name, pinhole, pose, {"fx": 0.21, "fy": 0.22, "cx": 0.4, "cy": 0.4}, 0.081, "VR-1")
+
+    cameras = {"left": camera("left", 0.0), "right": camera("right", 350.0), "upper": camera("upper", 175.0)}
+    return RigCalibration(
+        CameraArrayCalibration("left", cameras, {"left-right": 0.11}),
+        HandEye(
+            RigidTransform.from_vector([0, 0.3, 0], [-174.2, 1.3, 81.2], "flange", "camera"), 2e-5, 0.021, 0.213, 2e-4, "Tsai, refined"
+        ),
+        LinearGuide(np.array([0.001, 1.0, 0.002]), 1.00012, 1e-5, 2e-6, 0.034),
+        RotationAxis(np.array([850.1, 0.2, 0.0]), np.array([0.001, 0.0, 1.0]), "guide", 0.006, 2e-5, 0.019),
+        Provenance(datetime.now(UTC).isoformat(), "weighted least squares"),
+    )
+
+
+@pytest.fixture
+def rig() -> RigDescription:
+    import tomllib
+
+    from measureapp.resources import resource
+
+    return RigDescription.model_validate(tomllib.loads(resource("rigs/paper.toml").read_text(encoding="utf-8")))
+
+
+@pytest.fixture
+def plan() -> ScanPlan:
+    flange = FlangePose.of(RigidTransform.from_vector([0, 2.2, 0], [450, 0, 500], "base", "flange"))
+    points = tuple(Viewpoint(id=f"view-{i + 1:02d}", flange=flange, guide_mm=20.0 * i, table_deg=60.0 * i) for i in range(VIEWS))
+    return ScanPlan(name="six views", viewpoints=points)
+
+
+@pytest.fixture
+def inspection() -> Inspection:
+    plane = Feature(
+        "top",
+        "plane",
+        np.array([0, 0, 120.0]),
+        np.array([0, 0, 1.0]),
+        points=4000,
+        form_error_mm=0.06,
+        rms_mm=0.014,
+        boundary_mm=np.array([[-20, -20, 120], [20, -20, 120], [20, 20, 120], [-20, 20, 120.0]]),
+    )
+    circle = Feature(
+        "equator", "circle", np.array([0, 0, 60.0]), np.array([0, 0, 1.0]), radius_mm=60.013, points=2500, form_error_mm=0.05, rms_mm=0.012
+    )
+    dimensions = (
+        Dimension("a", 120.0, 120.021, 0.018, -0.1, 0.1, Verdict.PASS, features=("top", "equator")),
+        Dimension("b", 40.0, 40.131, 0.02, -0.1, 0.1, Verdict.FAIL, features=("equator",)),
+        Dimension("c", 25.0, 25.092, 0.02, -0.1, 0.1, Verdict.NOT_PROVEN, features=("top",)),
+        Dimension("d", 10.0, None, None, -0.1, 0.1, Verdict.NOT_MEASURED, reason="No points lie near the feature."),
+    )
+    alignment = Alignment("best fit", RigidTransform.identity("nominal", "part"), 0.021)
+    return Inspection("gypsum", alignment, (plane, circle), dimensions)
+
+
+@pytest.fixture
+def measurement(calibration: RigCalibration, inspection: Inspection) -> Measurement:
+    views = tuple(make_view(index) for index in range(VIEWS))
+    placements = tuple(
+        ViewPlacement(
+            view.viewpoint_id, view.part_from_camera, view.part_from_camera, 0.21 + 0.01 * i, 0.02, 0.014 + 0.004 * i, 0.62, "good", True
+        )
+        for i, view in enumerate(views)
+    )
+    points, normals = sphere_points(6000, 9)
+    view_index = np.arange(6000) % VIEWS
+    stitched = StitchedCloud(points, normals, np.full(6000, 0.01), np.full(6000, 0.5), view_index, placements)
+    import trimesh
+
+    ball = trimesh.creation.icosphere(subdivisions=3, radius=60.0)
+    measured = ball.vertices[:, 2] > -55
+    mesh = Mesh(np.asarray(ball.vertices) + np.array([0, 0, 60.0]), ball.faces, "part", measured)
+    return Measurement(
+        "demo-gypsum",
+        "gypsum",
+        "Paper rig (virtual)",
+        datetime.now(UTC).isoformat(),
+        calibration,
+        views,
+        stitched,
+        mesh,
+        inspection,
+        {},
+        {"scan": 12.3, "stitch": 4.5},
+    )
+
+
+@pytest.fixture
+def application(qapp, qtbot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Application:
+    monkeypatch.setenv("HOME", str(tmp_path))
+    built = build(qapp)
+    built.look.set_shade("light")
+    qtbot.addWidget(built.window)
+    yield built
+    for runner in (built.controllers.jobs, built.controllers.background):
+        runner.queue.cancel_all()
+        runner.queue.wait(10_000)
+    built.window.close()
+
+
+@pytest.fixture
+def window(application: Application):
+    application.window.show()
+    return application.window

@@ -1,0 +1,53 @@
+"""Editors give back what they were given."""
+
+from __future__ import annotations
+
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from ui.look.demo_settings import DemoSettings
+from ui.widgets.demo_form import PARTS, DemoForm
+from ui.widgets.segments import Segments
+
+ANY_SETTINGS = st.builds(
+    DemoSettings,
+    st.sampled_from(sorted(PARTS)),
+    st.sampled_from(["full", "half", "quarter"]),
+    st.integers(3, 60),
+    st.integers(1, 9999),
+)
+
+
+@given(wanted=ANY_SETTINGS)
+@settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_the_demo_form_gives_back_what_it_was_given(qtbot, wanted):
+    form = DemoForm()
+    qtbot.addWidget(form)
+    form.setValue(wanted)
+    assert form.value() == wanted
+
+
+def test_a_change_by_the_user_is_told(qtbot):
+    form = DemoForm()
+    qtbot.addWidget(form)
+    with qtbot.waitSignal(form.valueChanged) as told:
+        form._viewpoints.setValue(12)
+    assert told.args[0].viewpoints == 12
+
+
+def test_choosing_the_impeller_suggests_the_viewpoints_it_needs(qtbot):
+    form = DemoForm()
+    qtbot.addWidget(form)
+    form._part.setCurrentIndex(form._part.findData("impeller"))
+    form._part.activated.emit(form._part.currentIndex())
+    assert form.value().viewpoints == 26
+
+
+def test_segments_give_back_what_they_were_given_and_tell_a_click(qtbot):
+    segments = Segments({"a": "A", "b": "B"})
+    qtbot.addWidget(segments)
+    segments.setValue("b")
+    assert segments.value() == "b"
+    with qtbot.waitSignal(segments.valueChanged) as told:
+        segments._buttons["a"].click()
+    assert told.args == ["a"]

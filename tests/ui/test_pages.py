@@ -1,0 +1,234 @@
+"""Every page says what there is, empty and filled."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtGui import QImage
+
+from ui.session import DriverRow
+from ui.widgets.properties_panel import Properties
+
+WITH_DATA = ("calibration", "plan", "scan", "clouds", "inspection", "report")
+
+
+@pytest.fixture
+def filled(application, window, rig, plan, measurement, monkeypatch):
+    monkeypatch.setattr(application.controllers.documents, "preview", lambda: None)
+    session = application.session
+    session.open_project("demo-gypsum", "gypsum", None)
+    session.set_rig(rig, (DriverRow("virtual_rig", "rig", "1.0"), DriverRow("broken", "camera", "0.1", "The manifest has no entry.")))
+    session.set_plan(plan)
+    session.set_measurement(measurement, {})
+    return window
+
+
+def plain(text: str) -> str:
+    return text.replace("\u00a0", " ").replace("\u2009", " ").strip()
+
+
+@pytest.mark.parametrize("name", WITH_DATA)
+def test_an_empty_page_says_it_in_a_sentence_with_one_filled_button(window, name):
+    window.show_page(name)
+    page = window.pages[name]
+    assert page.is_empty
+    assert page.empty.text.text().endswith(".")
+    assert plain(page.empty.button.text()) == "Run the demo"
+    visible = [
+        button for button in page.findChildren(type(page.empty.button)) if button.isVisible() and button.property("role") == "primary"
+    ]
+    assert visible == [page.empty.button]
+
+
+def test_an_empty_page_in_a_running_job_waits_without_a_button(application, window):
+    for name in WITH_DATA:
+        window.show_page(name)
+        application.session.set_busy("Demo: gypsum")
+        assert not window.pages[name].empty.button.isVisible()
+        application.session.set_busy("")
+        assert window.pages[name].empty.button.isVisible()
+
+
+def test_a_filled_page_shows_its_body_and_has_properties(filled):
+    for name in ("rig", *WITH_DATA):
+        filled.show_page(name)
+        page = filled.pages[name]
+        assert not page.is_empty
+        assert page.state.text().endswith(".")
+        assert isinstance(page.properties, Properties)
+        assert filled.properties.shown is page.properties
+        assert page.properties.groups
+
+
+def test_the_rig_page_lists_every_device_and_the_driver_that_failed(filled):
+    page = filled.pages["rig"]
+    rows = page.devices.texts()
+    assert [row[0] for row in rows] == ["Camera left", "Camera right", "Camera upper", "Projector", "Robot", "Linear guide", "Rotary table"]
+    assert "2592 × 1944 px" in rows[0][2]
+    assert "1 driver could not be loaded" in page.state.text()
+    assert filled.header.devices.text() == "1 driver failed"
+
+
+def test_the_rig_is_drawn(filled):
+    picture = filled.pages["rig"].drawing.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
+    colours = {picture.pixel(x, y) for x in range(0, picture.width(), 7) for y in range(0, picture.height(), 7)}
+    assert len(colours) > 4
+
+
+def test_the_calibration_page_judges_every_solution(filled):
+    page = filled.pages["calibration"]
+    rows = page.table.texts()
+    assert [row[0] for row in rows] == ["Camera left", "Camera right", "Camera upper", "Hand–eye", "Linear guide", "Table axis"]
+    assert [row[4] for row in rows] == ["Good"] * 6
+    assert plain(rows[3][3]) == "0.213 mm"
+    assert plain(page.verdict.text()) == "0.213 mm"
+    assert page.chart.bars[-1].name == "Together"
+    assert page.chart.bars[-1].value_mm == pytest.approx(sum(bar.value_mm**2 for bar in page.chart.bars[:-1]) ** 0.5)
+
+
+def test_a_poor_solution_is_named(filled, application, calibration):
+    from dataclasses import replace
+
+    application.session.set_calibration(replace(calibration, axis=replace(calibration.axis, residual_mm=0.31)))
+    page = filled.pages["calibration"]
+    assert page.table.texts()[5][4] == "Poor"
+    assert "Table axis" in page.state.text()
+    assert "✗" in filled.header.calibration.text()
+
+
+def test_the_plan_page_lists_viewpoints_and_a_click_on_the_drawing_selects(filled, plan):
+    page = filled.pages["plan"]
+    filled.show_page("plan")
+    rows = page.table.texts()
+    assert [row[1] for row in rows] == [viewpoint.id for viewpoint in plan]
+    assert plain(rows[1][3]) == "20.0 mm"
+    page.drawing.stationClicked.emit(2)
+    assert page.properties.title == plan.viewpoints[2].id
+
+
+def test_the_station_of_a_viewpoint_turns_against_the_table(rig, plan):
+    import numpy as np
+
+    from ui.pages.plan import station
+
+    first, last = (station(rig, plan.viewpoints[index], "waiting") for index in (0, 3))
+    assert np.linalg.norm(first.direction) == pytest.approx(1.0)
+    straight = plan.viewpoints[3].model_copy(update={"guide_mm": plan.viewpoints[0].guide_mm})
+    opposite = station(rig, straight, "waiting")
+    assert opposite.position_mm[:2] == pytest.approx([-first.position_mm[0], -first.position_mm[1]], abs=1e-6)
+    assert last.id == plan.viewpoints[3].id
+
+
+def test_the_scan_page_shows_each_viewpoint_in_its_state(filled):
+    page = filled.pages["scan"]
+    assert page.tiles.words() == ["Processed"] * 4 + ["Failed", "Processed"]
+    assert "5 of 6 viewpoints processed, 1 failed" in page.state.text()
+    assert page.tiles.tiles[4].note.startswith("noise")
+
+
+def test_the_scan_page_shows_the_newest_image_of_a_camera(filled, application):
+    import numpy as np
+
+    from measureapp.acquire.events import ImageTaken
+
+    page = filled.pages["scan"]
+    application.session.images.put(ImageTaken("view-02", "right", 80_000, np.full((30, 40), 90, np.uint8)))
+    page._take_image()
+    assert not page.images["right"].is_empty
+    assert page.images["left"].is_empty
+    assert plain(page.images["right"].caption) == "right · view-02 · 80 ms"
+
+
+def test_the_clouds_page_lists_views_with_points_correction_and_verdict(filled, measurement):
+    page = filled.pages["clouds"]
+    rows = page.table.texts()
+    assert [row[1] for row in rows] == [view.viewpoint_id for view in measurement.views]
+    assert plain(rows[0][2]) == str(len(measurement.views[0].cloud))
+    assert plain(rows[0][3]) == "0.210 mm"
+    assert [row[5] for row in rows] == ["Good"] * 4 + ["Poor", "Good"]
+    assert page.stage.value() == "merged"
+
+
+def test_hiding_a_view_takes_its_points_away(filled, measurement, monkeypatch):
+    page = filled.pages["clouds"]
+    filled.show_page("clouds")
+    page.stage.setValue("after")
+    shown = []
+    monkeypatch.setattr(page.view, "set_clouds", lambda layers: shown.append(sum(len(layer.points_mm) for layer in layers)))
+    page.table.cellClicked.emit(0, 0)
+    page.table.cellClicked.emit(0, 0)
+    total = sum(len(view.cloud) for view in measurement.views)
+    assert shown == [total - len(measurement.views[0].cloud), total]
+
+
+def test_clouds_can_be_coloured_in_every_stage(filled):
+    page = filled.pages["clouds"]
+    filled.show_page("clouds")
+    for stage in ("before", "after", "merged"):
+        for colour_by in ("view", "sigma", "grey", "residual"):
+            page.stage.setValue(stage)
+            page.colour_by.setValue(colour_by)
+            layers = page.view._clouds
+            assert layers
+            assert all(len(layer.colours) == len(layer.points_mm) for layer in layers)
+            assert page.scale.isVisible() == (colour_by in {"sigma", "residual"})
+
+
+def test_the_inspection_page_shows_value_error_and_verdict(filled):
+    page = filled.pages["inspection"]
+    rows = [[plain(text) for text in row] for row in page.table.texts()]
+    assert rows[0] == ["a", "120.000 mm", "120.021 ± 0.018 mm", "+0.021 mm", "Pass"]
+    assert rows[3] == ["d", "10.000 mm", "–", "–", "Not measured"]
+    assert [label.text() for label in page.summary.values()] == ["1 pass", "1 fail", "1 not proven", "1 not measured"]
+
+
+def test_selecting_a_dimension_labels_it_in_the_viewport(filled):
+    page = filled.pages["inspection"]
+    filled.show_page("inspection")
+    page.table.selectRow(0)
+    assert [label.text for label in page.view._labels] == ["a 120.021 mm"]
+    assert len(page.view._lines[-1].lines) == 3
+    page.table.selectRow(3)
+    assert page.view._labels == ()
+    assert page.properties.note == "No points lie near the feature."
+
+
+def test_the_inspection_page_shows_the_surface_or_the_points(filled):
+    page = filled.pages["inspection"]
+    filled.show_page("inspection")
+    assert page.view._surface is not None
+    page.shape.setValue("points")
+    assert page.view._surface is None
+    assert len(page.view._clouds[0].points_mm) == 6000
+
+
+def test_the_report_page_shows_pages_and_offers_what_can_be_exported(filled, application, tmp_path):
+    page = filled.pages["report"]
+    filled.show_page("report")
+    picture = QImage(60, 80, QImage.Format.Format_RGB32)
+    picture.fill(0xFFFFFF)
+    picture.save(str(tmp_path / "page.png"))
+    page.show_pages(((tmp_path / "page.png").read_bytes(),) * 2)
+    assert len(page.pages) == 2
+    assert [kind for kind, button in page.exports.items() if button.isVisible()] == ["ply", "stl"]
+    assert not page.open_pdf.isVisible()
+
+
+@pytest.mark.parametrize("kind", ["ply", "stl"])
+def test_shapes_are_exported_as_files_that_can_be_read_again(filled, application, qtbot, tmp_path, kind, measurement):
+    import trimesh
+
+    target = tmp_path / f"part.{kind}"
+    application.controllers.documents.export(kind, target)
+    qtbot.waitUntil(target.exists, timeout=10_000)
+    qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy, timeout=10_000)
+    read = trimesh.load(target)
+    assert len(read.vertices) == (len(measurement.stitched) if kind == "ply" else len(measurement.mesh.vertices_mm))
+    assert application.session.messages[-1].level == "done"
+
+
+def test_a_document_that_is_not_there_is_refused_in_words(filled, application, qtbot, tmp_path):
+    application.controllers.documents.export("csv", tmp_path / "a.csv")
+    qtbot.waitUntil(lambda: [message.level for message in application.session.messages][-1:] == ["error"], timeout=10_000)
+    assert "was not written yet" in application.session.messages[-1].text
+    assert not (tmp_path / "a.csv").exists()
+    qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy, timeout=10_000)

@@ -1,0 +1,36 @@
+"""The window stands before anything heavy is imported."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+HEAVY = ("vtk", "vtkmodules", "pyvista", "open3d", "numba", "cv2", "scipy", "trimesh", "pydantic")
+START = f"""
+import json, sys, time
+begin = time.perf_counter()
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication
+from ui.app import build
+application = QApplication([])
+built = build(application)
+built.window.show()
+def idle():
+    loaded = [name for name in {HEAVY!r} if name in sys.modules]
+    print(json.dumps({{"seconds": time.perf_counter() - begin, "heavy": loaded}}))
+    built.window.close()
+    application.quit()
+QTimer.singleShot(0, idle)
+application.exec()
+"""
+
+
+def test_the_window_is_shown_before_any_heavy_library_is_imported():
+    done = subprocess.run([sys.executable, "-c", START], cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
+    assert done.returncode == 0, done.stderr
+    told = json.loads(done.stdout.splitlines()[-1])
+    assert told["heavy"] == []
+    assert told["seconds"] < 20.0  # on an idle machine about one second; the figure itself is in the README

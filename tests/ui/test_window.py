@@ -1,0 +1,196 @@
+"""The whole window: the demo from its button, cancel, messages, help, roles."""
+
+from __future__ import annotations
+
+import sys
+import threading
+from types import SimpleNamespace
+
+import pytest
+from PySide6.QtWidgets import QMessageBox
+
+from measureapp.acquire import events as e
+from measureapp.errors import InputError
+from ui.app import Reporter, open_demo
+
+
+@pytest.fixture
+def demo(monkeypatch, measurement):
+    """Replaces the real demo: sends its events, waits at the gate, reports on."""
+    state = SimpleNamespace(gate=threading.Event(), requests=[], error=None)
+
+    def run_demo(request, on_event, progress):
+        state.requests.append(request)
+        progress.report(0, 4, "Calibrating")
+        on_event(e.CalibrationReady(measurement.calibration))
+        on_event(e.RunStarted("six views", tuple(view.viewpoint_id for view in measurement.views)))
+        for view in measurement.views:
+            on_event(e.ViewpointStarted(view.viewpoint_id))
+            on_event(e.ViewpointStored(view.viewpoint_id, 1.0))
+            on_event(e.ViewReady(view))
+        assert state.gate.wait(10)
+        progress.report(3, 4, "Stitching")
+        if state.error is not None:
+            raise state.error
+        on_event(e.StitchReady(measurement.stitched))
+        on_event(e.InspectionReady(measurement.inspection))
+        on_event(e.RunEnded("done"))
+        return SimpleNamespace(measurement=measurement, document={}, files={})
+
+    fake = SimpleNamespace(DemoRequest=lambda *values: SimpleNamespace(values=values), run_demo=run_demo)
+    monkeypatch.setitem(sys.modules, "measureapp.demo", fake)
+    yield state
+    state.gate.set()
+
+
+@pytest.fixture
+def started(application, window, rig, demo, monkeypatch):
+    monkeypatch.setattr(application.controllers.documents, "preview", lambda: None)
+    application.session.set_rig(rig)
+    window.pages["rig"].run_demo.click()
+    return application
+
+
+def idle(application) -> bool:
+    return not application.controllers.jobs.queue.busy and not application.session.busy_with
+
+
+def test_the_demo_runs_from_its_button_and_ends_with_dimensions_shown(started, window, demo, qtbot):
+    session = started.session
+    qtbot.waitUntil(lambda: len(session.views) == 6, timeout=10_000)
+    assert session.calibration is not None
+    assert window.strip.cancel.isVisible()
+    assert window.strip.title.text() == "Demo: gypsum"
+    assert not window.pages["rig"].run_demo.isEnabled()
+    assert window.pages["scan"].tiles.words().count("Processed") == 5
+    demo.gate.set()
+    qtbot.waitUntil(lambda: idle(started), timeout=10_000)
+    window.show_page("inspection")
+    assert [row[4] for row in window.pages["inspection"].table.texts()] == ["Pass", "Fail", "Not proven", "Not measured"]
+    assert "demo is complete" in window.strip.words
+    assert not window.strip.cancel.isVisible()
+    folder, part, resolution, viewpoints, seed = demo.requests[0].values
+    assert (part, resolution, viewpoints, seed) == ("gypsum", "half", 8, 1)
+    assert "gypsum" in folder.name
+
+
+def test_cancel_stops_the_demo_and_keeps_what_is_known(started, window, demo, qtbot):
+    session = started.session
+    qtbot.waitUntil(lambda: len(session.views) == 6, timeout=10_000)
+    window.strip.cancel.click()
+    assert window.strip.cancel.text().strip() == "Stopping…"
+    demo.gate.set()
+    qtbot.waitUntil(lambda: idle(started), timeout=10_000)
+    assert session.measurement is None
+    assert len(session.views) == 6
+    assert session.messages[-1].text == "Cancelled."
+    assert window.pages["rig"].run_demo.isEnabled()
+
+
+def test_a_failure_is_told_with_its_remedy(started, window, demo, qtbot):
+    demo.error = InputError("The disk is full.", "Free some space.")
+    demo.gate.set()
+    qtbot.waitUntil(lambda: idle(started), timeout=10_000)
+    assert window.strip.words == "The disk is full. Free some space."
+    assert started.session.messages[-1].level == "error"
+
+
+def test_a_second_demo_waits_for_the_first(started, demo, qtbot):
+    started.controllers.demo.run()
+    assert "still running" in started.session.messages[-1].text
+    demo.gate.set()
+    qtbot.waitUntil(lambda: idle(started), timeout=10_000)
+    assert len(demo.requests) == 1
+
+
+def test_closing_during_a_job_asks_and_can_be_refused(started, window, demo, qtbot, monkeypatch):
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Cancel)
+    assert not window.close()
+    assert window.isVisible()
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Close)
+    demo.gate.set()
+    assert window.close()
+    running = started.controllers.jobs.queue.running
+    assert running is None or running.isFinished()
+    qtbot.waitUntil(lambda: idle(started), timeout=10_000)
+
+
+def test_an_error_nobody_caught_is_told_as_a_sentence(application, window):
+    report = Reporter(application.session)
+    error = InputError("The plan is damaged.", "Plan again.")
+    report(InputError, error, None)
+    assert window.strip.words == "The plan is damaged. Plan again."
+    report(ValueError, ValueError("x"), None)
+    assert "ValueError" in application.session.messages[-1].text
+
+
+def test_a_click_on_the_strip_opens_all_messages(application, window):
+    application.session.tell("First.")
+    application.session.tell("Second.", "Do this.", "warning")
+    window.strip.message.click()
+    assert [row[1] for row in window.messages.table.texts()] == ["Second.", "First."]
+    window.messages.close()
+
+
+def test_help_opens_at_the_page_one_is_on(window):
+    for name, page in window.pages.items():
+        window.show_page(name)
+        window.header.helpClicked.emit()
+        assert window.help.browser.toPlainText().startswith(page.word)
+    window.help.close()
+
+
+def test_every_link_of_the_help_leads_to_a_page():
+    import re
+
+    from measureapp.resources import resource
+
+    pages = {path.name: path.read_text(encoding="utf-8") for path in resource("help").glob("*.md")}
+    for text in pages.values():
+        for target in re.findall(r"\]\(([^)]+)\)", text):
+            assert target in pages
+
+
+def test_an_operator_sees_only_what_the_work_needs(application, window):
+    window.show_page("plan")
+    window.header.role.setValue("operator")
+    assert application.session.role == "operator"
+    shown = [name for name, button in window.rail.buttons.items() if button.isVisible()]
+    assert shown == ["rig", "scan", "inspection", "report"]
+    assert window.page.name == "scan"
+    assert not window.properties.isVisible()
+
+
+def test_the_rail_changes_pages_and_the_properties_fold(window):
+    window.rail.buttons["clouds"].click()
+    assert window.page.name == "clouds"
+    assert window.properties.folded
+    window.rail.buttons["rig"].click()
+    assert not window.properties.folded
+    window.properties.toggle()
+    assert window.properties.folded
+
+
+def test_the_theme_changes_while_the_window_is_open(application, window):
+    before = window.grab().toImage().pixelColor(300, 400).lightness()
+    application.look.set_shade("dark")
+    assert window.grab().toImage().pixelColor(300, 400).lightness() < before - 100
+
+
+def test_the_smallest_window_cuts_nothing_off(window):
+    window.resize(1366, 768)
+    assert window.minimumSizeHint().width() <= 1366
+    assert window.minimumSizeHint().height() <= 768
+
+
+def test_the_demo_project_is_open_before_it_has_run(application, window):
+    open_demo(application)
+    assert application.session.part == "gypsum"
+    assert "demo-gypsum" in window.header.project.toolTip()
+
+
+def test_a_folder_that_is_no_project_is_refused_in_words(application, window, qtbot, tmp_path):
+    application.controllers.project.open(tmp_path)
+    qtbot.waitUntil(lambda: idle(application), timeout=10_000)
+    assert application.session.messages[-1].level == "error"
+    assert str(tmp_path) in application.session.messages[-1].text

@@ -1,0 +1,1 @@
+"""The Qt application: views, controllers, workers and the viewport."""

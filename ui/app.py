@@ -1,0 +1,92 @@
+"""Builds the application once and runs it."""
+
+from __future__ import annotations
+
+import logging
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from types import TracebackType
+
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication
+
+from measureapp.errors import MeasureError
+from ui.controllers.controllers import Controllers
+from ui.look.look import Look
+from ui.look.paths import demo_folder
+from ui.look.theme import preferred_shade
+from ui.main_window import MainWindow
+from ui.session import Session
+from ui.workers.job import unexpected
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True)
+class Application:
+    """Everything there is one of."""
+
+    look: Look
+    session: Session
+    controllers: Controllers
+    window: MainWindow
+
+
+def build(application: QApplication) -> Application:
+    """Build session, controllers and window."""
+    look = Look(preferred_shade(application))
+    look.wear()
+    session = Session()
+    controllers = Controllers(session)
+    return Application(look, session, controllers, MainWindow(look, session, controllers))
+
+
+def run(project: Path | None = None, demo: bool = False) -> int:
+    """Show the window and return the exit code; with ``demo`` the demo project is open.
+
+    Raises
+    ------
+    MeasureError
+        There is no display.
+    """
+    application = QApplication.instance() or QApplication(sys.argv[:1])
+    assert isinstance(application, QApplication)
+    application.setApplicationName("MeasureApp")
+    application.setApplicationDisplayName("MeasureApp")
+    built = build(application)
+    sys.excepthook = Reporter(built.session)
+    built.window.show()
+    QTimer.singleShot(0, built.controllers.startup.begin)
+    if project is not None:
+        built.controllers.project.open(project)
+    elif demo:
+        open_demo(built)
+    return application.exec()
+
+
+def open_demo(built: Application) -> None:
+    """Open the demo project as it was left; a new one waits for its button."""
+    settings = built.controllers.demo.settings
+    folder = demo_folder(settings)
+    if (folder / "project.json").exists():
+        built.controllers.project.open(folder)
+    else:
+        built.session.open_project(folder.name, settings.part, folder)
+
+
+class Reporter:
+    """Tells errors that nobody caught in the window, as a sentence; the traceback goes to the log."""
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+
+    def __call__(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+        """Take one error."""
+        if issubclass(kind, KeyboardInterrupt):
+            QApplication.quit()
+            return
+        told = error if isinstance(error, MeasureError) else unexpected(error, "The last action")
+        if told is not error:
+            _log.error("uncaught", exc_info=(kind, error, trace))
+        self._session.tell(told.message, told.hint, "error")

@@ -1,0 +1,1 @@
+"""One slot per user action; no widgets."""

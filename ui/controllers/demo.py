@@ -1,0 +1,87 @@
+"""The demo: the whole job on the virtual rig."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QObject, Slot
+
+from ui.controllers.jobs import JobRunner
+from ui.controllers.run_events import RunEvents
+from ui.look.demo_settings import DemoSettings
+from ui.look.paths import demo_folder, next_demo_folder
+from ui.session import Session
+
+if TYPE_CHECKING:
+    from measureapp.pipeline.run import Outcome
+    from ui.workers.job import Job
+
+
+class DemoController(QObject):
+    """Runs the demo and shows it as it goes."""
+
+    def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._runner = runner
+        self._events = RunEvents(session, self)
+        self.folder: Path | None = None
+        self.settings = DemoSettings()
+
+    @Slot(object)
+    def choose(self, settings: DemoSettings) -> None:
+        """Take other settings for the next run."""
+        self.settings = settings
+
+    @Slot()
+    def run(self) -> None:
+        """Calibrate the virtual rig, scan, stitch, measure and report."""
+        if self._runner.queue.running is not None and not self._runner.queue.running.quiet:
+            self._session.tell(f"{self._session.busy_with} is still running.", "Wait for it, or cancel it first.", "warning")
+            return
+        settings = self.settings
+        folder = next_demo_folder(self.folder or demo_folder(settings))
+        self._session.open_project(folder.name, settings.part, folder)
+        self._runner.run(
+            f"Demo: {settings.part}",
+            self._work(settings, folder),
+            self._finish,
+            on_event=self._apply,
+        )
+
+    def _work(self, settings: DemoSettings, folder: Path) -> Any:
+        events = self._events
+
+        def work(job: Job) -> Outcome:
+            job.report(0, 1, "Preparing the virtual rig")
+            from measureapp.demo import DemoRequest, run_demo
+
+            request = DemoRequest(folder, settings.part, settings.resolution, settings.viewpoints, settings.seed)
+            return run_demo(request, events.sink(job), job)
+
+        return work
+
+    @Slot(object)
+    def _apply(self, event: object) -> None:
+        self._read_plan()
+        self._events.apply(event)
+
+    def _read_plan(self) -> None:
+        """Show the plan as soon as the run has written it."""
+        folder = self._session.folder
+        if self._session.plan is None and folder is not None and (folder / "plan.json").is_file():
+            from measureapp.project.folder import ProjectFolder
+
+            project = ProjectFolder.open(folder)
+            self._session.set_rig(project.rig())
+            self._session.set_plan(project.plan())
+
+    @Slot(object)
+    def _finish(self, outcome: Outcome) -> None:
+        self._read_plan()
+        self._session.set_measurement(outcome.measurement, outcome.files)
+        inspection = outcome.measurement.inspection
+        proven = sum(1 for dimension in inspection.dimensions if dimension.verdict == "pass") if inspection else 0
+        summary = f" {proven} of {len(inspection.dimensions)} dimensions pass." if inspection else ""
+        self._session.tell(f"The demo is complete.{summary}", "", "done")

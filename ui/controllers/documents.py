@@ -1,0 +1,132 @@
+"""Reports: page images for the preview, opening and exporting documents."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QObject, QUrl, Signal, Slot
+from PySide6.QtGui import QDesktopServices
+
+from measureapp.errors import InputError, StorageError
+from ui.controllers.jobs import JobRunner
+from ui.session import Session
+
+if TYPE_CHECKING:
+    from measureapp.data.cloud import StitchedCloud
+    from measureapp.data.measurement import Measurement
+    from measureapp.data.mesh import Mesh
+    from ui.workers.job import Job
+
+FORMATS = {
+    "pdf": ("PDF report", "report_pdf"),
+    "csv": ("Table of dimensions (CSV)", "report_csv"),
+    "json": ("Everything as JSON", "report_json"),
+    "ply": ("Stitched cloud (PLY)", "stitched_cloud"),
+    "stl": ("Surface mesh (STL)", "mesh"),
+}
+
+
+class DocumentsController(QObject):
+    """Shows, opens and exports what a measurement gave."""
+
+    pagesReady = Signal(object)  # tuple of PNG files as bytes
+
+    def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._runner = runner
+
+    @Slot()
+    def preview(self) -> None:
+        """Draw the pages of the report."""
+        measurement, folder = self._session.measurement, self._session.folder
+        if measurement is not None:
+            self._runner.run("Drawing the report", lambda job: page_images(measurement, folder, job), self._show_pages)
+
+    @Slot(object)
+    def _show_pages(self, pages: tuple[bytes, ...]) -> None:
+        self.pagesReady.emit(pages)
+
+    @Slot()
+    def open_pdf(self) -> None:
+        """Open the PDF in the program the desktop has for it."""
+        path = self._session.files.get("report_pdf")
+        if path is None or not path.exists():
+            self._session.tell("There is no PDF report yet.", "Run the demo or compute the project again.", "warning")
+        elif not QDesktopServices.openUrl(QUrl.fromLocalFile(str(path))):
+            self._session.tell("This computer has no program for PDF files.", f"The report lies in {path}.", "warning")
+
+    @Slot()
+    def open_folder(self) -> None:
+        """Show the project's folder in the file manager."""
+        folder = self._session.folder
+        if folder is not None and not QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder))):
+            self._session.tell("The file manager did not open.", f"The project lies in {folder}.", "warning")
+
+    @Slot(str, object)
+    def export(self, kind: str, target: Path) -> None:
+        """Write one document to ``target``."""
+        measurement = self._session.measurement
+        if measurement is None:
+            self._session.tell("Nothing is measured yet.", "Run the demo or open a project.", "warning")
+            return
+        source = self._session.files.get(FORMATS[kind][1])
+        self._runner.run(f"Exporting {target.name}", lambda job: export(kind, source, measurement, target, job), self._exported)
+
+    @Slot(object)
+    def _exported(self, target: Path) -> None:
+        self._session.tell(f"{target.name} is written.", f"It lies in {target.parent}.", "done")
+
+
+def page_images(measurement: Measurement, folder: Path | None, job: Job) -> tuple[bytes, ...]:
+    """Return the report's pages as PNG; runs on a job's thread."""
+    job.report(0, 2, "Drawing the pages")
+    from measureapp.project.folder import ProjectFolder
+    from measureapp.project.geometry_files import read_mesh
+    from measureapp.report.compose import compose
+    from measureapp.report.pdf import model_page_images
+
+    nominal = None
+    if folder is not None and (folder / "project.json").exists():
+        path = ProjectFolder.open(folder).nominal
+        nominal = None if path is None else read_mesh(path, "nominal")
+    model = compose(measurement, nominal)
+    job.report(1, 2, "Drawing the pages")
+    return tuple(model_page_images(model))
+
+
+def export(kind: str, source: Path | None, measurement: Measurement, target: Path, job: Job) -> Path:
+    """Write one document; runs on a job's thread."""
+    job.report(0, 1, target.name)
+    if kind in {"pdf", "csv", "json"}:
+        return _copied(source, target)
+    if kind == "ply" and source is not None and source.suffix == ".ply":
+        return _copied(source, target)
+    shape: StitchedCloud | Mesh | None = measurement.stitched if kind == "ply" else measurement.mesh
+    if shape is None:
+        raise InputError("This measurement has no surface mesh.", "Compute the project again to make one.")
+    return _written(shape, kind, target)
+
+
+def _copied(source: Path | None, target: Path) -> Path:
+    if source is None or not source.exists():
+        raise StorageError("This document was not written yet.", "Compute the project again to make its documents.")
+    part = target.with_name(target.name + ".part")
+    shutil.copyfile(source, part)
+    part.replace(target)
+    return target
+
+
+def _written(shape: Any, kind: str, target: Path) -> Path:
+    import trimesh
+
+    if kind == "ply":
+        made: Any = trimesh.PointCloud(shape.points_mm)
+    else:
+        made = trimesh.Trimesh(shape.vertices_mm, shape.triangles, process=False)
+    part = target.with_name(target.name + ".part")
+    part.write_bytes(made.export(file_type=kind))
+    part.replace(target)
+    return target

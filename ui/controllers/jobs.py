@@ -1,0 +1,69 @@
+"""What every controller needs: run a job and tell how it ended."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from measureapp.errors import MeasureError
+from ui.session import Session
+from ui.workers.job import Job, Work
+from ui.workers.rig_queue import RigQueue
+
+
+class JobRunner(QObject):
+    """Puts jobs into the queue and their outcome into the session."""
+
+    progressed = Signal(float, str)
+
+    def __init__(self, session: Session, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self.queue = RigQueue(self)
+        self.queue.started.connect(self._on_started)
+        self.queue.ended.connect(self._on_ended)
+
+    def run(
+        self,
+        title: str,
+        work: Work,
+        on_done: Callable[[Any], None],
+        *,
+        on_event: Callable[[Any], None] | None = None,
+        on_stopped: Callable[[], None] | None = None,
+        quiet: bool = False,
+    ) -> Job:
+        """Run ``work`` on a thread; the callables must be methods of QObjects, so that they run on the window's thread."""
+        job = Job(title, work)
+        job.quiet = quiet
+        if on_event is not None:
+            job.event.connect(on_event)
+        job.succeeded.connect(on_done)
+        if on_stopped is not None:
+            job.cancelled.connect(on_stopped)
+            job.failed.connect(on_stopped)
+        job.failed.connect(self._on_failed)
+        job.cancelled.connect(self._on_cancelled)
+        self.queue.submit(job)
+        return job
+
+    @Slot()
+    def cancel(self) -> None:
+        """Stop what runs and what waits."""
+        self.queue.cancel_all()
+
+    def _on_started(self, job: Job) -> None:
+        job.progressed.connect(self.progressed)
+        if not job.quiet:
+            self._session.set_busy(job.title)
+
+    def _on_ended(self, _job: Job) -> None:
+        self._session.set_busy("")
+
+    def _on_failed(self, error: MeasureError) -> None:
+        self._session.tell(error.message, error.hint, "error")
+
+    def _on_cancelled(self) -> None:
+        self._session.tell("Cancelled.", "What was stored until then is kept.", "warning")

@@ -1,0 +1,120 @@
+"""Opening projects and computing them again."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QObject, Slot
+
+from ui.controllers.jobs import JobRunner
+from ui.controllers.run_events import RunEvents
+from ui.session import Session
+
+if TYPE_CHECKING:
+    from measureapp.data.calibration import RigCalibration
+    from measureapp.data.measurement import Measurement
+    from measureapp.data.plan import ScanPlan
+    from measureapp.data.rig import RigDescription
+    from measureapp.pipeline import Outcome
+    from ui.workers.job import Job
+
+
+@dataclass(frozen=True)
+class ReadProject:
+    """What a project folder holds."""
+
+    folder: Path
+    name: str
+    part: str
+    rig: RigDescription
+    plan: ScanPlan | None
+    calibration: RigCalibration | None
+    stored: tuple[str, ...]
+    measurement: Measurement | None
+    files: dict[str, Path]
+
+
+class ProjectController(QObject):
+    """Opens a project folder; computes a project again from its stored images."""
+
+    def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._runner = runner
+        self._events = RunEvents(session, self)
+
+    @Slot(object)
+    def open(self, folder: Path) -> None:
+        """Open the project in ``folder``."""
+        self._runner.run("Opening project", lambda job: read_project(folder, job), self._show)
+
+    @Slot()
+    def process(self) -> None:
+        """Compute the open project again, without scanning again."""
+        folder = self._session.folder
+        if folder is None:
+            self._session.tell("No project is open.", "Open a project or run the demo first.", "warning")
+            return
+        self._runner.run("Computing again", self._work(folder), self._recomputed, on_event=self._events.apply)
+
+    def _work(self, folder: Path) -> Any:
+        events = self._events
+
+        def work(job: Job) -> Outcome:
+            from measureapp.pipeline import process_project
+            from measureapp.project.folder import ProjectFolder
+
+            return process_project(ProjectFolder.open(folder), events.sink(job), job)
+
+        return work
+
+    @Slot(object)
+    def _show(self, read: ReadProject) -> None:
+        session = self._session
+        session.open_project(read.name, read.part, read.folder)
+        session.set_rig(read.rig)
+        session.set_plan(read.plan)
+        session.set_calibration(read.calibration)
+        for id_ in read.stored:
+            session.set_viewpoint(id_, "stored")
+        if read.measurement is not None:
+            session.set_measurement(read.measurement, read.files)
+        session.tell(f"{read.name} is open.", "", "done")
+
+    @Slot(object)
+    def _recomputed(self, outcome: Outcome) -> None:
+        self._session.set_measurement(outcome.measurement, outcome.files)
+        self._session.tell("Everything was computed again from the stored images.", "", "done")
+
+
+def read_project(folder: Path, job: Job) -> ReadProject:
+    """Read all that a project folder holds; runs on a job's thread."""
+    job.report(0, 3, "Reading the project")
+    from measureapp.project.folder import ProjectFolder
+
+    project = ProjectFolder.open(folder)
+    calibration = project.calibration()
+    job.report(1, 3, "Reading clouds")
+    measurement = project.measurement()
+    job.report(2, 3, "Reading clouds")
+    files = {
+        "project": folder,
+        "report_pdf": project.report_pdf,
+        "report_csv": project.report_csv,
+        "report_json": project.report_json,
+        "stitched_cloud": project.results / "stitched.ply",
+        "mesh": project.results / "mesh.ply",
+    }
+    return ReadProject(
+        folder,
+        project.name,
+        project.settings.part,
+        project.rig(),
+        project.plan(),
+        calibration,
+        project.stored_viewpoints(),
+        measurement,
+        {name: path for name, path in files.items() if path.exists()},
+    )

@@ -1,0 +1,78 @@
+"""Puts the events of a run into the session."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Slot
+
+from ui.session import Session
+from ui.workers.job import Job
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from measureapp.acquire.events import Event
+
+
+class RunEvents(QObject):
+    """Translates events to changes of the session. `sink` is for the job's thread, `apply` for the window's."""
+
+    def __init__(self, session: Session, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+
+    def sink(self, job: Job) -> Callable[[Event], None]:
+        """Return what a run may call from its own thread: images go to the mailbox, the rest to the window's thread."""
+        from measureapp.acquire.events import ImageTaken
+
+        images = self._session.images
+
+        def receive(event: Event) -> None:
+            if isinstance(event, ImageTaken):
+                images.put(event)
+            job.emit_event(event)
+
+        return receive
+
+    @Slot(object)
+    def apply(self, event: Event) -> None:
+        """Put one event into the session."""
+        from measureapp.acquire import events as e
+
+        session = self._session
+        match event:
+            case e.RunStarted():
+                session.start_viewpoints(event.viewpoint_ids)
+                session.tell("The scan started.")
+            case e.ViewpointStarted():
+                session.set_viewpoint(event.viewpoint_id, "moving")
+            case e.ImageTaken():
+                self._capturing(event)
+            case e.ViewpointStored():
+                session.set_viewpoint(event.viewpoint_id, "stored", f"{event.seconds:.1f} s")
+            case e.ViewpointFailed():
+                session.set_viewpoint(event.viewpoint_id, "failed", event.reason)
+                session.tell(f"Viewpoint {event.viewpoint_id} gave nothing: {event.reason}", "The others go on.", "warning")
+            case e.CalibrationReady():
+                session.set_calibration(event.calibration)
+                session.tell("The rig is calibrated.")
+            case e.ViewReady():
+                session.add_view(event.view)
+            case e.StitchReady():
+                session.set_stitched(event.stitched)
+            case e.InspectionReady():
+                session.set_inspection(event.inspection)
+            case e.RunEnded():
+                self._ended(event)
+
+    def _capturing(self, event: Event) -> None:
+        known = self._session.viewpoints.get(event.viewpoint_id)
+        if known is not None and known.status in {"waiting", "moving"}:
+            self._session.set_viewpoint(event.viewpoint_id, "capturing")
+
+    def _ended(self, event: Event) -> None:
+        if event.reason == "failed":
+            self._session.tell(event.message or "The scan failed.", "", "error")
+        elif event.reason == "done":
+            self._session.tell("The scan is complete.", "", "done")

@@ -1,0 +1,91 @@
+"""What happens in the background after the window stands: heavy imports, the rig, the drivers, the compiled kernels."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Slot
+
+from measureapp.errors import MeasureError
+from ui.controllers.jobs import JobRunner
+from ui.session import DriverRow, Session
+
+if TYPE_CHECKING:
+    from measureapp.data.rig import RigDescription
+    from measureapp.devices.plugin_loader import PluginRow
+    from ui.workers.job import Job
+
+WARM_UP = ("scipy.optimize", "scipy.spatial", "numba", "open3d", "trimesh", "measureapp.pipeline", "measureapp.demo")
+DEFAULT_RIG = "paper"
+
+
+class StartupController(QObject):
+    """Loads what the window itself does not need."""
+
+    def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._runner = runner
+
+    @Slot()
+    def begin(self) -> None:
+        """Load the rig and the 3-D view, then what the first measurement needs."""
+        self._runner.run("Loading the rig", load_rig, self._show_rig, quiet=True)
+        self._runner.run("Preparing the 3-D view", load_graphics, self._graphics_ready, on_stopped=self._graphics_failed, quiet=True)
+        self._runner.run("Preparing the measurement", warm_up, self._warm, quiet=True)
+
+    @Slot(object)
+    def _show_rig(self, found: tuple[RigDescription | None, tuple[DriverRow, ...]]) -> None:
+        rig, drivers = found
+        self._session.set_rig(self._session.rig or rig, drivers)
+
+    @Slot(object)
+    def _graphics_ready(self, problem: str) -> None:
+        self._session.set_graphics("failed" if problem else "ready", problem)
+
+    @Slot()
+    def _graphics_failed(self) -> None:
+        self._session.set_graphics("failed", "The 3-D view could not be loaded. Install the graphics libraries named in the help.")
+
+    @Slot(object)
+    def _warm(self, _nothing: object) -> None:
+        self._session.tell("Ready.")
+
+
+def load_rig(job: Job) -> tuple[RigDescription | None, tuple[DriverRow, ...]]:
+    """Read the rig that comes with the application, and list the drivers; runs on a job's thread."""
+    job.check()
+    from measureapp.project.rig_file import read_rig
+
+    return read_rig(DEFAULT_RIG), list_drivers()
+
+
+def list_drivers() -> tuple[DriverRow, ...]:
+    """Return every driver plugin, those that cannot be loaded with the reason."""
+    from measureapp.devices.plugin_loader import examine
+
+    return tuple(driver_row(found) for found in examine())
+
+
+def driver_row(found: PluginRow) -> DriverRow:
+    """Return one row of the list of drivers."""
+    return DriverRow(found.id, found.kind, found.version, f"{found.problem} {found.hint}".strip())
+
+
+def load_graphics(job: Job) -> str:
+    """Import VTK, which takes a second; runs on a job's thread. Returns what is wrong, if anything."""
+    job.check()
+    from ui.viewport.backend import missing_graphics
+
+    return missing_graphics()
+
+
+def warm_up(job: Job) -> None:
+    """Import what the first measurement needs and compile its kernels; runs on a job's thread."""
+    for done, name in enumerate(WARM_UP):
+        job.report(done, len(WARM_UP), "Preparing the measurement")
+        if importlib.util.find_spec(name) is None:
+            raise MeasureError(f"The package {name} is missing.", "Run `python3 installer/bootstrap.py run` to repair the installation.")
+        importlib.import_module(name)

@@ -1,0 +1,1 @@
+"""Theme, icons and wording: what every view looks and reads like."""

@@ -1,0 +1,16 @@
+"""What the demo measures, as the user sets it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+
+@dataclass(frozen=True)
+class DemoSettings:
+    """Part, image resolution, number of viewpoints, and the seed of the virtual rig's hidden errors."""
+
+    part: str = "gypsum"
+    resolution: Literal["full", "half", "quarter"] = "half"
+    viewpoints: int = 8
+    seed: int = 1

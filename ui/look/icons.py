@@ -1,0 +1,48 @@
+"""Icons of one set (Phosphor), one stroke width, drawn as vectors in the theme's colours."""
+
+from __future__ import annotations
+
+from PySide6.QtGui import QColor, QIcon
+
+NAMES = {
+    "rig": "robot",
+    "calibration": "crosshair",
+    "plan": "map-trifold",
+    "scan": "aperture",
+    "clouds": "circles-three-plus",
+    "inspection": "ruler",
+    "report": "file-text",
+    "run": "play",
+    "cancel": "x-circle",
+    "open": "folder-open",
+    "again": "arrows-clockwise",
+    "export": "download-simple",
+    "pdf": "file-pdf",
+    "fit": "corners-out",
+    "eye": "eye",
+    "hidden": "eye-slash",
+    "light": "sun",
+    "dark": "moon",
+    "help": "question",
+    "devices": "share-network",
+    "disk": "hard-drives",
+    "person": "user",
+    "fold": "caret-right",
+    "unfold": "caret-left",
+    "pass": "check",
+    "fail": "x",
+    "not proven": "question",
+    "not measured": "minus",
+    "info": "info",
+    "warning": "warning",
+    "error": "warning-circle",
+    "messages": "list",
+}
+
+
+def icon(name: str, colour: QColor | str) -> QIcon:
+    """Return one icon of the set."""
+    import qtawesome
+
+    glyph = NAMES[name]
+    return qtawesome.icon(f"ph.{glyph}", color=QColor(colour), color_disabled=QColor(138, 149, 156, 120))

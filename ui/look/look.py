@@ -1,0 +1,36 @@
+"""The current theme, which views watch to redraw themselves."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QIcon
+from PySide6.QtWidgets import QApplication
+
+from ui.look.icons import icon
+from ui.look.theme import Shade, Theme, apply
+
+
+class Look(QObject):
+    """Holds the theme and dresses the application in it."""
+
+    changed = Signal()
+
+    def __init__(self, shade: Shade = "light", parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.theme = Theme.load(shade)
+
+    def wear(self) -> None:
+        """Dress the application in the current theme."""
+        application = QApplication.instance()
+        if isinstance(application, QApplication):
+            apply(application, self.theme)
+
+    def set_shade(self, shade: Shade) -> None:
+        """Change to the light or the dark theme."""
+        self.theme = Theme.load(shade)
+        self.wear()
+        self.changed.emit()
+
+    def icon(self, name: str, colour: str = "soft") -> QIcon:
+        """Return an icon in a colour of the theme."""
+        return icon(name, self.theme.colour(colour))

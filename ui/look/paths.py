@@ -1,0 +1,22 @@
+"""Where things lie by default."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ui.look.demo_settings import DemoSettings
+
+
+def demo_folder(settings: DemoSettings) -> Path:
+    """Return where the demo project with these settings is kept."""
+    name = f"demo-{settings.part}-{settings.resolution}-{settings.viewpoints}-views-rig-{settings.seed}"
+    return Path.home() / "MeasureApp" / name
+
+
+def next_demo_folder(wanted: Path) -> Path:
+    """Return ``wanted`` when it is new or holds a demo that was not finished, which then goes on; else the next numbered folder."""
+    number, folder = 1, wanted
+    while (folder / "report" / "report.pdf").exists():
+        number += 1
+        folder = wanted.with_name(f"{wanted.name}-{number}")
+    return folder

@@ -1,0 +1,102 @@
+"""Light and dark theme from one token file; the style sheet is generated from it."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from string import Template
+from typing import Literal
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QFont, QPalette
+from PySide6.QtWidgets import QApplication
+
+from measureapp.resources import resource
+
+Shade = Literal["light", "dark"]
+TOKENS = Path("themes") / "tokens.toml"
+STYLE = Path("themes") / "style.qss"
+FAMILIES = ["Inter", "Segoe UI Variable", "Segoe UI", "SF Pro Text", "Cantarell", "Noto Sans", "Roboto", "DejaVu Sans"]
+
+
+@dataclass(frozen=True)
+class Theme:
+    """One shade of the tokens."""
+
+    shade: Shade
+    colours: Mapping[str, str]
+    sizes: Mapping[str, int]
+    views: tuple[str, ...]
+
+    @classmethod
+    def load(cls, shade: Shade, path: Path | None = None) -> Theme:
+        """Read the tokens of one shade."""
+        tokens = tomllib.loads((path or resource(TOKENS)).read_text(encoding="utf-8"))
+        accent = {"accent" if name == "base" else f"accent_{name}": value for name, value in tokens["accent"].items()}
+        verdict = {f"verdict_{name}": value for name, value in tokens["verdict"].items()}
+        return cls(shade, {**accent, **verdict, **tokens[shade]}, tokens["size"], tuple(tokens["palette"]["views"]))
+
+    def colour(self, name: str) -> QColor:
+        """Return a colour by its token."""
+        return QColor(self.colours[name])
+
+    def verdict(self, verdict: str) -> QColor:
+        """Return the colour of a verdict: ``pass``, ``fail``, ``not proven``, ``not measured``."""
+        return self.colour("verdict_" + verdict.replace(" ", "_"))
+
+    def view(self, index: int) -> QColor:
+        """Return the colour of the view with this index."""
+        return QColor(self.views[index % len(self.views)])
+
+    def style_sheet(self) -> str:
+        """Return the generated style sheet."""
+        sizes = {f"size_{name}": str(value) for name, value in self.sizes.items()}
+        style = resource(STYLE)
+        return Template(style.read_text(encoding="utf-8")).substitute(self.colours, assets=style.parent.as_posix(), **sizes)
+
+    def palette(self) -> QPalette:
+        """Return the colours for what the style sheet does not reach."""
+        roles = {
+            QPalette.ColorRole.Window: "window",
+            QPalette.ColorRole.Base: "surface",
+            QPalette.ColorRole.AlternateBase: "raised",
+            QPalette.ColorRole.WindowText: "text",
+            QPalette.ColorRole.Text: "text",
+            QPalette.ColorRole.ButtonText: "text",
+            QPalette.ColorRole.Button: "surface",
+            QPalette.ColorRole.PlaceholderText: "faint",
+            QPalette.ColorRole.Highlight: "accent",
+            QPalette.ColorRole.HighlightedText: "accent_on",
+            QPalette.ColorRole.Link: "accent_text",
+            QPalette.ColorRole.ToolTipBase: "raised",
+            QPalette.ColorRole.ToolTipText: "text",
+        }
+        palette = QPalette()
+        for role, name in roles.items():
+            palette.setColor(role, self.colour(name))
+        return palette
+
+
+def font(size_px: int, *, bold: bool = False) -> QFont:
+    """Return the application's font, with figures of equal width."""
+    made = QFont()
+    made.setFamilies(FAMILIES)
+    made.setPixelSize(size_px)
+    made.setWeight(QFont.Weight.DemiBold if bold else QFont.Weight.Normal)
+    made.setFeature(QFont.Tag("tnum"), 1)
+    return made
+
+
+def apply(application: QApplication, theme: Theme) -> None:
+    """Dress the whole application."""
+    application.setStyle("Fusion")
+    application.setFont(font(theme.sizes["body"]))
+    application.setPalette(theme.palette())
+    application.setStyleSheet(theme.style_sheet())
+
+
+def preferred_shade(application: QApplication) -> Shade:
+    """Return the shade the desktop asks for."""
+    return "dark" if application.styleHints().colorScheme() == Qt.ColorScheme.Dark else "light"

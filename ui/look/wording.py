@@ -1,0 +1,99 @@
+"""Numbers as people read them: with unit and sensible digits."""
+
+from __future__ import annotations
+
+import math
+from datetime import datetime
+
+NOTHING = "–"
+THIN = "\u2009"
+MINUS = "\u2212"
+
+
+def _number(value: float, digits: int, signed: bool) -> str:
+    text = f"{abs(value):.{digits}f}"
+    if float(text) == 0:
+        return text
+    return (MINUS if value < 0 else "+" if signed else "") + text
+
+
+def quantity(value: float | None, unit: str, digits: int = 3, *, signed: bool = False) -> str:
+    """Return ``value`` with its unit, or a dash where there is none."""
+    if value is None or not math.isfinite(value):
+        return NOTHING
+    gap = "" if unit in {"", "°", "″"} else "\u00a0"
+    return f"{_number(value, digits, signed)}{gap}{unit}"
+
+
+def millimetres(value: float | None, digits: int = 3, *, signed: bool = False) -> str:
+    """Return a length: ``0.012 mm``."""
+    return quantity(value, "mm", digits, signed=signed)
+
+
+def percent(value: float | None, digits: int = 1, *, signed: bool = False) -> str:
+    """Return a share of one in per cent."""
+    return NOTHING if value is None else quantity(100.0 * value, "%", digits, signed=signed)
+
+
+def counted(value: int) -> str:
+    """Return a count with its thousands apart."""
+    return f"{value:,}".replace(",", "\u00a0" if value < 10_000 else THIN)
+
+
+def several(value: int, one: str, many: str = "") -> str:
+    """Return ``1 view`` or ``8 views``."""
+    return f"{counted(value)} {one if value == 1 else many or one + 's'}"
+
+
+def duration(seconds: float) -> str:
+    """Return a time that is left or was needed: ``45 s``, ``2 min 10 s``, ``1 h 05 min``."""
+    whole = max(0, round(seconds))
+    if whole < 60:
+        return f"{whole} s"
+    if whole < 3600:
+        return f"{whole // 60} min {whole % 60:02d} s"
+    return f"{whole // 3600} h {whole % 3600 // 60:02d} min"
+
+
+def exposure(microseconds: int) -> str:
+    """Return an exposure time: ``80 ms``."""
+    return f"{microseconds / 1000:g}\u00a0ms" if microseconds >= 1000 else f"{microseconds}\u00a0µs"
+
+
+def storage(size_bytes: float) -> str:
+    """Return a size on disk: ``12.4 GB``."""
+    for unit in ("B", "kB", "MB", "GB"):
+        if size_bytes < 1000:
+            return quantity(size_bytes, unit, 0 if unit in {"B", "kB"} or size_bytes >= 100 else 1)
+        size_bytes /= 1000
+    return quantity(size_bytes, "TB", 1)
+
+
+def when(iso: str, now: datetime | None = None) -> str:
+    """Return how long ago an ISO 8601 time was; an empty string when it says nothing."""
+    try:
+        then = datetime.fromisoformat(iso)
+    except ValueError:
+        return ""
+    seconds = ((now or datetime.now(then.tzinfo)) - then).total_seconds()
+    if seconds < 90:
+        return "just now"
+    if seconds < 5400:
+        return f"{round(seconds / 60)} min ago"
+    if seconds < 129_600:
+        return f"{round(seconds / 3600)} h ago"
+    return f"{round(seconds / 86_400)} days ago"
+
+
+def sentence(text: str) -> str:
+    """Return ``text`` beginning with a capital and ending with a stop."""
+    text = text.strip()
+    if not text:
+        return ""
+    return text[0].upper() + text[1:] + ("" if text[-1] in ".!?…" else ".")
+
+
+def sentence_case(text: str) -> str:
+    """Return a label with a capital first letter, underscores as spaces."""
+    text = text.replace("_", " ").strip()
+    return text[:1].upper() + text[1:]

@@ -1,0 +1,218 @@
+"""The main window: header, rail, pages, properties and the strip at the bottom."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QCloseEvent, QKeySequence, QResizeEvent, QShortcut
+from PySide6.QtWidgets import QFileDialog, QMainWindow, QMessageBox, QStackedWidget, QWidget
+
+from ui.controllers.controllers import Controllers
+from ui.look.look import Look
+from ui.look.wording import millimetres, sentence_case, several, storage, when
+from ui.pages.calibration import CalibrationPage
+from ui.pages.calibration_rows import solution_rows, worst_residual_mm
+from ui.pages.clouds import CloudsPage
+from ui.pages.inspection import InspectionPage
+from ui.pages.page import Page
+from ui.pages.plan import PlanPage
+from ui.pages.report import ReportPage
+from ui.pages.rig import RigPage
+from ui.pages.scan import ScanPage
+from ui.session import Message, Session
+from ui.widgets.basic import column, row
+from ui.widgets.header import HeaderBar
+from ui.widgets.help_dialog import HelpDialog
+from ui.widgets.job_strip import JobStrip
+from ui.widgets.messages_dialog import MessagesDialog
+from ui.widgets.properties_panel import PropertiesPanel
+from ui.widgets.rail import Rail
+
+PAGES: tuple[type[Page], ...] = (RigPage, CalibrationPage, PlanPage, ScanPage, CloudsPage, InspectionPage, ReportPage)
+SMALLEST = (1366, 768)
+TITLE_BARS = 72  # what desktops take of the screen's height
+DISK_INTERVAL_MS = 30_000
+DISK_LOW_BYTES = 5e9
+CLOSING_WAIT_MS = 20_000
+ROOMY_WIDTH = 1500
+
+
+class MainWindow(QMainWindow):
+    """Everything the user sees."""
+
+    def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
+        super().__init__()
+        self.setWindowTitle("MeasureApp")
+        self.setMinimumSize(SMALLEST[0], SMALLEST[1] - TITLE_BARS)
+        self.resize(*SMALLEST)
+        self.look, self.session, self.controllers = look, session, controllers
+        self.header = HeaderBar(look)
+        self.properties = PropertiesPanel(look)
+        self.strip = JobStrip(look)
+        self.pages: dict[str, Page] = {kind.name: kind(look, session, controllers) for kind in PAGES}
+        self.rail = Rail(look, {page.name: page.word for page in self.pages.values()})
+        self.stack = QStackedWidget()
+        self.stack.setObjectName("pages")
+        for page in self.pages.values():
+            self.stack.addWidget(page)
+            page.propertiesChanged.connect(self._show_properties)
+        self.messages, self.help = MessagesDialog(look, self), HelpDialog(look, self)
+        self._lay_out()
+        self._connect()
+        self._disk_timer = QTimer(self)
+        self._disk_timer.setInterval(DISK_INTERVAL_MS)
+        self._disk_timer.timeout.connect(self._show_disk)
+        self._disk_timer.start()
+        self._show_project()
+        self._show_calibration()
+        self.show_page("rig")
+
+    @property
+    def page(self) -> Page:
+        """The workspace shown."""
+        shown = self.stack.currentWidget()
+        assert isinstance(shown, Page)
+        return shown
+
+    def show_page(self, name: str) -> None:
+        """Show one workspace."""
+        self.stack.setCurrentWidget(self.pages[name])
+        self.rail.choose(name)
+        self._give_room()
+        self._show_properties()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fold the properties where the picture needs the room."""
+        super().resizeEvent(event)
+        self._give_room()
+
+    def _give_room(self) -> None:
+        self.properties.fold(self.page.wants_room and self.width() < ROOMY_WIDTH)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Ask before a running job is given up; wait until its thread has ended."""
+        running = self.controllers.jobs.queue.running
+        if running is not None and not self._may_stop(running.title):
+            event.ignore()
+            return
+        self._disk_timer.stop()
+        for runner in (self.controllers.jobs, self.controllers.background):
+            runner.queue.cancel_all()
+        for runner in (self.controllers.jobs, self.controllers.background):
+            runner.queue.wait(CLOSING_WAIT_MS)
+        for page in self.pages.values():
+            page.close_page()
+        event.accept()
+
+    def _may_stop(self, title: str) -> bool:
+        answer = QMessageBox.question(
+            self,
+            "Stop and close?",
+            f"{title} is still running. Closing stops it; what is stored until then is kept.",
+            QMessageBox.StandardButton.Close | QMessageBox.StandardButton.Cancel,
+            QMessageBox.StandardButton.Cancel,
+        )
+        return answer == QMessageBox.StandardButton.Close
+
+    def _lay_out(self) -> None:
+        middle = row(self.rail, self.stack, self.properties, spacing=0)
+        middle.setStretch(1, 1)
+        whole = column(self.header, middle, self.strip, spacing=0)
+        whole.setStretch(1, 1)
+        centre = QWidget()
+        centre.setLayout(whole)
+        self.setCentralWidget(centre)
+        centre.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        centre.setFocus()
+
+    def _connect(self) -> None:
+        session, controllers = self.session, self.controllers
+        self.rail.chosen.connect(self.show_page)
+        self.header.openClicked.connect(self._choose_project)
+        self.header.helpClicked.connect(self._show_help)
+        self.header.role.valueChanged.connect(self._change_role)
+        self.strip.cancelClicked.connect(controllers.jobs.cancel)
+        self.strip.messagesClicked.connect(self._show_messages)
+        controllers.jobs.progressed.connect(self.strip.show_progress)
+        session.busyChanged.connect(self._show_busy)
+        session.messageAdded.connect(self._show_message)
+        session.projectChanged.connect(self._show_project)
+        session.calibrationChanged.connect(self._show_calibration)
+        session.rigChanged.connect(self._show_devices)
+        scan = self.pages["scan"]
+        assert isinstance(scan, ScanPage)
+        scan.next_step.clicked.connect(self._show_clouds)
+        QShortcut(QKeySequence.StandardKey.HelpContents, self, self._show_help)
+        QShortcut(QKeySequence.StandardKey.Open, self, self._choose_project)
+
+    def _show_clouds(self) -> None:
+        self.show_page("clouds")
+
+    def _show_properties(self) -> None:
+        self.properties.show_properties(self.page.properties)
+
+    def _show_busy(self) -> None:
+        self.strip.show_job(self.session.busy_with)
+
+    def _show_message(self, message: Message) -> None:
+        self.strip.show_message(message.text, message.hint, message.level)
+        if self.messages.isVisible():
+            self.messages.show_messages(self.session.messages)
+
+    def _show_messages(self) -> None:
+        self.messages.show_messages(self.session.messages)
+        self.messages.show()
+        self.messages.raise_()
+
+    def _show_help(self) -> None:
+        self.help.show_page(self.page.name)
+
+    def _show_project(self) -> None:
+        session = self.session
+        self.header.show_project(session.project_name, f"Part: {sentence_case(session.part)}" if session.part else "")
+        self.setWindowTitle(f"{session.project_name} – MeasureApp" if session.project_name else "MeasureApp")
+        self._show_disk()
+
+    def _show_devices(self) -> None:
+        rig = self.session.rig
+        problems = [driver for driver in self.session.drivers if driver.problem]
+        if rig is None:
+            self.header.devices.show_state("No rig", "verdict_not_proven")
+        elif problems:
+            self.header.devices.show_state(f"{several(len(problems), 'driver')} failed", "verdict_fail", problems[0].problem)
+        else:
+            self.header.devices.show_state("Virtual rig" if rig.driver == "virtual_rig" else rig.name, "verdict_pass", rig.name)
+
+    def _show_calibration(self) -> None:
+        calibration = self.session.calibration
+        if calibration is None:
+            self.header.calibration.show_state("Not calibrated", "verdict_not_proven", "Run the demo to calibrate the virtual rig")
+            return
+        good = all(found.good for found in solution_rows(calibration, self.session.rig))
+        age = when(calibration.provenance.created) or "calibrated"
+        words = f"{sentence_case(age)} · {millimetres(worst_residual_mm(calibration))} {'✓' if good else '✗'}"
+        tip = "Age of the calibration and the largest residual of hand–eye, guide and axis"
+        self.header.calibration.show_state(words, "verdict_pass" if good else "verdict_fail", tip)
+
+    def _show_disk(self) -> None:
+        folder = self.session.folder or Path.home()
+        while not folder.exists():
+            folder = folder.parent
+        free = shutil.disk_usage(folder).free
+        self.header.disk.show_state(f"{storage(free)} free", "verdict_fail" if free < DISK_LOW_BYTES else "soft", f"Free space at {folder}")
+
+    def _change_role(self, role: str) -> None:
+        self.session.set_role("operator" if role == "operator" else "engineer")
+        self.properties.setVisible(role == "engineer")
+        for name, page in self.pages.items():
+            self.rail.buttons[name].setVisible(role == "engineer" or page.for_operator)
+        if role == "operator" and not self.page.for_operator:
+            self.show_page("scan")
+
+    def _choose_project(self) -> None:
+        start = self.session.folder.parent if self.session.folder is not None else Path.home()
+        chosen = QFileDialog.getExistingDirectory(self, "Open a project folder", str(start))
+        if chosen:
+            self.controllers.project.open(Path(chosen))

@@ -1,0 +1,109 @@
+"""The solutions of a rig calibration as rows, each judged against what the rig's data sheets promise."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import degrees
+from typing import TYPE_CHECKING
+
+from ui.look.wording import millimetres, quantity
+
+if TYPE_CHECKING:
+    from measureapp.data.calibration import RigCalibration
+    from measureapp.data.rig import RigDescription
+
+REPROJECTION_LIMIT_PX = 0.3
+AXIS_LIMIT_MM = 0.1
+ROBOT_LIMIT_MM = 0.5
+STANDOFF_MM, STROKE_MM, HEIGHT_MM = 550.0, 650.0, 300.0  # where the rig does not say otherwise
+
+
+@dataclass(frozen=True)
+class SolutionRow:
+    """One solution: what was estimated, how well, and whether that is good."""
+
+    name: str
+    estimate: str
+    deviation: str
+    residual: str
+    good: bool
+    criterion: str
+
+
+def solution_rows(calibration: RigCalibration, rig: RigDescription | None) -> list[SolutionRow]:
+    """Return one row per camera, hand–eye, guide and axis."""
+    robot_mm = rig.robot.absolute_accuracy_mm * 2 if rig is not None else ROBOT_LIMIT_MM
+    rows = [_camera_row(calibration, name) for name in calibration.cameras.names]
+    hand_eye, guide, axis = calibration.hand_eye, calibration.guide, calibration.axis
+    place = hand_eye.flange_from_camera.translation_mm
+    robot_words = f"Residual up to {millimetres(robot_mm, 2)}, twice the robot's absolute accuracy"
+    rows.append(
+        SolutionRow(
+            "Hand–eye",
+            f"Camera {', '.join(quantity(float(value), '', 2) for value in place)} mm from the flange",
+            f"± {millimetres(hand_eye.translation_sigma_mm)} · ± {quantity(degrees(hand_eye.rotation_sigma_rad), '°', 4)}",
+            millimetres(hand_eye.residual_mm),
+            hand_eye.residual_mm <= robot_mm,
+            robot_words,
+        )
+    )
+    rows.append(
+        SolutionRow(
+            "Linear guide",
+            f"Direction {_vector(guide.direction)}, scale {guide.scale:.6f}",
+            f"± {quantity(degrees(guide.direction_sigma_rad), '°', 4)} · ± {guide.scale_sigma * 1e6:.0f} ppm",
+            millimetres(guide.straightness_mm),
+            guide.straightness_mm <= robot_mm,
+            robot_words.replace("Residual", "Straightness"),
+        )
+    )
+    rows.append(
+        SolutionRow(
+            "Table axis",
+            f"Direction {_vector(axis.direction)}, through {', '.join(quantity(float(value), '', 2) for value in axis.point_mm)} mm",
+            f"± {millimetres(axis.point_sigma_mm)} · ± {quantity(degrees(axis.direction_sigma_rad), '°', 4)}",
+            millimetres(axis.residual_mm),
+            axis.residual_mm <= AXIS_LIMIT_MM,
+            f"Residual up to {millimetres(AXIS_LIMIT_MM, 2)}",
+        )
+    )
+    return rows
+
+
+def _camera_row(calibration: RigCalibration, name: str) -> SolutionRow:
+    camera = calibration.cameras.cameras[name]
+    matrix = camera.pinhole.matrix
+    sigma = max((value for key, value in camera.standard_deviations.items() if key in {"fx", "fy", "f"}), default=None)
+    return SolutionRow(
+        f"Camera {name}",
+        f"Focal length {matrix[0, 0]:.2f} / {matrix[1, 1]:.2f} px, centre {matrix[0, 2]:.1f}, {matrix[1, 2]:.1f} px",
+        f"± {quantity(sigma, 'px', 2)}" if sigma is not None else "–",
+        quantity(camera.rms_px, "px", 3),
+        camera.rms_px <= REPROJECTION_LIMIT_PX,
+        f"Reprojection up to {quantity(REPROJECTION_LIMIT_PX, 'px', 1)} rms",
+    )
+
+
+def worst_residual_mm(calibration: RigCalibration) -> float:
+    """Return the largest residual of the solutions that are judged in millimetres."""
+    return max(calibration.hand_eye.residual_mm, calibration.guide.straightness_mm, calibration.axis.residual_mm)
+
+
+def _vector(direction: object) -> str:
+    return "(" + ", ".join(quantity(float(value), "", 4) for value in direction) + ")"  # type: ignore[attr-defined]
+
+
+def contributions(calibration: RigCalibration, rig: RigDescription | None) -> list[tuple[str, float]]:
+    """Return what each standard deviation does to a measured point placed by the axes, in mm, and their root sum of squares."""
+    standoff = rig.standoff_mm if rig is not None else STANDOFF_MM
+    stroke = max(abs(limit) for limit in rig.guide.limits_mm) if rig is not None else STROKE_MM
+    hand_eye, guide, axis = calibration.hand_eye, calibration.guide, calibration.axis
+    parts = [
+        ("Hand–eye, position", hand_eye.translation_sigma_mm),
+        (f"Hand–eye, rotation over {standoff:.0f} mm", hand_eye.rotation_sigma_rad * standoff),
+        (f"Guide direction over {stroke:.0f} mm", guide.direction_sigma_rad * stroke),
+        (f"Guide scale over {stroke:.0f} mm", guide.scale_sigma * stroke),
+        ("Table axis, position", axis.point_sigma_mm),
+        (f"Table axis, tilt over {HEIGHT_MM:.0f} mm", axis.direction_sigma_rad * HEIGHT_MM),
+    ]
+    return [*parts, ("Together", sum(value**2 for _, value in parts) ** 0.5)]

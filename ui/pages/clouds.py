@@ -1,0 +1,191 @@
+"""Clouds: every view with its quality, before and after fine stitching."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QHeaderView
+
+from ui.controllers.controllers import Controllers
+from ui.look.look import Look
+from ui.look.wording import NOTHING, counted, millimetres, percent, quantity, sentence, several
+from ui.pages.layers import ColourBy, placed, scale_end, stitched_layer, view_layer
+from ui.pages.viewport_page import ViewportPage
+from ui.session import Session
+from ui.viewport.colouring import GROWING
+from ui.widgets.basic import Button, card, column, row
+from ui.widgets.colour_scale import ColourScale
+from ui.widgets.data_table import Cell, DataTable, number, verdict_cell
+from ui.widgets.empty_state import EmptyState
+from ui.widgets.properties_panel import Group, Properties
+from ui.widgets.segments import Segments
+
+if TYPE_CHECKING:
+    from measureapp.data.cloud import ViewPlacement
+    from measureapp.data.measurement import ViewResult
+
+EMPTY = (
+    "No clouds yet",
+    "Each viewpoint gives a cloud of points; fine stitching lays them together. The demo makes some in a minute or two.",
+)
+SCALE_NAMES = {"sigma": "Standard deviation σ", "residual": "Residual of the view"}
+HEADERS = ["", "View", "Points", "Correction", "Residual", "Verdict"]
+
+
+class CloudsPage(ViewportPage):
+    """The views as a list with eyes, the clouds in 3-D."""
+
+    name, word, wants_room = "clouds", "Clouds", True
+
+    def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
+        super().__init__(look, session, controllers, EmptyState(look, "clouds", *EMPTY, "Run the demo"))
+        self.stage = Segments({"before": "By the axes", "after": "Fine stitched", "merged": "Merged"})
+        self.colour_by = Segments({"view": "View", "sigma": "σ", "grey": "Grey", "residual": "Residual"})
+        self.scale = ColourScale(look)
+        self.table = DataTable(look, HEADERS, numeric=(2, 3, 4), stretch=5)
+        self.table.setFixedWidth(488)
+        self.table.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.Fixed)
+        self.table.setColumnWidth(0, 40)
+        self.hidden: set[str] = set()
+        fit = Button("Show all", look, "fit", "quiet", "Look at everything from the front")
+        fit.clicked.connect(self.view.reset_camera)
+        tools = row(self.stage, 8, self.colour_by, 8, self.scale, 0, fit)
+        middle = row(card(self.view, margin=1), self.table, spacing=16)
+        middle.setStretch(0, 1)
+        layout = column(tools, middle, spacing=12)
+        layout.setStretch(1, 1)
+        self.body.setLayout(layout)
+        self.stage.valueChanged.connect(self.redraw)
+        self.colour_by.valueChanged.connect(self.redraw)
+        self.table.rowSelected.connect(self._select)
+        self.table.cellClicked.connect(self._toggle)
+        session.cloudsChanged.connect(self._show)
+        session.projectChanged.connect(self.hidden.clear)
+        session.busyChanged.connect(self._show_busy)
+        self._show()
+
+    def _show_busy(self) -> None:
+        if self.session.busy_with and not self.session.views:
+            self.empty.say("No clouds yet", "The first cloud appears when the first viewpoint is processed.", offer=False)
+        else:
+            self.empty.say(*EMPTY)
+
+    def placements(self) -> dict[str, ViewPlacement]:
+        """Return how each view was stitched, so far."""
+        stitched = self.session.stitched
+        return {} if stitched is None else {placement.viewpoint_id: placement for placement in stitched.placements}
+
+    def _show(self) -> None:
+        views, stitched = self.session.views, self.session.stitched
+        self.show_filled(bool(views))
+        for name in ("after", "merged"):
+            self.stage.set_available(name, stitched is not None)
+        if stitched is None and self.stage.value() != "before":
+            self.stage.setValue("before")
+        elif stitched is not None and self.stage.value() == "before" and not self._was_stitched():
+            self.stage.setValue("merged")
+        self._seen_stitched = stitched is not None
+        total = sum(len(view.cloud) for view in views)
+        words = f"{several(len(views), 'view')} with {counted(total)} points"
+        self.state.setText(f"{words}; {counted(len(stitched))} after merging." if stitched is not None else f"{words}, placed by the axes.")
+        placements = self.placements()
+        self.table.set_rows([self._cells(index, view, placements.get(view.viewpoint_id)) for index, view in enumerate(views)])
+        self._select(max(0, self.table.currentIndex().row()))
+        self.redraw()
+
+    def _was_stitched(self) -> bool:
+        return getattr(self, "_seen_stitched", False)
+
+    def _cells(self, index: int, view: ViewResult, placement: ViewPlacement | None) -> list[Cell]:
+        good, why = view_verdict(view, placement)
+        return [
+            Cell("", sign="hidden" if view.viewpoint_id in self.hidden else "eye", tip="Show or hide this view"),
+            Cell(view.viewpoint_id, sign=self.look.theme.view(index).name(), bold=True),
+            number(counted(len(view.cloud))),
+            number(millimetres(placement.correction_mm) if placement else NOTHING),
+            number(millimetres(placement.residual_mm) if placement else NOTHING),
+            verdict_cell("pass" if good else "fail", "Good" if good else "Poor", why),
+        ]
+
+    def _toggle(self, place: int, place_column: int) -> None:
+        if place_column == 0:
+            name = self.session.views[place].viewpoint_id
+            self.hidden.symmetric_difference_update({name})
+            self._show()
+
+    def _select(self, place: int) -> None:
+        if 0 <= place < len(self.session.views):
+            view = self.session.views[place]
+            self.show_properties(view_properties(view, self.placements().get(view.viewpoint_id)))
+
+    def draw(self) -> None:
+        """Show the visible views as chosen."""
+        colour_by: ColourBy = self.colour_by.value()  # type: ignore[assignment]
+        stitched, placements = self.session.stitched, self.placements()
+        clouds = [view.cloud for view in self.session.views]
+        end = scale_end(colour_by, clouds, placements.values())
+        self.scale.setVisible(colour_by in SCALE_NAMES)
+        self.scale.show_scale(SCALE_NAMES.get(colour_by, ""), GROWING, 0.0, end)
+        theme = self.look.theme
+        if self.stage.value() == "merged" and stitched is not None:
+            visible = [index for index, found in enumerate(stitched.placements) if found.viewpoint_id not in self.hidden]
+            self.view.set_clouds([stitched_layer(theme, stitched, colour_by, end, visible)])
+            return
+        fine = self.stage.value() == "after"
+        self.view.set_clouds(
+            [
+                view_layer(
+                    theme,
+                    placed(view, placements.get(view.viewpoint_id), fine=fine),
+                    index,
+                    placements.get(view.viewpoint_id),
+                    colour_by,
+                    end,
+                )
+                for index, view in enumerate(self.session.views)
+                if view.viewpoint_id not in self.hidden
+            ]
+        )
+
+
+def view_verdict(view: ViewResult, placement: ViewPlacement | None) -> tuple[bool, str]:
+    """Return whether a view is good, and why not."""
+    if not view.quality.accepted:
+        return False, view.quality.reason
+    if placement is not None and placement.verdict != "good":
+        return False, placement.verdict
+    return True, "Accepted by cloud statistics" + (" and fine stitching" if placement is not None else "")
+
+
+def view_properties(view: ViewResult, placement: ViewPlacement | None) -> Properties:
+    """Return what there is to know about one view."""
+    quality = view.quality
+    groups = [
+        Group(
+            "Cloud",
+            (
+                ("Points", counted(quality.points)),
+                ("Density", quantity(quality.density_per_mm2, "per mm²", 2)),
+                ("Noise", millimetres(quality.noise_mm)),
+                ("Outliers", percent(quality.outlier_ratio)),
+                ("Completeness", percent(quality.completeness, 0)),
+            ),
+        )
+    ]
+    if placement is not None:
+        groups.append(
+            Group(
+                "Fine stitching",
+                (
+                    ("Correction", f"{millimetres(placement.correction_mm)} · {quantity(placement.correction_deg, '°')}"),
+                    ("Residual (rms)", millimetres(placement.residual_mm)),
+                    ("Overlap", percent(placement.overlap, 0)),
+                    ("Used", "Yes" if placement.used else "No"),
+                ),
+            )
+        )
+    if view.rejected:
+        groups.append(
+            Group("Points left out", tuple((sentence(name).rstrip("."), counted(count)) for name, count in view.rejected.items()))
+        )
+    return Properties(view.viewpoint_id, tuple(groups), "" if quality.accepted else sentence(quality.reason))

@@ -1,0 +1,51 @@
+"""Outlines of fitted features, for the 3-D view."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from measureapp.data.feature import Feature
+
+STEPS = 73
+CROSS_MM = 6.0
+
+
+def outline(feature: Feature) -> np.ndarray:
+    """Return a polyline (K, 3) around a feature: its boundary's hull in its plane, or its circle."""
+    if feature.radius_mm is not None:
+        return _circle(feature.point_mm, _axis(feature), feature.radius_mm)
+    if feature.boundary_mm is not None and len(feature.boundary_mm) >= 3:
+        return _hull(feature.boundary_mm, feature.point_mm, _axis(feature))
+    return _circle(feature.point_mm, _axis(feature), CROSS_MM)
+
+
+def _axis(feature: Feature) -> np.ndarray:
+    return np.array([0.0, 0.0, 1.0]) if feature.direction is None else np.asarray(feature.direction)
+
+
+def _across(axis: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    u = np.cross(axis, [1.0, 0.0, 0.0] if abs(axis[0]) < 0.9 else [0.0, 1.0, 0.0])
+    u /= np.linalg.norm(u)
+    return u, np.cross(axis, u)
+
+
+def _circle(centre: np.ndarray, axis: np.ndarray, radius: float) -> np.ndarray:
+    u, v = _across(axis)
+    angle = np.linspace(0.0, 2 * np.pi, STEPS)[:, None]
+    return centre + radius * (np.cos(angle) * u + np.sin(angle) * v)
+
+
+def _hull(points: np.ndarray, centre: np.ndarray, axis: np.ndarray) -> np.ndarray:
+    from scipy.spatial import ConvexHull, QhullError
+
+    u, v = _across(axis)
+    flat = np.column_stack([(points - centre) @ u, (points - centre) @ v])
+    try:
+        corners = ConvexHull(flat).vertices
+    except QhullError:  # the points lie on one line
+        return np.asarray(points)
+    closed = flat[np.append(corners, corners[0])]
+    return centre + closed[:, :1] * u + closed[:, 1:] * v

@@ -1,0 +1,66 @@
+"""What every workspace has: a title, one line that says how things stand, actions, and a body."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QStackedWidget, QWidget
+
+from ui.controllers.controllers import Controllers
+from ui.look.look import Look
+from ui.session import Session
+from ui.widgets.basic import column, label, row
+from ui.widgets.empty_state import EmptyState
+from ui.widgets.properties_panel import Properties
+
+
+class Page(QWidget):
+    """One workspace; it shows its empty state until there is something."""
+
+    name: ClassVar[str] = ""
+    word: ClassVar[str] = ""
+    wants_room: ClassVar[bool] = False  # on a small window the properties fold away
+    for_operator: ClassVar[bool] = False
+    propertiesChanged = Signal(object)
+
+    def __init__(self, look: Look, session: Session, controllers: Controllers, empty: EmptyState) -> None:
+        super().__init__()
+        self.setObjectName("page")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.look, self.session, self.controllers, self.empty = look, session, controllers, empty
+        self.properties = Properties("Properties", note="Select something to see its properties.")
+        self.title, self.state = label(self.word, "title"), label("", "soft")
+        self.actions = row(spacing=8)
+        self.body = QWidget()
+        self._stack = QStackedWidget()
+        self._stack.addWidget(empty)
+        self._stack.addWidget(self.body)
+        names = column(self.title, self.state, spacing=0)
+        top = row(names, 0, self.actions)
+        layout = column(top, self._stack, spacing=16)
+        layout.setContentsMargins(24, 16, 24, 16)
+        layout.setStretch(1, 1)
+        self.setLayout(layout)
+        empty.triggered.connect(controllers.demo.run)
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether the page has nothing to show."""
+        return self._stack.currentWidget() is self.empty
+
+    def show_filled(self, filled: bool) -> None:
+        """Show the body, or the empty state."""
+        self._stack.setCurrentWidget(self.body if filled else self.empty)
+        for place in range(self.actions.count()):
+            widget = self.actions.itemAt(place).widget()
+            if widget is not None:
+                widget.setVisible(filled)
+
+    def show_properties(self, properties: Properties) -> None:
+        """Show these properties in the panel on the right."""
+        self.properties = properties
+        self.propertiesChanged.emit(properties)
+
+    def close_page(self) -> None:
+        """Release what must not outlive the window."""

@@ -1,0 +1,132 @@
+"""Report: the pages as they are printed, and the documents."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QImage, QPixmap, QResizeEvent, QShowEvent
+from PySide6.QtWidgets import QFileDialog, QLabel, QScrollArea, QSizePolicy, QWidget
+
+from ui.controllers.controllers import Controllers
+from ui.controllers.documents import FORMATS
+from ui.look.look import Look
+from ui.look.wording import sentence_case, when
+from ui.pages.page import Page
+from ui.session import Session
+from ui.widgets.basic import Button, card, clear, column, label, row
+from ui.widgets.empty_state import EmptyState
+from ui.widgets.properties_panel import Group, Properties
+
+EMPTY = (
+    "No report yet",
+    "The report is composed when a part is measured: pictures, dimensions, calibration and settings on pages to sign.",
+)
+PAGE_WIDTH = 820
+
+
+class ReportPage(Page):
+    """A preview that is the PDF, and export by format."""
+
+    name, word = "report", "Report"
+    for_operator = True
+
+    def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
+        super().__init__(look, session, controllers, EmptyState(look, "report", *EMPTY, "Run the demo"))
+        self._sheet = QWidget()
+        self._sheet.setObjectName("clear")
+        self._pages = column(spacing=16)
+        self._sheet.setLayout(self._pages)
+        self.pages: list[QLabel] = []
+        self._images: list[QImage] = []
+        self._scroll = QScrollArea()
+        self._scroll.setWidgetResizable(True)
+        self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._scroll.setWidget(self._sheet)
+        self.exports = {kind: self._export_button(kind) for kind in FORMATS}
+        folder = Button("Show in folder", look, "open", "quiet")
+        folder.clicked.connect(controllers.documents.open_folder)
+        side = card(
+            label("Export", "heading"), label("Writes a copy where you choose.", "soft", wrap=True), 8, *self.exports.values(), 0, folder
+        )
+        side.setFixedWidth(288)
+        layout = row(self._scroll, side, spacing=16)
+        layout.setStretch(0, 1)
+        self.body.setLayout(layout)
+        self.open_pdf = Button("Open PDF", look, "pdf", "primary")
+        self.open_pdf.clicked.connect(controllers.documents.open_pdf)
+        self.actions.addWidget(self.open_pdf)
+        controllers.documents.pagesReady.connect(self.show_pages)
+        session.reportChanged.connect(self._show)
+        session.busyChanged.connect(self._show_busy)
+        self._show()
+
+    def _export_button(self, kind: str) -> Button:
+        made = Button(FORMATS[kind][0] + "…", self.look, "export")
+        made.clicked.connect(lambda: self._export(kind))
+        return made
+
+    def _show_busy(self) -> None:
+        if self.session.busy_with and self.session.measurement is None:
+            self.empty.say("No report yet", "The report is written when the dimensions are known.", offer=False)
+        else:
+            self.empty.say(*EMPTY)
+
+    def _show(self) -> None:
+        measurement = self.session.measurement
+        self.show_filled(measurement is not None)
+        self.show_pages(())
+        if measurement is None:
+            self.state.setText("Nothing to report.")
+            return
+        files = self.session.files
+        for kind, made in self.exports.items():
+            made.setVisible(kind == "ply" or (kind == "stl" and measurement.mesh is not None) or FORMATS[kind][1] in files)
+        self.open_pdf.setVisible("report_pdf" in files)
+        self.state.setText(f"{sentence_case(measurement.part)}, measured {when(measurement.measured_at) or measurement.measured_at}.")
+        rows = (("Project", measurement.project), ("Part", measurement.part), ("Rig", measurement.rig))
+        times = tuple((sentence_case(name), f"{seconds:.1f} s") for name, seconds in measurement.timings_s.items())
+        groups = [Group("Measurement", rows), *([Group("Time", times)] if times else [])]
+        self.show_properties(Properties("Report", tuple(groups)))
+        self.controllers.documents.preview()
+
+    def show_pages(self, pages: tuple[bytes, ...]) -> None:
+        """Show the pages (PNG) of the report."""
+        clear(self._pages)
+        self.pages = []
+        self._images = [image for image in (QImage.fromData(data) for data in pages) if not image.isNull()]
+        for _ in self._images:
+            shown = QLabel(alignment=Qt.AlignmentFlag.AlignHCenter)
+            shown.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+            self.pages.append(shown)
+            self._pages.addWidget(shown)
+        self._fit_pages()
+        if not self.pages and self.session.measurement is not None:
+            waiting = label("The pages are being drawn…", "soft")
+            waiting.setAlignment(Qt.AlignmentFlag.AlignCenter)
+            self._pages.addWidget(waiting)
+        self._pages.addStretch(1)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the pages to the room there is."""
+        super().resizeEvent(event)
+        QTimer.singleShot(0, self, self._fit_pages)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Fit the pages to the room there is."""
+        super().showEvent(event)
+        QTimer.singleShot(0, self, self._fit_pages)
+
+    def _fit_pages(self) -> None:
+        ratio = self.devicePixelRatioF()
+        width = min(PAGE_WIDTH, max(320, self._scroll.width() - 24))
+        for image, shown in zip(self._images, self.pages, strict=True):
+            scaled = image.scaledToWidth(round(width * ratio), Qt.TransformationMode.SmoothTransformation)
+            scaled.setDevicePixelRatio(ratio)
+            shown.setPixmap(QPixmap.fromImage(scaled))
+
+    def _export(self, kind: str) -> None:
+        start = str(Path.home() / f"{self.session.project_name or 'measurement'}.{kind}")
+        chosen, _ = QFileDialog.getSaveFileName(self, FORMATS[kind][0], start, f"*.{kind}")
+        if chosen:
+            self.controllers.documents.export(kind, Path(chosen))

@@ -1,0 +1,128 @@
+"""Rig: what is connected, drawn to scale, and the demo."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize
+
+from ui.controllers.controllers import Controllers
+from ui.look.look import Look
+from ui.look.wording import exposure, millimetres, several
+from ui.pages.page import Page
+from ui.session import Session
+from ui.widgets.basic import Button, card, column, label, row
+from ui.widgets.data_table import Cell, DataTable, verdict_cell
+from ui.widgets.demo_form import DemoForm
+from ui.widgets.empty_state import EmptyState
+from ui.widgets.properties_panel import Group, Properties
+from ui.widgets.rig_drawing import RigDrawing
+
+DEMO_WORDS = (
+    "Calibrates a virtual rig with hidden errors, scans the part, stitches the views, measures the dimensions and writes the report."
+)
+
+
+class RigPage(Page):
+    """Devices and nominal data of the rig."""
+
+    name, word = "rig", "Rig"
+    for_operator = True
+
+    def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
+        empty = EmptyState(look, "rig", "Looking for the rig…", "The description of the rig is being read.", "Run the demo")
+        super().__init__(look, session, controllers, empty)
+        self.drawing = RigDrawing(look)
+        self.devices = DataTable(look, ["Device", "Model", "Properties", "Driver"], stretch=2)
+        self.form = DemoForm()
+        self.form.valueChanged.connect(controllers.demo.choose)
+        self.run_demo = Button("Run the demo", look, "run", "primary")
+        self.run_demo.clicked.connect(controllers.demo.run)
+        self.run_demo.setIconSize(QSize(20, 20))
+        demo = card(
+            label("Demo on the virtual rig", "heading"), label(DEMO_WORDS, "soft", wrap=True), 8, self.form, 0, self.run_demo, spacing=8
+        )
+        demo.setFixedWidth(336)
+        upper = row(card(self.drawing, margin=8), demo, spacing=16)
+        upper.setStretch(0, 1)
+        layout = column(upper, self.devices, spacing=16)
+        layout.setStretch(0, 3)
+        layout.setStretch(1, 2)
+        self.body.setLayout(layout)
+        session.rigChanged.connect(self._show)
+        session.busyChanged.connect(self._show_busy)
+        self._show()
+
+    def _show_busy(self) -> None:
+        self.run_demo.setEnabled(not self.session.busy_with)
+        self.empty.button.setEnabled(not self.session.busy_with)
+
+    def _show(self) -> None:
+        rig = self.session.rig
+        self.show_filled(rig is not None)
+        if rig is None:
+            return
+        problems = [driver for driver in self.session.drivers if driver.problem]
+        self.state.setText(
+            f"{rig.name}. {several(len(rig.cameras), 'camera')}, projector, robot, guide and table described."
+            + (f" {several(len(problems), 'driver')} could not be loaded." if problems else "")
+        )
+        self.drawing.show_rig(rig)
+        self.devices.set_rows(self._rows())
+        self.show_properties(self._properties())
+
+    def _rows(self) -> list[list[Cell]]:
+        rig = self.session.rig
+        assert rig is not None
+        driver = self._driver_cell(rig.driver)
+        rows = [
+            [
+                Cell(f"Camera {camera.name}", bold=True),
+                Cell(camera.model),
+                Cell(f"{camera.width_px} × {camera.height_px} px · {camera.focal_mm:g} mm lens · {camera.bit_depth} bit"),
+                driver,
+            ]
+            for camera in rig.cameras
+        ]
+        low, high = rig.guide.limits_mm
+        others = (
+            ("Projector", rig.projector.model, f"{rig.projector.width_px} × {rig.projector.height_px} px"),
+            ("Robot", rig.robot.model, f"Reach {rig.robot.max_reach_mm:.0f} mm · repeatability {millimetres(rig.robot.repeatability_mm)}"),
+            ("Linear guide", rig.guide.model, f"{low:.0f} … {high:.0f} mm · repeatability {millimetres(rig.guide.repeatability_mm)}"),
+            ("Rotary table", rig.table.model, f"⌀ {rig.table.diameter_mm:.0f} mm · accuracy {rig.table.accuracy_arcsec:g}″"),
+        )
+        return rows + [[Cell(name, bold=True), Cell(model), Cell(words), driver] for name, model, words in others]
+
+    def _driver_cell(self, wanted: str) -> Cell:
+        found = next((driver for driver in self.session.drivers if driver.name == wanted), None)
+        if found is None:
+            return Cell(wanted)
+        if found.problem:
+            return verdict_cell("fail", found.name, found.problem)
+        return verdict_cell("pass", found.name, f"Version {found.version}")
+
+    def _properties(self) -> Properties:
+        rig = self.session.rig
+        assert rig is not None
+        drivers = tuple((driver.name, driver.problem or driver.version) for driver in self.session.drivers)
+        return Properties(
+            rig.name,
+            (
+                Group(
+                    "Measuring head",
+                    (
+                        ("Reference camera", rig.reference),
+                        ("Distance to the part", millimetres(rig.standoff_mm, 0)),
+                        ("Exposures", ", ".join(exposure(value) for value in rig.exposures_us)),
+                    ),
+                ),
+                Group(
+                    "Robot",
+                    (
+                        ("Absolute accuracy", millimetres(rig.robot.absolute_accuracy_mm)),
+                        ("Repeatability", millimetres(rig.robot.repeatability_mm)),
+                        ("Reach", f"{rig.robot.min_reach_mm:.0f} … {rig.robot.max_reach_mm:.0f} mm"),
+                    ),
+                ),
+                *([Group("Drivers", drivers)] if drivers else []),
+            ),
+            "Nominal values from data sheets. Calibration finds the true ones.",
+        )

@@ -1,0 +1,201 @@
+"""What the window shows: the one mutable model. Controllers write it, views watch it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+from PySide6.QtCore import QObject, Signal
+
+from ui.workers.mailbox import Mailbox
+
+if TYPE_CHECKING:
+    from measureapp.acquire.events import ImageTaken
+    from measureapp.data.calibration import RigCalibration
+    from measureapp.data.cloud import StitchedCloud
+    from measureapp.data.measurement import Inspection, Measurement, ViewResult
+    from measureapp.data.plan import ScanPlan
+    from measureapp.data.rig import RigDescription
+
+Level = Literal["info", "done", "warning", "error"]
+ViewpointStatus = Literal["waiting", "moving", "capturing", "stored", "processed", "failed"]
+Role = Literal["operator", "engineer"]
+GraphicsState = Literal["preparing", "ready", "failed"]
+
+
+@dataclass(frozen=True)
+class Message:
+    """Something to tell: what happened, what to do about it."""
+
+    text: str
+    hint: str = ""
+    level: Level = "info"
+    at: datetime = field(default_factory=datetime.now)
+
+
+@dataclass(frozen=True)
+class ViewpointState:
+    """How far one viewpoint is."""
+
+    id: str
+    status: ViewpointStatus = "waiting"
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class DriverRow:
+    """One device driver found, or why it could not be loaded."""
+
+    name: str
+    kind: str
+    version: str = ""
+    problem: str = ""
+
+
+class Session(QObject):
+    """The open project and what is known about it so far."""
+
+    projectChanged = Signal()
+    rigChanged = Signal()
+    planChanged = Signal()
+    calibrationChanged = Signal()
+    viewpointsChanged = Signal()
+    cloudsChanged = Signal()
+    inspectionChanged = Signal()
+    reportChanged = Signal()
+    busyChanged = Signal()
+    messageAdded = Signal(object)
+    graphicsChanged = Signal()
+    appearanceChanged = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.images: Mailbox[ImageTaken] = Mailbox()
+        self.messages: list[Message] = []
+        self.busy_with = ""
+        self.role: Role = "engineer"
+        self.graphics: GraphicsState = "preparing"
+        self.graphics_problem = ""
+        self.rig: RigDescription | None = None
+        self.drivers: tuple[DriverRow, ...] = ()
+        self._forget()
+
+    def _forget(self) -> None:
+        self.project_name = ""
+        self.part = ""
+        self.folder: Path | None = None
+        self.plan: ScanPlan | None = None
+        self.calibration: RigCalibration | None = None
+        self.viewpoints: dict[str, ViewpointState] = {}
+        self.views: tuple[ViewResult, ...] = ()
+        self.stitched: StitchedCloud | None = None
+        self.inspection: Inspection | None = None
+        self.measurement: Measurement | None = None
+        self.files: Mapping[str, Path] = {}
+
+    def open_project(self, name: str, part: str, folder: Path | None) -> None:
+        """Begin with another project; whatever was known of the last one is forgotten."""
+        self._forget()
+        self.project_name, self.part, self.folder = name, part, folder
+        for signal in (
+            self.projectChanged,
+            self.planChanged,
+            self.calibrationChanged,
+            self.viewpointsChanged,
+            self.cloudsChanged,
+            self.inspectionChanged,
+            self.reportChanged,
+        ):
+            signal.emit()
+
+    def set_rig(self, rig: RigDescription | None, drivers: tuple[DriverRow, ...] | None = None) -> None:
+        """Tell which rig is there."""
+        self.rig = rig
+        self.drivers = self.drivers if drivers is None else drivers
+        self.rigChanged.emit()
+
+    def set_plan(self, plan: ScanPlan | None) -> None:
+        """Tell which plan is measured."""
+        self.plan = plan
+        if plan is not None and not self.viewpoints:
+            self.start_viewpoints(tuple(viewpoint.id for viewpoint in plan))
+        self.planChanged.emit()
+
+    def set_calibration(self, calibration: RigCalibration | None) -> None:
+        """Tell what the rig's geometry is."""
+        self.calibration = calibration
+        self.calibrationChanged.emit()
+
+    def start_viewpoints(self, ids: tuple[str, ...]) -> None:
+        """Show these viewpoints as waiting, in scan order."""
+        self.viewpoints = {id_: ViewpointState(id_) for id_ in ids}
+        self.viewpointsChanged.emit()
+
+    def set_viewpoint(self, id_: str, status: ViewpointStatus, note: str = "") -> None:
+        """Tell how far one viewpoint is."""
+        self.viewpoints[id_] = ViewpointState(id_, status, note)
+        self.viewpointsChanged.emit()
+
+    def add_view(self, view: ViewResult) -> None:
+        """Add the cloud of one viewpoint, or replace it."""
+        self.views = (*(old for old in self.views if old.viewpoint_id != view.viewpoint_id), view)
+        quality = view.quality
+        self.viewpoints[view.viewpoint_id] = ViewpointState(
+            view.viewpoint_id, "processed" if quality.accepted else "failed", quality.reason
+        )
+        self.viewpointsChanged.emit()
+        self.cloudsChanged.emit()
+
+    def set_stitched(self, stitched: StitchedCloud | None) -> None:
+        """Tell the cloud of all views."""
+        self.stitched = stitched
+        self.cloudsChanged.emit()
+
+    def set_inspection(self, inspection: Inspection | None) -> None:
+        """Tell the dimensions."""
+        self.inspection = inspection
+        self.inspectionChanged.emit()
+
+    def set_measurement(self, measurement: Measurement, files: Mapping[str, Path]) -> None:
+        """Take over everything one measurement gave."""
+        self.measurement = measurement
+        self.files = dict(files)
+        self.calibration = measurement.calibration
+        self.views = measurement.views
+        self.stitched = measurement.stitched
+        self.inspection = measurement.inspection
+        for view in measurement.views:
+            status: ViewpointStatus = "processed" if view.quality.accepted else "failed"
+            self.viewpoints[view.viewpoint_id] = ViewpointState(view.viewpoint_id, status, view.quality.reason)
+        for signal in (
+            self.calibrationChanged,
+            self.viewpointsChanged,
+            self.cloudsChanged,
+            self.inspectionChanged,
+            self.reportChanged,
+        ):
+            signal.emit()
+
+    def set_busy(self, title: str) -> None:
+        """Tell which job runs; an empty title: none."""
+        self.busy_with = title
+        self.busyChanged.emit()
+
+    def set_graphics(self, state: GraphicsState, problem: str = "") -> None:
+        """Tell whether the 3-D view can be shown."""
+        self.graphics, self.graphics_problem = state, problem
+        self.graphicsChanged.emit()
+
+    def set_role(self, role: Role) -> None:
+        """Switch between operator and engineer."""
+        self.role = role
+        self.appearanceChanged.emit()
+
+    def tell(self, text: str, hint: str = "", level: Level = "info") -> None:
+        """Add a message to the strip and the list of all messages."""
+        message = Message(text, hint, level)
+        self.messages.append(message)
+        self.messageAdded.emit(message)

@@ -1,0 +1,1 @@
+"""The 3-D view; the only room that imports VTK."""

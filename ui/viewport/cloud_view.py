@@ -1,0 +1,158 @@
+"""The one widget for 3-D: it exists at once, and draws as soon as VTK is loaded."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QImage, QShowEvent
+from PySide6.QtWidgets import QLabel, QStackedLayout, QWidget
+
+from ui.look.look import Look
+from ui.viewport.backend import NO_GRAPHICS, choose_backend, off_screen_window
+from ui.viewport.layers import CloudLayer, Label, LineLayer, SurfaceLayer
+
+if TYPE_CHECKING:
+    from ui.viewport.native import NativeView
+    from ui.viewport.off_screen import OffScreenView
+    from ui.viewport.scene import Scene
+
+PREPARING = "Preparing 3-D view…"
+
+
+class CloudView(QWidget):
+    """Shows clouds, a surface, lines and labels; drag turns, Shift and drag moves, the wheel zooms."""
+
+    def __init__(self, look: Look, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._look = look
+        self._scene: Scene | None = None
+        self._view: OffScreenView | NativeView | None = None
+        self._allowed = False
+        self._clouds: tuple[CloudLayer, ...] = ()
+        self._surface: SurfaceLayer | None = None
+        self._lines: tuple[LineLayer, ...] = ()
+        self._labels: tuple[Label, ...] = ()
+        self._placeholder = QLabel(PREPARING, alignment=Qt.AlignmentFlag.AlignCenter)
+        self._placeholder.setProperty("role", "soft")
+        self._placeholder.setWordWrap(True)
+        self._stack = QStackedLayout(self)
+        self._stack.addWidget(self._placeholder)
+        self.setMinimumSize(280, 240)
+        look.changed.connect(self._dress)
+
+    @property
+    def is_live(self) -> bool:
+        """Whether the 3-D view draws."""
+        return self._view is not None
+
+    def activate(self) -> None:
+        """Draw from now on; VTK must have been imported, or the window waits for it. Takes effect when the widget is seen."""
+        self._allowed = True
+        if self.isVisible():
+            self._create()
+
+    def explain(self, why: str) -> None:
+        """Say why there is no 3-D view."""
+        self._placeholder.setText(why)
+
+    def set_clouds(self, layers: Sequence[CloudLayer]) -> None:
+        """Show these clouds."""
+        self._clouds = tuple(layers)
+        if self._scene is not None:
+            self._scene.set_clouds(self._clouds)
+            self._refresh()
+
+    def set_surface(self, layer: SurfaceLayer | None) -> None:
+        """Show this surface, or none."""
+        self._surface = layer
+        if self._scene is not None:
+            self._scene.set_surface(layer)
+            self._refresh()
+
+    def set_lines(self, layers: Sequence[LineLayer]) -> None:
+        """Show these lines."""
+        self._lines = tuple(layers)
+        if self._scene is not None:
+            self._scene.set_lines(self._lines)
+            self._refresh()
+
+    def set_labels(self, labels: Sequence[Label]) -> None:
+        """Show these labels."""
+        self._labels = tuple(labels)
+        if self._scene is not None:
+            self._scene.set_labels(self._labels)
+            self._refresh()
+
+    def reset_camera(self) -> None:
+        """Look at everything again."""
+        if self._scene is not None:
+            self._scene.keep_framed = True
+            self._refresh()
+
+    def screenshot(self) -> QImage:
+        """Return the picture; empty while there is no 3-D view."""
+        return QImage() if self._view is None else self._view.image()
+
+    def close_view(self) -> None:
+        """Release the graphics memory; the widget shows its placeholder from then on."""
+        if self._view is not None:
+            self._view.close_view()
+            self._stack.removeWidget(self._view)
+            self._view.deleteLater()
+        self._view, self._scene, self._allowed = None, None, False
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Create the 3-D view the first time it is seen."""
+        super().showEvent(event)
+        if self._allowed:
+            self._create()
+
+    def _create(self) -> None:
+        if self._view is not None:
+            return
+        from ui.viewport.scene import Scene
+
+        scene = Scene()
+        view = _new_view(scene)
+        if view is None:
+            self._allowed = False
+            self.explain(NO_GRAPHICS)
+            return
+        self._scene, self._view = scene, view
+        self._dress()
+        scene.set_clouds(self._clouds)
+        scene.set_surface(self._surface)
+        scene.set_lines(self._lines)
+        scene.set_labels(self._labels)
+        self._stack.addWidget(view)
+        self._stack.setCurrentWidget(view)
+        self._refresh()
+
+    def _dress(self) -> None:
+        if self._scene is not None:
+            theme = self._look.theme
+            self._scene.set_background(_rgb(theme.colour("viewport_top")), _rgb(theme.colour("viewport_bottom")))
+            self._refresh()
+
+    def _refresh(self) -> None:
+        if self._view is not None:
+            self._view.refresh()
+
+
+def _new_view(scene: Scene) -> OffScreenView | NativeView | None:
+    if choose_backend() == "native":
+        from ui.viewport.native import NativeView
+
+        return NativeView(scene)
+    window = off_screen_window()
+    if window is None:
+        return None
+    from ui.viewport.off_screen import OffScreenView
+
+    return OffScreenView(scene, window)
+
+
+def _rgb(colour: QColor) -> tuple[float, float, float]:
+    return colour.redF(), colour.greenF(), colour.blueF()

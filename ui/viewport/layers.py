@@ -1,0 +1,52 @@
+"""What can be shown in the 3-D view, without anything of VTK."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True, eq=False)
+class CloudLayer:
+    """Points with their colours."""
+
+    points_mm: np.ndarray  # (N, 3)
+    colours: np.ndarray  # (N, 3) uint8
+    normals: np.ndarray | None = None  # (N, 3), for shading
+
+
+@dataclass(frozen=True, eq=False)
+class SurfaceLayer:
+    """A triangle mesh in one colour, or one per vertex."""
+
+    vertices_mm: np.ndarray  # (V, 3)
+    triangles: np.ndarray  # (T, 3)
+    colours: np.ndarray | None = None  # (V, 3) uint8
+    colour: tuple[int, int, int] = (190, 198, 203)
+    opacity: float = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class LineLayer:
+    """Polylines in one colour: outlines of features."""
+
+    lines: tuple[np.ndarray, ...]  # each (K, 3)
+    colour: tuple[int, int, int]
+    width: float = 2.5
+
+
+@dataclass(frozen=True, eq=False)
+class Label:
+    """Words on a leader line."""
+
+    text: str
+    point_mm: np.ndarray  # (3,)
+    colour: tuple[int, int, int] = (24, 33, 38)
+
+
+def shuffled_prefix(count: int, budget: int, seed: int = 0) -> np.ndarray | None:
+    """Return ``budget`` indices drawn at random of ``count``, sorted; None when all fit."""
+    if count <= budget:
+        return None
+    return np.sort(np.random.default_rng(seed).permutation(count)[:budget])

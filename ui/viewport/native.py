@@ -1,0 +1,77 @@
+"""The backend of a real display: VTK draws into the window itself."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QImage, QResizeEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+from vtkmodules.qt.QVTKRenderWindowInteractor import QVTKRenderWindowInteractor
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
+
+from ui.viewport.scene import Scene
+
+REST_MS = 200
+
+
+class NativeView(QWidget):
+    """Shows a scene by VTK's own window."""
+
+    def __init__(self, scene: Scene, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._scene = scene
+        self._interactor = QVTKRenderWindowInteractor(self)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self._interactor)
+        self._window = self._interactor.GetRenderWindow()
+        self._window.SetMultiSamples(4)
+        self._window.AddRenderer(scene.renderer)
+        style = vtkInteractorStyleTrackballCamera()
+        self._interactor.SetInteractorStyle(style)
+        style.AddObserver("StartInteractionEvent", self._begin_move)
+        style.AddObserver("EndInteractionEvent", self._end_move)
+        self._interactor.Initialize()
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.setInterval(REST_MS)
+        self._rest.timeout.connect(self._come_to_rest)
+
+    def refresh(self) -> None:
+        """Draw again at the next occasion."""
+        if self._scene.keep_framed:
+            self._scene.reset_camera()
+        self._interactor.update()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep everything in the picture until the user moves the camera."""
+        super().resizeEvent(event)
+        self.refresh()
+
+    def image(self) -> QImage:
+        """Return the picture as it is now."""
+        self._window.Render()
+        width, height = self._window.GetSize()
+        data = vtkUnsignedCharArray()
+        self._window.GetPixelData(0, 0, width - 1, height - 1, True, data, 0)
+        pixels = np.ascontiguousarray(vtk_to_numpy(data).reshape(height, width, 3)[::-1])
+        return QImage(pixels.data, width, height, 3 * width, QImage.Format.Format_RGB888).copy()
+
+    def close_view(self) -> None:
+        """Give the window back before Qt destroys it."""
+        self._rest.stop()
+        self._window.RemoveRenderer(self._scene.renderer)
+        self._interactor.Finalize()
+
+    def _begin_move(self, _caller: object, _event: str) -> None:
+        self._rest.stop()
+        self._scene.set_moving(True)
+
+    def _end_move(self, _caller: object, _event: str) -> None:
+        self._rest.start()
+
+    def _come_to_rest(self) -> None:
+        self._scene.set_moving(False)
+        self.refresh()

@@ -1,0 +1,1 @@
+"""Displays and value editors that know no hardware."""

@@ -1,0 +1,63 @@
+"""Horizontal bars with their names and values."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import QWidget
+
+from ui.look.look import Look
+from ui.look.wording import millimetres
+
+LINE, BAR, NAME_WIDTH, VALUE_WIDTH = 26, 12, 264, 96
+
+
+@dataclass(frozen=True)
+class Bar:
+    """One bar, in mm."""
+
+    name: str
+    value_mm: float
+    strong: bool = False
+
+
+class BarChart(QWidget):
+    """Compares a few lengths."""
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self._look = look
+        self.bars: tuple[Bar, ...] = ()
+        look.changed.connect(self.update)
+
+    def show_bars(self, bars: Sequence[Bar]) -> None:
+        """Draw these bars."""
+        self.bars = tuple(bars)
+        self.setMinimumHeight(LINE * len(self.bars))
+        self.update()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw the bars to one scale."""
+        theme = self._look.theme
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        longest = max((bar.value_mm for bar in self.bars), default=0.0) or 1.0
+        room = max(40, self.width() - NAME_WIDTH - VALUE_WIDTH)
+        for place, bar in enumerate(self.bars):
+            top = place * LINE
+            font = painter.font()
+            font.setBold(bar.strong)
+            painter.setFont(font)
+            painter.setPen(theme.colour("text" if bar.strong else "soft"))
+            painter.drawText(QRectF(0, top, NAME_WIDTH - 16, LINE), Qt.AlignmentFlag.AlignVCenter, bar.name)
+            length = room * bar.value_mm / longest
+            painter.setPen(theme.colour("text"))
+            painter.drawText(
+                QRectF(NAME_WIDTH + length + 8, top, VALUE_WIDTH, LINE), Qt.AlignmentFlag.AlignVCenter, millimetres(bar.value_mm)
+            )
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(theme.colour("accent" if bar.strong else "faint"))
+            painter.drawRoundedRect(QRectF(NAME_WIDTH, top + (LINE - BAR) / 2, max(2.0, length), BAR), 3, 3)

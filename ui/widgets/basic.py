@@ -1,0 +1,95 @@
+"""The small parts everything is made of: labels with a role, buttons, cards."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLayout, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+
+from ui.look.look import Look
+
+TextRole = Literal["body", "title", "heading", "strong", "soft", "small", "caption", "figure"]
+ButtonRole = Literal["normal", "primary", "quiet", "message"]
+
+
+def label(text: str = "", role: TextRole = "body", *, wrap: bool = False) -> QLabel:
+    """Return a label; ``wrap`` lets it run over several lines."""
+    made = QLabel(text)
+    made.setProperty("role", role)
+    made.setWordWrap(wrap)
+    made.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
+    if wrap:
+        made.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
+    return made
+
+
+class Button(QPushButton):
+    """A push button with an icon that follows the theme."""
+
+    def __init__(self, text: str, look: Look, icon: str = "", role: ButtonRole = "normal", tip: str = "") -> None:
+        super().__init__(f"\u2009{text}" if icon and text else text)
+        self._look, self._icon, self._role = look, icon, role
+        self.setProperty("role", role)
+        self.setToolTip(tip)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
+        self.setIconSize(QSize(20, 20))
+        look.changed.connect(self._redraw)
+        self._redraw()
+
+    def set_icon(self, name: str) -> None:
+        """Show another icon."""
+        self._icon = name
+        self._redraw()
+
+    def _redraw(self) -> None:
+        if self._icon:
+            self.setIcon(self._look.icon(self._icon, "accent_on" if self._role == "primary" else "soft"))
+
+
+def card(*parts: QWidget | QLayout | int, margin: int = 16, spacing: int = 8) -> QFrame:
+    """Return a framed surface with its parts under one another; a number is empty space, 0 stretches."""
+    frame = QFrame()
+    frame.setObjectName("card")
+    frame.setLayout(column(*parts, margin=margin, spacing=spacing))
+    return frame
+
+
+def column(*parts: QWidget | QLayout | int, margin: int = 0, spacing: int = 8) -> QVBoxLayout:
+    """Return parts under one another."""
+    layout = QVBoxLayout()
+    _fill(layout, parts, margin, spacing)
+    return layout
+
+
+def row(*parts: QWidget | QLayout | int, margin: int = 0, spacing: int = 8) -> QHBoxLayout:
+    """Return parts beside one another."""
+    layout = QHBoxLayout()
+    _fill(layout, parts, margin, spacing)
+    return layout
+
+
+def _fill(layout: QVBoxLayout | QHBoxLayout, parts: tuple[QWidget | QLayout | int, ...], margin: int, spacing: int) -> None:
+    layout.setContentsMargins(margin, margin, margin, margin)
+    layout.setSpacing(spacing)
+    for part in parts:
+        if isinstance(part, QWidget):
+            layout.addWidget(part)
+        elif isinstance(part, QLayout):
+            layout.addLayout(part)
+        elif part == 0:
+            layout.addStretch(1)
+        else:
+            layout.addSpacing(part)
+
+
+def clear(layout: QLayout) -> None:
+    """Remove everything from a layout."""
+    while (item := layout.takeAt(0)) is not None:
+        widget, inner = item.widget(), item.layout()
+        if widget is not None:
+            widget.hide()
+            widget.deleteLater()
+        elif inner is not None:
+            clear(inner)

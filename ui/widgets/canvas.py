@@ -1,0 +1,84 @@
+"""Drawings in millimetres: a painter that maps a rectangle of the world onto a rectangle of the widget."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+
+from ui.look.theme import Theme
+
+
+class Canvas:
+    """One view of a drawing; world x to the right, world y up."""
+
+    def __init__(self, painter: QPainter, theme: Theme, area: QRectF, world: QRectF) -> None:
+        self._painter, self.theme, self.area = painter, theme, area
+        self.scale = min(area.width() / max(1.0, world.width()), area.height() / max(1.0, world.height()))
+        self._centre, self._middle = world.center(), area.center()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+
+    def at(self, x: float, y: float) -> QPointF:
+        """Return the place of a world point in the widget."""
+        return QPointF(
+            self._middle.x() + (x - self._centre.x()) * self.scale,
+            self._middle.y() - (y - self._centre.y()) * self.scale,
+        )
+
+    def pen(self, colour: str | QColor, width: float = 1.5, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> None:
+        """Draw outlines in this colour."""
+        pen = QPen(self.theme.colour(colour) if isinstance(colour, str) else colour, width, style)
+        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+        pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
+        self._painter.setPen(pen)
+
+    def fill(self, colour: str | QColor | None, opacity: float = 1.0) -> None:
+        """Fill shapes with this colour, or not at all."""
+        if colour is None:
+            self._painter.setBrush(Qt.BrushStyle.NoBrush)
+            return
+        shade = QColor(self.theme.colour(colour) if isinstance(colour, str) else colour)
+        shade.setAlphaF(opacity)
+        self._painter.setBrush(shade)
+
+    def line(self, *points: tuple[float, float]) -> None:
+        """Draw a polyline."""
+        self._painter.drawPolyline(QPolygonF([self.at(*point) for point in points]))
+
+    def polygon(self, *points: tuple[float, float]) -> None:
+        """Draw a closed shape."""
+        self._painter.drawPolygon(QPolygonF([self.at(*point) for point in points]))
+
+    def circle(self, x: float, y: float, radius_mm: float) -> None:
+        """Draw a circle of this size in the world."""
+        self._painter.drawEllipse(self.at(x, y), radius_mm * self.scale, radius_mm * self.scale)
+
+    def dot(self, x: float, y: float, radius_px: float) -> None:
+        """Draw a circle of this size in the widget."""
+        self._painter.drawEllipse(self.at(x, y), radius_px, radius_px)
+
+    def box(self, x0: float, y0: float, x1: float, y1: float) -> None:
+        """Draw a rectangle between two corners, a little rounded."""
+        self._painter.drawRoundedRect(QRectF(self.at(x0, y0), self.at(x1, y1)).normalized(), 3, 3)
+
+    def text(
+        self, x: float, y: float, words: str, *, colour: str = "soft", dx: float = 0, dy: float = 0, bold: bool = False, centre: bool = True
+    ) -> None:
+        """Write words at a world point, moved by pixels."""
+        font = self._painter.font()
+        font.setPixelSize(self.theme.sizes["small"])
+        font.setBold(bold)
+        self._painter.setFont(font)
+        self._painter.setPen(self.theme.colour(colour))
+        place = self.at(x, y) + QPointF(dx, dy)
+        box = QRectF(place.x() - (120 if centre else 0), place.y() - 10, 240, 20)
+        side = Qt.AlignmentFlag.AlignHCenter if centre else Qt.AlignmentFlag.AlignLeft
+        self._painter.drawText(box, side | Qt.AlignmentFlag.AlignVCenter, words)
+
+    def heading(self, words: str) -> None:
+        """Write the name of the view in its corner."""
+        font = self._painter.font()
+        font.setPixelSize(self.theme.sizes["small"])
+        font.setBold(True)
+        self._painter.setFont(font)
+        self._painter.setPen(self.theme.colour("soft"))
+        self._painter.drawText(QPointF(self.area.left(), self.area.top() - 8), words)

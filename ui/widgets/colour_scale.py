@@ -1,0 +1,52 @@
+"""A legend one can read: a bar of colours with numbers."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPaintEvent
+from PySide6.QtWidgets import QWidget
+
+from ui.look.look import Look
+from ui.look.wording import millimetres
+
+
+class ColourScale(QWidget):
+    """Shows what the colours between two values mean."""
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self._look = look
+        self._colours = np.zeros((2, 3))
+        self.low, self.high, self.name = 0.0, 1.0, ""
+        self.setFixedHeight(40)
+        self.setMinimumWidth(160)
+        self.setMaximumWidth(304)
+        look.changed.connect(self.update)
+
+    def show_scale(self, name: str, colours: np.ndarray, low: float, high: float) -> None:
+        """Show this scale."""
+        self.name, self._colours, self.low, self.high = name, colours, low, high
+        self.update()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw the bar and its numbers."""
+        theme = self._look.theme
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        bar = QRectF(0, 0, self.width(), 12)
+        gradient = QLinearGradient(bar.topLeft(), bar.topRight())
+        for place, colour in enumerate(self._colours):
+            gradient.setColorAt(place / (len(self._colours) - 1), QColor(*(int(value) for value in colour)))
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(gradient)
+        painter.drawRoundedRect(bar, 4, 4)
+        font = painter.font()
+        font.setPixelSize(theme.sizes["small"])
+        painter.setFont(font)
+        painter.setPen(theme.colour("soft"))
+        below = QRectF(0, 16, self.width(), 20)
+        digits = 3 if self.high < 1 else 2
+        painter.drawText(below, Qt.AlignmentFlag.AlignLeft, millimetres(self.low, digits))
+        painter.drawText(below, Qt.AlignmentFlag.AlignHCenter, self.name)
+        painter.drawText(below, Qt.AlignmentFlag.AlignRight, millimetres(self.high, digits))

@@ -1,0 +1,169 @@
+"""Tables of results: text left, numbers right, verdicts with sign, word and colour."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, QRect, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QFont, QPainter
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QTableView, QWidget
+
+from ui.look.look import Look
+
+Index = QModelIndex | QPersistentModelIndex
+ROW_HEIGHT = 36
+SIGN_ROLE = Qt.ItemDataRole.UserRole
+VERDICT_WORDS = {"pass": "Pass", "fail": "Fail", "not proven": "Not proven", "not measured": "Not measured"}
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One cell. ``sign`` is a verdict, "eye", "hidden" or a colour (#rrggbb) drawn before the text."""
+
+    text: str
+    kind: Literal["text", "number"] = "text"
+    sign: str = ""
+    bold: bool = False
+    tip: str = ""
+
+
+def number(text: str) -> Cell:
+    """Return a cell with a number, aligned to the right."""
+    return Cell(text, "number")
+
+
+def verdict_cell(verdict: str, text: str = "", tip: str = "") -> Cell:
+    """Return a cell with a verdict, its sign and its colour."""
+    return Cell(text or VERDICT_WORDS.get(verdict, verdict), sign=verdict, tip=tip)
+
+
+class TableModel(QAbstractTableModel):
+    """Rows of cells; the view does not change them."""
+
+    def __init__(self, headers: Sequence[str], numeric: Sequence[int], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._headers, self._numeric = tuple(headers), frozenset(numeric)
+        self.rows: tuple[tuple[Cell, ...], ...] = ()
+
+    def set_rows(self, rows: Sequence[Sequence[Cell]]) -> None:
+        """Replace all rows."""
+        self.beginResetModel()
+        self.rows = tuple(tuple(cells) for cells in rows)
+        self.endResetModel()
+
+    def rowCount(self, _parent: Index | None = None) -> int:
+        """Return the number of rows."""
+        return len(self.rows)
+
+    def columnCount(self, _parent: Index | None = None) -> int:
+        """Return the number of columns."""
+        return len(self._headers)
+
+    def headerData(self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """Return the heading of a column."""
+        if orientation != Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self._headers[section]
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            side = Qt.AlignmentFlag.AlignRight if section in self._numeric else Qt.AlignmentFlag.AlignLeft
+            return side | Qt.AlignmentFlag.AlignVCenter
+        return None
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """Return what a cell shows."""
+        cell = self.rows[index.row()][index.column()]
+        if role == Qt.ItemDataRole.DisplayRole:
+            return cell.text
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            side = Qt.AlignmentFlag.AlignRight if cell.kind == "number" else Qt.AlignmentFlag.AlignLeft
+            return side | Qt.AlignmentFlag.AlignVCenter
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return cell.tip or cell.text
+        if role == SIGN_ROLE:
+            return cell.sign
+        if role == Qt.ItemDataRole.FontRole and cell.bold:
+            font = QFont()
+            font.setWeight(QFont.Weight.DemiBold)
+            return font
+        return None
+
+
+class SignDelegate(QStyledItemDelegate):
+    """Draws the sign of a cell before its text."""
+
+    def __init__(self, look: Look, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._look = look
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
+        """Keep the focus rectangle away; leave space for the sign."""
+        super().initStyleOption(option, index)
+        option.state &= ~QStyle.StateFlag.State_HasFocus
+        if index.data(SIGN_ROLE):
+            option.decorationSize = QSize(20, 20)
+            option.features |= QStyleOptionViewItem.ViewItemFeature.HasDecoration
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        """Draw the cell, then its sign."""
+        super().paint(painter, option, index)
+        sign = index.data(SIGN_ROLE)
+        if not sign:
+            return
+        box = QRect(option.rect.left() + 8, option.rect.center().y() - 9, 20, 20)
+        if sign.startswith("#"):
+            painter.save()
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(sign))
+            painter.drawRoundedRect(box.adjusted(2, 2, -2, -2), 4, 4)
+            painter.restore()
+        elif sign in VERDICT_WORDS:
+            self._look.icon(sign, "verdict_" + sign.replace(" ", "_")).paint(painter, box)
+        else:
+            self._look.icon(sign, "soft").paint(painter, box)
+
+
+class DataTable(QTableView):
+    """A quiet table; one row can be selected."""
+
+    rowSelected = Signal(int)
+    cellClicked = Signal(int, int)
+
+    def __init__(self, look: Look, headers: Sequence[str], *, numeric: Sequence[int] = (), stretch: int = 0) -> None:
+        super().__init__()
+        self._model = TableModel(headers, numeric, self)
+        self.setModel(self._model)
+        self.setItemDelegate(SignDelegate(look, self))
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setShowGrid(False)
+        self.setWordWrap(False)
+        self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(ROW_HEIGHT)
+        header = self.horizontalHeader()
+        header.setHighlightSections(False)
+        header.setFixedHeight(ROW_HEIGHT)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(stretch, QHeaderView.ResizeMode.Stretch)
+        self.selectionModel().currentRowChanged.connect(lambda now, _before: self.rowSelected.emit(now.row()))
+        self.clicked.connect(lambda index: self.cellClicked.emit(index.row(), index.column()))
+        look.changed.connect(self.viewport().update)
+
+    def set_rows(self, rows: Sequence[Sequence[Cell]]) -> None:
+        """Show these rows; the selection stays on the same row."""
+        chosen = self.currentIndex().row()
+        self._model.set_rows(rows)
+        if 0 <= chosen < len(rows):
+            self.selectRow(chosen)
+
+    def texts(self) -> list[list[str]]:
+        """Return what the rows say."""
+        return [[cell.text for cell in cells] for cells in self._model.rows]
+
+    def fitted_height(self) -> int:
+        """Return the height at which all rows are seen."""
+        return ROW_HEIGHT * (1 + self._model.rowCount()) + 4

@@ -1,0 +1,59 @@
+"""The bar at the top: what is open, how the rig is, who works."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFrame, QWidget
+
+from ui.look.look import Look
+from ui.widgets.basic import Button, column, label, row
+from ui.widgets.chip import Chip
+from ui.widgets.segments import Segments
+
+NAME_WIDTH = 320
+
+
+class HeaderBar(QFrame):
+    """Project and part on the left, chips in the middle, role and theme on the right."""
+
+    openClicked = Signal()
+    helpClicked = Signal()
+
+    def __init__(self, look: Look, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("header")
+        self.setFixedHeight(look.theme.sizes["header"])
+        self._look = look
+        self.project, self.part = label("No project open", "heading"), label("", "small")
+        self.devices = Chip(look, "devices", "Looking for devices…")
+        self.calibration = Chip(look, "calibration", "Not calibrated")
+        self.disk = Chip(look, "disk")
+        self.role = Segments({"operator": "Operator", "engineer": "Engineer"})
+        self.role.setValue("engineer")
+        self.open = Button("Open project…", look, "open", "quiet", "Open a project folder (Ctrl+O)")
+        self.open.clicked.connect(self.openClicked)
+        self._shade = Button("", look, "dark", "quiet", "Change between the light and the dark theme")
+        self._shade.clicked.connect(self._other_shade)
+        self._help = Button("", look, "help", "quiet", "Help for this page (F1)")
+        self._help.clicked.connect(self.helpClicked)
+        names = column(0, self.project, self.part, 0, spacing=0)
+        layout = row(names, 0, self.devices, self.calibration, self.disk, 8, self.open, self.role, self._shade, self._help)
+        layout.setContentsMargins(24, 0, 16, 0)
+        layout.setAlignment(Qt.AlignmentFlag.AlignVCenter)
+        self.setLayout(layout)
+        look.changed.connect(self._redraw)
+        self._redraw()
+
+    def show_project(self, name: str, part: str) -> None:
+        """Show what is open."""
+        shown = name or "No project open"
+        self.project.setText(self.project.fontMetrics().elidedText(shown, Qt.TextElideMode.ElideRight, NAME_WIDTH))
+        self.project.setToolTip(shown)
+        self.part.setText(part)
+        self.part.setVisible(bool(part))
+
+    def _other_shade(self) -> None:
+        self._look.set_shade("light" if self._look.theme.shade == "dark" else "dark")
+
+    def _redraw(self) -> None:
+        self._shade.set_icon("light" if self._look.theme.shade == "dark" else "dark")

@@ -1,0 +1,36 @@
+"""Help pages in the user's words."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QDialog, QTextBrowser, QWidget
+
+from measureapp.errors import InputError
+from measureapp.resources import resource
+from ui.look.look import Look
+from ui.widgets.basic import column
+
+
+class HelpDialog(QDialog):
+    """Shows one page; links lead to the others."""
+
+    def __init__(self, look: Look, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Help")
+        self.resize(720, 640)
+        self.browser = QTextBrowser()
+        self.browser.setOpenLinks(False)
+        self.browser.anchorClicked.connect(lambda link: self.show_page(link.path().removesuffix(".md")))
+        self.setLayout(column(self.browser, margin=16))
+        self._look = look
+
+    def show_page(self, name: str) -> None:
+        """Show the page of one workspace."""
+        try:
+            text = resource(f"help/{name}.md").read_text(encoding="utf-8")
+        except (InputError, OSError):
+            text = f"# Help\n\nThere is no page about “{name}”."
+        colour = self._look.theme.colours["accent_text"]
+        self.browser.document().setDefaultStyleSheet(f"a {{ color: {colour}; }}")
+        self.browser.setMarkdown(text)
+        self.show()
+        self.raise_()

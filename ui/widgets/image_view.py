@@ -1,0 +1,70 @@
+"""A camera image, scaled to its place."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtGui import QImage, QPainter, QPainterPath, QPaintEvent
+from PySide6.QtWidgets import QWidget
+
+from ui.look.look import Look
+
+MAX_SIDE = 640
+
+
+def grey_image(pixels: np.ndarray) -> QImage:
+    """Return an 8-bit picture of an image (H, W) of 8 or 16 bits, thinned to at most 640 px a side."""
+    step = max(1, -(-max(pixels.shape) // MAX_SIDE))
+    thin = pixels[::step, ::step]
+    if thin.dtype != np.uint8:
+        thin = (thin.astype(np.float32) * (255.0 / max(1.0, float(thin.max())))).astype(np.uint8)
+    thin = np.ascontiguousarray(thin)
+    return QImage(thin.data, thin.shape[1], thin.shape[0], thin.strides[0], QImage.Format.Format_Grayscale8).copy()
+
+
+class ImageView(QWidget):
+    """Shows one image with its caption; an empty frame while there is none."""
+
+    def __init__(self, look: Look, caption: str = "") -> None:
+        super().__init__()
+        self._look, self._image, self.caption = look, QImage(), caption
+        self.setMinimumSize(144, 108)
+        look.changed.connect(self.update)
+
+    def sizeHint(self) -> QSize:
+        """Return a small picture's size."""
+        return QSize(208, 156)
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether there is no image."""
+        return self._image.isNull()
+
+    def show_image(self, image: QImage, caption: str) -> None:
+        """Show an image."""
+        self._image, self.caption = image, caption
+        self.update()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw the image with its caption on top."""
+        theme = self._look.theme
+        painter = QPainter(self)
+        painter.setRenderHints(QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform)
+        frame = QPainterPath()
+        frame.addRoundedRect(QRectF(self.rect()), theme.sizes["corner"], theme.sizes["corner"])
+        painter.setClipPath(frame)
+        painter.fillRect(self.rect(), theme.colour("sunken"))
+        if not self._image.isNull():
+            fitted = self._image.size().scaled(self.size(), Qt.AspectRatioMode.KeepAspectRatioByExpanding)
+            target = QRectF(0, 0, fitted.width(), fitted.height())
+            target.moveCenter(QRectF(self.rect()).center())
+            painter.drawImage(target, self._image)
+        if self.caption:
+            strip = QRectF(0, self.height() - 24, self.width(), 24)
+            if not self._image.isNull():
+                painter.fillRect(strip, Qt.GlobalColor.black)
+            painter.setPen(Qt.GlobalColor.white if not self._image.isNull() else theme.colour("soft"))
+            font = painter.font()
+            font.setPixelSize(theme.sizes["small"])
+            painter.setFont(font)
+            painter.drawText(strip.adjusted(8, 0, -8, 0), Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, self.caption)

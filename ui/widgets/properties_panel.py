@@ -1,0 +1,113 @@
+"""The panel on the right: the properties of what is selected."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
+
+from ui.look.look import Look
+from ui.widgets.basic import Button, clear, column, label, row
+
+
+@dataclass(frozen=True)
+class Group:
+    """A few properties under one heading."""
+
+    heading: str
+    rows: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class Properties:
+    """What there is to know about one thing."""
+
+    title: str
+    groups: tuple[Group, ...] = ()
+    note: str = ""
+
+
+FOLDED_WIDTH = 48
+
+
+class PropertiesPanel(QFrame):
+    """Shows `Properties`; folds away to the edge."""
+
+    def __init__(self, look: Look, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("properties")
+        self._width = look.theme.sizes["properties"]
+        self._button = Button("", look, "fold", "quiet", "Fold or unfold the properties")
+        self._button.setFixedSize(32, 32)
+        self._button.clicked.connect(self.toggle)
+        self.title = label("Properties", "heading", wrap=True)
+        self._body = QWidget()
+        self._body.setObjectName("clear")
+        self._rows = QVBoxLayout(self._body)
+        self._rows.setContentsMargins(16, 8, 16, 16)
+        self._rows.setSpacing(4)
+        self._scroll = QScrollArea()
+        self._scroll.setWidgetResizable(True)
+        self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._scroll.setWidget(self._body)
+        top = row(self.title, self._button)
+        top.setContentsMargins(16, 8, 8, 0)
+        top.setAlignment(self._button, Qt.AlignmentFlag.AlignTop)
+        self.setLayout(column(top, self._scroll, spacing=0))
+        self.setFixedWidth(self._width)
+        self.shown = Properties("Properties")
+
+    @property
+    def folded(self) -> bool:
+        """Whether the panel is folded to the edge."""
+        return self.maximumWidth() == FOLDED_WIDTH
+
+    def toggle(self) -> None:
+        """Fold or unfold."""
+        self.fold(not self.folded)
+
+    def fold(self, fold: bool) -> None:
+        """Fold to the edge, or unfold."""
+        self.setFixedWidth(FOLDED_WIDTH if fold else self._width)
+        self._scroll.setVisible(not fold)
+        self.title.setVisible(not fold)
+        self._button.set_icon("unfold" if fold else "fold")
+
+    def show_properties(self, properties: Properties) -> None:
+        """Show the properties of one thing."""
+        self.shown = properties
+        self.title.setText(properties.title)
+        clear(self._rows)
+        if properties.note:
+            self._rows.addWidget(label(properties.note, "soft", wrap=True))
+        for group in properties.groups:
+            self._rows.addSpacing(12)
+            self._rows.addWidget(label(group.heading, "caption"))
+            self._rows.addWidget(_hairline())
+            self._rows.addLayout(_grid(group))
+        self._rows.addStretch(1)
+
+
+def _hairline() -> QFrame:
+    line = QFrame()
+    line.setObjectName("hairline")
+    line.setFixedHeight(1)
+    return line
+
+
+def _grid(group: Group) -> QGridLayout:
+    grid = QGridLayout()
+    grid.setHorizontalSpacing(16)
+    grid.setVerticalSpacing(4)
+    for place, (name, value) in enumerate(group.rows):
+        shown = QLabel(value)
+        shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop)
+        shown.setWordWrap(True)
+        shown.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        named = label(name, "soft")
+        named.setAlignment(Qt.AlignmentFlag.AlignTop)
+        grid.addWidget(named, place, 0)
+        grid.addWidget(shown, place, 1)
+    grid.setColumnStretch(1, 1)
+    return grid

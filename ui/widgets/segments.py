@@ -1,0 +1,50 @@
+"""A row of buttons of which one is chosen."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QWidget
+
+
+class Segments(QWidget):
+    """Chooses one of a few named options: value(), setValue(name), valueChanged."""
+
+    valueChanged = Signal(object)
+
+    def __init__(self, options: dict[str, str], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        self._group = QButtonGroup(self)
+        self._buttons: dict[str, QPushButton] = {}
+        last = len(options) - 1
+        for place, (name, text) in enumerate(options.items()):
+            made = QPushButton(text)
+            made.setCheckable(True)
+            made.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+            made.setProperty("role", "segment")
+            made.setProperty("place", "first" if place == 0 else "last" if place == last else "middle")
+            made.setCursor(Qt.CursorShape.PointingHandCursor)
+            self._group.addButton(made)
+            self._buttons[name] = made
+            layout.addWidget(made)
+        next(iter(self._buttons.values())).setChecked(True)
+        self._group.buttonClicked.connect(self._on_clicked)
+
+    def value(self) -> str:
+        """Return the name of the chosen option."""
+        return next(name for name, made in self._buttons.items() if made.isChecked())
+
+    def setValue(self, name: str) -> None:
+        """Choose an option by its name."""
+        if name != self.value():
+            self._buttons[name].setChecked(True)
+            self.valueChanged.emit(name)
+
+    def set_available(self, name: str, available: bool) -> None:
+        """Offer an option or not."""
+        self._buttons[name].setEnabled(available)
+
+    def _on_clicked(self) -> None:
+        self.valueChanged.emit(self.value())

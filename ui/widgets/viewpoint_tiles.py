@@ -1,0 +1,117 @@
+"""The viewpoints as tiles in scan order, each with its state."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from ui.look.look import Look
+
+WORDS = {
+    "waiting": "Waiting",
+    "moving": "Moving",
+    "capturing": "Capturing",
+    "stored": "Stored",
+    "processed": "Processed",
+    "failed": "Failed",
+}
+COLOURS = {
+    "waiting": "faint",
+    "moving": "verdict_not_proven",
+    "capturing": "verdict_not_proven",
+    "stored": "accent",
+    "processed": "verdict_pass",
+    "failed": "verdict_fail",
+}
+SIGNS = {"stored": "disk", "processed": "pass", "failed": "fail", "moving": "again", "capturing": "scan"}
+TILE_WIDTH, TILE_HEIGHT, GAP = 136, 56, 8
+
+
+@dataclass(frozen=True)
+class Tile:
+    """One viewpoint."""
+
+    name: str
+    status: str
+    note: str = ""
+
+
+class ViewpointTiles(QWidget):
+    """Draws tiles in rows that fit the width."""
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self._look = look
+        self.tiles: tuple[Tile, ...] = ()
+        policy = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        policy.setHeightForWidth(True)
+        self.setSizePolicy(policy)
+        look.changed.connect(self.update)
+
+    def show_tiles(self, tiles: Sequence[Tile]) -> None:
+        """Draw these tiles."""
+        grown = len(tiles) != len(self.tiles)
+        self.tiles = tuple(tiles)
+        if grown:
+            self.updateGeometry()
+        self.update()
+
+    def words(self) -> list[str]:
+        """Return the state each tile tells."""
+        return [WORDS[tile.status] for tile in self.tiles]
+
+    def hasHeightForWidth(self) -> bool:
+        """The height follows from the width."""
+        return True
+
+    def heightForWidth(self, width: int) -> int:
+        """Return the height of all rows."""
+        rows = -(-len(self.tiles) // self._columns(width))
+        return max(TILE_HEIGHT, rows * (TILE_HEIGHT + GAP) - GAP)
+
+    def sizeHint(self) -> QSize:
+        """Return a size for one row of four."""
+        width = max(self.width(), 4 * (TILE_WIDTH + GAP))
+        return QSize(width, self.heightForWidth(width))
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw the tiles."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        columns = self._columns(self.width())
+        width = (self.width() - GAP * (columns - 1)) / columns
+        for place, tile in enumerate(self.tiles):
+            line, column = divmod(place, columns)
+            self._draw(painter, QRectF(column * (width + GAP), line * (TILE_HEIGHT + GAP), width, TILE_HEIGHT), tile)
+
+    def _columns(self, width: int) -> int:
+        return max(1, min(max(1, len(self.tiles)), (width + GAP) // (TILE_WIDTH + GAP)))
+
+    def _draw(self, painter: QPainter, box: QRectF, tile: Tile) -> None:
+        theme = self._look.theme
+        colour = theme.colour(COLOURS[tile.status])
+        painter.setPen(theme.colour("line"))
+        painter.setBrush(theme.colour("surface"))
+        painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 6, 6)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(colour)
+        painter.drawRoundedRect(QRectF(box.left() + 8, box.top() + 10, 4, box.height() - 20), 2, 2)
+        words = box.adjusted(24, 8, -32, -8)
+        self._write(painter, words, tile.name, "text", Qt.AlignmentFlag.AlignTop, theme.sizes["body"])
+        state = WORDS[tile.status] + (f" · {tile.note}" if tile.note else "")
+        self._write(painter, words.adjusted(0, 0, 24, 0), state, "soft", Qt.AlignmentFlag.AlignBottom, theme.sizes["small"])
+        if tile.status in SIGNS:
+            sign = QRectF(box.right() - 28, box.top() + 8, 18, 18).toRect()
+            self._look.icon(SIGNS[tile.status], COLOURS[tile.status]).paint(painter, sign)
+
+    def _write(self, painter: QPainter, box: QRectF, words: str, colour: str, edge: Qt.AlignmentFlag, size: int) -> None:
+        font = painter.font()
+        font.setPixelSize(size)
+        painter.setFont(font)
+        painter.setPen(self._look.theme.colour(colour))
+        elided = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, int(box.width()))
+        painter.drawText(box, edge | Qt.AlignmentFlag.AlignLeft, elided)

@@ -1,0 +1,65 @@
+"""Jobs one after the other, so that never two of them move the rig."""
+
+from __future__ import annotations
+
+from collections import deque
+
+from PySide6.QtCore import QObject, Signal
+
+from ui.workers.job import Job
+
+
+class RigQueue(QObject):
+    """Starts a job when the one before has ended, and keeps every job alive until its thread is gone."""
+
+    started = Signal(object)  # Job
+    ended = Signal(object)  # Job
+    emptied = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._waiting: deque[Job] = deque()
+        self._running: Job | None = None
+
+    @property
+    def running(self) -> Job | None:
+        """The job that runs now."""
+        return self._running
+
+    @property
+    def busy(self) -> bool:
+        """Whether a job runs or waits."""
+        return self._running is not None or bool(self._waiting)
+
+    def submit(self, job: Job) -> None:
+        """Run ``job`` as soon as those before it have ended."""
+        job.setParent(self)
+        job.finished.connect(self._on_finished)
+        self._waiting.append(job)
+        self._start_next()
+
+    def cancel_all(self) -> None:
+        """Ask the running job to stop; those waiting do nothing but say that they are cancelled."""
+        for job in self._waiting:
+            job.cancel()
+        if self._running is not None:
+            self._running.cancel()
+
+    def wait(self, timeout_ms: int) -> bool:
+        """Wait for the running job's thread; tells whether it ended in time."""
+        return self._running is None or self._running.wait(timeout_ms)
+
+    def _start_next(self) -> None:
+        if self._running is None and self._waiting:
+            self._running = self._waiting.popleft()
+            self.started.emit(self._running)
+            self._running.start()
+
+    def _on_finished(self) -> None:
+        job, self._running = self._running, None
+        if job is not None:
+            self.ended.emit(job)
+            job.deleteLater()
+        self._start_next()
+        if not self.busy:
+            self.emptied.emit()
