@@ -30,7 +30,7 @@ from ui.widgets.messages_dialog import MessagesDialog
 from ui.widgets.properties_panel import PropertiesPanel
 from ui.widgets.rail import Rail
 
-PAGES: tuple[type[Page], ...] = (RigPage, CalibrationPage, PlanPage, ScanPage, CloudsPage, InspectionPage, ReportPage)
+PAGES = (RigPage, CalibrationPage, PlanPage, ScanPage, CloudsPage, InspectionPage, ReportPage)
 SMALLEST = (1366, 768)
 TITLE_BARS = 72  # what desktops take of the screen's height
 DISK_INTERVAL_MS = 30_000

@@ -14,6 +14,7 @@ from ui.look.paths import demo_folder, next_demo_folder
 from ui.session import Session
 
 if TYPE_CHECKING:
+    from measureapp.acquire.events import Event
     from measureapp.pipeline.run import Outcome
     from ui.workers.job import Job
 
@@ -63,7 +64,7 @@ class DemoController(QObject):
         return work
 
     @Slot(object)
-    def _apply(self, event: object) -> None:
+    def _apply(self, event: Event) -> None:
         self._read_plan()
         self._events.apply(event)
 

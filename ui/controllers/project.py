@@ -93,6 +93,7 @@ def read_project(folder: Path, job: Job) -> ReadProject:
     """Read all that a project folder holds; runs on a job's thread."""
     job.report(0, 3, "Reading the project")
     from measureapp.project.folder import ProjectFolder
+    from measureapp.project.results import MESH, STITCHED
 
     project = ProjectFolder.open(folder)
     calibration = project.calibration()
@@ -104,8 +105,8 @@ def read_project(folder: Path, job: Job) -> ReadProject:
         "report_pdf": project.report_pdf,
         "report_csv": project.report_csv,
         "report_json": project.report_json,
-        "stitched_cloud": project.results / "stitched.ply",
-        "mesh": project.results / "mesh.ply",
+        "stitched_cloud": project.results / STITCHED,
+        "mesh": project.results / MESH,
     }
     return ReadProject(
         folder,

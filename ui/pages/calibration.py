@@ -37,7 +37,7 @@ class CalibrationPage(Page):
         figure = QWidget()
         figure.setLayout(column(self.verdict, label("Largest residual of hand–eye, guide and axis", "small"), spacing=0))
         self.verdict.setAlignment(Qt.AlignmentFlag.AlignRight)
-        self.actions.addWidget(figure)
+        self.action_row.addWidget(figure)
         self.chart = BarChart(look)
         shares = card(label("What the calibration adds to a point placed by the axes (1 σ)", "heading"), 8, self.chart, 0)
         layout = column(self.table, shares, spacing=16)

@@ -31,13 +31,13 @@ class Page(QWidget):
         self.look, self.session, self.controllers, self.empty = look, session, controllers, empty
         self.properties = Properties("Properties", note="Select something to see its properties.")
         self.title, self.state = label(self.word, "title"), label("", "soft")
-        self.actions = row(spacing=8)
+        self.action_row = row(spacing=8)
         self.body = QWidget()
         self._stack = QStackedWidget()
         self._stack.addWidget(empty)
         self._stack.addWidget(self.body)
         names = column(self.title, self.state, spacing=0)
-        top = row(names, 0, self.actions)
+        top = row(names, 0, self.action_row)
         layout = column(top, self._stack, spacing=16)
         layout.setContentsMargins(24, 16, 24, 16)
         layout.setStretch(1, 1)
@@ -52,8 +52,8 @@ class Page(QWidget):
     def show_filled(self, filled: bool) -> None:
         """Show the body, or the empty state."""
         self._stack.setCurrentWidget(self.body if filled else self.empty)
-        for place in range(self.actions.count()):
-            widget = self.actions.itemAt(place).widget()
+        for place in range(self.action_row.count()):
+            widget = self.action_row.itemAt(place).widget()
             if widget is not None:
                 widget.setVisible(filled)
 

@@ -55,7 +55,7 @@ class ReportPage(Page):
         self.body.setLayout(layout)
         self.open_pdf = Button("Open PDF", look, "pdf", "primary")
         self.open_pdf.clicked.connect(controllers.documents.open_pdf)
-        self.actions.addWidget(self.open_pdf)
+        self.action_row.addWidget(self.open_pdf)
         controllers.documents.pagesReady.connect(self.show_pages)
         session.reportChanged.connect(self._show)
         session.busyChanged.connect(self._show_busy)
