@@ -26,6 +26,7 @@ from measureapp.planning.reach import check_reach
 from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.project.folder import ProjectFolder
 from measureapp.reconstruct.reconstruct import reconstruct
+from measureapp.reconstruct.rectifier import Rectifier
 from measureapp.register.cloud_quality import judge
 from measureapp.register.place import stations
 from measureapp.register.settings import StitchSettings
@@ -42,6 +43,7 @@ class _Processing:
     def __init__(self, project: ProjectFolder, calibration: RigCalibration, on_event: OnEvent, watch: Stopwatch) -> None:
         self.views: dict[str, ViewResult] = {}
         self._project, self._calibration, self._on_event, self._watch = project, calibration, on_event, watch
+        self._rectifier = Rectifier(calibration.cameras)
 
     def store(self, stack: FringeStack) -> None:
         """Keep the raw images, then process them."""
@@ -53,7 +55,7 @@ class _Processing:
         """Make a cloud of a stack; a view without points is told, not passed on."""
         with self._watch.stage("clouds"):
             try:
-                view = cloud_of_view(stack, self._calibration, progress)
+                view = cloud_of_view(stack, self._calibration, progress, self._rectifier)
             except ReconstructError as error:
                 self._on_event(ViewpointFailed(stack.viewpoint_id, str(error)))
                 return
@@ -104,12 +106,12 @@ def clouds_from_disk(
     return tuple(sink.views.values())
 
 
-def cloud_of_view(stack: FringeStack, calibration: RigCalibration, progress: Progress) -> ViewResult:
+def cloud_of_view(stack: FringeStack, calibration: RigCalibration, progress: Progress, rectifier: Rectifier) -> ViewResult:
     """Decode, match, triangulate and judge one viewpoint. Raises DecodeError, ReconstructError."""
     if stack.readback is None:
         raise ReconstructError(f"{stack.viewpoint_id} has no read-back of the axes.", "Only stacks taken by a rig can be placed.")
     maps = decode(stack, None, PartOf(progress, 0.0, 0.5))
-    result = reconstruct(maps, calibration.cameras, progress=PartOf(progress, 0.5, 1.0))
+    result = reconstruct(maps, calibration.cameras, progress=PartOf(progress, 0.5, 1.0), rectifier=rectifier)
     quality = judge(result.cloud, completeness=_completeness(maps, result.cloud.pixel))
     return ViewResult(
         viewpoint_id=stack.viewpoint_id,

@@ -13,7 +13,7 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
-from measureapp.devices.plugin_loader import load_plugin
+from measureapp.devices.connect import connect_rig
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, InputError
 from measureapp.pipeline.calibrate import CalibratedRig, calibrate_from_views
@@ -23,7 +23,6 @@ from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.calibration_views import calibration_viewpoints
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder
-from measureapp.resources import plugin_folder
 
 OnEvent = Callable[[Event], None]
 
@@ -79,7 +78,7 @@ def scan_into_project(
         raise CalibrationError(f"{folder} has no calibration.", "Calibrate the rig into this project first.")
     project.save_plan(plan)
     watch = Stopwatch()
-    rig = load_plugin(plugin_folder(), description.driver).entry(description, description.driver_settings)
+    rig = connect_rig(description)
     try:
         views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch)
     finally:

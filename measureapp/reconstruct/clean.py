@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,7 +32,22 @@ class LocalPlanes:
     neighbours: IntArray  # (H, W) uint8, points of the window on the same surface
 
 
-def clean(depth_mm: FloatArray, sigma_mm: FloatArray, rays: FloatArray, spacing: float, settings: ReconstructSettings) -> CleanDepth:
+@dataclass(frozen=True, slots=True, eq=False)
+class Partner:
+    """Another camera that takes part in points."""
+
+    centre_mm: FloatArray  # (3,) in the frame of the camera whose depth map it is
+    takes_part: BoolArray  # (H, W)
+
+
+def clean(
+    depth_mm: FloatArray,
+    sigma_mm: FloatArray,
+    rays: FloatArray,
+    spacing: float,
+    partners: Sequence[Partner],
+    settings: ReconstructSettings,
+) -> CleanDepth:
     """Remove what cannot be trusted and count it by reason; each filter sees what the ones before it left.
 
     Parameters
@@ -40,6 +55,7 @@ def clean(depth_mm: FloatArray, sigma_mm: FloatArray, rays: FloatArray, spacing:
     depth_mm, sigma_mm : (H, W) float32, 0 where there is no point
     rays : (H, W, 2) float32, normalised image coordinates
     spacing : distance of neighbouring pixels in normalised coordinates
+    partners : the other cameras; what one of them sees at a grazing angle is mostly the border of another surface
     """
     depth = depth_mm.copy()
     steepest = _steepest(settings)
@@ -57,6 +73,9 @@ def clean(depth_mm: FloatArray, sigma_mm: FloatArray, rays: FloatArray, spacing:
     cosine = _cosine(planes.normals, rays)
     reject("outlier", np.abs(planes.residual_mm) * cosine > settings.outlier_sigmas * sigma_mm + edge_mm)
     reject("grazing", cosine < np.cos(np.radians(settings.max_incidence_deg)))
+    for partner in partners:
+        grazing = _cosine_from(partner.centre_mm, planes.normals, rays, depth) < np.cos(np.radians(settings.max_partner_incidence_deg))
+        reject("grazing for a partner", grazing & partner.takes_part)
     reject("island", _islands(depth, sigma_mm, spacing, steepest) < settings.min_island_px)
     return CleanDepth(depth, local_planes(depth, sigma_mm, rays, spacing, settings).normals, rejected)
 
@@ -96,6 +115,14 @@ def _cosine(normals: FloatArray, rays: FloatArray) -> FloatArray:
     """Return the cosine of the angle between normal and viewing ray."""
     dot = normals[..., 0] * rays[..., 0] + normals[..., 1] * rays[..., 1] + normals[..., 2]
     return np.asarray(-dot / np.sqrt(1 + rays[..., 0] ** 2 + rays[..., 1] ** 2))
+
+
+def _cosine_from(centre_mm: FloatArray, normals: FloatArray, rays: FloatArray, depth_mm: FloatArray) -> FloatArray:
+    """Return the cosine of the angle between normal and the ray of a camera at ``centre_mm``."""
+    x, y, z = (np.float32(value) for value in centre_mm)
+    to_x, to_y, to_z = x - rays[..., 0] * depth_mm, y - rays[..., 1] * depth_mm, z - depth_mm
+    dot = normals[..., 0] * to_x + normals[..., 1] * to_y + normals[..., 2] * to_z
+    return np.asarray(dot / np.sqrt(to_x**2 + to_y**2 + to_z**2))
 
 
 def _islands(depth_mm: FloatArray, sigma_mm: FloatArray, spacing: float, steepest: float) -> IntArray:

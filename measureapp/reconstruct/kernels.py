@@ -15,6 +15,8 @@ import numpy as np
 from numba import njit
 
 ITERATIONS = 8
+SLOPE_REACH = 3.0  # rectified pixels to either side over which the phase slope is taken
+SLOPE_SIGMAS = 4.0  # a slope below this many of its standard deviations is no slope: the phase does not tell where the point is
 CONVERGED_PX = 0.02
 BLANK, SEEN, PARTLY = 0, 1, 2
 BORROWED = np.uint8(255)  # state of a hole beside valid pixels whose phase continues theirs
@@ -152,7 +154,16 @@ def direction_at(grid: Any, stride: Any, x: Any, y: Any) -> Any:
 
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
 def slope_along(phase: Any, sigma: Any, state: Any, step: Any, u: Any, v: Any, du: Any, dv: Any) -> Any:
-    """Return (known, radians per rectified pixel) along the row, as central difference or, at a border, one-sided."""
+    """Return (known, radians per rectified pixel) along the row: the central difference over the widest reach that is one surface.
+
+    A wide one is less noisy; near a border it is taken over single pixels, at the border one-sided.
+    """
+    wide_right, high, _ = sample(phase, sigma, state, step, u + SLOPE_REACH * du, v + SLOPE_REACH * dv)
+    wide_left, low, _ = sample(phase, sigma, state, step, u - SLOPE_REACH * du, v - SLOPE_REACH * dv)
+    if wide_right == SEEN and wide_left == SEEN:
+        here, middle, _ = sample(phase, sigma, state, step, u, v)
+        if here == SEEN and abs(high + low - 2.0 * middle) < 0.2 * abs(high - low):
+            return True, (high - low) / (2.0 * SLOPE_REACH)
     right, high, _ = sample(phase, sigma, state, step, u + du, v + dv)
     left, low, _ = sample(phase, sigma, state, step, u - du, v - dv)
     if right == SEEN and left == SEEN:
@@ -253,6 +264,9 @@ def match(
             found, there, slope, noise = solve_row(grid, stride, other_phase, other_sigma, other_state, step, phase[y, x], start, row)
             if not found:
                 unmatched += 1
+                continue
+            if abs(slope) * SLOPE_REACH * np.sqrt(2.0) < SLOPE_SIGMAS * np.sqrt(noise):
+                ambiguous += 1
                 continue
             slack = 4.0 + 2.0 / (per_rad * abs(slope))
             own = frame[0] * here - frame[1]

@@ -14,7 +14,7 @@ from measureapp.data.cloud import PointCloud
 from measureapp.data.phase import PhaseMap
 from measureapp.errors import ReconstructError
 from measureapp.progress import NoProgress, Progress
-from measureapp.reconstruct.clean import CleanDepth, clean
+from measureapp.reconstruct.clean import CleanDepth, Partner, clean
 from measureapp.reconstruct.coverage import coverage
 from measureapp.reconstruct.match import DepthMap, match_view
 from measureapp.reconstruct.rectified_grid import on_rectified_grid
@@ -154,9 +154,19 @@ def _cloud_of(
             view.shift_squares[0] += seen.shift_squares
             view.shift_counts[0] += seen.shift_count
     pinhole = rectifier.cameras.cameras[name].pinhole
-    cleaned = clean(depth, view.sigma_mm, rectifier.rays(name), 1.0 / float(pinhole.matrix[0, 0]), settings)
+    partners = _partners(name, names[number + 1 :], view, rectifier)
+    cleaned = clean(depth, view.sigma_mm, rectifier.rays(name), 1.0 / float(pinhole.matrix[0, 0]), partners, settings)
     rejected.update(cleaned.rejected)
     return _points(number, names, view, cleaned, phase_maps[name], rectifier), rejected
+
+
+def _partners(name: str, others: tuple[str, ...], view: DepthMap, rectifier: Rectifier) -> list[Partner]:
+    cameras = rectifier.cameras.cameras
+    camera_from_reference = cameras[name].reference_from_camera.inverse()
+    return [
+        Partner(camera_from_reference.apply(cameras[other].reference_from_camera.translation_mm), np.asarray((view.others >> place) & 1 == 1))
+        for place, other in enumerate(others)
+    ]
 
 
 def _points(

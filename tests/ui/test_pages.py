@@ -232,3 +232,12 @@ def test_a_document_that_is_not_there_is_refused_in_words(filled, application, q
     assert "was not written yet" in application.session.messages[-1].text
     assert not (tmp_path / "a.csv").exists()
     qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy, timeout=10_000)
+
+
+def test_a_preview_that_fails_says_so(filled, application, qtbot):
+    from PySide6.QtWidgets import QLabel
+
+    page = filled.pages["report"]
+    filled.show_page("report")
+    application.controllers.documents.pagesFailed.emit()
+    qtbot.waitUntil(lambda: "There is no preview." in [label.text() for label in page._sheet.findChildren(QLabel) if label.isVisible()])

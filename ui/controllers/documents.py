@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QUrl, Signal, Slot
 from PySide6.QtGui import QDesktopServices
@@ -14,9 +14,7 @@ from ui.controllers.jobs import JobRunner
 from ui.session import Session
 
 if TYPE_CHECKING:
-    from measureapp.data.cloud import StitchedCloud
     from measureapp.data.measurement import Measurement
-    from measureapp.data.mesh import Mesh
     from ui.workers.job import Job
 
 FORMATS = {
@@ -32,6 +30,7 @@ class DocumentsController(QObject):
     """Shows, opens and exports what a measurement gave."""
 
     pagesReady = Signal(object)  # tuple of PNG files as bytes
+    pagesFailed = Signal()
 
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -43,11 +42,17 @@ class DocumentsController(QObject):
         """Draw the pages of the report."""
         measurement, folder = self._session.measurement, self._session.folder
         if measurement is not None:
-            self._runner.run("Drawing the report", lambda job: page_images(measurement, folder, job), self._show_pages)
+            self._runner.run(
+                "Drawing the report", lambda job: page_images(measurement, folder, job), self._show_pages, on_stopped=self._no_pages
+            )
 
     @Slot(object)
     def _show_pages(self, pages: tuple[bytes, ...]) -> None:
         self.pagesReady.emit(pages)
+
+    @Slot()
+    def _no_pages(self) -> None:
+        self.pagesFailed.emit()
 
     @Slot()
     def open_pdf(self) -> None:
@@ -100,33 +105,23 @@ def page_images(measurement: Measurement, folder: Path | None, job: Job) -> tupl
 def export(kind: str, source: Path | None, measurement: Measurement, target: Path, job: Job) -> Path:
     """Write one document; runs on a job's thread."""
     job.report(0, 1, target.name)
-    if kind in {"pdf", "csv", "json"}:
-        return _copied(source, target)
-    if kind == "ply" and source is not None and source.suffix == ".ply":
-        return _copied(source, target)
-    shape: StitchedCloud | Mesh | None = measurement.stitched if kind == "ply" else measurement.mesh
-    if shape is None:
-        raise InputError("This measurement has no surface mesh.", "Compute the project again to make one.")
-    return _written(shape, kind, target)
-
-
-def _copied(source: Path | None, target: Path) -> Path:
-    if source is None or not source.exists():
-        raise StorageError("This document was not written yet.", "Compute the project again to make its documents.")
-    part = target.with_name(target.name + ".part")
-    shutil.copyfile(source, part)
-    part.replace(target)
-    return target
-
-
-def _written(shape: Any, kind: str, target: Path) -> Path:
-    import trimesh
+    from measureapp.project.geometry_files import write_cloud, write_mesh
 
     if kind == "ply":
-        made: Any = trimesh.PointCloud(shape.points_mm)
+        write_cloud(target, measurement.stitched)
+    elif kind == "stl" and measurement.mesh is not None:
+        write_mesh(target, measurement.mesh)
+    elif kind == "stl":
+        raise InputError("This measurement has no surface mesh.", "Compute the project again to make one.")
     else:
-        made = trimesh.Trimesh(shape.vertices_mm, shape.triangles, process=False)
-    part = target.with_name(target.name + ".part")
-    part.write_bytes(made.export(file_type=kind))
-    part.replace(target)
+        _copy(source, target)
     return target
+
+
+def _copy(source: Path | None, target: Path) -> None:
+    from measureapp.project.atomic import replacing
+
+    if source is None or not source.exists():
+        raise StorageError("This document was not written yet.", "Compute the project again to make its documents.")
+    with replacing(target) as temporary:
+        shutil.copyfile(source, temporary)

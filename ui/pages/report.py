@@ -57,6 +57,7 @@ class ReportPage(Page):
         self.open_pdf.clicked.connect(controllers.documents.open_pdf)
         self.action_row.addWidget(self.open_pdf)
         controllers.documents.pagesReady.connect(self.show_pages)
+        controllers.documents.pagesFailed.connect(self._show_no_pages)
         session.reportChanged.connect(self._show)
         session.busyChanged.connect(self._show_busy)
         self._show()
@@ -102,10 +103,18 @@ class ReportPage(Page):
             self._pages.addWidget(shown)
         self._fit_pages()
         if not self.pages and self.session.measurement is not None:
-            waiting = label("The pages are being drawn…", "soft")
-            waiting.setAlignment(Qt.AlignmentFlag.AlignCenter)
-            self._pages.addWidget(waiting)
+            self._say("The pages are being drawn…")
         self._pages.addStretch(1)
+
+    def _show_no_pages(self) -> None:
+        clear(self._pages)
+        self._say("There is no preview. Open PDF shows the report." if self.open_pdf.isVisibleTo(self) else "There is no preview.")
+        self._pages.addStretch(1)
+
+    def _say(self, words: str) -> None:
+        told = label(words, "soft")
+        told.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._pages.addWidget(told)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the pages to the room there is."""
@@ -129,4 +138,4 @@ class ReportPage(Page):
         start = str(Path.home() / f"{self.session.project_name or 'measurement'}.{kind}")
         chosen, _ = QFileDialog.getSaveFileName(self, FORMATS[kind][0], start, f"*.{kind}")
         if chosen:
-            self.controllers.documents.export(kind, Path(chosen))
+            self.controllers.documents.export(kind, Path(chosen).with_suffix(f".{kind}"))

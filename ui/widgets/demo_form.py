@@ -25,6 +25,8 @@ class DemoForm(QWidget):
             self._part.addItem(words, name)
         self._resolution = Segments({"quarter": "Quarter", "half": "Half", "full": "Full"})
         self._viewpoints, self._seed = QSpinBox(), QSpinBox()
+        for spin in (self._viewpoints, self._seed):
+            spin.lineEdit().setTextMargins(6, 0, 0, 0)
         self._viewpoints.setRange(3, 60)
         self._seed.setRange(1, 9999)
         self._seed.setToolTip("Another seed is another rig: other hidden errors of robot, guide, table and lenses")
