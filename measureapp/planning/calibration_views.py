@@ -76,6 +76,6 @@ def _stations(plan: ScanPlan | None) -> list[Viewpoint]:
     places = {} if plan is None else {(viewpoint.flange, viewpoint.guide_mm): None for viewpoint in plan}
     return [
         Viewpoint(id=f"station{number + 1:02d}-{turn + 1}", flange=flange, guide_mm=guide_mm, table_deg=angle)
+        for turn, angle in enumerate(STATION_ANGLES_DEG)  # outer loop: the robot comes to every station several times
         for number, (flange, guide_mm) in enumerate(places)
-        for turn, angle in enumerate(STATION_ANGLES_DEG)
     ]

@@ -16,6 +16,7 @@ from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.reach import obstacles
 
 RINGS_DEG = ((0.0, 32.0), (8.0, 62.0), (-8.0, 47.0))  # azimuth and elevation, in the order in which they are added
+RING_SHARES = {1: (1.0,), 2: (0.6, 0.4), 3: (0.4, 0.25, 0.35)}  # walls want more views than tops
 FIELD_RADIUS_MM = 140.0  # half the shared field's smaller side, from the paper's rig
 ELEVATION_STEP_DEG = 2.0
 LEAST_TARGET_MM = 55.0  # above the table; from there the calibration board on its stand is in sight as well
@@ -56,7 +57,8 @@ def viewpoint_looking_at(
 def plan_around_part(rig: RigDescription, name: str, *, radius_mm: float, height_mm: float, count: int) -> ScanPlan:
     """Plan ``count`` viewpoints in rings around a part that stands on the table's centre.
 
-    Within a ring of one height only the table turns: it is one to two orders more accurate than the robot.
+    A ring is one station of the robot: between its views only the table turns. The rings alternate along the table's
+    angle, so that the robot comes to each station anew and its repeatability averages out instead of swelling the part.
 
     Parameters
     ----------
@@ -74,14 +76,22 @@ def plan_around_part(rig: RigDescription, name: str, *, radius_mm: float, height
         raise PlanError(f"{count} viewpoints measure nothing.", "Ask for at least 1.")
     rings = 1 if count < 5 else 2 if count < 16 else 3
     heights = _target_heights(height_mm)
-    viewpoints: list[Viewpoint] = []
-    for ring, (azimuth, elevation) in enumerate(RINGS_DEG[:rings]):
-        share = count // rings + (1 if ring < count % rings else 0)
+    places: list[tuple[float, int, FloatArray]] = []
+    for ring, share in enumerate(_shares(count, rings)):
         for index in range(share):
             table_deg = _wrapped(360.0 * (index + ring / rings) / share)
-            target = _target(rig, radius_mm, heights[index % len(heights)], azimuth)
-            viewpoints.append(_reachable(rig, f"view{len(viewpoints) + 1:02d}", target, azimuth, elevation, table_deg))
+            places.append((table_deg, ring, _target(rig, radius_mm, heights[index % len(heights)], RINGS_DEG[ring][0])))
+    viewpoints = [
+        _reachable(rig, f"view{number:02d}", target, *RINGS_DEG[ring], table_deg)
+        for number, (table_deg, ring, target) in enumerate(sorted(places, key=lambda place: place[:2]), start=1)
+    ]
     return ScanPlan(name=name, viewpoints=tuple(viewpoints))
+
+
+def _shares(count: int, rings: int) -> list[int]:
+    """Cut ``count`` views into rings by `RING_SHARES`; what rounding leaves goes to the first."""
+    others = [round(count * share) for share in RING_SHARES[rings][1:]]
+    return [count - sum(others), *others]
 
 
 def _target_heights(height_mm: float) -> list[float]:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from scipy.spatial import cKDTree
 
-from measureapp.arrays import FloatArray, IntArray
+from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.cloud import PointCloud
 from measureapp.register.voxels import VoxelSums
 
@@ -16,6 +16,9 @@ LEAST_COHERENCE = 0.985  # length of the mean normal below which a voxel straddl
 LEAST_COSINE = 0.26  # viewing angles beyond 75° are too noisy to register by
 LEAST_COUNT = 2  # points per voxel
 GICP_NEIGHBOURS = 15
+RIM_NEIGHBOURS = 20
+RIM_OFFSET = 0.3  # distance of the neighbours' centre over their mean distance; about 0.6 at a straight border
+SAME_FACE_COSINE = 0.9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,9 +58,25 @@ def prepare(cloud: PointCloud, voxel_mm: float) -> PreparedCloud:
     length = np.linalg.norm(mean_normal, axis=1)
     good = (count >= LEAST_COUNT) & (length > LEAST_COHERENCE)
     means = rows[good, 1:4] / count[good, None]
-    return PreparedCloud(
-        means, mean_normal[good] / length[good, None], rows[good, 7] / count[good] ** 2, cKDTree(means) if len(means) else None, voxel_mm
-    )
+    unit = mean_normal[good] / length[good, None]
+    variances = rows[good, 7] / count[good] ** 2
+    inner = _surrounded(means, unit)
+    means, unit, variances = means[inner], unit[inner], variances[inner]
+    return PreparedCloud(means, unit, variances, cKDTree(means) if len(means) else None, voxel_mm)
+
+
+def _surrounded(points_mm: FloatArray, normals: FloatArray) -> BoolArray:
+    """Return which points have neighbours of their own face on all sides.
+
+    At the border of a face pixels mix it with what lies behind, so that its rim is displaced, and in one direction.
+    """
+    if len(points_mm) <= RIM_NEIGHBOURS:
+        return np.ones(len(points_mm), np.bool_)
+    distance, index = cKDTree(points_mm).query(points_mm, RIM_NEIGHBOURS + 1, workers=-1)
+    same = np.einsum("ik,ijk->ij", normals, normals[index[:, 1:]]) > SAME_FACE_COSINE
+    offset = np.einsum("ij,ijk->ik", same, points_mm[index[:, 1:]] - points_mm[:, None])
+    reach = np.sum(distance[:, 1:], axis=1)
+    return np.asarray((same.sum(axis=1) >= RIM_NEIGHBOURS / 2) & (np.linalg.norm(offset, axis=1) < RIM_OFFSET * reach))
 
 
 def occupied_cells(prepared: PreparedCloud, points_mm: FloatArray, normals: FloatArray, cell_mm: float) -> IntArray:
