@@ -12,6 +12,7 @@ import numpy as np
 from measureapp.acquire.engine import Engine
 from measureapp.acquire.events import Event, InspectionReady, StitchReady, ViewpointFailed, ViewReady
 from measureapp.data.calibration import RigCalibration
+from measureapp.data.cloud import StitchedCloud
 from measureapp.data.fringe import FringeStack
 from measureapp.data.measurement import Inspection, Measurement, ViewResult
 from measureapp.data.phase import PhaseMap, PixelState
@@ -21,6 +22,7 @@ from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, ReconstructError, RegistrationError
 from measureapp.fringe.decode import decode
 from measureapp.fringe.patterns import pattern_images
+from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.reach import check_reach
 from measureapp.progress import NoProgress, PartOf, Progress
@@ -34,6 +36,7 @@ from measureapp.register.stitch import stitch
 from measureapp.register.surface import surface
 
 OnEvent = Callable[[Event], None]
+TYPICAL_RADIUS_MM = 100.0  # of points about the table's axis
 KNOWN_STATION_MM, KNOWN_STATION_DEG = 0.05, 0.005  # repeatability of the robot and what the board leaves unknown
 
 
@@ -166,7 +169,7 @@ def assemble(
     with watch.stage("surface"):
         mesh = surface(stitched, progress=PartOf(progress, 0.5, 0.7))
     with watch.stage("inspection"):
-        inspection = _inspected(project, stitched, PartOf(progress, 0.7, 0.9))
+        inspection = _inspected(project, stitched, inspection_settings(calibrated, project.rig(), good), PartOf(progress, 0.7, 0.9))
     if inspection is not None:
         on_event(InspectionReady(inspection))
     plan = project.plan()
@@ -195,7 +198,22 @@ def stitch_settings(calibration: RigCalibration, views: Sequence[ViewResult]) ->
     return StitchSettings(pose_sigma_mm=KNOWN_STATION_MM, pose_sigma_deg=KNOWN_STATION_DEG) if known else StitchSettings()
 
 
-def _inspected(project: ProjectFolder, stitched: Any, progress: Progress) -> Inspection | None:
+def inspection_settings(calibration: RigCalibration, rig: RigDescription, views: Sequence[ViewResult]) -> InspectionSettings:
+    """Return the settings of inspection with what calibration and axes leave unknown, for the uncertainty of every dimension.
+
+    Where the robot's error was measured at the stations of the scan, a view is placed as well as the robot repeats and the
+    table turns; elsewhere only as well as the robot's absolute accuracy. The scale is known as well as the focal lengths.
+    """
+    known = all(calibration.station(view.readback) is not None for view in views)
+    table_mm = float(np.deg2rad(rig.table.accuracy_arcsec / 3600.0)) * TYPICAL_RADIUS_MM
+    placement_mm = float(np.hypot(rig.robot.repeatability_mm, table_mm)) if known else rig.robot.absolute_accuracy_mm
+    scales = [
+        camera.standard_deviations.get("fx", 0.0) / float(camera.pinhole.matrix[0, 0]) for camera in calibration.cameras.cameras.values()
+    ]
+    return InspectionSettings(uncertainty=UncertaintySettings(placement_mm=placement_mm, systematic_relative=max(scales)))
+
+
+def _inspected(project: ProjectFolder, stitched: StitchedCloud, settings: InspectionSettings, progress: Progress) -> Inspection | None:
     if project.program is None:
         return None
     from measureapp.inspection.dimensions import inspect
@@ -203,7 +221,7 @@ def _inspected(project: ProjectFolder, stitched: Any, progress: Progress) -> Ins
     from measureapp.project.program_file import read_program
 
     nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")
-    return inspect(stitched, read_program(project.program), nominal, progress=progress)
+    return inspect(stitched, read_program(project.program), nominal, settings, progress=progress)
 
 
 def _settings(plan: ScanPlan) -> dict[str, Any]:

@@ -164,7 +164,9 @@ def _partners(name: str, others: tuple[str, ...], view: DepthMap, rectifier: Rec
     cameras = rectifier.cameras.cameras
     camera_from_reference = cameras[name].reference_from_camera.inverse()
     return [
-        Partner(camera_from_reference.apply(cameras[other].reference_from_camera.translation_mm), np.asarray((view.others >> place) & 1 == 1))
+        Partner(
+            camera_from_reference.apply(cameras[other].reference_from_camera.translation_mm), np.asarray((view.others >> place) & 1 == 1)
+        )
         for place, other in enumerate(others)
     ]
 
