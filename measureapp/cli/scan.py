@@ -12,6 +12,8 @@ from measureapp.cli.main import DEVICE_FAILED, OUT_OF_TOLERANCE
 from measureapp.cli.outcome import measurement_lines, passed
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply, say
 
+NOT_PROCESSED = "The images are stored. The project has no calibration: calibrate the rig, then `measureapp process PROJECT`."
+
 
 def register(app: typer.Typer) -> None:
     """Add the command."""
@@ -20,12 +22,15 @@ def register(app: typer.Typer) -> None:
     def scan(
         plan: Annotated[Path, typer.Argument(help="Scan plan (JSON or TOML).")],
         rig: Annotated[str, typer.Option("--rig", help="Rig description: a TOML file, or a name in resources/rigs.")],
-        project: Annotated[Path, typer.Option("--project", help="Project folder; it must hold the calibration of this rig.")],
+        project: Annotated[Path, typer.Option("--project", help="Project folder, new or with the calibration of this rig.")],
+        calibration: Annotated[
+            Path | None, typer.Option("--calibration", help="Another project of this rig whose calibration a new project takes over.")
+        ] = None,
         resume: Annotated[bool, typer.Option("--resume", help="Keep the viewpoints that are stored already.")] = False,
         as_json: JsonOption = False,
     ) -> None:
         """Move, project, capture and store every viewpoint of a plan, then process the images."""
-        from measureapp.pipeline import scan_into_project
+        from measureapp.pipeline import ScanRequest, scan_into_project
         from measureapp.project.plan_file import read_plan
         from measureapp.project.rig_file import read_rig
 
@@ -42,11 +47,15 @@ def register(app: typer.Typer) -> None:
             elif isinstance(event, RunEnded):
                 ended.update(reason=event.reason, message=event.message)
 
-        outcome = scan_into_project(read_plan(plan), read_rig(rig), project, resume, on_event, TerminalProgress())
-        views = [{"viewpoint": viewpoint_id, **state} for viewpoint_id, state in states.items()]
-        document = {"views": views, "ended": ended["reason"], "message": ended["message"], **outcome.document}
-        reply(document, "\n".join(measurement_lines(outcome.measurement)), as_json)
+        request = ScanRequest(read_plan(plan), read_rig(rig), project, resume, calibration)
+        outcome = scan_into_project(request, on_event, TerminalProgress())
+        document = {} if outcome is None else outcome.document
+        figures = {view["name"]: view for view in document.get("views", [])}
+        views = [{"name": name, **figures.get(name, {}), **state} for name, state in states.items()]
+        run = {"ended": ended["reason"], "message": ended["message"], "processed": outcome is not None, "views": views}
+        lines = [NOT_PROCESSED] if outcome is None else measurement_lines(outcome.measurement)
+        reply({**document, **run}, "\n".join(lines), as_json)
         if any(view["state"] == "failed" for view in views):
             raise typer.Exit(DEVICE_FAILED)
-        if not passed(outcome.measurement):
+        if outcome is not None and not passed(outcome.measurement):
             raise typer.Exit(OUT_OF_TOLERANCE)

@@ -41,12 +41,12 @@ KNOWN_STATION_MM, KNOWN_STATION_DEG = 0.05, 0.005  # repeatability of the robot 
 
 
 class _Processing:
-    """The sink of a scan: stores every stack for good, then makes a cloud of it."""
+    """The sink of a scan: stores every stack for good, then makes a cloud of it where there is a calibration."""
 
-    def __init__(self, project: ProjectFolder, calibration: RigCalibration, on_event: OnEvent, watch: Stopwatch) -> None:
+    def __init__(self, project: ProjectFolder, calibration: RigCalibration | None, on_event: OnEvent, watch: Stopwatch) -> None:
         self.views: dict[str, ViewResult] = {}
         self._project, self._calibration, self._on_event, self._watch = project, calibration, on_event, watch
-        self._rectifier = Rectifier(calibration.cameras)
+        self._rectifier = None if calibration is None else Rectifier(calibration.cameras)
 
     def store(self, stack: FringeStack) -> None:
         """Keep the raw images, then process them."""
@@ -56,6 +56,8 @@ class _Processing:
 
     def process(self, stack: FringeStack, progress: Progress) -> None:
         """Make a cloud of a stack; a view without points is told, not passed on."""
+        if self._calibration is None or self._rectifier is None:
+            return
         with self._watch.stage("clouds"):
             try:
                 view = cloud_of_view(stack, self._calibration, progress, self._rectifier)
@@ -67,9 +69,11 @@ class _Processing:
 
 
 def scan(
-    rig: Rig, project: ProjectFolder, calibration: RigCalibration, on_event: OnEvent, progress: Progress, watch: Stopwatch
+    rig: Rig, project: ProjectFolder, calibration: RigCalibration | None, on_event: OnEvent, progress: Progress, watch: Stopwatch
 ) -> tuple[ViewResult, ...]:
     """Run the project's plan on the rig and process every stack as it comes; stored viewpoints are not taken again.
+
+    Without a calibration the images are stored and no view comes back.
 
     Raises
     ------
@@ -84,7 +88,8 @@ def scan(
     if plan is None:
         raise CalibrationError(f"{project.path} has no scan plan.", "Plan the scan first.")
     check_reach(plan, rig.description)
-    check_cameras(rig, calibration)
+    if calibration is not None:
+        check_cameras(rig, calibration)
     stored = project.stored_viewpoints()
     project.frames.require_space(stack_bytes(rig.description, plan) * (len(plan) - len(stored)))
     sink = _Processing(project, calibration, on_event, watch)

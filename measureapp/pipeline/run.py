@@ -18,11 +18,12 @@ from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, InputError
 from measureapp.pipeline.calibrate import CalibratedRig, calibrate_from_views
 from measureapp.pipeline.documents import outcome_document, write_reports
-from measureapp.pipeline.measure import assemble, clouds_from_disk, scan
+from measureapp.pipeline.measure import assemble, check_cameras, clouds_from_disk, scan
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.calibration_views import calibration_viewpoints
+from measureapp.planning.reach import check_reach
 from measureapp.progress import PartOf, Progress
-from measureapp.project.folder import ProjectFolder
+from measureapp.project.folder import ProjectFolder, ProjectSettings
 
 OnEvent = Callable[[Event], None]
 
@@ -34,6 +35,17 @@ class Outcome:
     measurement: Measurement
     document: dict[str, Any]
     files: dict[str, Path]
+
+
+@dataclass(frozen=True, slots=True)
+class ScanRequest:
+    """Which plan to run on which rig into which project."""
+
+    plan: ScanPlan
+    rig: RigDescription
+    folder: Path
+    resume: bool = False  # keep the viewpoints that are stored already
+    calibrated: Path | None = None  # another project whose calibration a new one takes over
 
 
 def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> CalibratedRig:
@@ -58,10 +70,12 @@ def solve_calibration(project: ProjectFolder, on_event: OnEvent, progress: Progr
     return calibrated
 
 
-def scan_into_project(
-    plan: ScanPlan, description: RigDescription, folder: Path, resume: bool, on_event: OnEvent, progress: Progress
-) -> Outcome:
-    """Connect the rig, run ``plan`` into the project in ``folder``, which holds the rig's calibration, and process the images.
+def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progress) -> Outcome | None:
+    """Connect the rig, run the plan into the project and process the images.
+
+    Returns
+    -------
+    outcome : None where the project has no calibration: then the images are stored, and `process` can use them later
 
     Raises
     ------
@@ -70,20 +84,41 @@ def scan_into_project(
     DeviceError
         From the rig.
     """
-    project = ProjectFolder.open(folder)
-    if project.stored_viewpoints() and not resume:
-        raise InputError(f"{folder} holds images already.", "Use --resume to take only what is missing, or scan into a new project.")
+    check_reach(request.plan, request.rig)
+    project = _project_for(request)
     calibration = project.calibration()
-    if calibration is None:
-        raise CalibrationError(f"{folder} has no calibration.", "Calibrate the rig into this project first.")
-    project.save_plan(plan)
     watch = Stopwatch()
-    rig = connect_rig(description)
+    rig = connect_rig(request.rig)
     try:
+        if calibration is not None:
+            check_cameras(rig, calibration)
+        project.save_plan(request.plan)
         views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch)
     finally:
         rig.close()
+    if calibration is None:
+        return None
     return finished(project, assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch), watch)
+
+
+def _project_for(request: ScanRequest) -> ProjectFolder:
+    """Open the project, or make one, with the calibration of another project where that is asked for."""
+    if (request.folder / "project.json").exists():
+        project = ProjectFolder.open(request.folder)
+        if project.stored_viewpoints() and not request.resume:
+            raise InputError(
+                f"{request.folder} holds images already.", "Use --resume to take only what is missing, or scan into a new project."
+            )
+        return project
+    calibration = None
+    if request.calibrated is not None:
+        calibration = ProjectFolder.open(request.calibrated).calibration()
+        if calibration is None:
+            raise CalibrationError(f"{request.calibrated} has no calibration.", "Calibrate the rig into it first.")
+    project = ProjectFolder.create(request.folder, ProjectSettings(name=request.plan.name, part=request.plan.name, rig=request.rig))
+    if calibration is not None:
+        project.save_calibration(calibration)
+    return project
 
 
 def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Outcome:
