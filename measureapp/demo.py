@@ -23,7 +23,7 @@ from measureapp.inspection.measured import MeasuredPoints
 from measureapp.inspection.nominal_surface import NominalSurface
 from measureapp.inspection.point_to_plane import register
 from measureapp.inspection.settings import AlignmentSettings
-from measureapp.pipeline.measure import assemble, scan
+from measureapp.pipeline.measure import assemble, check_space, scan
 from measureapp.pipeline.run import Outcome, calibrate_rig, finished
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.viewpoints import plan_around_part
@@ -82,7 +82,9 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
         count=request.viewpoints if request.viewpoints is not None else DEFAULT_VIEWPOINTS.get(request.part, OTHER_VIEWPOINTS),
     )
     name = f"Demo: {part.name}, {request.resolution} resolution, {len(plan)} views, seed {request.seed}"
-    project = ProjectFolder.create(request.folder, ProjectSettings(name=name, part=part.name, rig=description))
+    settings = ProjectSettings(name=name, part=part.name, rig=description)
+    check_space(ProjectFolder(request.folder, settings), description, plan)
+    project = ProjectFolder.create(request.folder, settings)
     project.save_plan(plan)
     _give_drawing(project, request.part)
     world = World(description, part, request.seed, project.settings.board)

@@ -18,6 +18,7 @@ for name in ("DISPLAY", "WAYLAND_DISPLAY"):
 
 import pytest  # noqa: E402
 
+pytest_plugins = ["demo_fixture"]
 GRACE_S = 2.0
 LIBRARY_THREADS = ("pytest_timeout", "execnet", "tqdm", "IPythonHistory")  # kept by libraries, ended by them
 LIBRARY_WIDGETS = ("QTipLabel",)  # the one tool tip Qt keeps

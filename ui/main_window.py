@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFileDialog, QMainWindow, QMessageBox, QStackedWid
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
-from ui.look.wording import millimetres, sentence_case, several, storage, when
+from ui.look.wording import millimetres, part_words, several, storage, when
 from ui.pages.calibration import CalibrationPage
 from ui.pages.calibration_rows import solution_rows, worst_residual_mm
 from ui.pages.clouds import CloudsPage
@@ -58,6 +58,7 @@ class MainWindow(QMainWindow):
         for page in self.pages.values():
             self.stack.addWidget(page)
             page.propertiesChanged.connect(self._show_properties)
+            page.propertiesAsked.connect(self._unfold)
         self.messages, self.help = MessagesDialog(look, self), HelpDialog(look, self)
         self._lay_out()
         self._connect()
@@ -98,9 +99,9 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self._disk_timer.stop()
-        for runner in (self.controllers.jobs, self.controllers.background):
+        for runner in self.controllers.runners:
             runner.queue.cancel_all()
-        for runner in (self.controllers.jobs, self.controllers.background):
+        for runner in self.controllers.runners:
             runner.queue.wait(CLOSING_WAIT_MS)
         for page in self.pages.values():
             page.close_page()
@@ -153,6 +154,9 @@ class MainWindow(QMainWindow):
     def _show_properties(self) -> None:
         self.properties.show_properties(self.page.properties)
 
+    def _unfold(self) -> None:
+        self.properties.fold(False)
+
     def _show_busy(self) -> None:
         self.strip.show_job(self.session.busy_with)
 
@@ -171,7 +175,7 @@ class MainWindow(QMainWindow):
 
     def _show_project(self) -> None:
         session = self.session
-        self.header.show_project(session.project_name, f"Part: {sentence_case(session.part)}" if session.part else "")
+        self.header.show_project(session.project_name, f"Part: {part_words(session.part)}" if session.part else "")
         self.setWindowTitle(f"{session.project_name} – MeasureApp" if session.project_name else "MeasureApp")
         self._show_disk()
 
@@ -191,9 +195,9 @@ class MainWindow(QMainWindow):
             self.header.calibration.show_state("Not calibrated", "verdict_not_proven", "Run the demo to calibrate the virtual rig")
             return
         good = all(found.good for found in solution_rows(calibration, self.session.rig))
-        age = when(calibration.provenance.created) or "calibrated"
-        words = f"{sentence_case(age)} · {millimetres(worst_residual_mm(calibration))} {'✓' if good else '✗'}"
-        tip = "Age of the calibration and the largest residual of hand–eye, guide and axis"
+        age = when(calibration.provenance.created) or "before"
+        words = f"Calibrated {age} · {millimetres(worst_residual_mm(calibration))} {'✓' if good else '✗'}"
+        tip = "Age of the calibration, and the largest residual of hand–eye, guide and axis in mm"
         self.header.calibration.show_state(words, "verdict_pass" if good else "verdict_fail", tip)
 
     def _show_disk(self) -> None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Literal
 
 from PySide6.QtCore import QObject, Signal
 
-from ui.workers.mailbox import Mailbox
+from ui.workers.mailbox import Mailboxes
 
 if TYPE_CHECKING:
     from measureapp.acquire.events import ImageTaken
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import Inspection, Measurement, ViewResult
     from measureapp.data.plan import ScanPlan
     from measureapp.data.rig import RigDescription
+    from ui.controllers.comparison import Comparison
 
 Level = Literal["info", "done", "warning", "error"]
 ViewpointStatus = Literal["waiting", "moving", "capturing", "stored", "processed", "failed"]
@@ -66,6 +67,7 @@ class Session(QObject):
     cloudsChanged = Signal()
     inspectionChanged = Signal()
     reportChanged = Signal()
+    comparisonChanged = Signal()
     busyChanged = Signal()
     messageAdded = Signal(object)
     graphicsChanged = Signal()
@@ -73,7 +75,7 @@ class Session(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.images: Mailbox[ImageTaken] = Mailbox()
+        self.images: Mailboxes[ImageTaken] = Mailboxes()  # one for each camera
         self.messages: list[Message] = []
         self.busy_with = ""
         self.role: Role = "engineer"
@@ -94,6 +96,7 @@ class Session(QObject):
         self.stitched: StitchedCloud | None = None
         self.inspection: Inspection | None = None
         self.measurement: Measurement | None = None
+        self.comparison: Comparison | None = None
         self.files: Mapping[str, Path] = {}
 
     def open_project(self, name: str, part: str, folder: Path | None) -> None:
@@ -108,6 +111,7 @@ class Session(QObject):
             self.cloudsChanged,
             self.inspectionChanged,
             self.reportChanged,
+            self.comparisonChanged,
         ):
             signal.emit()
 
@@ -159,6 +163,11 @@ class Session(QObject):
         self.inspection = inspection
         self.inspectionChanged.emit()
 
+    def set_comparison(self, comparison: Comparison | None) -> None:
+        """Tell how far the cloud is from the drawing."""
+        self.comparison = comparison
+        self.comparisonChanged.emit()
+
     def set_measurement(self, measurement: Measurement, files: Mapping[str, Path]) -> None:
         """Take over everything one measurement gave."""
         self.measurement = measurement
@@ -167,6 +176,7 @@ class Session(QObject):
         self.views = measurement.views
         self.stitched = measurement.stitched
         self.inspection = measurement.inspection
+        self.comparison = None
         for view in measurement.views:
             status: ViewpointStatus = "processed" if view.quality.accepted else "failed"
             self.viewpoints[view.viewpoint_id] = ViewpointState(view.viewpoint_id, status, view.quality.reason)
@@ -176,6 +186,7 @@ class Session(QObject):
             self.cloudsChanged,
             self.inspectionChanged,
             self.reportChanged,
+            self.comparisonChanged,
         ):
             signal.emit()
 

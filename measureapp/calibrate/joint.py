@@ -24,6 +24,7 @@ LEAST_STROKE_MM = 10.0
 LEAST_SWEEP_RAD = np.deg2rad(2.0)
 SAME_POSE = 1e-4  # robot poses closer than this (mm, rotation matrix) are one pose with one error
 SAME_ANGLE_RAD = 1e-7
+LEAST_SLIDES = 3
 OUTLIER_FACTOR = 6.0  # of the median misfit
 MOST_REJECTED = 0.25
 REJECTED = "the board was seen far from where all other sightings put it: it moved, or was found wrongly"
@@ -236,7 +237,7 @@ def _solution(
         calibration=RigCalibration(
             cameras,
             hand_eye,
-            _guide(state, deviations, stages),
+            _guide(state, deviations, _straightness(chain, distances)),
             _axis(state, deviations, covariance, chain.labels, distances),
             Provenance(method="joint calibration of the rig"),
             _stations(chain, state),
@@ -266,17 +267,27 @@ def _stations(chain: Chain, state: ChainState) -> tuple[RobotStation, ...]:
     )
 
 
+def _straightness(chain: Chain, distances_mm: FloatArray) -> float:
+    """Return the rms distance from the straight line over slides with one robot pose, where its error cannot enter; 0 without such."""
+    slid = [
+        distances_mm[chain.robot_group == number]
+        for number in range(chain.robot_poses)
+        if len(np.unique(chain.guide_mm[chain.robot_group == number])) >= LEAST_SLIDES
+    ]
+    return float(np.sqrt(np.mean(np.concatenate(slid) ** 2))) if slid else 0.0
+
+
 def _largest(deviations: dict[str, float], *starts: str) -> float:
     return max((value for name, value in deviations.items() if name.startswith(starts)), default=0.0)
 
 
-def _guide(state: ChainState, deviations: dict[str, float], stages: RigStages) -> LinearGuide:
+def _guide(state: ChainState, deviations: dict[str, float], straightness_mm: float) -> LinearGuide:
     return LinearGuide(
         state.guide_direction,
         state.guide_scale,
         direction_sigma_rad=_largest(deviations, "guide.direction"),
         scale_sigma=_largest(deviations, "guide.scale"),
-        straightness_mm=stages.guide.straightness_mm,
+        straightness_mm=straightness_mm,
     )
 
 

@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 import typer
 
 from measureapp.cli.main import OUT_OF_TOLERANCE
-from measureapp.cli.outcome import measurement_lines, passed
+from measureapp.cli.outcome import measurement_lines, passed, tell_failures
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 
@@ -29,7 +29,7 @@ def register(app: typer.Typer) -> None:
 
         folder = out or Path(f"demo-{Path(part).stem}-{resolution}")
         request = DemoRequest(folder, part, resolution, viewpoints, seed)
-        outcome = run_demo(request, lambda _: None, TerminalProgress())
+        outcome = run_demo(request, tell_failures, TerminalProgress())
         deviation = outcome.document["truth_deviation"]
         lines = [
             *measurement_lines(outcome.measurement),

@@ -55,7 +55,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except (Cancelled, KeyboardInterrupt, typer.exceptions.Abort):
         return _refuse("Cancelled", "Cancelled.", "Nothing more was written.", as_json, CANCELLED)
     except typer.exceptions.TyperException as error:
-        return _refuse("UsageError", error.format_message(), "See `measureapp --help`.", as_json, BAD_INPUT)
+        return _refuse_usage(error.format_message(), as_json)
     except DeviceError as error:
         return _refuse(type(error).__name__, error.message, error.hint, as_json, DEVICE_FAILED)
     except MeasureError as error:
@@ -63,6 +63,17 @@ def main(argv: Sequence[str] | None = None) -> int:
     except OSError as error:
         message = f"{error.filename or 'A file'}: {error.strerror or error}."
         return _refuse("StorageError", message, "Check the path, the free space and the permissions.", as_json, BAD_INPUT)
+
+
+def _refuse_usage(message: str, as_json: bool) -> int:
+    """Answer a call that the command line cannot understand; one without a command gets the help."""
+    if message.startswith("Usage:"):
+        if not as_json:
+            say(message)
+            return BAD_INPUT
+        message = "A command is missing."
+    sentence = message if message.endswith((".", "?", ")")) else f"{message}."
+    return _refuse("UsageError", sentence, "See `measureapp --help`.", as_json, BAD_INPUT)
 
 
 def _refuse(kind: str, message: str, hint: str, as_json: bool, code: int) -> int:

@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
+from measureapp.acquire.events import Event, ViewpointFailed
+from measureapp.cli.reply import say
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.measurement import Measurement
 
 MARK = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdict.NOT_MEASURED: "–"}
+
+
+def tell_failures(event: Event) -> None:
+    """Say on standard error which view gave nothing, and why."""
+    if isinstance(event, ViewpointFailed):
+        say(f"{event.viewpoint_id}: {event.reason}")
 
 
 def passed(measurement: Measurement) -> bool:

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from measureapp.cli.main import OUT_OF_TOLERANCE
-from measureapp.cli.outcome import measurement_lines, passed
+from measureapp.cli.outcome import measurement_lines, passed, tell_failures
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 
@@ -21,20 +21,20 @@ def register(app: typer.Typer) -> None:
         from measureapp.pipeline import process_project
         from measureapp.project.folder import ProjectFolder
 
-        outcome = process_project(ProjectFolder.open(project), lambda _: None, TerminalProgress())
+        outcome = process_project(ProjectFolder.open(project), tell_failures, TerminalProgress())
         reply(outcome.document, "\n".join(measurement_lines(outcome.measurement)), as_json)
         if not passed(outcome.measurement):
             raise typer.Exit(OUT_OF_TOLERANCE)
 
     @app.command()
     def verify(project: Annotated[Path, typer.Argument(help="Project folder.")], as_json: JsonOption = False) -> None:
-        """Compare every stored image with its checksum."""
+        """Compare every stored image, of the part and of the board, with its checksum."""
         from measureapp.project.folder import ProjectFolder
 
-        frames = ProjectFolder.open(project).frames
-        damaged = {viewpoint: problems for viewpoint in frames.stored() if (problems := frames.damaged(viewpoint))}
+        folder = ProjectFolder.open(project)
+        checked, damaged = folder.verify()
         lines = [problem for problems in damaged.values() for problem in problems]
-        summary = f"{len(frames.stored())} viewpoints checked: " + ("all as stored." if not damaged else f"{len(lines)} files damaged.")
-        reply({"checked": list(frames.stored()), "damaged": damaged}, "\n".join([*lines, summary]), as_json)
+        summary = f"{len(checked)} viewpoints checked: " + ("all as stored." if not damaged else f"{len(lines)} files damaged.")
+        reply({"checked": checked, "damaged": damaged}, "\n".join([*lines, summary]), as_json)
         if damaged:
             raise typer.Exit(OUT_OF_TOLERANCE)

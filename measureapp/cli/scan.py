@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.acquire.events import Event, RunEnded, ViewpointFailed, ViewpointStored
+from measureapp.acquire.events import Event, RunEnded, RunStarted, ViewpointFailed, ViewpointStarted, ViewpointStored
 from measureapp.cli.main import DEVICE_FAILED, OUT_OF_TOLERANCE
 from measureapp.cli.outcome import measurement_lines, passed
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply, say
+
+if TYPE_CHECKING:
+    from measureapp.data.plan import ScanPlan
 
 NOT_PROCESSED = "The images are stored. The project has no calibration: calibrate the rig, then `measureapp process PROJECT`."
 
@@ -34,28 +37,40 @@ def register(app: typer.Typer) -> None:
         from measureapp.project.plan_file import read_plan
         from measureapp.project.rig_file import read_rig
 
-        states: dict[str, dict[str, Any]] = {}
-        ended: dict[str, str] = {}
-
-        def on_event(event: Event) -> None:
-            if isinstance(event, ViewpointStored):
-                states[event.viewpoint_id] = {"state": "stored", "seconds": event.seconds}
-                say(f"{event.viewpoint_id}: stored")
-            elif isinstance(event, ViewpointFailed):
-                states[event.viewpoint_id] = {"state": "failed", "reason": event.reason}
-                say(f"{event.viewpoint_id}: {event.reason}")
-            elif isinstance(event, RunEnded):
-                ended.update(reason=event.reason, message=event.message)
-
         request = ScanRequest(read_plan(plan), read_rig(rig), project, resume, calibration)
-        outcome = scan_into_project(request, on_event, TerminalProgress())
+        log = ScanLog(request.plan)
+        outcome = scan_into_project(request, log.note, TerminalProgress())
         document = {} if outcome is None else outcome.document
         figures = {view["name"]: view for view in document.get("views", [])}
-        views = [{"name": name, **figures.get(name, {}), **state} for name, state in states.items()]
-        run = {"ended": ended["reason"], "message": ended["message"], "processed": outcome is not None, "views": views}
+        views = [{"name": name, **figures.get(name, {}), **state} for name, state in log.states.items()]
+        run = {"ended": log.ended.reason, "message": log.ended.message, "processed": outcome is not None, "views": views}
         lines = [NOT_PROCESSED] if outcome is None else measurement_lines(outcome.measurement)
         reply({**document, **run}, "\n".join(lines), as_json)
-        if any(view["state"] == "failed" for view in views):
+        if any(state["state"] != "stored" for state in log.states.values()):
             raise typer.Exit(DEVICE_FAILED)
-        if outcome is not None and not passed(outcome.measurement):
+        if any("reason" in state for state in log.states.values()) or not (outcome is None or passed(outcome.measurement)):
             raise typer.Exit(OUT_OF_TOLERANCE)
+
+
+class ScanLog:
+    """What became of every viewpoint of a plan: missing, failed (a device), or stored; a reason says why it gave no points."""
+
+    def __init__(self, plan: ScanPlan) -> None:
+        self.states: dict[str, dict[str, Any]] = {viewpoint.id: {"state": "stored"} for viewpoint in plan}
+        self.ended = RunEnded("done")
+
+    def note(self, event: Event) -> None:
+        """Hear one event of the run."""
+        if isinstance(event, RunStarted):
+            for viewpoint_id in event.viewpoint_ids:
+                self.states[viewpoint_id] = {"state": "missing"}
+        elif isinstance(event, ViewpointStarted):
+            self.states[event.viewpoint_id] = {"state": "failed"}
+        elif isinstance(event, ViewpointStored):
+            self.states[event.viewpoint_id] |= {"state": "stored", "seconds": event.seconds}
+            say(f"{event.viewpoint_id}: stored")
+        elif isinstance(event, ViewpointFailed):
+            self.states[event.viewpoint_id]["reason"] = event.reason
+            say(f"{event.viewpoint_id}: {event.reason}")
+        elif isinstance(event, RunEnded):
+            self.ended = event

@@ -13,7 +13,6 @@ from measureapp.errors import CalibrationError
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, rotation_about
 
-
 SAME_STATION_MM, SAME_STATION_RAD = 0.01, 2e-5
 
 

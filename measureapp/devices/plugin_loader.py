@@ -15,7 +15,7 @@ from typing import Any, Literal
 
 from pydantic import Field, ValidationError
 
-from measureapp.data.model import Model
+from measureapp.data.model import Model, first_problem
 from measureapp.errors import PluginError
 from measureapp.resources import plugin_folder
 
@@ -120,9 +120,7 @@ def _read(path: Path) -> PluginManifest:
     except tomllib.TOMLDecodeError as error:
         raise PluginError(f"{path} is not valid TOML: {error}.", "Correct the line named.") from error
     except ValidationError as error:
-        first = error.errors()[0]
-        field = ".".join(str(part) for part in first["loc"])
-        raise PluginError(f"{path}: {field}: {first['msg']}.", "Correct this field.") from error
+        raise PluginError(f"{path}: {first_problem(error, 'the manifest')}.", "Correct this field.") from error
 
 
 def _load(folder: Path) -> LoadedPlugin:

@@ -37,7 +37,7 @@ from measureapp.register.surface import surface
 
 OnEvent = Callable[[Event], None]
 TYPICAL_RADIUS_MM = 100.0  # of points about the table's axis
-KNOWN_STATION_MM, KNOWN_STATION_DEG = 0.05, 0.005  # repeatability of the robot and what the board leaves unknown
+KNOWN_STATION_MM, KNOWN_STATION_DEG = 0.03, 0.004  # repeatability of the robot and what the board leaves unknown
 
 
 class _Processing:
@@ -91,7 +91,7 @@ def scan(
     if calibration is not None:
         check_cameras(rig, calibration)
     stored = project.stored_viewpoints()
-    project.frames.require_space(stack_bytes(rig.description, plan) * (len(plan) - len(stored)))
+    check_space(project, rig.description, plan)
     sink = _Processing(project, calibration, on_event, watch)
     for viewpoint_id in stored:
         sink.process(project.frames.load(viewpoint_id), NoProgress())
@@ -252,6 +252,12 @@ def check_cameras(rig: Rig, calibration: RigCalibration) -> None:
             )
         if known.serial and known.serial != camera.serial:
             raise CalibrationError(f"Camera {name!r} is {camera.serial}; its calibration is of {known.serial}.", "Calibrate this rig.")
+
+
+def check_space(project: ProjectFolder, rig: RigDescription, plan: ScanPlan) -> None:
+    """Refuse a plan whose missing images do not fit on the disk; the project need not be made yet. Raises StorageError."""
+    missing = len(plan) - len(project.stored_viewpoints())
+    project.frames.require_space(stack_bytes(rig, plan) * missing)
 
 
 def stack_bytes(rig: RigDescription, plan: ScanPlan) -> int:

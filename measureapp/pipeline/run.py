@@ -16,9 +16,10 @@ from measureapp.data.rig import RigDescription
 from measureapp.devices.connect import connect_rig
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, InputError
+from measureapp.fringe.patterns import check_determines_phase
 from measureapp.pipeline.calibrate import CalibratedRig, calibrate_from_views
 from measureapp.pipeline.documents import outcome_document, write_reports
-from measureapp.pipeline.measure import assemble, check_cameras, clouds_from_disk, scan
+from measureapp.pipeline.measure import assemble, check_cameras, check_space, clouds_from_disk, scan
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.calibration_views import calibration_viewpoints
 from measureapp.planning.reach import check_reach
@@ -79,19 +80,24 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
 
     Raises
     ------
-    InputError, CalibrationError, PlanError, StorageError
+    InputError, DecodeError, CalibrationError, PlanError, StorageError
         Before anything moves.
     DeviceError
         From the rig.
     """
+    check_determines_phase(request.plan.patterns)
     check_reach(request.plan, request.rig)
-    project = _project_for(request)
-    calibration = project.calibration()
+    project = _project_of(request)
+    calibration = _calibration_for(request, project)
+    check_space(project, request.rig, request.plan)
     watch = Stopwatch()
     rig = connect_rig(request.rig)
     try:
         if calibration is not None:
             check_cameras(rig, calibration)
+        project = ProjectFolder.create(request.folder, project.settings)
+        if calibration is not None and project.calibration() is None:
+            project.save_calibration(calibration)
         project.save_plan(request.plan)
         views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch)
     finally:
@@ -101,24 +107,26 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
     return finished(project, assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch), watch)
 
 
-def _project_for(request: ScanRequest) -> ProjectFolder:
-    """Open the project, or make one, with the calibration of another project where that is asked for."""
-    if (request.folder / "project.json").exists():
-        project = ProjectFolder.open(request.folder)
-        if project.stored_viewpoints() and not request.resume:
-            raise InputError(
-                f"{request.folder} holds images already.", "Use --resume to take only what is missing, or scan into a new project."
-            )
-        return project
-    calibration = None
-    if request.calibrated is not None:
+def _project_of(request: ScanRequest) -> ProjectFolder:
+    """Open the project, or say what it will be; nothing is written before all is checked."""
+    if not (request.folder / "project.json").exists():
+        return ProjectFolder(request.folder, ProjectSettings(name=request.plan.name, part=request.plan.name, rig=request.rig))
+    project = ProjectFolder.open(request.folder)
+    if project.stored_viewpoints() and not request.resume:
+        raise InputError(
+            f"{request.folder} holds images already.", "Use --resume to take only what is missing, or scan into a new project."
+        )
+    return project
+
+
+def _calibration_for(request: ScanRequest, project: ProjectFolder) -> RigCalibration | None:
+    """Return the project's calibration; where it has none, that of another project if that is asked for."""
+    calibration = project.calibration()
+    if calibration is None and request.calibrated is not None:
         calibration = ProjectFolder.open(request.calibrated).calibration()
         if calibration is None:
             raise CalibrationError(f"{request.calibrated} has no calibration.", "Calibrate the rig into it first.")
-    project = ProjectFolder.create(request.folder, ProjectSettings(name=request.plan.name, part=request.plan.name, rig=request.rig))
-    if calibration is not None:
-        project.save_calibration(calibration)
-    return project
+    return calibration
 
 
 def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Outcome:

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import json
+from dataclasses import dataclass
 from pathlib import Path
 
 import cv2
 import numpy as np
 
-from measureapp.arrays import read_only
+from measureapp.arrays import ImageArray, read_only
 from measureapp.data.board import BoardView
-from measureapp.errors import StorageError
+from measureapp.data.fringe import AxisReadback
+from measureapp.errors import FrameMismatch, InputError, StorageError
 from measureapp.project.atomic import replacing, write_json
 from measureapp.project.documents import readback_document, readback_from
+from measureapp.project.frame_store import checksum
+from measureapp.project.images import read_image
 
 DESCRIPTION = "view.json"
 
@@ -31,27 +35,64 @@ def save(folder: Path, view: BoardView) -> None:
         "viewpoint_id": view.viewpoint_id,
         "cameras": list(view.images),
         "readback": readback_document(view.readback),
+        "checksums": {camera: checksum(np.asarray(pixels)) for camera, pixels in view.images.items()},
     }
     write_json(place / DESCRIPTION, document)
 
 
+def stored(folder: Path) -> tuple[str, ...]:
+    """Return the ids of all finished sightings below ``folder``, sorted."""
+    return tuple(path.parent.name for path in sorted(folder.glob(f"*/{DESCRIPTION}")))
+
+
 def load_all(folder: Path) -> tuple[BoardView, ...]:
     """Return all finished sightings below ``folder``, sorted by id. Raises StorageError naming a damaged file."""
-    return tuple(_load(path.parent) for path in sorted(folder.glob(f"*/{DESCRIPTION}")))
+    return tuple(_load(folder / viewpoint_id) for viewpoint_id in stored(folder))
+
+
+def damaged(folder: Path) -> dict[str, tuple[str, ...]]:
+    """Compare every image of the board below ``folder`` with its checksum; return what is wrong with which sighting, in words."""
+    problems = {viewpoint_id: _problems(folder / viewpoint_id) for viewpoint_id in stored(folder)}
+    return {viewpoint_id: wrong for viewpoint_id, wrong in problems.items() if wrong}
+
+
+@dataclass(frozen=True, slots=True)
+class _Description:
+    viewpoint_id: str
+    cameras: tuple[str, ...]
+    readback: AxisReadback
+    checksums: dict[str, str]  # camera -> of its pixels
+
+
+def _problems(place: Path) -> tuple[str, ...]:
+    wrong = []
+    try:
+        described = _described(place)
+        for camera in described.cameras:
+            if checksum(_image(place, camera)) != described.checksums.get(camera):
+                wrong.append(f"{place / camera}.png differs from what was stored")
+    except StorageError as error:
+        wrong.append(error.message.rstrip("."))
+    return tuple(wrong)
 
 
 def _load(place: Path) -> BoardView:
+    described = _described(place)
+    return BoardView(described.viewpoint_id, {camera: _image(place, camera) for camera in described.cameras}, described.readback)
+
+
+def _described(place: Path) -> _Description:
     path = place / DESCRIPTION
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
-        readback = readback_from(document["readback"])
-        cameras = document["cameras"]
-    except (OSError, ValueError, KeyError, TypeError) as error:
+        cameras, checksums = tuple(document["cameras"]), dict(document.get("checksums", {}))
+        return _Description(document["viewpoint_id"], cameras, readback_from(document["readback"]), checksums)
+    except (OSError, ValueError, KeyError, TypeError, FrameMismatch) as error:
         raise StorageError(f"{path} cannot be read: {error}.", "Take the view again.") from error
-    images = {}
-    for camera in cameras:
-        pixels = cv2.imread(str(place / f"{camera}.png"), cv2.IMREAD_UNCHANGED)
-        if pixels is None:
-            raise StorageError(f"{place / camera}.png cannot be read.", "Take the view again.")
-        images[camera] = read_only(pixels)
-    return BoardView(document["viewpoint_id"], images, readback)
+
+
+def _image(place: Path, camera: str) -> ImageArray:
+    try:
+        return read_only(read_image(place / f"{camera}.png"))
+    except InputError as error:
+        raise StorageError(error.message, "Take the view again, or restore the file from a backup.") from error

@@ -21,7 +21,7 @@ from pydantic import BaseModel, ValidationError
 from measureapp.data.board import BoardView, CheckerboardDescription
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
-from measureapp.data.model import Model
+from measureapp.data.model import Model, first_problem
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.errors import InputError, StorageError
@@ -112,6 +112,13 @@ class ProjectFolder:
         """Keep the images of one sighting of the board."""
         board_views.save(self.path / "calibration" / "views", view)
 
+    def verify(self) -> tuple[tuple[str, ...], dict[str, tuple[str, ...]]]:
+        """Compare every stored byte with its checksum; return the ids of all viewpoints and, by id, what is wrong in words."""
+        views = self.path / "calibration" / "views"
+        checked = (*self.frames.stored(), *board_views.stored(views))
+        damaged = {viewpoint: problems for viewpoint in self.frames.stored() if (problems := self.frames.damaged(viewpoint))}
+        return checked, damaged | board_views.damaged(views)
+
     def board_views(self) -> tuple[BoardView, ...]:
         """Return every stored sighting of the board, sorted by id."""
         return board_views.load_all(self.path / "calibration" / "views")
@@ -192,8 +199,6 @@ def _read_model(path: Path, kind: type[ModelT]) -> ModelT:
     try:
         return kind.model_validate(_read_json(path))
     except ValidationError as error:
-        first = error.errors()[0]
-        place = ".".join(str(part) for part in first["loc"])
         raise StorageError(
-            f"{path}: {place or 'the file'}: {first['msg']}.", "Restore the file from a backup, or make a new project."
+            f"{path}: {first_problem(error, 'the file')}.", "Restore the file from a backup, or make a new project."
         ) from error

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pydantic import TypeAdapter, ValidationError
+from pydantic import TypeAdapter
 
 from measureapp.arrays import read_only
 from measureapp.data.fringe import FringeStack, PatternSet
@@ -37,9 +37,10 @@ class FrameStore:
         return tuple(sorted(path.parent.name for path in self._folder.glob(f"*/{DESCRIPTION}")))
 
     def require_space(self, needed_bytes: int) -> None:
-        """Refuse before anything moves. Raises StorageError when less than ``needed_bytes`` and a reserve are free."""
-        self._folder.mkdir(parents=True, exist_ok=True)
-        free = shutil.disk_usage(self._folder).free
+        """Refuse before anything moves or is written. Raises StorageError when less than ``needed_bytes`` and a reserve are free."""
+        place = self._folder.absolute()
+        existing = next(folder for folder in (place, *place.parents) if folder.is_dir())
+        free = shutil.disk_usage(existing).free
         if free < needed_bytes + RESERVE_BYTES:
             raise StorageError(
                 f"{self._folder} has {free / 1e9:.1f} GB free; the images need {needed_bytes / 1e9:.1f} GB and {RESERVE_BYTES / 1e9:.1f} GB more.",
@@ -82,14 +83,20 @@ class FrameStore:
                 saturation=int(document["saturation"]),
                 readback=readback_from(document["readback"]),
             )
-        except (KeyError, TypeError, ValidationError) as error:
+        except (KeyError, TypeError, ValueError) as error:
             raise StorageError(f"{folder / DESCRIPTION} does not describe a stack: {error}.", "Take this viewpoint again.") from error
 
     def damaged(self, viewpoint_id: str) -> tuple[str, ...]:
         """Compare every stored byte of a viewpoint with its checksum; return what is wrong, in words."""
         folder = self._folder / viewpoint_id
+        try:
+            checksums = dict(self._document(folder)["checksums"])
+        except StorageError as error:
+            return (error.message.rstrip("."),)
+        except (KeyError, TypeError, ValueError):
+            return (f"{folder / DESCRIPTION} names no checksums",)
         problems = []
-        for name, expected in self._document(folder)["checksums"].items():
+        for name, expected in checksums.items():
             path = folder / name
             if not path.is_file():
                 problems.append(f"{path} is missing")

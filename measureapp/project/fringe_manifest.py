@@ -14,7 +14,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from measureapp.arrays import ImageArray, read_only
 from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternSet, PhaseShiftGroup
-from measureapp.data.model import Model
+from measureapp.data.model import Model, first_problem
 from measureapp.errors import InputError
 from measureapp.fringe.patterns import check_determines_phase
 from measureapp.project.images import read_image
@@ -105,11 +105,8 @@ def parse_manifest(path: Path) -> FringeManifest:
     try:
         return FringeManifest.model_validate(document)
     except ValidationError as error:
-        first = error.errors()[0]
-        place = ".".join(str(part) for part in first["loc"])
-        reason = "is not known here" if first["type"] == "extra_forbidden" else first["msg"].removeprefix("Value error, ")
         raise InputError(
-            f"{path}: {place or 'the file'}: {reason}.", "Write the manifest as `measureapp decode --help` describes."
+            f"{path}: {first_problem(error, 'the file')}.", "Write the manifest as `measureapp decode --help` describes."
         ) from error
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
+from measureapp.data.model import first_problem
 from measureapp.data.plan import ScanPlan
 from measureapp.errors import InputError
 
@@ -19,8 +20,8 @@ def read_plan(path: Path) -> ScanPlan:
         document = tomllib.loads(text) if Path(path).suffix.lower() == ".toml" else json.loads(text)
         return ScanPlan.model_validate(document)
     except ValidationError as error:
-        first = error.errors()[0]
-        place = ".".join(str(part) for part in first["loc"])
-        raise InputError(f"{path}: {place or 'the plan'}: {first['msg']}.", "Correct this field.") from error
-    except (OSError, ValueError) as error:
+        raise InputError(f"{path}: {first_problem(error, 'the plan')}.", "Correct this field.") from error
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give a scan plan as JSON or TOML.") from error
+    except (ValueError, RecursionError) as error:
         raise InputError(f"{path} cannot be read as a scan plan: {error}.", "Give a plan as JSON or TOML.") from error

@@ -75,7 +75,9 @@ def load(folder: Path, calibration: RigCalibration) -> Measurement | None:
             inspection=None if document["inspection"] is None else inspection_from(document["inspection"]),
         )
     except (OSError, ValueError, KeyError, TypeError, InputError) as error:
-        raise StorageError(f"The results in {folder} cannot be read: {error}.", "Compute them again: measureapp process PROJECT.") from error
+        raise StorageError(
+            f"The results in {folder} cannot be read: {error}.", "Compute them again: measureapp process PROJECT."
+        ) from error
 
 
 def _view_document(view: ViewResult) -> dict[str, Any]:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
+from measureapp.data.model import first_problem
 from measureapp.data.rig import RigDescription
 from measureapp.errors import InputError
 from measureapp.resources import resource
@@ -32,6 +33,4 @@ def read_rig(name_or_path: str | Path) -> RigDescription:
     try:
         return RigDescription.model_validate(document)
     except ValidationError as error:
-        first = error.errors()[0]
-        place = ".".join(str(part) for part in first["loc"])
-        raise InputError(f"{path}: {place}: {first['msg']}.", "Correct this field.") from error
+        raise InputError(f"{path}: {first_problem(error, 'the rig')}.", "Correct this field.") from error

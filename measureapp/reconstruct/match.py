@@ -96,7 +96,6 @@ def _table(
             pair.stride,
             view.width_px,
             phase.phase,
-            phase.sigma,
             phase.state,
             settings.max_phase_step_rad,
             bins.lowest_rad,

@@ -24,7 +24,9 @@ FLOOR_MM = 0.01  # errors smaller than this are never trusted
 CORRELATION_MM = 5.0  # neighbouring residuals within this length are one observation: calibration errors are smooth
 NORMAL_BIAS_RAD = 0.02  # errors that neighbouring normals have in common, so that comparing views does not show them
 WEAK = 1e-4  # share of the strongest direction's information below which a direction is not measured at all
+SHARED_ERROR_MM = 0.01
 STEPS = 12
+MOST_MATCHES = 40_000  # source points per pair; neighbouring ones err together, so that more say little more
 STILL_MM, STILL_RAD = 1e-3, 1e-5
 GICP_ITERATIONS = 30
 
@@ -116,9 +118,15 @@ def measure_pair(
     change, matrix, variance_factor, kept = _solved(jacobian, residual, variance, _tilted(p - centre, normal, tilt))
     share = min(1.0, (target.voxel_mm / CORRELATION_MM) ** 2)
     left = residual[kept]
-    return PairMeasurement(
-        *indices, pose, centre, change, matrix * (share / variance_factor), float(np.sqrt(np.mean(left**2))), other[kept], own[kept]
-    )
+    information = _with_shared_errors(matrix * (share / variance_factor), float(np.sqrt(np.mean(np.sum((p - centre) ** 2, axis=1)))))
+    return PairMeasurement(*indices, pose, centre, change, information, float(np.sqrt(np.mean(left**2))), other[kept], own[kept])
+
+
+def _with_shared_errors(information: FloatArray, radius_mm: float) -> FloatArray:
+    """Add the errors that all points of a view share (camera calibration, table) to the covariance: H (I + Σ H)⁻¹."""
+    shared = np.diag([SHARED_ERROR_MM**2] * 3 + [(SHARED_ERROR_MM / max(radius_mm, 1.0)) ** 2] * 3)
+    both = information @ np.linalg.inv(np.eye(6) + shared @ information)
+    return np.asarray((both + both.T) / 2)
 
 
 def _tilted(arm_mm: FloatArray, normal: FloatArray, tilt: float) -> FloatArray:
@@ -143,6 +151,7 @@ def _correspondences(
     moved, turned = pose.apply(source.points_mm), pose.rotate(source.normals)
     low, high = target.points_mm.min(axis=0) - search_mm, target.points_mm.max(axis=0) + search_mm
     near = np.flatnonzero(np.all((moved > low) & (moved < high), axis=1))
+    near = near[:: max(1, len(near) // MOST_MATCHES)]
     distance, index = target.tree.query(moved[near], distance_upper_bound=search_mm, workers=-1)
     found = np.isfinite(distance)
     own, other = near[found], index[found]

@@ -21,6 +21,7 @@ from measureapp.register.settings import StitchSettings
 
 LEAST_POINTS = 100
 VOXEL_PER_SPACING = 2.2
+LEAST_VOXEL_MM = 0.7  # finer thinning registers no better, but takes its time
 CELL_PER_VOXEL = 5.0
 FINE_SEARCH = 2.0  # in voxels, once the views are close
 POOR = 2.0  # a pair whose residual is this many times the usual one is tried again from further away
@@ -71,7 +72,7 @@ def stitch(
     if not chosen:
         raise RegistrationError("No cloud has enough points to be stitched.", f"At least one needs {LEAST_POINTS} points.")
     spacing = float(np.median([point_spacing_mm(np.asarray(clouds[i].points_mm)) for i in chosen]))
-    voxel = settings.registration_voxel_mm or VOXEL_PER_SPACING * spacing
+    voxel = settings.registration_voxel_mm or max(VOXEL_PER_SPACING * spacing, LEAST_VOXEL_MM)
     views = []
     for done, i in enumerate(chosen):
         progress.report(0.15 * done, len(chosen), "preparing views")
@@ -208,7 +209,11 @@ class _Registration:
         return float(np.linalg.norm(change.apply(self.centres[i]) - self.centres[i])), float(np.degrees(change.angle_rad))
 
     def _bounds(self) -> tuple[float, float]:
-        return self.settings.bound_sigmas * self.settings.pose_sigma_mm, self.settings.bound_sigmas * self.settings.pose_sigma_deg
+        chosen = self.settings
+        return (
+            chosen.bound_sigmas * float(np.hypot(chosen.pose_sigma_mm, chosen.table_sigma_mm)),
+            chosen.bound_sigmas * float(np.hypot(chosen.pose_sigma_deg, chosen.table_sigma_deg)),
+        )
 
     def _worst(self, poses: Sequence[RigidTransform], refused: set[int]) -> int | None:
         """Return the view that exceeds its bound most; None when none does."""

@@ -16,8 +16,9 @@ from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.cloud import StitchedCloud
 from measureapp.data.mesh import Mesh
 from measureapp.errors import RegistrationError
-from measureapp.progress import NoProgress, Progress
+from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.register.cloud_quality import point_spacing_mm
+from measureapp.register.poisson import poisson
 
 LEAST_POINTS = 200
 LARGEST_DEPTH, LEAST_DEPTH = 10, 5
@@ -50,25 +51,20 @@ def surface(
     Raises
     ------
     RegistrationError
-        Too few points, or the memory would not suffice (judged before anything is allocated).
+        Too few points, or the memory would not suffice (judged before anything is allocated), or does not.
     """
-    import open3d as o3d
-
     settings, progress = settings or SurfaceSettings(), progress or NoProgress()
     if len(cloud) < LEAST_POINTS:
         raise RegistrationError(f"{len(cloud)} points are too few for a surface.", f"At least {LEAST_POINTS} are needed.")
     chosen = _thinned(len(cloud), settings.most_points)
-    points, normals = np.array(cloud.points_mm[chosen]), np.array(cloud.normals[chosen], np.float64)  # Open3D wants to write
-    spacing = point_spacing_mm(points)
-    extent = float(np.ptp(points, axis=0).max()) * BOX_SCALE
+    points, normals = np.asarray(cloud.points_mm)[chosen], np.asarray(cloud.normals, np.float64)[chosen]
+    spacing, extent = point_spacing_mm(points), float(np.ptp(points, axis=0).max()) * BOX_SCALE
+    if not extent > 0:
+        raise RegistrationError("All points of the cloud lie in one place.", "Check the scale and the frame of the cloud.")
     depth = int(np.clip(np.ceil(np.log2(extent / (settings.spacings_per_cell * spacing))), LEAST_DEPTH, LARGEST_DEPTH))
     _check_memory(points, spacing, (free_bytes or available_bytes)())
-    progress.report(0.1, 1, "making the surface")
-    oriented = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points))
-    oriented.normals = o3d.utility.Vector3dVector(normals)
-    made, _ = o3d.geometry.TriangleMesh.create_from_point_cloud_poisson(oriented, depth=depth, scale=BOX_SCALE)
+    vertices, triangles = poisson(points, normals, depth, BOX_SCALE, PartOf(progress, 0.1, 0.8))
     progress.report(0.8, 1, "trimming")
-    vertices, triangles = np.asarray(made.vertices), np.asarray(made.triangles)
     distance, _ = cKDTree(points).query(vertices, workers=-1)
     vertices, triangles, distance = _trimmed(vertices, triangles, distance, settings.trimmed_spacings * spacing)
     progress.report(1, 1, "surface made")
@@ -88,7 +84,9 @@ def _thinned(count: int, most: int) -> IntArray | slice:
 
 
 def _check_memory(points_mm: FloatArray, spacing_mm: float, free: int) -> None:
-    cells = len(np.unique(np.floor(points_mm / (SPACINGS_PER_CELL * spacing_mm)).astype(np.int32), axis=0))
+    cell = np.floor((points_mm - points_mm.min(axis=0)) / (SPACINGS_PER_CELL * spacing_mm)).astype(np.int64)
+    counts = cell.max(axis=0) + 1
+    cells = len(np.unique((cell[:, 0] * counts[1] + cell[:, 1]) * counts[2] + cell[:, 2]))
     needed = BYTES_PER_POINT * len(points_mm) + BYTES_PER_LEAF * 8 * cells
     if needed > free:
         raise RegistrationError(

@@ -7,6 +7,7 @@ from typing import cast
 
 from pydantic import ValidationError
 
+from measureapp.data.model import first_problem
 from measureapp.data.rig import RigDescription
 from measureapp.devices.rig import Rig
 from measureapp.errors import DeviceError
@@ -34,9 +35,9 @@ def connect(description: RigDescription, settings: Mapping[str, object]) -> Rig:
     try:
         chosen = VirtualRigSettings.model_validate(dict(settings))
     except ValidationError as error:
-        first = error.errors()[0]
-        place = ".".join(str(part) for part in first["loc"])
-        raise DeviceError(f"Virtual rig: setting {place}: {first['msg']}.", "Correct it in the rig's driver_settings.") from error
+        raise DeviceError(
+            f"Virtual rig: setting {first_problem(error, 'settings')}.", "Correct it in the rig's driver_settings."
+        ) from error
     world = World(description, make_part(chosen.part), chosen.seed, chosen.board, chosen.world)
     return rig_of(world, ScaledClock(chosen.time_scale))
 

@@ -167,7 +167,7 @@ def application(qapp, qtbot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     built.look.set_shade("light")
     qtbot.addWidget(built.window)
     yield built
-    for runner in (built.controllers.jobs, built.controllers.background):
+    for runner in built.controllers.runners:
         runner.queue.cancel_all()
         runner.queue.wait(10_000)
     built.window.close()

@@ -8,7 +8,7 @@ import pytest
 
 from measureapp.errors import InputError, MeasureError
 from ui.workers.job import Job
-from ui.workers.mailbox import Mailbox
+from ui.workers.mailbox import Mailboxes
 from ui.workers.rig_queue import RigQueue
 
 
@@ -133,9 +133,10 @@ def test_cancelling_the_queue_ends_what_waits_too(qtbot):
 
 
 @pytest.mark.parametrize("count", [1, 5])
-def test_the_mailbox_keeps_only_the_newest(count):
-    box: Mailbox[int] = Mailbox()
+def test_each_mailbox_keeps_only_the_newest_and_no_camera_waits_for_another(count):
+    boxes: Mailboxes[int] = Mailboxes()
     for item in range(count):
-        box.put(item)
-    assert box.take() == count - 1
-    assert box.take() is None
+        boxes.put("left", item)
+    boxes.put("right", 70)
+    assert boxes.take_all() == {"left": count - 1, "right": 70}
+    assert boxes.take_all() == {}

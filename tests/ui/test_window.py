@@ -66,7 +66,7 @@ def test_the_demo_runs_from_its_button_and_ends_with_dimensions_shown(started, w
     demo.gate.set()
     qtbot.waitUntil(lambda: idle(started), timeout=10_000)
     window.show_page("inspection")
-    assert [row[4] for row in window.pages["inspection"].table.texts()] == ["Pass", "Fail", "Not proven", "Not measured"]
+    assert [row[5] for row in window.pages["inspection"].table.texts()] == ["Pass", "Fail", "Not proven", "Not measured"]
     assert "demo is complete" in window.strip.words
     assert not window.strip.cancel.isVisible()
     folder, part, resolution, viewpoints, seed = demo.requests[0].values
@@ -165,7 +165,7 @@ def test_the_rail_changes_pages_and_the_properties_fold(window):
     window.rail.buttons["clouds"].click()
     assert window.page.name == "clouds"
     assert window.properties.folded
-    window.rail.buttons["rig"].click()
+    window.rail.buttons["calibration"].click()
     assert not window.properties.folded
     window.properties.toggle()
     assert window.properties.folded

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject
 
+from ui.controllers.comparison import ComparisonController
 from ui.controllers.demo import DemoController
 from ui.controllers.documents import DocumentsController
 from ui.controllers.jobs import JobRunner
 from ui.controllers.project import ProjectController
 from ui.controllers.startup import StartupController
+from ui.controllers.stored_images import StoredImagesController
 from ui.session import Session
 
 
@@ -19,7 +21,15 @@ class Controllers(QObject):
         super().__init__(parent)
         self.jobs = JobRunner(session, self)
         self.background = JobRunner(session, self)
+        self.drawing = JobRunner(session, self)
         self.demo = DemoController(session, self.jobs, self)
         self.project = ProjectController(session, self.jobs, self)
         self.documents = DocumentsController(session, self.jobs, self)
+        self.comparison = ComparisonController(session, self.background, self)
+        self.stored_images = StoredImagesController(session, self.background, self)
         self.startup = StartupController(session, self.background, self)
+
+    @property
+    def runners(self) -> tuple[JobRunner, ...]:
+        """All queues: what the user waits for, what runs beside it, and pictures being composed."""
+        return self.jobs, self.background, self.drawing

@@ -45,7 +45,7 @@ class DemoController(QObject):
         folder = next_demo_folder(self.folder or demo_folder(settings))
         self._session.open_project(folder.name, settings.part, folder)
         self._runner.run(
-            f"Demo: {settings.part}",
+            f"Demo: {Path(settings.part).stem}",
             self._work(settings, folder),
             self._finish,
             on_event=self._apply,

@@ -45,7 +45,8 @@ class JobRunner(QObject):
             job.cancelled.connect(on_stopped)
             job.failed.connect(on_stopped)
         job.failed.connect(self._on_failed)
-        job.cancelled.connect(self._on_cancelled)
+        if not quiet:
+            job.cancelled.connect(self._on_cancelled)
         self.queue.submit(job)
         return job
 
@@ -59,8 +60,9 @@ class JobRunner(QObject):
         if not job.quiet:
             self._session.set_busy(job.title)
 
-    def _on_ended(self, _job: Job) -> None:
-        self._session.set_busy("")
+    def _on_ended(self, job: Job) -> None:
+        if not job.quiet:
+            self._session.set_busy("")
 
     def _on_failed(self, error: MeasureError) -> None:
         self._session.tell(error.message, error.hint, "error")

@@ -30,7 +30,7 @@ class RunEvents(QObject):
 
         def receive(event: Event) -> None:
             if isinstance(event, ImageTaken):
-                images.put(event)
+                images.put(event.camera, event)
             job.emit_event(event)
 
         return receive

@@ -9,7 +9,7 @@ from ui.look.demo_settings import DemoSettings
 
 def demo_folder(settings: DemoSettings) -> Path:
     """Return where the demo project with these settings is kept."""
-    name = f"demo-{settings.part}-{settings.resolution}-{settings.viewpoints}-views-rig-{settings.seed}"
+    name = f"demo-{Path(settings.part).stem}-{settings.resolution}-{settings.viewpoints}-views-rig-{settings.seed}"
     return Path.home() / "MeasureApp" / name
 
 

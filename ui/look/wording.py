@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from datetime import datetime
+from pathlib import PurePath
 
 NOTHING = "–"
 THIN = "\u2009"
@@ -91,6 +92,11 @@ def sentence(text: str) -> str:
     if not text:
         return ""
     return text[0].upper() + text[1:] + ("" if text[-1] in ".!?…" else ".")
+
+
+def part_words(part: str) -> str:
+    """Return what a part is called: a sample by its name, a mesh file without its folder and ending."""
+    return sentence_case(PurePath(part).stem)
 
 
 def sentence_case(text: str) -> str:

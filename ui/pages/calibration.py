@@ -21,6 +21,7 @@ EMPTY_TEXT = (
     "The demo calibrates the virtual rig from simulated images of a board. "
     "For recorded images use “measureapp calibrate cameras”, “axis”, “hand-eye” or “guide” on the command line."
 )
+SHARES_TEXT = "Root sum of squares, as if the solutions were independent. They are solved together, so a part of it cancels."
 
 
 class CalibrationPage(Page):
@@ -39,7 +40,9 @@ class CalibrationPage(Page):
         self.verdict.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.action_row.addWidget(figure)
         self.chart = BarChart(look)
-        shares = card(label("What the calibration adds to a point placed by the axes (1 σ)", "heading"), 8, self.chart, 0)
+        shares = card(
+            label("What the calibration adds to a point placed by the axes (1 σ)", "heading"), label(SHARES_TEXT, "soft"), 8, self.chart, 0
+        )
         layout = column(self.table, shares, spacing=16)
         layout.setStretch(1, 1)
         self.body.setLayout(layout)

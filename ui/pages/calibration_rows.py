@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
-from math import degrees
+from math import acos, degrees
 from typing import TYPE_CHECKING
 
 from ui.look.wording import millimetres, quantity
 
 if TYPE_CHECKING:
-    from measureapp.data.calibration import RigCalibration
+    from measureapp.data.calibration import RigCalibration, RotationAxis
     from measureapp.data.rig import RigDescription
 
 REPROJECTION_LIMIT_PX = 0.3
@@ -40,7 +41,7 @@ def solution_rows(calibration: RigCalibration, rig: RigDescription | None) -> li
     rows.append(
         SolutionRow(
             "Hand–eye",
-            f"Camera {', '.join(quantity(float(value), '', 2) for value in place)} mm from the flange",
+            f"Camera at {_vector(place, 2)} mm on the flange",
             f"± {millimetres(hand_eye.translation_sigma_mm)} · ± {quantity(degrees(hand_eye.rotation_sigma_rad), '°', 4)}",
             millimetres(hand_eye.residual_mm),
             hand_eye.residual_mm <= robot_mm,
@@ -60,7 +61,7 @@ def solution_rows(calibration: RigCalibration, rig: RigDescription | None) -> li
     rows.append(
         SolutionRow(
             "Table axis",
-            f"Direction {_vector(axis.direction)}, through {', '.join(quantity(float(value), '', 2) for value in axis.point_mm)} mm",
+            f"Through {_vector(axis.point_mm, 2)} mm, tilted by {quantity(_tilt_deg(axis), '°', 3)}",
             f"± {millimetres(axis.point_sigma_mm)} · ± {quantity(degrees(axis.direction_sigma_rad), '°', 4)}",
             millimetres(axis.residual_mm),
             axis.residual_mm <= AXIS_LIMIT_MM,
@@ -76,7 +77,7 @@ def _camera_row(calibration: RigCalibration, name: str) -> SolutionRow:
     sigma = max((value for key, value in camera.standard_deviations.items() if key in {"fx", "fy", "f"}), default=None)
     return SolutionRow(
         f"Camera {name}",
-        f"Focal length {matrix[0, 0]:.2f} / {matrix[1, 1]:.2f} px, centre {matrix[0, 2]:.1f}, {matrix[1, 2]:.1f} px",
+        f"Focal length {matrix[0, 0]:.1f} px, centre ({matrix[0, 2]:.1f}, {matrix[1, 2]:.1f}) px",
         f"± {quantity(sigma, 'px', 2)}" if sigma is not None else "–",
         quantity(camera.rms_px, "px", 3),
         camera.rms_px <= REPROJECTION_LIMIT_PX,
@@ -89,8 +90,12 @@ def worst_residual_mm(calibration: RigCalibration) -> float:
     return max(calibration.hand_eye.residual_mm, calibration.guide.straightness_mm, calibration.axis.residual_mm)
 
 
-def _vector(direction: object) -> str:
-    return "(" + ", ".join(quantity(float(value), "", 4) for value in direction) + ")"  # type: ignore[attr-defined]
+def _vector(values: Iterable[float], digits: int = 4) -> str:
+    return "(" + ", ".join(quantity(float(value), "", digits) for value in values) + ")"
+
+
+def _tilt_deg(axis: RotationAxis) -> float:
+    return degrees(acos(min(1.0, abs(float(axis.direction[2])))))
 
 
 def contributions(calibration: RigCalibration, rig: RigDescription | None) -> list[tuple[str, float]]:

@@ -9,19 +9,22 @@ from PySide6.QtWidgets import QHeaderView
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.wording import NOTHING, counted, millimetres, percent, quantity, sentence, several
-from ui.pages.layers import ColourBy, placed, scale_end, stitched_layer, view_layer
-from ui.pages.viewport_page import ViewportPage
+from ui.pages.layers import ColourBy, PlacedClouds, placements_of, rgb, scale_end, stitched_layer, view_layer
+from ui.pages.picked_point import merged_point, point_properties, view_point
+from ui.pages.viewport_page import Composer, Picture, ViewportPage
 from ui.session import Session
 from ui.viewport.colouring import GROWING
-from ui.widgets.basic import Button, card, column, row
+from ui.viewport.layers import Label
+from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.colour_scale import ColourScale
 from ui.widgets.data_table import Cell, DataTable, number, verdict_cell
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.properties_panel import Group, Properties
 from ui.widgets.segments import Segments
+from ui.workers.job import Job
 
 if TYPE_CHECKING:
-    from measureapp.data.cloud import ViewPlacement
+    from measureapp.data.cloud import StitchedCloud, ViewPlacement
     from measureapp.data.measurement import ViewResult
 
 EMPTY = (
@@ -43,13 +46,14 @@ class CloudsPage(ViewportPage):
         self.colour_by = Segments({"view": "View", "sigma": "σ", "grey": "Grey", "residual": "Residual"})
         self.scale = ColourScale(look)
         self.table = DataTable(look, HEADERS, numeric=(2, 3, 4), stretch=5)
-        self.table.setFixedWidth(488)
+        self.table.setFixedWidth(512)
         self.table.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.Fixed)
         self.table.setColumnWidth(0, 40)
         self.hidden: set[str] = set()
+        self._placed = PlacedClouds()
         fit = Button("Show all", look, "fit", "quiet", "Look at everything from the front")
         fit.clicked.connect(self.view.reset_camera)
-        tools = row(self.stage, 8, self.colour_by, 8, self.scale, 0, fit)
+        tools = row(self.stage, 12, label("Colour by", "soft"), self.colour_by, 8, self.scale, 0, fit)
         middle = row(card(self.view, margin=1), self.table, spacing=16)
         middle.setStretch(0, 1)
         layout = column(tools, middle, spacing=12)
@@ -59,6 +63,8 @@ class CloudsPage(ViewportPage):
         self.colour_by.valueChanged.connect(self.redraw)
         self.table.rowSelected.connect(self._select)
         self.table.cellClicked.connect(self._toggle)
+        self.view.pointPicked.connect(self._show_point)
+        self.stage.valueChanged.connect(self._forget_point)
         session.cloudsChanged.connect(self._show)
         session.projectChanged.connect(self.hidden.clear)
         session.busyChanged.connect(self._show_busy)
@@ -72,8 +78,7 @@ class CloudsPage(ViewportPage):
 
     def placements(self) -> dict[str, ViewPlacement]:
         """Return how each view was stitched, so far."""
-        stitched = self.session.stitched
-        return {} if stitched is None else {placement.viewpoint_id: placement for placement in stitched.placements}
+        return placements_of(self.session.stitched)
 
     def _show(self) -> None:
         views, stitched = self.session.views, self.session.stitched
@@ -97,14 +102,14 @@ class CloudsPage(ViewportPage):
         return getattr(self, "_seen_stitched", False)
 
     def _cells(self, index: int, view: ViewResult, placement: ViewPlacement | None) -> list[Cell]:
-        good, why = view_verdict(view, placement)
+        verdict, words, why = view_verdict(view, placement)
         return [
             Cell("", sign="hidden" if view.viewpoint_id in self.hidden else "eye", tip="Show or hide this view"),
             Cell(view.viewpoint_id, sign=self.look.theme.view(index).name(), bold=True),
             number(counted(len(view.cloud))),
             number(millimetres(placement.correction_mm) if placement else NOTHING),
             number(millimetres(placement.residual_mm) if placement else NOTHING),
-            verdict_cell("pass" if good else "fail", "Good" if good else "Poor", why),
+            verdict_cell(verdict, words, why),
         ]
 
     def _toggle(self, place: int, place_column: int) -> None:
@@ -118,43 +123,64 @@ class CloudsPage(ViewportPage):
             view = self.session.views[place]
             self.show_properties(view_properties(view, self.placements().get(view.viewpoint_id)))
 
-    def draw(self) -> None:
-        """Show the visible views as chosen."""
+    def _visible(self) -> list[int]:
+        return [index for index, view in enumerate(self.session.views) if view.viewpoint_id not in self.hidden]
+
+    def _forget_point(self) -> None:
+        self.view.set_labels([])
+
+    def _show_point(self, layer: int, place: int) -> None:
+        """Tell where a point of the picture comes from: its view, pixel and standard deviation."""
+        stitched = self.session.stitched
+        merged = self.stage.value() == "merged" and stitched is not None
+        if merged and stitched is not None:
+            point = merged_point(stitched, self._visible_merged(stitched), place, self.session.views)
+        else:
+            view = self.session.views[self._visible()[layer]]
+            cloud = self._placed.get(view, self.placements().get(view.viewpoint_id), fine=self.stage.value() == "after")
+            point = view_point(view.viewpoint_id, cloud, place)
+        self.show_properties(point_properties(point))
+        self.propertiesAsked.emit()
+        words = f"{point.viewpoint_id}   sigma {millimetres(point.sigma_mm)}".replace("\u00a0", " ")
+        theme = self.look.theme
+        self.view.set_labels([Label(words, point.position_mm, rgb(theme, "text"), rgb(theme, "surface"))])
+
+    def _visible_merged(self, stitched: StitchedCloud) -> list[int]:
+        return [index for index, found in enumerate(stitched.placements) if found.viewpoint_id not in self.hidden]
+
+    def composer(self) -> Composer | None:
+        """Compose the visible views as chosen."""
         colour_by: ColourBy = self.colour_by.value()  # type: ignore[assignment]
-        stitched, placements = self.session.stitched, self.placements()
-        clouds = [view.cloud for view in self.session.views]
-        end = scale_end(colour_by, clouds, placements.values())
+        stitched, placements, views = self.session.stitched, self.placements(), self.session.views
+        end = scale_end(colour_by, [view.cloud for view in views], placements.values()) if colour_by in SCALE_NAMES else 1.0
         self.scale.setVisible(colour_by in SCALE_NAMES)
         self.scale.show_scale(SCALE_NAMES.get(colour_by, ""), GROWING, 0.0, end)
-        theme = self.look.theme
-        if self.stage.value() == "merged" and stitched is not None:
-            visible = [index for index, found in enumerate(stitched.placements) if found.viewpoint_id not in self.hidden]
-            self.view.set_clouds([stitched_layer(theme, stitched, colour_by, end, visible)])
-            return
-        fine = self.stage.value() == "after"
-        self.view.set_clouds(
-            [
-                view_layer(
-                    theme,
-                    placed(view, placements.get(view.viewpoint_id), fine=fine),
-                    index,
-                    placements.get(view.viewpoint_id),
-                    colour_by,
-                    end,
-                )
-                for index, view in enumerate(self.session.views)
-                if view.viewpoint_id not in self.hidden
-            ]
-        )
+        theme, stage, placed_clouds = self.look.theme, self.stage.value(), self._placed
+        visible = self._visible() if stitched is None or stage != "merged" else self._visible_merged(stitched)
+
+        def compose(job: Job) -> Picture:
+            if stage == "merged" and stitched is not None:
+                return Picture((stitched_layer(theme, stitched, colour_by, end, visible),))
+            layers = []
+            for index in visible:
+                job.check()
+                placement = placements.get(views[index].viewpoint_id)
+                cloud = placed_clouds.get(views[index], placement, fine=stage == "after")
+                layers.append(view_layer(theme, cloud, index, placement, colour_by, end))
+            return Picture(tuple(layers))
+
+        return compose
 
 
-def view_verdict(view: ViewResult, placement: ViewPlacement | None) -> tuple[bool, str]:
-    """Return whether a view is good, and why not."""
+def view_verdict(view: ViewResult, placement: ViewPlacement | None) -> tuple[str, str, str]:
+    """Return the sign of a view's verdict, the word, and the reason."""
     if not view.quality.accepted:
-        return False, view.quality.reason
+        return "fail", "Poor", sentence(view.quality.reason)
+    if placement is not None and not placement.used:
+        return "fail", "Left out", sentence(placement.verdict.removesuffix(": left out"))
     if placement is not None and placement.verdict != "good":
-        return False, placement.verdict
-    return True, "Accepted by cloud statistics" + (" and fine stitching" if placement is not None else "")
+        return "not proven", "Doubtful", sentence(placement.verdict)
+    return "pass", "Good", "Accepted by cloud statistics" + (" and fine stitching." if placement is not None else ".")
 
 
 def view_properties(view: ViewResult, placement: ViewPlacement | None) -> Properties:
@@ -188,4 +214,5 @@ def view_properties(view: ViewResult, placement: ViewPlacement | None) -> Proper
         groups.append(
             Group("Points left out", tuple((sentence(name).rstrip("."), counted(count)) for name, count in view.rejected.items()))
         )
-    return Properties(view.viewpoint_id, tuple(groups), "" if quality.accepted else sentence(quality.reason))
+    verdict, _, why = view_verdict(view, placement)
+    return Properties(view.viewpoint_id, tuple(groups), "" if verdict == "pass" else why)

@@ -5,21 +5,24 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QWidget
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.wording import counted, millimetres, percent, quantity, sentence_case
-from ui.pages.layers import rgb
+from ui.pages.deviation_card import DeviationCard, scale_end_mm
+from ui.pages.layers import deviation_layers, mesh_layer, points_layer, rgb
 from ui.pages.outlines import outline
-from ui.pages.viewport_page import ViewportPage
+from ui.pages.viewport_page import Composer, Picture, ViewportPage
 from ui.session import Session
-from ui.viewport.colouring import plain
-from ui.viewport.layers import CloudLayer, Label, LineLayer, SurfaceLayer
+from ui.viewport.layers import Label, LineLayer
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.data_table import Cell, DataTable, number, verdict_cell
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.properties_panel import Group, Properties
 from ui.widgets.segments import Segments
+from ui.workers.job import Job
 
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
@@ -29,7 +32,8 @@ EMPTY = (
     "Nothing measured yet",
     "An inspection program fits features to the measured points and compares their distances with the drawing.",
 )
-HEADERS = ["Dimension", "Nominal", "Measured ± U", "Error", "Verdict"]
+HEADERS = ["Dimension", "Nominal, mm", "Measured, mm", "Error, mm", "U, mm", "Verdict"]
+TABLE_WIDTH = 544
 DIGITS = {"mm": 3, "deg": 3, "°": 3}
 
 
@@ -41,23 +45,30 @@ class InspectionPage(ViewportPage):
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
         super().__init__(look, session, controllers, EmptyState(look, "inspection", *EMPTY, "Run the demo"))
-        self.shape = Segments({"surface": "Surface", "points": "Points"})
+        self.shape = Segments({"surface": "Surface", "points": "Points", "deviation": "Deviation"})
+        self.shape.set_available("deviation", False)
         self.shape.valueChanged.connect(self.redraw)
+        self.deviation = DeviationCard(look)
         self.summary = {verdict: label("", "strong") for verdict in ("pass", "fail", "not proven", "not measured")}
-        self.table = DataTable(look, HEADERS, numeric=(1, 2, 3), stretch=0)
-        self.table.setFixedWidth(592)
+        self.table = DataTable(look, HEADERS, numeric=(1, 2, 3, 4), stretch=0)
         self.table.rowSelected.connect(self._select)
         fit = Button("Show all", look, "fit", "quiet", "Look at everything from the front")
         fit.clicked.connect(self.view.reset_camera)
         tools = row(self.shape, 0, *self.summary.values(), 16, fit, spacing=16)
-        middle = row(card(self.view, margin=1), self.table, spacing=16)
+        side = QWidget()
+        side.setFixedWidth(TABLE_WIDTH)
+        side.setLayout(column(self.table, self.deviation, spacing=16))
+        middle = row(card(self.view, margin=1), side, spacing=16)
         middle.setStretch(0, 1)
         layout = column(tools, middle, spacing=12)
         layout.setStretch(1, 1)
         self.body.setLayout(layout)
         session.inspectionChanged.connect(self._show)
         session.cloudsChanged.connect(self.redraw)
+        session.comparisonChanged.connect(self._show_comparison)
+        look.changed.connect(self._highlight)
         session.busyChanged.connect(self._show_busy)
+        self._show_comparison()
         self._show()
 
     def _show_busy(self) -> None:
@@ -65,6 +76,20 @@ class InspectionPage(ViewportPage):
             self.empty.say("Nothing measured yet", "The dimensions appear here when the surface is complete.", offer=False)
         else:
             self.empty.say(*EMPTY)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Compare with the drawing when it is first looked at."""
+        super().showEvent(event)
+        self.controllers.comparison.compare()
+
+    def _show_comparison(self) -> None:
+        comparison = self.session.comparison
+        self.deviation.show_comparison(comparison)
+        self.shape.set_available("deviation", comparison is not None)
+        if comparison is not None:
+            self.shape.setValue("deviation")
+        elif self.shape.value() == "deviation":
+            self.shape.setValue("surface")
 
     def dimensions(self) -> tuple[Dimension, ...]:
         """Return the dimensions known."""
@@ -89,6 +114,8 @@ class InspectionPage(ViewportPage):
         if not self.table.currentIndex().isValid() and dimensions:
             self.table.selectRow(0)
         self._select(max(0, self.table.currentIndex().row()))
+        if self.isVisible():
+            self.controllers.comparison.compare()
         self.redraw()
 
     def _select(self, place: int) -> None:
@@ -102,27 +129,26 @@ class InspectionPage(ViewportPage):
         known = {} if inspection is None else {feature.name: feature for feature in inspection.features}
         return [known[name] for name in dimension.features if name in known]
 
-    def draw(self) -> None:
-        """Show the part and its features in the nominal's frame."""
+    def composer(self) -> Composer | None:
+        """Compose the part in the nominal's frame."""
         measurement, inspection, stitched = self.session.measurement, self.session.inspection, self.session.stitched
         if inspection is None or stitched is None:
-            return
-        nominal_from_part = inspection.alignment.nominal_from_part
+            return None
+        nominal_from_part, comparison = inspection.alignment.nominal_from_part, self.session.comparison
         mesh = measurement.mesh if measurement is not None else None
         self.shape.set_available("surface", mesh is not None)
-        as_surface = mesh is not None and self.shape.value() == "surface"
         shade = (196, 204, 208) if self.look.theme.shade == "light" else (150, 162, 168)
-        if as_surface and mesh is not None:
-            colours = plain(shade, len(mesh.vertices_mm))
-            if mesh.measured is not None:
-                colours[~mesh.measured] = (110, 118, 123)
-            self.view.set_clouds([])
-            self.view.set_surface(SurfaceLayer(nominal_from_part.apply(mesh.vertices_mm), mesh.triangles, colours))
-        else:
-            points = nominal_from_part.apply(stitched.points_mm)
-            self.view.set_surface(None)
-            self.view.set_clouds([CloudLayer(points, plain(shade, len(points)), nominal_from_part.rotate(stitched.normals))])
-        self._highlight()
+        wanted = self.shape.value()
+
+        def compose(_job: Job) -> Picture:
+            if wanted == "deviation" and comparison is not None:
+                normals = nominal_from_part.rotate(stitched.normals)
+                return Picture(tuple(deviation_layers(comparison, normals, scale_end_mm(comparison))))
+            if wanted == "surface" and mesh is not None:
+                return Picture(surface=mesh_layer(mesh, nominal_from_part, shade))
+            return Picture((points_layer(stitched, nominal_from_part, shade),))
+
+        return compose
 
     def _highlight(self) -> None:
         """Outline all features quietly; those of the selected dimension stand out and carry its value."""
@@ -144,8 +170,8 @@ class InspectionPage(ViewportPage):
             if len(centres) > 1:
                 lines.append(centres)
             layers.append(LineLayer(tuple(lines), strong, 3.5))
-            words = f"{chosen.name} {quantity(chosen.measured, _unit(chosen), 3)}".replace("\u00a0", " ")
-            labels.append(Label(words, centres.mean(axis=0), rgb(theme, "text")))
+            words = f"{dimension_words(chosen.name)} {quantity(chosen.measured, _unit(chosen), 3)}".replace("\u00a0", " ")
+            labels.append(Label(words, centres.mean(axis=0), rgb(theme, "text"), rgb(theme, "surface")))
         self.view.set_lines(layers)
         self.view.set_labels(labels)
 
@@ -154,14 +180,21 @@ def _unit(dimension: Dimension) -> str:
     return "°" if dimension.unit == "deg" else dimension.unit
 
 
+def dimension_words(name: str) -> str:
+    """Return the name of a dimension as words; a letter stays as it is in the drawing."""
+    return name if len(name) == 1 else sentence_case(name)
+
+
 def dimension_cells(dimension: Dimension) -> list[Cell]:
     """Return one row of the table."""
-    unit, digits = _unit(dimension), DIGITS.get(dimension.unit, 3)
+    unit = "" if dimension.unit == "mm" else _unit(dimension)
+    digits = DIGITS.get(dimension.unit, 3)
     return [
-        Cell(dimension.name, bold=True),
+        Cell(dimension_words(dimension.name), bold=True),
         number(quantity(dimension.nominal, unit, digits)),
-        number(with_uncertainty(dimension)),
+        number(quantity(dimension.measured, unit, digits)),
         number(quantity(dimension.error, unit, digits, signed=True)),
+        number(quantity(dimension.uncertainty, unit, digits)),
         verdict_cell(str(dimension.verdict), tip=dimension.reason),
     ]
 
@@ -171,14 +204,6 @@ def tolerance(lower: float, upper: float, unit: str) -> str:
     if -lower == upper:
         return f"±\u00a0{quantity(upper, unit)}"
     return f"{quantity(lower, '', signed=True)}\u00a0/\u00a0{quantity(upper, unit, signed=True)}"
-
-
-def with_uncertainty(dimension: Dimension) -> str:
-    """Return the measured value with its expanded uncertainty: ``120.021 ± 0.018 mm``."""
-    unit, digits = _unit(dimension), DIGITS.get(dimension.unit, 3)
-    if dimension.measured is None or dimension.uncertainty is None:
-        return quantity(dimension.measured, unit, digits)
-    return f"{quantity(dimension.measured, '', digits)}\u00a0±\u00a0{quantity(dimension.uncertainty, unit, digits)}"
 
 
 def dimension_properties(dimension: Dimension, features: list[Feature]) -> Properties:
@@ -208,4 +233,4 @@ def dimension_properties(dimension: Dimension, features: list[Feature]) -> Prope
         )
         for feature in features
     )
-    return Properties(dimension.name, (values, *fits), dimension.reason)
+    return Properties(dimension_words(dimension.name), (values, *fits), dimension.reason)

@@ -8,13 +8,19 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from ui.look.theme import Theme
-from ui.viewport.colouring import GROWING, along, by_grey, plain, upper_end
-from ui.viewport.layers import CloudLayer
+from ui.viewport.colouring import DIVERGING, GROWING, UNKNOWN, along, by_grey, plain, upper_end
+from ui.viewport.layers import CloudLayer, SurfaceLayer
 
 if TYPE_CHECKING:
     from measureapp.data.cloud import PointCloud, StitchedCloud, ViewPlacement
     from measureapp.data.measurement import ViewResult
+    from measureapp.data.mesh import Mesh
+    from measureapp.geometry.transform import RigidTransform
+    from ui.controllers.comparison import Comparison
 
+DENSE_TRIANGLES = 150_000  # so dense that rounded edges are not seen
+SCALE_SAMPLES = 20_000  # of each cloud decide the end of the scale
+FILLED_IN = (110, 118, 123)
 ColourBy = Literal["view", "sigma", "grey", "residual"]
 
 
@@ -38,11 +44,31 @@ def placed(view: ViewResult, placement: ViewPlacement | None, *, fine: bool) -> 
     return view.cloud.seen_from(pose)
 
 
+class PlacedClouds:
+    """Clouds in the part's frame, kept so that a change of colours does not place them again."""
+
+    def __init__(self) -> None:
+        self._kept: dict[tuple[str, bool], tuple[ViewResult, ViewPlacement | None, PointCloud]] = {}
+
+    def get(self, view: ViewResult, placement: ViewPlacement | None, *, fine: bool) -> PointCloud:
+        """Return the cloud of a view, placed by the axes alone or after fine stitching."""
+        key = (view.viewpoint_id, fine)
+        kept = self._kept.get(key)
+        if kept is None or kept[0] is not view or kept[1] is not placement:
+            kept = self._kept[key] = (view, placement, placed(view, placement, fine=fine))
+        return kept[2]
+
+
+def placements_of(stitched: StitchedCloud | None) -> dict[str, ViewPlacement]:
+    """Return how each view was stitched, so far."""
+    return {} if stitched is None else {placement.viewpoint_id: placement for placement in stitched.placements}
+
+
 def scale_end(colour_by: ColourBy, clouds: Collection[PointCloud | StitchedCloud], placements: Collection[ViewPlacement]) -> float:
     """Return the upper end of the colour scale in mm."""
     if colour_by == "residual":
         return upper_end(np.array([placement.residual_mm for placement in placements]))
-    return upper_end(np.concatenate([cloud.sigma_mm for cloud in clouds]) if clouds else np.empty(0))
+    return upper_end(np.concatenate([cloud.sigma_mm[:: max(1, len(cloud) // SCALE_SAMPLES)] for cloud in clouds]) if clouds else np.empty(0))
 
 
 def view_layer(
@@ -59,7 +85,7 @@ def view_layer(
         colours = along(GROWING, np.full(count, residual), 0.0, end_mm)
     else:
         colours = plain(view_colour(theme, index), count)
-    return CloudLayer(cloud.points_mm, colours, cloud.normals)
+    return CloudLayer(cloud.points_mm, colours, cloud.normals, to_read=colour_by in {"sigma", "residual"})
 
 
 def stitched_layer(theme: Theme, stitched: StitchedCloud, colour_by: ColourBy, end_mm: float, visible: Collection[int]) -> CloudLayer:
@@ -76,4 +102,38 @@ def stitched_layer(theme: Theme, stitched: StitchedCloud, colour_by: ColourBy, e
     else:
         palette = np.array([view_colour(theme, index) for index in range(len(stitched.placements))], np.uint8)
         colours = palette[view]
-    return CloudLayer(stitched.points_mm[keep], colours, stitched.normals[keep])
+    return CloudLayer(stitched.points_mm[keep], colours, stitched.normals[keep], to_read=colour_by in {"sigma", "residual"})
+
+
+def deviation_layers(comparison: Comparison, normals: np.ndarray, end_mm: float) -> list[CloudLayer]:
+    """Return the points coloured by their deviation, and in grey the places of the drawing that were not measured."""
+    found = comparison.deviation
+    grey = (int(UNKNOWN[0]), int(UNKNOWN[1]), int(UNKNOWN[2]))
+    return [
+        CloudLayer(found.points_mm, along(DIVERGING, found.distances_mm, -end_mm, end_mm), normals, to_read=True),
+        CloudLayer(comparison.unmeasured_mm, plain(grey, len(comparison.unmeasured_mm)), comparison.unmeasured_normals, to_read=True),
+    ]
+
+
+def points_layer(stitched: StitchedCloud, frame: RigidTransform, shade: tuple[int, int, int]) -> CloudLayer:
+    """Return the merged points in another frame, in one colour."""
+    return CloudLayer(frame.apply(stitched.points_mm), plain(shade, len(stitched)), frame.rotate(stitched.normals))
+
+
+def mesh_layer(mesh: Mesh, frame: RigidTransform, shade: tuple[int, int, int]) -> SurfaceLayer:
+    """Return the measured surface in another frame; what was filled in without points is darker."""
+    colours = plain(shade, len(mesh.vertices_mm))
+    if mesh.measured is not None:
+        colours[~mesh.measured] = FILLED_IN
+    vertices = frame.apply(mesh.vertices_mm)
+    normals = vertex_normals(vertices, mesh.triangles) if len(mesh.triangles) > DENSE_TRIANGLES else None
+    return SurfaceLayer(vertices, mesh.triangles, colours, normals=normals)
+
+
+def vertex_normals(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """Return normals (V, 3): the mean of the triangles around a vertex, weighted by their areas."""
+    first, second, third = (vertices[triangles[:, corner]] for corner in range(3))
+    faces = np.cross(second - first, third - first)
+    corners = triangles.ravel()
+    summed = np.stack([np.bincount(corners, np.repeat(faces[:, axis], 3), len(vertices)) for axis in range(3)], axis=1)
+    return summed / np.maximum(np.linalg.norm(summed, axis=1, keepdims=True), 1e-12)

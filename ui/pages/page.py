@@ -23,6 +23,7 @@ class Page(QWidget):
     wants_room: ClassVar[bool] = False  # on a small window the properties fold away
     for_operator: ClassVar[bool] = False
     propertiesChanged = Signal(object)
+    propertiesAsked = Signal()  # they should be seen, even where the panel was folded
 
     def __init__(self, look: Look, session: Session, controllers: Controllers, empty: EmptyState) -> None:
         super().__init__()

@@ -101,7 +101,7 @@ def viewpoint_properties(plan: ScanPlan, viewpoint: Viewpoint) -> Properties:
             Group(
                 "Axes",
                 (
-                    ("Flange", f"{x:.1f}, {y:.1f}, {z:.1f} mm"),
+                    ("Flange", f"{', '.join(quantity(value, '', 1) for value in (x, y, z))} mm"),
                     ("Guide", millimetres(viewpoint.guide_mm, 1)),
                     ("Table", quantity(viewpoint.table_deg, "°", 1)),
                 ),

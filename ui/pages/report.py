@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFileDialog, QLabel, QScrollArea, QSizePolicy, QWi
 from ui.controllers.controllers import Controllers
 from ui.controllers.documents import FORMATS
 from ui.look.look import Look
-from ui.look.wording import sentence_case, when
+from ui.look.wording import part_words, sentence_case, when
 from ui.pages.page import Page
 from ui.session import Session
 from ui.widgets.basic import Button, card, clear, column, label, row
@@ -28,7 +28,7 @@ PAGE_WIDTH = 820
 class ReportPage(Page):
     """A preview that is the PDF, and export by format."""
 
-    name, word = "report", "Report"
+    name, word, wants_room = "report", "Report", True
     for_operator = True
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
@@ -84,8 +84,8 @@ class ReportPage(Page):
         for kind, made in self.exports.items():
             made.setVisible(kind == "ply" or (kind == "stl" and measurement.mesh is not None) or FORMATS[kind][1] in files)
         self.open_pdf.setVisible("report_pdf" in files)
-        self.state.setText(f"{sentence_case(measurement.part)}, measured {when(measurement.measured_at) or measurement.measured_at}.")
-        rows = (("Project", measurement.project), ("Part", measurement.part), ("Rig", measurement.rig))
+        self.state.setText(f"{part_words(measurement.part)}, measured {when(measurement.measured_at) or measurement.measured_at}.")
+        rows = (("Project", measurement.project), ("Part", part_words(measurement.part)), ("Rig", measurement.rig))
         times = tuple((sentence_case(name), f"{seconds:.1f} s") for name, seconds in measurement.timings_s.items())
         groups = [Group("Measurement", rows), *([Group("Time", times)] if times else [])]
         self.show_properties(Properties("Report", tuple(groups)))

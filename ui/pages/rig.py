@@ -6,7 +6,7 @@ from PySide6.QtCore import QSize
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
-from ui.look.wording import exposure, millimetres, several
+from ui.look.wording import exposure, millimetres, quantity, sentence_case, several
 from ui.pages.page import Page
 from ui.session import Session
 from ui.widgets.basic import Button, card, column, label, row
@@ -24,7 +24,7 @@ DEMO_WORDS = (
 class RigPage(Page):
     """Devices and nominal data of the rig."""
 
-    name, word = "rig", "Rig"
+    name, word, wants_room = "rig", "Rig", True
     for_operator = True
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
@@ -38,14 +38,14 @@ class RigPage(Page):
         self.run_demo.clicked.connect(controllers.demo.run)
         self.run_demo.setIconSize(QSize(20, 20))
         demo = card(
-            label("Demo on the virtual rig", "heading"), label(DEMO_WORDS, "soft", wrap=True), 8, self.form, 0, self.run_demo, spacing=8
+            label("Demo on the virtual rig", "heading"), label(DEMO_WORDS, "soft", wrap=True), 8, self.form, 8, self.run_demo, 0, spacing=8
         )
-        demo.setFixedWidth(336)
-        upper = row(card(self.drawing, margin=8), demo, spacing=16)
-        upper.setStretch(0, 1)
-        layout = column(upper, self.devices, spacing=16)
-        layout.setStretch(0, 3)
-        layout.setStretch(1, 2)
+        demo.setFixedWidth(352)
+        main = column(card(self.drawing, margin=8), self.devices, spacing=16)
+        main.setStretch(0, 3)
+        main.setStretch(1, 2)
+        layout = row(main, demo, spacing=16)
+        layout.setStretch(0, 1)
         self.body.setLayout(layout)
         session.rigChanged.connect(self._show)
         session.busyChanged.connect(self._show_busy)
@@ -86,7 +86,7 @@ class RigPage(Page):
         others = (
             ("Projector", rig.projector.model, f"{rig.projector.width_px} × {rig.projector.height_px} px"),
             ("Robot", rig.robot.model, f"Reach {rig.robot.max_reach_mm:.0f} mm · repeatability {millimetres(rig.robot.repeatability_mm)}"),
-            ("Linear guide", rig.guide.model, f"{low:.0f} … {high:.0f} mm · repeatability {millimetres(rig.guide.repeatability_mm)}"),
+            ("Linear guide", rig.guide.model, f"{quantity(low, '', 0)} … {quantity(high, '', 0)} mm · repeatability {millimetres(rig.guide.repeatability_mm)}"),
             ("Rotary table", rig.table.model, f"⌀ {rig.table.diameter_mm:.0f} mm · accuracy {rig.table.accuracy_arcsec:g}″"),
         )
         return rows + [[Cell(name, bold=True), Cell(model), Cell(words), driver] for name, model, words in others]
@@ -94,15 +94,15 @@ class RigPage(Page):
     def _driver_cell(self, wanted: str) -> Cell:
         found = next((driver for driver in self.session.drivers if driver.name == wanted), None)
         if found is None:
-            return Cell(wanted)
+            return Cell(sentence_case(wanted))
         if found.problem:
-            return verdict_cell("fail", found.name, found.problem)
-        return verdict_cell("pass", found.name, f"Version {found.version}")
+            return verdict_cell("fail", sentence_case(found.name), found.problem)
+        return verdict_cell("pass", sentence_case(found.name), f"Version {found.version}")
 
     def _properties(self) -> Properties:
         rig = self.session.rig
         assert rig is not None
-        drivers = tuple((driver.name, driver.problem or driver.version) for driver in self.session.drivers)
+        drivers = tuple((sentence_case(driver.name), driver.problem or driver.version) for driver in self.session.drivers)
         return Properties(
             rig.name,
             (

@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import QTimer
+from PySide6.QtGui import QShowEvent
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.wording import counted, exposure, several
-from ui.pages.layers import placed, view_layer
-from ui.pages.viewport_page import ViewportPage
+from ui.pages.layers import PlacedClouds, placements_of, view_layer
+from ui.pages.viewport_page import Composer, Picture, ViewportPage
 from ui.session import Session
 from ui.widgets.basic import Button, card, clear, column, label, row
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.image_view import ImageView, grey_image
 from ui.widgets.properties_panel import Group, Properties
 from ui.widgets.viewpoint_tiles import Tile, ViewpointTiles
+from ui.workers.job import Job
+
+if TYPE_CHECKING:
+    from measureapp.acquire.events import ImageTaken
 
 LIVE_INTERVAL_MS = 33
 EMPTY = (
@@ -33,8 +40,10 @@ class ScanPage(ViewportPage):
         super().__init__(look, session, controllers, EmptyState(look, "scan", *EMPTY, "Run the demo"))
         self.tiles = ViewpointTiles(look)
         self.images: dict[str, ImageView] = {}
+        self._placed = PlacedClouds()
         self._image_column = column(spacing=8)
-        pictures = card(label("Current images", "caption"), self._image_column, 0, margin=12)
+        self.pictures_title = label("Images", "caption")
+        pictures = card(self.pictures_title, self._image_column, 0, margin=12)
         pictures.setFixedWidth(240)
         middle = row(card(self.view, margin=1), pictures, spacing=16)
         middle.setStretch(0, 1)
@@ -48,7 +57,9 @@ class ScanPage(ViewportPage):
         self.action_row.addWidget(self.next_step)
         self._timer = QTimer(self)
         self._timer.setInterval(LIVE_INTERVAL_MS)
-        self._timer.timeout.connect(self._take_image)
+        self._timer.timeout.connect(self._take_images)
+        self.tiles.tileClicked.connect(controllers.stored_images.show)
+        controllers.stored_images.imagesReady.connect(self.show_images)
         session.viewpointsChanged.connect(self._show)
         session.cloudsChanged.connect(self.redraw)
         session.rigChanged.connect(self._make_images)
@@ -64,8 +75,10 @@ class ScanPage(ViewportPage):
             self.empty.say("The rig is being prepared…", "The viewpoints appear here when the scan begins.", offer=False)
         else:
             self._timer.stop()
-            self._take_image()
+            self._take_images()
             self.empty.say(*EMPTY)
+            if self.isVisible():
+                self._show_stored()
         self._show()
 
     def _show(self) -> None:
@@ -96,18 +109,37 @@ class ScanPage(ViewportPage):
                 self.images[camera.name] = ImageView(self.look, camera.name)
                 self._image_column.addWidget(self.images[camera.name])
 
-    def _take_image(self) -> None:
-        event = self.session.images.take()
-        if event is not None and event.camera in self.images:
-            caption = f"{event.camera} · {event.viewpoint_id} · {exposure(event.exposure_us)}"
-            self.images[event.camera].show_image(grey_image(event.pixels), caption)
+    def showEvent(self, event: QShowEvent) -> None:
+        """Show stored images where no image was seen yet."""
+        super().showEvent(event)
+        self._show_stored()
 
-    def draw(self) -> None:
-        """Show the clouds so far, placed by the axes, or after fine stitching when that is done."""
-        stitched = self.session.stitched
-        placements = {placement.viewpoint_id: placement for placement in stitched.placements} if stitched is not None else {}
-        layers = []
-        for index, view in enumerate(self.session.views):
-            placement = placements.get(view.viewpoint_id)
-            layers.append(view_layer(self.look.theme, placed(view, placement, fine=True), index, placement, "view", 1.0))
-        self.view.set_clouds(layers)
+    def _show_stored(self) -> None:
+        stored = [state.id for state in self.session.viewpoints.values() if state.status in {"stored", "processed"}]
+        if stored and not self.session.busy_with and all(image.is_empty for image in self.images.values()):
+            self.controllers.stored_images.show(stored[0])
+
+    def _take_images(self) -> None:
+        self.show_images(tuple(self.session.images.take_all().values()))
+
+    def show_images(self, events: tuple[ImageTaken, ...]) -> None:
+        """Show these images, each in the place of its camera."""
+        for event in events:
+            if event.camera in self.images:
+                self.pictures_title.setText(f"Images of {event.viewpoint_id}")
+                self.images[event.camera].show_image(grey_image(event.pixels), f"{event.camera} · {exposure(event.exposure_us)}")
+
+    def composer(self) -> Composer | None:
+        """Compose the clouds so far, placed by the axes, or after fine stitching when that is done."""
+        views, theme, placed_clouds = self.session.views, self.look.theme, self._placed
+        placements = placements_of(self.session.stitched)
+
+        def compose(job: Job) -> Picture:
+            layers = []
+            for index, view in enumerate(views):
+                job.check()
+                placement = placements.get(view.viewpoint_id)
+                layers.append(view_layer(theme, placed_clouds.get(view, placement, fine=True), index, placement, "grey", 1.0))
+            return Picture(tuple(layers))
+
+        return compose

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from PySide6.QtCore import Slot
 from PySide6.QtGui import QShowEvent
 
 from ui.controllers.controllers import Controllers
@@ -9,30 +13,61 @@ from ui.look.look import Look
 from ui.pages.page import Page
 from ui.session import Session
 from ui.viewport.cloud_view import CloudView
+from ui.viewport.layers import CloudLayer, SurfaceLayer
 from ui.widgets.empty_state import EmptyState
+from ui.workers.job import Job
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """What the 3-D view shows."""
+
+    clouds: tuple[CloudLayer, ...] = ()
+    surface: SurfaceLayer | None = None
+
+
+Composer = Callable[[Job], Picture]
 
 
 class ViewportPage(Page):
-    """A page whose largest thing is the 3-D view; `draw` is called when it is seen and something changed."""
+    """A page whose largest thing is the 3-D view; a job composes the picture when the page is seen and something changed."""
 
     def __init__(self, look: Look, session: Session, controllers: Controllers, empty: EmptyState) -> None:
         super().__init__(look, session, controllers, empty)
         self.view = CloudView(look)
+        self.is_composing = False
         self._stale = True
         session.graphicsChanged.connect(self._use_graphics)
         look.changed.connect(self.redraw)
         self._use_graphics()
 
-    def redraw(self) -> None:
-        """Draw again, now or when the page is seen."""
-        self._stale = True
-        if self.isVisible():
-            self._stale = False
-            self.draw()
-
-    def draw(self) -> None:
-        """Fill the 3-D view."""
+    def composer(self) -> Composer | None:
+        """Return what composes the picture on a thread, out of nouns that never change; None where there is nothing to show."""
         raise TypeError(f"{type(self).__name__} does not draw")
+
+    @Slot()
+    def redraw(self) -> None:
+        """Draw again: now, or when the picture being composed is complete, or when the page is seen."""
+        self._stale = True
+        if self.is_composing or not self.isVisible():
+            return
+        self._stale = False
+        composer = self.composer()
+        if composer is not None:
+            self.is_composing = True
+            self.controllers.drawing.run("Drawing", composer, self._show_picture, on_stopped=self._stop_composing, quiet=True)
+
+    @Slot(object)
+    def _show_picture(self, picture: Picture) -> None:
+        self.view.set_surface(picture.surface)
+        self.view.set_clouds(picture.clouds)
+        self._stop_composing()
+        if self._stale:
+            self.redraw()
+
+    @Slot()
+    def _stop_composing(self) -> None:
+        self.is_composing = False
 
     def showEvent(self, event: QShowEvent) -> None:
         """Draw what changed while the page was hidden."""

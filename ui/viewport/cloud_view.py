@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor, QImage, QShowEvent
 from PySide6.QtWidgets import QLabel, QStackedLayout, QWidget
 
@@ -22,7 +22,9 @@ PREPARING = "Preparing 3-D view…"
 
 
 class CloudView(QWidget):
-    """Shows clouds, a surface, lines and labels; drag turns, Shift and drag moves, the wheel zooms."""
+    """Shows clouds, a surface, lines and labels; drag turns, Shift and drag moves, the wheel zooms, a click picks a point."""
+
+    pointPicked = Signal(int, int)  # layer, place in the layer
 
     def __init__(self, look: Look, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -121,6 +123,7 @@ class CloudView(QWidget):
             self.explain(NO_GRAPHICS)
             return
         self._scene, self._view = scene, view
+        view.clicked.connect(self._pick)
         self._dress()
         scene.set_clouds(self._clouds)
         scene.set_surface(self._surface)
@@ -129,6 +132,11 @@ class CloudView(QWidget):
         self._stack.addWidget(view)
         self._stack.setCurrentWidget(view)
         self._refresh()
+
+    def _pick(self, x_px: float, y_px: float) -> None:
+        found = self._scene.pick(x_px, y_px) if self._scene is not None else None
+        if found is not None:
+            self.pointPicked.emit(*found)
 
     def _dress(self) -> None:
         if self._scene is not None:

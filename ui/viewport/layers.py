@@ -14,6 +14,7 @@ class CloudLayer:
     points_mm: np.ndarray  # (N, 3)
     colours: np.ndarray  # (N, 3) uint8
     normals: np.ndarray | None = None  # (N, 3), for shading
+    to_read: bool = False  # the colours are read against a scale: shade them little
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,6 +26,7 @@ class SurfaceLayer:
     colours: np.ndarray | None = None  # (V, 3) uint8
     colour: tuple[int, int, int] = (190, 198, 203)
     opacity: float = 1.0
+    normals: np.ndarray | None = None  # (V, 3); computed where there are none
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,6 +45,7 @@ class Label:
     text: str
     point_mm: np.ndarray  # (3,)
     colour: tuple[int, int, int] = (24, 33, 38)
+    background: tuple[int, int, int] = (255, 255, 255)
 
 
 def shuffled_prefix(count: int, budget: int, seed: int = 0) -> np.ndarray | None:

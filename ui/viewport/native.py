@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QImage, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 from vtkmodules.qt.QVTKRenderWindowInteractor import QVTKRenderWindowInteractor
@@ -18,6 +18,8 @@ REST_MS = 200
 
 class NativeView(QWidget):
     """Shows a scene by VTK's own window."""
+
+    clicked = Signal(float, float)  # pixel of the picture, y from below
 
     def __init__(self, scene: Scene, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -34,6 +36,7 @@ class NativeView(QWidget):
         style.AddObserver("StartInteractionEvent", self._begin_move)
         style.AddObserver("EndInteractionEvent", self._end_move)
         self._interactor.Initialize()
+        self._pressed_at, self._was_framed = (0, 0), True
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(REST_MS)
@@ -67,10 +70,17 @@ class NativeView(QWidget):
 
     def _begin_move(self, _caller: object, _event: str) -> None:
         self._rest.stop()
+        self._pressed_at, self._was_framed = self._interactor.GetEventPosition(), self._scene.keep_framed
         self._scene.set_moving(True)
 
     def _end_move(self, _caller: object, _event: str) -> None:
-        self._rest.start()
+        x, y = self._interactor.GetEventPosition()
+        if (x, y) == tuple(self._pressed_at):
+            self._scene.set_moving(False)
+            self._scene.keep_framed = self._was_framed
+            self.clicked.emit(float(x), float(y))
+        else:
+            self._rest.start()
 
     def _come_to_rest(self) -> None:
         self._scene.set_moving(False)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, Qt, QTimer
+from PySide6.QtCore import QEvent, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QImage, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -15,11 +15,14 @@ from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
 from ui.viewport.scene import Scene
 
 REST_MS = 200
+CLICK_REACH_PX = 4
 BUTTONS = {Qt.MouseButton.LeftButton: "LeftButton", Qt.MouseButton.MiddleButton: "MiddleButton", Qt.MouseButton.RightButton: "RightButton"}
 
 
 class OffScreenView(QWidget):
     """Shows a scene by an off-screen render window."""
+
+    clicked = Signal(float, float)  # pixel of the picture, y from below
 
     def __init__(self, scene: Scene, window: vtkRenderWindow, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -33,6 +36,7 @@ class OffScreenView(QWidget):
         self._interactor.EnableRenderOff()
         self._interactor.Initialize()
         self._interactor.AddObserver("RenderEvent", self._on_render_wanted)
+        self._pressed_at = QPointF()
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(REST_MS)
@@ -66,16 +70,23 @@ class OffScreenView(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Begin to turn, move or zoom."""
+        self._pressed_at = event.position()
         self._forward(event, "PressEvent")
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """End what the mouse did."""
         self._forward(event, "ReleaseEvent")
+        moved = (event.position() - self._pressed_at).manhattanLength()
+        if event.button() == Qt.MouseButton.LeftButton and moved < CLICK_REACH_PX:
+            ratio = self.devicePixelRatioF()
+            self.clicked.emit(event.position().x() * ratio, (self.height() - event.position().y() - 1) * ratio)
+            return
         self._rest.start()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Turn, move or zoom."""
-        if event.buttons() != Qt.MouseButton.NoButton:
+        moved = (event.position() - self._pressed_at).manhattanLength()
+        if event.buttons() != Qt.MouseButton.NoButton and moved >= CLICK_REACH_PX:
             self._begin_move()
             self._place(event.position(), event)
             self._interactor.MouseMoveEvent()

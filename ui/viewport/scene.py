@@ -17,10 +17,14 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProp, vt
 from ui.viewport.layers import CloudLayer, Label, LineLayer, SurfaceLayer, shuffled_prefix
 
 MOVING_POINTS = 150_000
-STILL_POINTS = 2_000_000
+STILL_POINTS = 1_000_000
+READABLE_AMBIENT = 0.78
 FINE_FROM = 200_000  # points; fewer are drawn larger
 TWO_SIDED = "//VTK::Normal::Impl\n  if (normalVCVSOutput.z < 0.0) { normalVCVSOutput = -normalVCVSOutput; }\n"
 OPENING_DIRECTION = (-1.0, -1.1, 0.85)
+FRAMING_POINTS = 4_000
+FILLED_SHARE = 0.86  # of the picture's width or height, whichever is reached first
+PICK_REACH_PX = 5.0
 
 
 class Scene:
@@ -32,6 +36,9 @@ class Scene:
         self.cloud_size = 0
         self._cloud: dict[str, vtkActor] = {}
         self._others: dict[str, list[vtkProp]] = {"surface": [], "lines": [], "labels": []}
+        self._points = np.empty((0, 3), np.float32)
+        self._starts = np.zeros(1, np.int64)
+        self._extent: dict[str, np.ndarray] = {}
         self.keep_framed = True  # until the user moves the camera
 
     def set_background(self, top: tuple[float, float, float], bottom: tuple[float, float, float]) -> None:
@@ -46,9 +53,11 @@ class Scene:
         self._cloud = {}
         filled = [layer for layer in layers if len(layer.points_mm)]
         self.cloud_size = sum(len(layer.points_mm) for layer in filled)
+        self._starts = np.concatenate([[0], np.cumsum([len(layer.points_mm) for layer in layers])]).astype(np.int64)
+        points = np.concatenate([np.empty((0, 3), np.float32), *(np.asarray(layer.points_mm, np.float32) for layer in filled)])
+        self._points, self._extent["clouds"] = points, _thinned(points)
         if not filled:
             return
-        points = np.concatenate([np.asarray(layer.points_mm, np.float32) for layer in filled])
         colours = np.concatenate([np.asarray(layer.colours, np.uint8) for layer in filled])
         normals = None
         if all(layer.normals is not None for layer in filled):
@@ -58,6 +67,9 @@ class Scene:
             part = slice(None) if chosen is None else chosen
             actor = _points_actor(points[part], colours[part], None if normals is None else normals[part])
             actor.GetProperty().SetPointSize(2.0 if len(points) > FINE_FROM else 3.0)
+            if any(layer.to_read for layer in filled):
+                actor.GetProperty().SetAmbient(READABLE_AMBIENT)
+                actor.GetProperty().SetDiffuse(1.02 - READABLE_AMBIENT)
             self._cloud[name] = actor
             self.renderer.AddActor(actor)
         self.set_moving(False)
@@ -70,10 +82,13 @@ class Scene:
 
     def set_surface(self, layer: SurfaceLayer | None) -> None:
         """Show a surface instead of the one shown."""
+        self._extent["surface"] = np.empty((0, 3)) if layer is None else _thinned(layer.vertices_mm)
         self._replace("surface", [] if layer is None or not len(layer.triangles) else [_surface_actor(layer)])
 
     def set_lines(self, layers: Sequence[LineLayer]) -> None:
         """Show these lines instead of those shown."""
+        lines = [line for layer in layers for line in layer.lines]
+        self._extent["lines"] = np.concatenate([np.empty((0, 3)), *(_thinned(line) for line in lines)])
         self._replace("lines", [_line_actor(layer) for layer in layers if layer.lines])
 
     def set_labels(self, labels: Sequence[Label]) -> None:
@@ -87,7 +102,47 @@ class Scene:
         camera.SetPosition(OPENING_DIRECTION)
         camera.SetViewUp(0.0, 0.0, 1.0)
         self.renderer.ResetCamera()
+        self._fill_picture()
         self.renderer.ResetCameraClippingRange()
+
+    def pick(self, x_px: float, y_px: float) -> tuple[int, int] | None:
+        """Return layer and place in the layer of the foremost point near a pixel of the picture; y counts from below."""
+        size = np.array(self.renderer.GetSize(), float)
+        if not len(self._points) or not size.all():
+            return None
+        homogeneous = self._points @ self._projection()[:, :3].T + self._projection()[:, 3]
+        place = homogeneous[:, :3] / homogeneous[:, 3:]
+        gap = (place[:, :2] + 1.0) / 2.0 * size - (x_px, y_px)
+        near = np.flatnonzero((np.einsum("nd,nd->n", gap, gap) < PICK_REACH_PX**2) & (np.abs(place[:, 2]) <= 1.0))
+        if not len(near):
+            return None
+        chosen = int(near[np.argmin(place[near, 2])])
+        layer = int(np.searchsorted(self._starts, chosen, side="right") - 1)
+        return layer, chosen - int(self._starts[layer])
+
+    def _projection(self) -> np.ndarray:
+        camera = self.renderer.GetActiveCamera()
+        matrix = camera.GetCompositeProjectionTransformMatrix(self.renderer.GetTiledAspectRatio(), -1.0, 1.0)
+        return np.array([[matrix.GetElement(line, place) for place in range(4)] for line in range(4)])
+
+    def _fill_picture(self) -> None:
+        """Move the camera so that what is shown fills the picture and lies in its middle."""
+        shown = [points for points in self._extent.values() if len(points)]
+        width, height = self.renderer.GetSize()
+        if not shown or not width or not height:
+            return
+        camera = self.renderer.GetActiveCamera()
+        focus, forward = np.array(camera.GetFocalPoint()), np.array(camera.GetDirectionOfProjection())
+        right = np.cross(forward, camera.GetViewUp())
+        right /= np.linalg.norm(right)
+        up = np.cross(right, forward)
+        gap = np.concatenate(shown) - focus
+        half = np.tan(np.radians(camera.GetViewAngle()) / 2.0) * FILLED_SHARE
+        x, x_distance = _between(gap @ right, gap @ forward, half * width / height)
+        y, y_distance = _between(gap @ up, gap @ forward, half)
+        focus = focus + x * right + y * up
+        camera.SetFocalPoint(*focus)
+        camera.SetPosition(*(focus - max(x_distance, y_distance, 1e-3) * forward))
 
     def _replace(self, kind: str, props: list[vtkProp]) -> None:
         for prop in self._others[kind]:
@@ -95,6 +150,17 @@ class Scene:
         self._others[kind] = props
         for prop in props:
             self.renderer.AddViewProp(prop)
+
+
+def _thinned(points: np.ndarray) -> np.ndarray:
+    """Return some of the points, which stand for all where only their extent counts."""
+    return np.asarray(points[:: max(1, len(points) // FRAMING_POINTS)], float)
+
+
+def _between(across: np.ndarray, depth: np.ndarray, slope: float) -> tuple[float, float]:
+    """Return where the camera stands across, and how far away, so that all points lie within a cone of this slope."""
+    high, low = float(np.max(across - slope * depth)), float(np.min(across + slope * depth))
+    return (high + low) / 2.0, (high - low) / (2.0 * slope)
 
 
 def _points_actor(points: np.ndarray, colours: np.ndarray, normals: np.ndarray | None) -> vtkActor:
@@ -122,16 +188,24 @@ def _surface_actor(layer: SurfaceLayer) -> vtkActor:
     data.SetPolys(cells)
     if layer.colours is not None:
         data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(layer.colours, np.uint8), deep=True))
-    shaded = vtkPolyDataNormals()
-    shaded.SetInputData(data)
-    shaded.SetFeatureAngle(35.0)
-    shaded.Update()
-    actor = _actor(shaded.GetOutput())
+    actor = _actor(_shaded(data, layer))
     actor.GetProperty().SetColor(*(value / 255 for value in layer.colour))
     actor.GetProperty().SetOpacity(layer.opacity)
     actor.GetProperty().SetAmbient(0.32)
     actor.GetProperty().SetDiffuse(0.8)
     return actor
+
+
+def _shaded(data: vtkPolyData, layer: SurfaceLayer) -> vtkPolyData:
+    """Return the surface with its normals; where it brings none they are computed and split at edges."""
+    if layer.normals is not None:
+        data.GetPointData().SetNormals(numpy_to_vtk(np.ascontiguousarray(layer.normals, np.float32), deep=True))
+        return data
+    split = vtkPolyDataNormals()
+    split.SetInputData(data)
+    split.SetFeatureAngle(35.0)
+    split.Update()
+    return split.GetOutput()
 
 
 def _line_actor(layer: LineLayer) -> vtkActor:
@@ -169,6 +243,10 @@ def _label_actor(label: Label) -> vtkCaptionActor2D:
     text.ItalicOff()
     text.ShadowOff()
     text.SetColor(*(value / 255 for value in label.colour))
+    text.SetBackgroundColor(*(value / 255 for value in label.background))
+    text.SetBackgroundOpacity(0.88)
+    text.FrameOn()
+    text.SetFrameColor(*(value / 255 for value in label.colour))
     actor.GetProperty().SetColor(*(value / 255 for value in label.colour))
     return actor
 

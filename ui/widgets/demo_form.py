@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QFormLayout, QSpinBox, QWidget
+from PySide6.QtWidgets import QComboBox, QFileDialog, QFormLayout, QSpinBox, QWidget
 
 from ui.look.demo_settings import DemoSettings
 from ui.widgets.segments import Segments
 
-PARTS = {"gypsum": "Gypsum cross", "impeller": "Impeller", "gear": "Gear", "sphere_plate": "Sphere plate", "flat": "Flat"}
+PARTS = {"gypsum": "Gypsum cross", "impeller": "Impeller", "gear": "Gear", "sphere_plate": "Sphere plate", "flat": "Flat plate"}
+OWN_MESH = "Own mesh file…"
+MESH_FILES = "Meshes in mm (*.stl *.ply *.obj)"
 VIEWPOINTS = {"impeller": 26}
 OTHER_VIEWPOINTS = 8
 
@@ -23,6 +27,9 @@ class DemoForm(QWidget):
         self._part = QComboBox()
         for name, words in PARTS.items():
             self._part.addItem(words, name)
+        self._part.addItem(OWN_MESH, "")
+        self._part.setToolTip("A sample part, or a closed mesh of your own with millimetres as its unit")
+        self._chosen = 0
         self._resolution = Segments({"quarter": "Quarter", "half": "Half", "full": "Full"})
         self._viewpoints, self._seed = QSpinBox(), QSpinBox()
         for spin in (self._viewpoints, self._seed):
@@ -38,11 +45,11 @@ class DemoForm(QWidget):
             ("Part", self._part),
             ("Resolution", self._resolution),
             ("Viewpoints", self._viewpoints),
-            ("Rig number", self._seed),
+            ("Seed of the rig", self._seed),
         ):
             form.addRow(words, editor)
         self.setValue(DemoSettings())
-        self._part.activated.connect(self._suggest_viewpoints)
+        self._part.activated.connect(self._on_part)
         self._part.currentIndexChanged.connect(self._tell)
         self._resolution.valueChanged.connect(self._tell)
         self._viewpoints.valueChanged.connect(self._tell)
@@ -54,13 +61,33 @@ class DemoForm(QWidget):
 
     def setValue(self, settings: DemoSettings) -> None:
         """Show other settings."""
-        self._part.setCurrentIndex(max(0, self._part.findData(settings.part)))
+        self._show_part(settings.part)
         self._resolution.setValue(settings.resolution)
         self._viewpoints.setValue(settings.viewpoints)
         self._seed.setValue(settings.seed)
+
+    def _show_part(self, part: str) -> None:
+        """Choose a part; a mesh file becomes an entry of its own."""
+        if self._part.findData(part) < 0:
+            self._part.insertItem(self._part.count() - 1, Path(part).name, part)
+        self._chosen = self._part.findData(part)
+        self._part.setCurrentIndex(self._chosen)
+
+    def _on_part(self, place: int) -> None:
+        if self._part.itemData(place):
+            self._chosen = place
+            self._suggest_viewpoints()
+            return
+        self._part.setCurrentIndex(self._chosen)
+        path, _ = QFileDialog.getOpenFileName(self, "Choose a mesh of the part", str(Path.home()), MESH_FILES)
+        if path:
+            self._show_part(path)
+            self._suggest_viewpoints()
 
     def _suggest_viewpoints(self) -> None:
         self._viewpoints.setValue(VIEWPOINTS.get(self._part.currentData(), OTHER_VIEWPOINTS))
 
     def _tell(self) -> None:
+        if not self._part.currentData():  # the user is about to choose a file
+            return
         self.valueChanged.emit(self.value())

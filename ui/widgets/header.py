@@ -6,11 +6,9 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QWidget
 
 from ui.look.look import Look
-from ui.widgets.basic import Button, column, label, row
+from ui.widgets.basic import Button, ElidedLabel, column, label, row
 from ui.widgets.chip import Chip
 from ui.widgets.segments import Segments
-
-NAME_WIDTH = 320
 
 
 class HeaderBar(QFrame):
@@ -24,7 +22,7 @@ class HeaderBar(QFrame):
         self.setObjectName("header")
         self.setFixedHeight(look.theme.sizes["header"])
         self._look = look
-        self.project, self.part = label("No project open", "heading"), label("", "small")
+        self.project, self.part = ElidedLabel("No project open", "heading"), label("", "small")
         self.devices = Chip(look, "devices", "Looking for devices…")
         self.calibration = Chip(look, "calibration", "Not calibrated")
         self.disk = Chip(look, "disk")
@@ -37,8 +35,9 @@ class HeaderBar(QFrame):
         self._help = Button("", look, "help", "quiet", "Help for this page (F1)")
         self._help.clicked.connect(self.helpClicked)
         names = column(0, self.project, self.part, 0, spacing=0)
-        layout = row(names, 0, self.devices, self.calibration, self.disk, 8, self.open, self.role, self._shade, self._help)
+        layout = row(names, 16, self.devices, self.calibration, self.disk, 8, self.open, self.role, self._shade, self._help)
         layout.setContentsMargins(24, 0, 16, 0)
+        layout.setStretch(0, 1)
         layout.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         self.setLayout(layout)
         look.changed.connect(self._redraw)
@@ -46,9 +45,7 @@ class HeaderBar(QFrame):
 
     def show_project(self, name: str, part: str) -> None:
         """Show what is open."""
-        shown = name or "No project open"
-        self.project.setText(self.project.fontMetrics().elidedText(shown, Qt.TextElideMode.ElideRight, NAME_WIDTH))
-        self.project.setToolTip(shown)
+        self.project.set_words(name or "No project open")
         self.part.setText(part)
         self.part.setVisible(bool(part))
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.look.look import Look
@@ -41,7 +41,9 @@ class Tile:
 
 
 class ViewpointTiles(QWidget):
-    """Draws tiles in rows that fit the width."""
+    """Draws tiles in rows that fit the width; a click chooses one."""
+
+    tileClicked = Signal(str)
 
     def __init__(self, look: Look) -> None:
         super().__init__()
@@ -50,6 +52,8 @@ class ViewpointTiles(QWidget):
         policy = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
+        self.setToolTip("Click a viewpoint to see its images")
         look.changed.connect(self.update)
 
     def show_tiles(self, tiles: Sequence[Tile]) -> None:
@@ -82,11 +86,21 @@ class ViewpointTiles(QWidget):
         """Draw the tiles."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        for place, tile in enumerate(self.tiles):
+            self._draw(painter, self.box(place), tile)
+
+    def box(self, place: int) -> QRectF:
+        """Return where a tile is drawn."""
         columns = self._columns(self.width())
         width = (self.width() - GAP * (columns - 1)) / columns
+        line, column = divmod(place, columns)
+        return QRectF(column * (width + GAP), line * (TILE_HEIGHT + GAP), width, TILE_HEIGHT)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Choose the tile under the mouse."""
         for place, tile in enumerate(self.tiles):
-            line, column = divmod(place, columns)
-            self._draw(painter, QRectF(column * (width + GAP), line * (TILE_HEIGHT + GAP), width, TILE_HEIGHT), tile)
+            if self.box(place).contains(event.position()):
+                self.tileClicked.emit(tile.name)
 
     def _columns(self, width: int) -> int:
         return max(1, min(max(1, len(self.tiles)), (width + GAP) // (TILE_WIDTH + GAP)))

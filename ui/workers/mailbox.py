@@ -1,4 +1,4 @@
-"""A mailbox that holds the newest thing only: for live images, which come faster than they are shown."""
+"""Mailboxes that hold the newest thing only: for live images, which come faster than they are shown."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ from typing import Generic, TypeVar
 T = TypeVar("T")
 
 
-class Mailbox(Generic[T]):
-    """Whoever has something new puts it in; the reader takes what is newest, or nothing."""
+class Mailboxes(Generic[T]):
+    """One box for each name. Whoever has something new puts it in; the reader takes what is newest, or nothing."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._item: T | None = None
+        self._items: dict[str, T] = {}
 
-    def put(self, item: T) -> None:
-        """Replace what lies in the box; from any thread."""
+    def put(self, name: str, item: T) -> None:
+        """Replace what lies in the box of this name; from any thread."""
         with self._lock:
-            self._item = item
+            self._items[name] = item
 
-    def take(self) -> T | None:
-        """Empty the box; from any thread."""
+    def take_all(self) -> dict[str, T]:
+        """Empty all boxes; from any thread."""
         with self._lock:
-            item, self._item = self._item, None
-        return item
+            items, self._items = self._items, {}
+        return items

@@ -1,0 +1,76 @@
+"""The first call of every compiled kernel, made early: it takes many seconds once per installation, and a moment after that."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from measureapp.arrays import read_only
+from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
+from measureapp.data.cloud import PointCloud
+from measureapp.data.fringe import PAPER_PATTERNS, FringeStack, GrayCodeGroup, PatternSet, PhaseShiftGroup
+from measureapp.data.phase import PhaseMap
+from measureapp.fringe.decode import decode
+from measureapp.fringe.patterns import pattern_images
+from measureapp.geometry.pinhole import PinholeCamera
+from measureapp.geometry.transform import RigidTransform
+from measureapp.progress import NoProgress, PartOf, Progress
+from measureapp.reconstruct.reconstruct import reconstruct
+from measureapp.register.stitch import stitch
+
+HEIGHT_PX, WIDTH_PX, FOCAL_PX = 72, 320, 500.0
+WALL_MM, STEP_MM = 200.0, 40.0
+SHIFT_PX = round(FOCAL_PX * STEP_MM / WALL_MM)
+FIRST_COLUMN = 300
+CAMERAS = ("first", "second", "third")
+GRAY_PATTERNS = PatternSet(name="warm-up", projector_px=1024, groups=(PhaseShiftGroup(pitch_px=32), GrayCodeGroup(planes=5)))
+
+
+def warm_up(progress: Progress | None = None) -> None:
+    """Decode, reconstruct and stitch a small wall, so that all kernels of these stages are compiled and kept on disk.
+
+    Parameters
+    ----------
+    progress : told after each stage; where it can be cancelled. What is compiled by then stays compiled
+    """
+    progress = progress or NoProgress()
+    steps = ("decoding", "decoding Gray codes", "decoding 16 bits", "reconstructing three cameras", "reconstructing two", "stitching")
+
+    def begin(step: int) -> None:
+        progress.report(step, len(steps), f"compiling: {steps[step]}")
+
+    begin(0)
+    maps = decode(_stack(PAPER_PATTERNS, np.uint8))
+    begin(1)
+    decode(_stack(GRAY_PATTERNS, np.uint8))
+    begin(2)
+    decode(_stack(PAPER_PATTERNS, np.uint16))
+    begin(3)
+    cloud = _cloud(maps, CAMERAS, PartOf(progress, 3 / len(steps), 4 / len(steps)))
+    begin(4)
+    _cloud(maps, CAMERAS[:2], PartOf(progress, 4 / len(steps), 5 / len(steps)))
+    begin(5)
+    stays = RigidTransform.identity("part", "camera")
+    print(len(cloud), cloud.sigma_mm.mean(), cloud.points_mm.mean(0)); r=stitch([cloud, cloud], [stays, stays]); print(len(r), r.placements)
+    progress.report(1, 1, "compiled")
+
+
+def _stack(patterns: PatternSet, dtype: type[np.unsignedinteger]) -> FringeStack:
+    """Return what three cameras side by side see of a wall parallel to their images: the patterns, a little further on in each."""
+    shown = pattern_images(patterns, patterns.projector_px, HEIGHT_PX).astype(dtype) // 2 + 20
+    images = {}
+    for number, camera in enumerate(CAMERAS):
+        start = FIRST_COLUMN + number * SHIFT_PX
+        images[camera] = read_only(shown[None, :, :, start : start + WIDTH_PX], dtype)
+    return FringeStack("warm-up", patterns, (10_000,), images, 255)
+
+
+def _cloud(maps: Mapping[str, PhaseMap], names: tuple[str, ...], progress: Progress) -> PointCloud:
+    matrix = np.array([[FOCAL_PX, 0, (WIDTH_PX - 1) / 2], [0, FOCAL_PX, (HEIGHT_PX - 1) / 2], [0, 0, 1]])
+    pinhole = PinholeCamera(WIDTH_PX, HEIGHT_PX, matrix, np.zeros(5))
+    cameras = {
+        name: CameraCalibration(name, pinhole, RigidTransform.from_parts(np.eye(3), [number * STEP_MM, 0, 0], "camera", name))
+        for number, name in enumerate(names)
+    }
+    return reconstruct({name: maps[name] for name in names}, CameraArrayCalibration(names[0], cameras), progress=progress).cloud

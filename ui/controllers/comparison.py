@@ -1,0 +1,85 @@
+"""The stitched cloud against the drawing: how far each point lies from the nominal surface."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import QObject, Slot
+
+from ui.controllers.jobs import JobRunner
+from ui.session import Session
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from measureapp.data.cloud import StitchedCloud
+    from measureapp.data.measurement import Alignment
+    from measureapp.inspection.deviation import Deviation
+    from ui.workers.job import Job
+
+NEAR_MM = 2.0  # a place of the drawing without a point this close counts as not measured
+PLACES = 60_000
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """Deviations of one cloud, and the places of the drawing that were not measured."""
+
+    stitched: StitchedCloud
+    deviation: Deviation
+    unmeasured_mm: np.ndarray  # (M, 3), in the nominal's frame
+    unmeasured_normals: np.ndarray  # (M, 3)
+
+
+class ComparisonController(QObject):
+    """Compares on a thread of its own, so that one can go on looking."""
+
+    def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._runner = runner
+        self._asked: object = None
+
+    @Slot()
+    def compare(self) -> None:
+        """Compare the stitched cloud with the nominal of the open project, once for every cloud."""
+        session = self._session
+        stitched, inspection, folder = session.stitched, session.inspection, session.folder
+        if stitched is None or inspection is None or folder is None or self._asked is stitched:
+            return
+        self._asked = stitched
+        alignment = inspection.alignment
+        self._runner.run(
+            "Comparing with the drawing",
+            lambda job: compared(stitched, alignment, folder, job),
+            self._show,
+            quiet=True,
+        )
+
+    @Slot(object)
+    def _show(self, found: Comparison | None) -> None:
+        if found is not None and found.stitched is self._session.stitched:
+            self._session.set_comparison(found)
+
+
+def compared(stitched: StitchedCloud, alignment: Alignment, folder: Path, job: Job) -> Comparison | None:
+    """Return the deviations, or None where the project has no nominal; runs on a job's thread."""
+    from scipy.spatial import cKDTree
+
+    from measureapp.inspection.deviation import deviation
+    from measureapp.inspection.measured import sampled
+    from measureapp.project.folder import ProjectFolder
+    from measureapp.project.geometry_files import read_mesh
+
+    path = ProjectFolder.open(folder).nominal if (folder / "project.json").exists() else None
+    if path is None:
+        return None
+    nominal = read_mesh(path, "nominal")
+    found = deviation(stitched, nominal, alignment, near_mm=NEAR_MM, progress=job)
+    places = sampled(nominal, PLACES)
+    distance, _ = cKDTree(found.points_mm).query(places.points_mm, distance_upper_bound=NEAR_MM)
+    missing = ~np.isfinite(distance)
+    normals = np.zeros_like(places.points_mm) if places.normals is None else places.normals
+    return Comparison(stitched, found, places.points_mm[missing], normals[missing])

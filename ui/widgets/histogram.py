@@ -1,0 +1,79 @@
+"""How deviations are distributed, in the colours of their scale, with the figures that sum them up."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtWidgets import QWidget
+
+from ui.look.look import Look
+from ui.look.wording import millimetres
+
+BINS = 48
+SCALE_HEIGHT, NUMBERS_HEIGHT = 12, 20
+TICKS = 5
+
+
+class Histogram(QWidget):
+    """Bars over a symmetrical scale; below them the scale itself, which is the legend of the picture."""
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self._look = look
+        self._colours = np.zeros((2, 3))
+        self.counts = np.zeros(BINS, int)
+        self.end_mm = 0.0
+        self.setMinimumSize(240, 132)
+        look.changed.connect(self.update)
+
+    def show_values(self, values_mm: np.ndarray, colours: np.ndarray, end_mm: float) -> None:
+        """Show these values from −end to +end; those beyond are counted in the outermost bars."""
+        self._colours, self.end_mm = colours, end_mm
+        self.counts, _ = np.histogram(np.clip(values_mm, -end_mm, end_mm), BINS, (-end_mm, end_mm))
+        self.update()
+
+    def colour_at(self, share: float) -> QColor:
+        """Return the colour at a place (0…1) of the scale."""
+        supports = np.linspace(0.0, 1.0, len(self._colours))
+        return QColor(*(int(np.interp(share, supports, self._colours[:, channel])) for channel in range(3)))
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw the bars, the scale and its numbers."""
+        if not self.counts.any():
+            return
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        base = self.height() - SCALE_HEIGHT - NUMBERS_HEIGHT - 4.0
+        step = self.width() / BINS
+        for place, count in enumerate(self.counts):
+            height = (base - 4) * count / self.counts.max()
+            self._bar(painter, QRectF(place * step, base - height, step - 1, height), place)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(self.colour_at((place + 0.5) / BINS))
+            painter.drawRect(QRectF(place * step, base + 4, step + 0.5, SCALE_HEIGHT))
+        painter.setPen(self._look.theme.colour("line"))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawRect(QRectF(0.5, base + 4.5, self.width() - 1, SCALE_HEIGHT - 1))
+        self._numbers(painter)
+
+    def _bar(self, painter: QPainter, box: QRectF, place: int) -> None:
+        if box.height() <= 0:
+            return
+        painter.setPen(self._look.theme.colour("faint"))
+        painter.setBrush(self.colour_at((place + 0.5) / BINS))
+        painter.drawRect(box)
+
+    def _numbers(self, painter: QPainter) -> None:
+        theme = self._look.theme
+        font = painter.font()
+        font.setPixelSize(theme.sizes["small"])
+        painter.setFont(font)
+        painter.setPen(theme.colour("soft"))
+        top = float(self.height() - NUMBERS_HEIGHT)
+        for tick in range(TICKS):
+            share = tick / (TICKS - 1)
+            words = millimetres(self.end_mm * (2 * share - 1), 3, signed=True)
+            width = painter.fontMetrics().horizontalAdvance(words) + 2.0
+            left = min(max(0.0, share * self.width() - width / 2), self.width() - width)
+            painter.drawText(QRectF(QPointF(left, top), QPointF(left + width, top + NUMBERS_HEIGHT)), Qt.AlignmentFlag.AlignCenter, words)
