@@ -94,6 +94,7 @@ def inspection_from(document: Mapping[str, Any]) -> Inspection:
     """Return the inspection of a document."""
     alignment = dict(document["alignment"])
     alignment["nominal_from_part"] = transform_from(alignment["nominal_from_part"])
+    alignment["undetermined"] = tuple(alignment["undetermined"])
     return Inspection(
         program=document["program"],
         alignment=Alignment(**alignment),

@@ -25,7 +25,10 @@ def read_transform(path: Path, to_frame: str, from_frame: str) -> RigidTransform
     try:
         text = path.read_text(encoding="utf-8")
     except (OSError, ValueError) as error:
-        raise InputError(f"{path} cannot be read as an alignment: {error}.", "Name best-fit, none, or a file with a 4×4 matrix.") from error
+        reason = getattr(error, "strerror", None) or error
+        raise InputError(
+            f"{path} cannot be read as an alignment: {reason}.", "Name best-fit, none, or a file with a 4×4 matrix."
+        ) from error
     try:
         matrix = np.array(_numbers(text), float)
     except (ValueError, TypeError) as error:

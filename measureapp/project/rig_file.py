@@ -26,8 +26,10 @@ def read_rig(name_or_path: str | Path) -> RigDescription:
         path = resource(f"rigs/{name_or_path}.toml")
     try:
         document = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path} cannot be read: {error}.", "Name a rig description (TOML).") from error
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Name a rig description (TOML).") from error
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path} is not a text file.", "Name a rig description (TOML).") from error
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"{path} is not valid TOML: {error}.", "Correct the line named.") from error
     try:

@@ -97,13 +97,22 @@ def test_a_plan_outside_the_limits_is_refused_before_anything_is_connected(
     path = tmp_path / "far.json"
     path.write_text(demo_plan.model_copy(update={"viewpoints": (demo_plan.viewpoints[0], far)}).model_dump_json())
     refused(
-        capsys, "view02: guide at 700.0 mm is outside -650…650 mm", "nothing was moved", "scan", path, "--rig", rig, "--project", tmp_path / "p"
+        capsys,
+        "view02: guide at 700.0 mm is outside -650…650 mm",
+        "nothing was moved",
+        "scan",
+        path,
+        "--rig",
+        rig,
+        "--project",
+        tmp_path / "p",
     )
     assert not (tmp_path / "p").exists()
 
 
 @pytest.mark.parametrize(
-    ("place", "value"), [("guide_mm", "NaN"), ("table_deg", "Infinity"), ("quaternion_wxyz", "[NaN, 0, 0, 0]"), ("position_mm", "[0, 0, NaN]")]
+    ("place", "value"),
+    [("guide_mm", "NaN"), ("table_deg", "Infinity"), ("quaternion_wxyz", "[NaN, 0, 0, 0]"), ("position_mm", "[0, 0, NaN]")],
 )
 def test_a_plan_with_a_value_that_is_no_number_is_refused(
     place: str, value: str, rig: Path, plan: Path, tmp_path: Path, capsys, standing_still
@@ -149,7 +158,9 @@ def test_a_calibration_of_another_camera_is_refused(demo: Demo, rig: Path, plan:
     assert not (tmp_path / "p").exists()
 
 
-def test_a_scan_that_does_not_fit_on_the_disk_is_refused(rig: Path, plan: Path, tmp_path: Path, capsys, monkeypatch, standing_still) -> None:
+def test_a_scan_that_does_not_fit_on_the_disk_is_refused(
+    rig: Path, plan: Path, tmp_path: Path, capsys, monkeypatch, standing_still
+) -> None:
     monkeypatch.setattr("shutil.disk_usage", lambda _: type("usage", (), {"free": 1_000_000}))
     refused(capsys, "0.0 GB free", "Free some space", "scan", plan, "--rig", rig, "--project", tmp_path / "p" / "q")
     assert not (tmp_path / "p").exists()
@@ -174,7 +185,17 @@ def test_another_project_without_calibration_is_refused(rig: Path, plan: Path, t
 
     ProjectFolder.create(tmp_path / "bare", ProjectSettings(name="bare", part="gypsum", rig=read_rig(rig)))
     refused(
-        capsys, "has no calibration", "Calibrate", "scan", plan, "--rig", rig, "--project", tmp_path / "p", "--calibration", tmp_path / "bare"
+        capsys,
+        "has no calibration",
+        "Calibrate",
+        "scan",
+        plan,
+        "--rig",
+        rig,
+        "--project",
+        tmp_path / "p",
+        "--calibration",
+        tmp_path / "bare",
     )
     assert not (tmp_path / "p").exists()
 

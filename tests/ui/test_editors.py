@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from PySide6.QtWidgets import QFileDialog
 
 from ui.look.demo_settings import DemoSettings
-from ui.widgets.demo_form import PARTS, DemoForm
+from ui.look.paths import demo_folder
+from ui.widgets.demo_form import OWN_MESH, PARTS, DemoForm
 from ui.widgets.segments import Segments
 
 ANY_SETTINGS = st.builds(
@@ -51,3 +53,29 @@ def test_segments_give_back_what_they_were_given_and_tell_a_click(qtbot):
     with qtbot.waitSignal(segments.valueChanged) as told:
         segments._buttons["a"].click()
     assert told.args == ["a"]
+
+
+def test_a_mesh_of_the_users_own_becomes_an_entry_of_the_list(qtbot, monkeypatch, tmp_path):
+    form = DemoForm()
+    qtbot.addWidget(form)
+    path = str(tmp_path / "bracket.stl")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (path, ""))
+    place = form._part.findText(OWN_MESH)
+    with qtbot.waitSignal(form.valueChanged):
+        form._part.setCurrentIndex(place)
+        form._part.activated.emit(place)
+    assert form.value().part == path
+    assert form._part.currentText() == "bracket.stl"
+    assert form._part.itemText(form._part.count() - 1) == OWN_MESH
+    assert demo_folder(form.value()).name.startswith("demo-bracket-half-8")
+
+
+def test_a_file_choice_that_is_given_up_keeps_the_part(qtbot, monkeypatch):
+    form = DemoForm()
+    qtbot.addWidget(form)
+    form.setValue(DemoSettings("gear", "full", 8, 3))
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: ("", ""))
+    place = form._part.findText(OWN_MESH)
+    form._part.setCurrentIndex(place)
+    form._part.activated.emit(place)
+    assert form.value() == DemoSettings("gear", "full", 8, 3)

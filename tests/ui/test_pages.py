@@ -257,3 +257,49 @@ def test_a_preview_that_fails_says_so(filled, application, qtbot):
     filled.show_page("report")
     application.controllers.documents.pagesFailed.emit()
     qtbot.waitUntil(lambda: "There is no preview." in [label.text() for label in page._sheet.findChildren(QLabel) if label.isVisible()])
+
+
+def test_a_click_on_a_tile_asks_for_the_images_of_its_viewpoint(filled, application, monkeypatch, qtbot):
+    from PySide6.QtCore import Qt
+
+    page = filled.pages["scan"]
+    filled.show_page("scan")
+    with qtbot.waitSignal(page.tiles.tileClicked) as told:
+        qtbot.mouseClick(page.tiles, Qt.MouseButton.LeftButton, pos=page.tiles.box(2).center().toPoint())
+    assert told.args == ["view-03"]
+
+
+def test_stored_images_of_every_camera_are_read_from_the_project(tmp_path, monkeypatch):
+    from types import SimpleNamespace
+
+    import numpy as np
+
+    from measureapp.project.folder import ProjectFolder
+    from ui.controllers.stored_images import first_images
+
+    images = {name: np.full((2, 3, 4, 5), level, np.uint8) for name, level in (("right", 9), ("left", 7))}
+    stack = SimpleNamespace(exposures_us=(80_000, 20_000), images=images)
+    project = SimpleNamespace(stored_viewpoints=lambda: ("view-01",), frames=SimpleNamespace(load=lambda _id: stack))
+    monkeypatch.setattr(ProjectFolder, "open", lambda _path: project)
+    found = first_images(tmp_path, "view-01", None)
+    assert [(event.camera, event.exposure_us, int(event.pixels[0, 0])) for event in found] == [("left", 80_000, 7), ("right", 80_000, 9)]
+    assert first_images(tmp_path, "view-09", None) == ()
+
+
+def test_a_view_that_stitching_left_out_says_so_with_its_reason(measurement):
+    from dataclasses import replace
+
+    from ui.pages.clouds import view_properties, view_verdict
+
+    view, placement = measurement.views[0], measurement.stitched.placements[0]
+    assert view_verdict(view, placement)[:2] == ("pass", "Good")
+    left_out = replace(placement, used=False, verdict="would have to move 0.18 mm: left out")
+    assert view_verdict(view, left_out) == ("fail", "Left out", "Would have to move 0.18 mm.")
+    assert view_properties(view, left_out).note == "Would have to move 0.18 mm."
+
+
+def test_the_name_of_a_dimension_is_words_but_a_letter_of_the_drawing_stays():
+    from ui.pages.inspection import dimension_words
+
+    assert dimension_words("sphere_5_diameter") == "Sphere 5 diameter"
+    assert dimension_words("a") == "a"

@@ -194,3 +194,26 @@ def test_a_folder_that_is_no_project_is_refused_in_words(application, window, qt
     qtbot.waitUntil(lambda: idle(application), timeout=10_000)
     assert application.session.messages[-1].level == "error"
     assert str(tmp_path) in application.session.messages[-1].text
+
+
+def test_the_name_of_the_project_is_shortened_only_where_it_does_not_fit(application, window, qtbot):
+    name = "Demo: gypsum, half resolution, 8 views, seed 1"
+    application.session.open_project(name, "gypsum", None)
+    window.resize(1366, 768)
+    qtbot.waitUntil(lambda: window.header.project.text().endswith("…"))
+    assert window.header.project.toolTip() == name
+    window.resize(1900, 768)
+    qtbot.waitUntil(lambda: window.header.project.text() == name)
+
+
+def test_a_quiet_job_that_ends_does_not_hide_the_running_one(application, qtbot):
+    session, controllers = application.session, application.controllers
+    gate = threading.Event()
+    controllers.jobs.run("Demo: gear", lambda _job: gate.wait(10), session.set_comparison)
+    qtbot.waitUntil(lambda: session.busy_with == "Demo: gear", timeout=5_000)
+    quiet = controllers.background.run("Comparing", lambda _job: None, session.set_comparison, quiet=True)
+    with qtbot.waitSignal(controllers.background.queue.emptied, timeout=5_000):
+        assert quiet.title == "Comparing"
+    assert session.busy_with == "Demo: gear"
+    gate.set()
+    qtbot.waitUntil(lambda: idle(application), timeout=5_000)

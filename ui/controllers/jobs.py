@@ -39,7 +39,7 @@ class JobRunner(QObject):
         job = Job(title, work)
         job.quiet = quiet
         if on_event is not None:
-            job.event.connect(on_event)
+            job.happened.connect(on_event)
         job.succeeded.connect(on_done)
         if on_stopped is not None:
             job.cancelled.connect(on_stopped)

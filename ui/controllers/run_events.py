@@ -12,7 +12,7 @@ from ui.workers.job import Job
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from measureapp.acquire.events import Event
+    from measureapp.acquire.events import Event, ImageTaken, RunEnded
 
 
 class RunEvents(QObject):
@@ -66,12 +66,12 @@ class RunEvents(QObject):
             case e.RunEnded():
                 self._ended(event)
 
-    def _capturing(self, event: Event) -> None:
+    def _capturing(self, event: ImageTaken) -> None:
         known = self._session.viewpoints.get(event.viewpoint_id)
         if known is not None and known.status in {"waiting", "moving"}:
             self._session.set_viewpoint(event.viewpoint_id, "capturing")
 
-    def _ended(self, event: Event) -> None:
+    def _ended(self, event: RunEnded) -> None:
         if event.reason == "failed":
             self._session.tell(event.message or "The scan failed.", "", "error")
         elif event.reason == "done":

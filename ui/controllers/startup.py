@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Slot
 
 from measureapp.errors import MeasureError
+from measureapp.progress import PartOf
 from ui.controllers.jobs import JobRunner
 from ui.session import DriverRow, Session
 
@@ -17,7 +18,8 @@ if TYPE_CHECKING:
     from measureapp.devices.plugin_loader import PluginRow
     from ui.workers.job import Job
 
-WARM_UP = ("scipy.optimize", "scipy.spatial", "numba", "open3d", "trimesh", "measureapp.pipeline", "measureapp.demo")
+WARM_UP = ("scipy.optimize", "scipy.spatial", "numba", "open3d", "trimesh", "measureapp.pipeline.warm_up", "measureapp.demo")
+IMPORTED_SHARE = 0.3
 DEFAULT_RIG = "paper"
 
 
@@ -85,7 +87,10 @@ def load_graphics(job: Job) -> str:
 def warm_up(job: Job) -> None:
     """Import what the first measurement needs and compile its kernels; runs on a job's thread."""
     for done, name in enumerate(WARM_UP):
-        job.report(done, len(WARM_UP), "Preparing the measurement")
+        job.report(IMPORTED_SHARE * done, len(WARM_UP), "Preparing the measurement")
         if importlib.util.find_spec(name) is None:
             raise MeasureError(f"The package {name} is missing.", "Run `python3 installer/bootstrap.py run` to repair the installation.")
         importlib.import_module(name)
+    from measureapp.pipeline.warm_up import warm_up as compile_kernels
+
+    compile_kernels(PartOf(job, IMPORTED_SHARE, 1.0, "Preparing the measurement: "))

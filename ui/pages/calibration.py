@@ -41,10 +41,10 @@ class CalibrationPage(Page):
         self.action_row.addWidget(figure)
         self.chart = BarChart(look)
         shares = card(
-            label("What the calibration adds to a point placed by the axes (1 σ)", "heading"), label(SHARES_TEXT, "soft"), 8, self.chart, 0
+            label("What the calibration adds to a point placed by the axes (1 σ)", "heading"), label(SHARES_TEXT, "soft"), 8, self.chart
         )
-        layout = column(self.table, shares, spacing=16)
-        layout.setStretch(1, 1)
+        layout = column(self.table, shares, 0, spacing=16)
+        layout.setStretch(1, 1000)
         self.body.setLayout(layout)
         self._rows: list[SolutionRow] = []
         session.calibrationChanged.connect(self._show)

@@ -32,8 +32,12 @@ EMPTY = (
     "Nothing measured yet",
     "An inspection program fits features to the measured points and compares their distances with the drawing.",
 )
-HEADERS = ["Dimension", "Nominal, mm", "Measured, mm", "Error, mm", "U, mm", "Verdict"]
-TABLE_WIDTH = 544
+HEADERS = ["Dimension", "Nominal", "Measured", "Error", "U", "Verdict"]
+UNLIMITED = 16_777_215  # Qt's largest height of a widget
+UNITS = "Lengths in mm, U for k = 2"
+TABLE_WIDTH, DEVIATION_HEIGHT = 520, 400
+SIDE_SHARES = (1000, 500, 1)  # the rest stays empty only when table and histogram have what they can use
+OUTLINE = (70, 82, 90)  # seen on the part in both themes
 DIGITS = {"mm": 3, "deg": 3, "°": 3}
 
 
@@ -54,10 +58,14 @@ class InspectionPage(ViewportPage):
         self.table.rowSelected.connect(self._select)
         fit = Button("Show all", look, "fit", "quiet", "Look at everything from the front")
         fit.clicked.connect(self.view.reset_camera)
-        tools = row(self.shape, 0, *self.summary.values(), 16, fit, spacing=16)
+        tools = row(self.shape, fit, 0, *self.summary.values(), label(UNITS, "small"), spacing=16)
         side = QWidget()
         side.setFixedWidth(TABLE_WIDTH)
-        side.setLayout(column(self.table, self.deviation, spacing=16))
+        beside = column(self.table, self.deviation, 0, spacing=16)
+        for place, share in enumerate(SIDE_SHARES):
+            beside.setStretch(place, share)
+        side.setLayout(beside)
+        self.deviation.setMaximumHeight(DEVIATION_HEIGHT)
         middle = row(card(self.view, margin=1), side, spacing=16)
         middle.setStretch(0, 1)
         layout = column(tools, middle, spacing=12)
@@ -85,11 +93,17 @@ class InspectionPage(ViewportPage):
     def _show_comparison(self) -> None:
         comparison = self.session.comparison
         self.deviation.show_comparison(comparison)
+        self._share_height()
         self.shape.set_available("deviation", comparison is not None)
         if comparison is not None:
             self.shape.setValue("deviation")
         elif self.shape.value() == "deviation":
             self.shape.setValue("surface")
+
+    def _share_height(self) -> None:
+        """Give the histogram what the table does not need."""
+        fitted = self.table.fitted_height() if self.session.comparison is not None else UNLIMITED
+        self.table.setMaximumHeight(fitted)
 
     def dimensions(self) -> tuple[Dimension, ...]:
         """Return the dimensions known."""
@@ -111,6 +125,7 @@ class InspectionPage(ViewportPage):
             f"{sentence_case(self.session.inspection.program)}. Aligned by {alignment.name}, {millimetres(alignment.rms_mm)} rms."
         )
         self.table.set_rows([dimension_cells(found) for found in dimensions])
+        self._share_height()
         if not self.table.currentIndex().isValid() and dimensions:
             self.table.selectRow(0)
         self._select(max(0, self.table.currentIndex().row()))
@@ -160,7 +175,7 @@ class InspectionPage(ViewportPage):
         mine = self._features(chosen) if chosen is not None else []
         quiet = [outline(feature) for feature in inspection.features if feature not in mine]
         theme = self.look.theme
-        layers = [LineLayer(tuple(line for line in quiet if len(line)), rgb(theme, "soft"), 1.5)]
+        layers = [LineLayer(tuple(line for line in quiet if len(line)), OUTLINE, 1.5)]
         labels = []
         if chosen is not None and mine:
             colour = theme.verdict(chosen.verdict)
@@ -216,7 +231,7 @@ def dimension_properties(dimension: Dimension, features: list[Feature]) -> Prope
             ("Tolerance", tolerance(dimension.lower_tolerance, dimension.upper_tolerance, unit)),
             ("Measured", quantity(dimension.measured, unit)),
             ("Error", quantity(dimension.error, unit, signed=True)),
-            ("Relative error", percent(dimension.relative_error, 2, signed=True)),
+            ("Relative error", percent(dimension.relative_error, 3, signed=True)),
             ("Uncertainty (k = 2)", quantity(dimension.uncertainty, unit)),
         ),
     )

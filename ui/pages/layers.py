@@ -68,7 +68,9 @@ def scale_end(colour_by: ColourBy, clouds: Collection[PointCloud | StitchedCloud
     """Return the upper end of the colour scale in mm."""
     if colour_by == "residual":
         return upper_end(np.array([placement.residual_mm for placement in placements]))
-    return upper_end(np.concatenate([cloud.sigma_mm[:: max(1, len(cloud) // SCALE_SAMPLES)] for cloud in clouds]) if clouds else np.empty(0))
+    return upper_end(
+        np.concatenate([cloud.sigma_mm[:: max(1, len(cloud) // SCALE_SAMPLES)] for cloud in clouds]) if clouds else np.empty(0)
+    )
 
 
 def view_layer(

@@ -54,7 +54,8 @@ class Page(QWidget):
         """Show the body, or the empty state."""
         self._stack.setCurrentWidget(self.body if filled else self.empty)
         for place in range(self.action_row.count()):
-            widget = self.action_row.itemAt(place).widget()
+            item = self.action_row.itemAt(place)
+            widget = item.widget() if item is not None else None
             if widget is not None:
                 widget.setVisible(filled)
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ui.look.wording import millimetres, percent, quantity
+from ui.look.wording import NOTHING, millimetres, percent, quantity, several
 from ui.widgets.properties_panel import Group, Properties
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ class PickedPoint:
     grey: float
     pixel: tuple[int, int] | None  # row, column; None where it is not known
     cameras: int  # how many cameras saw it
-    merged_mm: float | None = None  # how far merging moved it
+    nearest_mm: float | None = None  # from a merged point to the measured one whose pixel is told
 
 
 def view_point(viewpoint_id: str, cloud: PointCloud, place: int) -> PickedPoint:
@@ -58,14 +58,14 @@ def merged_point(stitched: StitchedCloud, visible: Collection[int], place: int, 
 def point_properties(point: PickedPoint) -> Properties:
     """Return what there is to know about one point."""
     x, y, z = (quantity(float(value), "mm") for value in point.position_mm)
-    pixel = "–" if point.pixel is None else f"row {point.pixel[0]}, column {point.pixel[1]}"
+    pixel = NOTHING if point.pixel is None else f"{point.pixel[0]}, {point.pixel[1]}"
     measured = [
         ("View", point.viewpoint_id),
-        ("Pixel", pixel),
+        ("Pixel (row, column)", pixel),
         ("Standard deviation σ", millimetres(point.sigma_mm)),
         ("Brightness", percent(point.grey, 0)),
-        ("Seen by", f"{point.cameras} cameras" if point.cameras else "–"),
+        ("Seen by", several(point.cameras, "camera") if point.cameras else NOTHING),
     ]
-    if point.merged_mm is not None:
-        measured.append(("Distance to its pixel's point", millimetres(point.merged_mm)))
+    if point.nearest_mm is not None:
+        measured.append(("Nearest point of the view", millimetres(point.nearest_mm)))
     return Properties("Point", (Group("Place on the part", (("x", x), ("y", y), ("z", z))), Group("How it was measured", tuple(measured))))

@@ -86,7 +86,11 @@ class RigPage(Page):
         others = (
             ("Projector", rig.projector.model, f"{rig.projector.width_px} × {rig.projector.height_px} px"),
             ("Robot", rig.robot.model, f"Reach {rig.robot.max_reach_mm:.0f} mm · repeatability {millimetres(rig.robot.repeatability_mm)}"),
-            ("Linear guide", rig.guide.model, f"{quantity(low, '', 0)} … {quantity(high, '', 0)} mm · repeatability {millimetres(rig.guide.repeatability_mm)}"),
+            (
+                "Linear guide",
+                rig.guide.model,
+                f"{quantity(low, '', 0)} … {quantity(high, '', 0)} mm · repeatability {millimetres(rig.guide.repeatability_mm)}",
+            ),
             ("Rotary table", rig.table.model, f"⌀ {rig.table.diameter_mm:.0f} mm · accuracy {rig.table.accuracy_arcsec:g}″"),
         )
         return rows + [[Cell(name, bold=True), Cell(model), Cell(words), driver] for name, model, words in others]

@@ -33,8 +33,8 @@ class NativeView(QWidget):
         self._window.AddRenderer(scene.renderer)
         style = vtkInteractorStyleTrackballCamera()
         self._interactor.SetInteractorStyle(style)
-        style.AddObserver("StartInteractionEvent", self._begin_move)
-        style.AddObserver("EndInteractionEvent", self._end_move)
+        style.AddObserver("StartInteractionEvent", self._begin_move)  # type: ignore[arg-type]
+        style.AddObserver("EndInteractionEvent", self._end_move)  # type: ignore[arg-type]
         self._interactor.Initialize()
         self._pressed_at, self._was_framed = (0, 0), True
         self._rest = QTimer(self)

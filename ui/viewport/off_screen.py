@@ -35,7 +35,7 @@ class OffScreenView(QWidget):
         self._interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
         self._interactor.EnableRenderOff()
         self._interactor.Initialize()
-        self._interactor.AddObserver("RenderEvent", self._on_render_wanted)
+        self._interactor.AddObserver("RenderEvent", self._on_render_wanted)  # type: ignore[arg-type]
         self._pressed_at = QPointF()
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)

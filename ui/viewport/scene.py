@@ -17,7 +17,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProp, vt
 from ui.viewport.layers import CloudLayer, Label, LineLayer, SurfaceLayer, shuffled_prefix
 
 MOVING_POINTS = 150_000
-STILL_POINTS = 1_000_000
+STILL_POINTS = 1_500_000
 READABLE_AMBIENT = 0.78
 FINE_FROM = 200_000  # points; fewer are drawn larger
 TWO_SIDED = "//VTK::Normal::Impl\n  if (normalVCVSOutput.z < 0.0) { normalVCVSOutput = -normalVCVSOutput; }\n"

@@ -20,8 +20,11 @@ class ColourScale(QWidget):
         self._colours = np.zeros((2, 3))
         self.low, self.high, self.name = 0.0, 1.0, ""
         self.setFixedHeight(40)
-        self.setMinimumWidth(160)
+        self.setMinimumWidth(280)
         self.setMaximumWidth(304)
+        kept = self.sizePolicy()
+        kept.setRetainSizeWhenHidden(True)  # the row above the picture keeps its height
+        self.setSizePolicy(kept)
         look.changed.connect(self.update)
 
     def show_scale(self, name: str, colours: np.ndarray, low: float, high: float) -> None:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import cast
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QFileDialog, QFormLayout, QSpinBox, QWidget
 
-from ui.look.demo_settings import DemoSettings
+from ui.look.demo_settings import DemoSettings, Resolution
 from ui.widgets.segments import Segments
 
 PARTS = {"gypsum": "Gypsum cross", "impeller": "Impeller", "gear": "Gear", "sphere_plate": "Sphere plate", "flat": "Flat plate"}
@@ -57,7 +58,8 @@ class DemoForm(QWidget):
 
     def value(self) -> DemoSettings:
         """Return what is set."""
-        return DemoSettings(self._part.currentData(), self._resolution.value(), self._viewpoints.value(), self._seed.value())
+        resolution = cast(Resolution, self._resolution.value())
+        return DemoSettings(self._part.currentData(), resolution, self._viewpoints.value(), self._seed.value())
 
     def setValue(self, settings: DemoSettings) -> None:
         """Show other settings."""

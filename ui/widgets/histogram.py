@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.look.look import Look
 from ui.look.wording import millimetres
@@ -25,6 +25,7 @@ class Histogram(QWidget):
         self.counts = np.zeros(BINS, int)
         self.end_mm = 0.0
         self.setMinimumSize(240, 132)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         look.changed.connect(self.update)
 
     def show_values(self, values_mm: np.ndarray, colours: np.ndarray, end_mm: float) -> None:

@@ -69,8 +69,9 @@ class JobStrip(QFrame):
         self.cancel.setEnabled(True)
         self.cancel.setText("Cancel")
         self._started = time.monotonic()
-        if self.layout() is not None:
-            self.layout().activate()
+        layout = self.layout()
+        if layout is not None:
+            layout.activate()
             self._fit_message()
 
     def show_progress(self, share: float, note: str) -> None:

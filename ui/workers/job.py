@@ -25,7 +25,7 @@ class Job(QThread):
     """
 
     progressed = Signal(float, str)  # share 0…1, note
-    event = Signal(object)
+    happened = Signal(object)  # whatever the work tells by `emit_event`
     succeeded = Signal(object)
     failed = Signal(object)  # MeasureError
     cancelled = Signal()
@@ -76,7 +76,7 @@ class Job(QThread):
 
     def emit_event(self, event: object) -> None:
         """Send something that became known to the window."""
-        self.event.emit(event)
+        self.happened.emit(event)
 
     def cancel(self) -> None:
         """Ask the work to stop at its next report; may be called from any thread."""

@@ -1,0 +1,57 @@
+"""After the warm-up nothing is left to compile."""
+
+from __future__ import annotations
+
+from types import ModuleType
+
+import pytest
+
+from measureapp.fringe import kernels as fringe_kernels
+from measureapp.pipeline.warm_up import warm_up
+from measureapp.progress import CallbackProgress, Cancelled
+from measureapp.reconstruct.kernels import borders, cleaning, fusing, matching
+from measureapp.reconstruct.reconstruct import reconstruct
+from measureapp.register import kernels as register_kernels
+from measureapp.register.prepare import prepare
+from tests.reconstruct.conftest import make_head, plane
+
+MEASURING = (fringe_kernels, borders, cleaning, fusing, matching, register_kernels)
+
+
+def compiled(module: ModuleType) -> dict[str, int]:
+    """How many versions every kernel of a module has in this process."""
+    return {name: len(found.signatures) for name, found in vars(module).items() if hasattr(found, "signatures")}
+
+
+def test_every_kernel_that_measures_is_compiled_by_the_warm_up() -> None:
+    reports: list[tuple[float, str]] = []
+    warm_up(CallbackProgress(lambda done, total, note: reports.append((done / total, note))))
+    counts = {f"{module.__name__}.{name}": count for module in MEASURING for name, count in compiled(module).items()}
+    assert len(counts) > 20
+    called_from_kernels = {"fast_atan2", "native_pixel", "look", "variance_at", "direction_at", "slope_along", "solve_row", "root_of"}
+    assert {name for name, count in counts.items() if count == 0 and name.split(".")[-1] not in called_from_kernels} == set()
+    shares = [share for share, _ in reports]
+    assert shares == sorted(shares) and shares[0] == 0 and shares[-1] == 1
+
+
+@pytest.mark.parametrize("names", [("left", "right"), ("left", "right", "upper")])
+def test_a_measurement_after_it_compiles_nothing(names: tuple[str, ...]) -> None:
+    warm_up()
+    before = [compiled(module) for module in MEASURING]
+    head = make_head(16, names)
+    made = reconstruct(head.phase_maps(plane(550, 0.2, 0.1), 0.01, 1), head.cameras)
+    prepare(made.cloud, 5.0)
+    assert [compiled(module) for module in MEASURING] == before
+
+
+def test_it_stops_between_two_stages_when_asked() -> None:
+    notes = []
+
+    def stop_at_the_third(_done: float, _total: float, note: str) -> None:
+        notes.append(note)
+        if len(notes) == 3:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        warm_up(CallbackProgress(stop_at_the_third))
+    assert len(notes) == 3

@@ -1,0 +1,119 @@
+"""Deviations from the drawing: computed beside the window, shown with a legend."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from measureapp.data.mesh import Mesh
+from ui.controllers import comparison as comparisons
+from ui.controllers.comparison import Comparison
+from ui.look.look import Look
+from ui.pages.deviation_card import DeviationCard, scale_end_mm
+from ui.pages.layers import deviation_layers, vertex_normals
+from ui.viewport.colouring import DIVERGING, UNKNOWN
+from ui.widgets.histogram import BINS, Histogram
+
+
+@pytest.fixture
+def compared(measurement, tmp_path, monkeypatch) -> Comparison:
+    """The measured ball (radius 60 mm, noise free) against a drawing of 59.9 mm, of which the lower half was not measured."""
+    import trimesh
+
+    from measureapp.project import folder as folders
+    from measureapp.project import geometry_files
+
+    ball = trimesh.creation.icosphere(subdivisions=4, radius=59.9)
+    nominal = Mesh(np.asarray(ball.vertices) + [0, 0, 60.0], ball.faces, "nominal")
+    (tmp_path / "project.json").write_text("{}")
+    monkeypatch.setattr(folders.ProjectFolder, "open", lambda _path: SimpleNamespace(nominal=tmp_path / "nominal.stl"))
+    monkeypatch.setattr(geometry_files, "read_mesh", lambda _path, _frame: nominal)
+    stitched = measurement.stitched
+    upper = stitched.points_mm[:, 2] > 60.0
+    half = type(stitched)(
+        stitched.points_mm[upper],
+        stitched.normals[upper],
+        stitched.sigma_mm[upper],
+        stitched.grey[upper],
+        stitched.view[upper],
+        stitched.placements,
+    )
+    job = SimpleNamespace(report=lambda *_: None, check=lambda: None)
+    found = comparisons.compared(half, measurement.inspection.alignment, tmp_path, job)
+    assert found is not None
+    return found
+
+
+def test_points_outside_the_drawing_deviate_by_their_distance_and_what_no_point_lies_near_is_not_measured(compared):
+    assert compared.deviation.mean_mm == pytest.approx(0.1, abs=0.06)  # facets of the drawing lie up to 0.05 mm inside its ball
+    assert (compared.deviation.distances_mm > 0).all()
+    assert np.mean(compared.unmeasured_mm[:, 2] < 60.0) > 0.9
+    assert compared.deviation.unmeasured_share == pytest.approx(0.5, abs=0.1)
+
+
+def test_places_not_measured_are_grey_and_never_a_colour_of_the_scale(compared):
+    points, missing = deviation_layers(compared, np.zeros_like(compared.deviation.points_mm), scale_end_mm(compared))
+    assert (missing.colours == UNKNOWN).all()
+    assert points.to_read and missing.to_read
+    assert not (np.abs(points.colours.astype(int) - UNKNOWN).max(axis=1) == 0).any()
+
+
+def test_the_card_sums_up_the_deviations_in_words(qtbot, compared):
+    card = DeviationCard(Look("light"))
+    qtbot.addWidget(card)
+    card.show_comparison(compared)
+    assert "rms" in card.words.text()
+    assert "mm" in card.words.text()
+    assert card.unmeasured.text().startswith("Not measured: ")
+    assert card.histogram.counts.sum() == len(compared.stitched)
+    card.show_comparison(None)
+    assert card.isHidden()
+
+
+def test_the_histogram_counts_what_lies_beyond_its_scale_in_the_outermost_bars(qtbot):
+    histogram = Histogram(Look("light"))
+    qtbot.addWidget(histogram)
+    histogram.show_values(np.array([-9.0, -0.001, 0.001, 0.002, 7.0, 8.0]), DIVERGING, 0.05)
+    assert histogram.counts[0] == 1
+    assert histogram.counts[-1] == 2
+    assert histogram.counts.sum() == 6
+    assert len(histogram.counts) == BINS
+
+
+def test_the_histogram_has_the_colours_of_the_picture(qtbot):
+    histogram = Histogram(Look("light"))
+    qtbot.addWidget(histogram)
+    histogram.show_values(np.linspace(-0.05, 0.05, 500), DIVERGING, 0.05)
+    histogram.resize(480, 160)
+    picture = histogram.grab().toImage()
+    left, right = picture.pixelColor(6, 160 - 20 - 10), picture.pixelColor(474, 160 - 20 - 10)
+    assert left.blue() - left.red() > 80
+    assert right.red() - right.blue() > 80
+
+
+def test_the_inspection_page_shows_deviations_once_they_are_known_and_forgets_them_with_the_project(
+    application, window, measurement, compared, qtbot
+):
+    session, page = application.session, window.pages["inspection"]
+    window.show_page("inspection")
+    session.set_measurement(measurement, {})
+    assert page.shape.value() == "surface"
+    assert not page.deviation.isVisible()
+    session.set_comparison(compared)
+    assert page.shape.value() == "deviation"
+    assert page.deviation.isVisible()
+    qtbot.waitUntil(lambda: len(page.view._clouds) == 2, timeout=10_000)
+    session.open_project("other", "gear", None)
+    assert session.comparison is None
+    assert page.shape.value() == "surface"
+
+
+def test_normals_of_a_dense_surface_point_away_from_a_ball():
+    import trimesh
+
+    ball = trimesh.creation.icosphere(subdivisions=3, radius=10.0)
+    vertices = np.asarray(ball.vertices)
+    normals = vertex_normals(vertices, np.asarray(ball.faces))
+    assert np.einsum("nd,nd->n", normals, vertices / 10.0).min() > 0.999
