@@ -18,7 +18,6 @@ for name in ("DISPLAY", "WAYLAND_DISPLAY"):
 
 import pytest  # noqa: E402
 
-pytest_plugins = ["demo_fixture"]
 GRACE_S = 2.0
 LIBRARY_THREADS = ("pytest_timeout", "execnet", "tqdm", "IPythonHistory")  # kept by libraries, ended by them
 LIBRARY_WIDGETS = ("QTipLabel",)  # the one tool tip Qt keeps
@@ -31,6 +30,15 @@ def _user_settings_untouched(tmp_path_factory: pytest.TempPathFactory) -> Iterat
         for name in ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME"):
             patch.setenv(name, str(home / name.lower()))
         yield
+
+
+@pytest.fixture(scope="session")
+def demo(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
+    """The one demo of the whole suite, a `demo_fixture.Demo`; it runs when the first test asks for it."""
+    from demo_fixture import finished_demo
+
+    with finished_demo(tmp_path_factory.mktemp("demo") / "project") as finished:
+        yield finished
 
 
 @pytest.fixture(autouse=True)

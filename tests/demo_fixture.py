@@ -11,8 +11,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import pytest
-
 from measureapp.cli import main
 from measureapp.project.folder import ProjectFolder
 
@@ -34,10 +32,9 @@ class Demo:
         return ProjectFolder.open(self.folder)
 
 
-@pytest.fixture(scope="session")
-def demo(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Demo]:
-    """Gypsum, quarter resolution, six views, run by the command line."""
-    folder = tmp_path_factory.mktemp("demo") / "project"
+@contextlib.contextmanager
+def finished_demo(folder: Path) -> Iterator[Demo]:
+    """Run it by the command line: gypsum, quarter resolution, six views; removed at the end."""
     out, err = io.StringIO(), io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
         code = main(["demo", *REQUEST, "--out", str(folder), "--json"])

@@ -95,7 +95,7 @@ class MainWindow(QMainWindow):
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask before a running job is given up; wait until its thread has ended."""
         running = self.controllers.jobs.queue.running
-        if running is not None and not self._may_stop(running.title):
+        if running is not None and not running.quiet and not self._may_stop(running.title):
             event.ignore()
             return
         self._disk_timer.stop()

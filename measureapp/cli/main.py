@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import io
 import json
 import pkgutil
 import sys
@@ -47,6 +48,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code; never lets a traceback out for bad input."""
     arguments = list(sys.argv[1:] if argv is None else argv)
     as_json = "--json" in arguments
+    _write_what_can_be_written()
     try:
         outcome = build()(args=arguments, prog_name="measureapp", standalone_mode=False)
         return outcome if isinstance(outcome, int) else DONE
@@ -63,6 +65,13 @@ def main(argv: Sequence[str] | None = None) -> int:
     except OSError as error:
         message = f"{error.filename or 'A file'}: {error.strerror or error}."
         return _refuse("StorageError", message, "Check the path, the free space and the permissions.", as_json, BAD_INPUT)
+
+
+def _write_what_can_be_written() -> None:
+    """Let a terminal or file whose encoding lacks a character (✓, σ, µ) get a question mark instead of a traceback."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")
 
 
 def _refuse_usage(message: str, as_json: bool) -> int:

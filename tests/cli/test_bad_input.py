@@ -6,6 +6,8 @@ import errno
 import json
 import os
 import shutil
+import subprocess
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -23,6 +25,7 @@ from measureapp.project.rig_file import read_rig
 from measureapp.resources import resource
 from tests.cli.fringe_sets import write_paper_set
 
+ROOT = Path(__file__).resolve().parents[2]
 NOMINAL = str(resource("parts/gypsum/nominal.stl"))
 PROGRAM = str(resource("parts/gypsum/program.toml"))
 JUNK = ("absent", "folder", "empty", "garbage")
@@ -406,3 +409,15 @@ def test_a_project_without_images_has_nothing_to_process(tmp_path: Path, capsys)
 def test_a_path_that_no_system_can_have_is_refused(shelf: Path, capsys) -> None:
     for line in ("compare NOMINAL NOMINAL --align IN", "fit plane IN", "process IN"):
         refused(capsys, filled(line, shelf, Path("out"), "\0"))
+
+
+def test_an_encoding_that_lacks_a_character_gets_a_question_mark(tmp_path: Path) -> None:
+    points = tmp_path / "points.xyz"
+    np.savetxt(points, np.random.default_rng(5).normal(0, [10, 10, 0.01], (50, 3)))
+    code = "import sys; from measureapp.cli import main; sys.exit(main(['fit', 'plane', sys.argv[1]]))"
+    environment = {**os.environ, "PYTHONIOENCODING": "ascii", "PYTHONPATH": str(ROOT)}
+    done = subprocess.run(
+        [sys.executable, "-c", code, str(points)], env=environment, capture_output=True, text=True, check=False, timeout=60
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "? position_mm" in done.stdout  # σ

@@ -26,19 +26,16 @@ def compared(measurement, tmp_path, monkeypatch) -> Comparison:
     from measureapp.project import geometry_files
 
     ball = trimesh.creation.icosphere(subdivisions=4, radius=59.9)
-    nominal = Mesh(np.asarray(ball.vertices) + [0, 0, 60.0], ball.faces, "nominal")
+    nominal = Mesh(np.asarray(ball.vertices) + np.array([0, 0, 60.0]), ball.faces, "nominal")
     (tmp_path / "project.json").write_text("{}")
     monkeypatch.setattr(folders.ProjectFolder, "open", lambda _path: SimpleNamespace(nominal=tmp_path / "nominal.stl"))
     monkeypatch.setattr(geometry_files, "read_mesh", lambda _path, _frame: nominal)
-    stitched = measurement.stitched
-    upper = stitched.points_mm[:, 2] > 60.0
+    normals = np.random.default_rng(5).normal(size=(80_000, 3))
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    normals = normals[normals[:, 2] > 0]
+    count, stitched = len(normals), measurement.stitched
     half = type(stitched)(
-        stitched.points_mm[upper],
-        stitched.normals[upper],
-        stitched.sigma_mm[upper],
-        stitched.grey[upper],
-        stitched.view[upper],
-        stitched.placements,
+        normals * 60.0 + [0, 0, 60.0], normals, np.full(count, 0.01), np.full(count, 0.5), np.zeros(count, int), stitched.placements
     )
     job = SimpleNamespace(report=lambda *_: None, check=lambda: None)
     found = comparisons.compared(half, measurement.inspection.alignment, tmp_path, job)

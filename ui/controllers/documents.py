@@ -43,7 +43,11 @@ class DocumentsController(QObject):
         measurement, folder = self._session.measurement, self._session.folder
         if measurement is not None:
             self._runner.run(
-                "Drawing the report", lambda job: page_images(measurement, folder, job), self._show_pages, on_stopped=self._no_pages
+                "Drawing the report",
+                lambda job: page_images(measurement, folder, job),
+                self._show_pages,
+                on_stopped=self._no_pages,
+                quiet=True,
             )
 
     @Slot(object)
