@@ -209,7 +209,7 @@ def test_the_name_of_the_project_is_shortened_only_where_it_does_not_fit(applica
 def test_a_quiet_job_that_ends_does_not_hide_the_running_one(application, qtbot):
     session, controllers = application.session, application.controllers
     gate = threading.Event()
-    controllers.jobs.run("Demo: gear", lambda _job: gate.wait(10), session.set_comparison)
+    controllers.jobs.run("Demo: gear", lambda _job: gate.wait(10) and None, session.set_comparison)
     qtbot.waitUntil(lambda: session.busy_with == "Demo: gear", timeout=5_000)
     quiet = controllers.background.run("Comparing", lambda _job: None, session.set_comparison, quiet=True)
     with qtbot.waitSignal(controllers.background.queue.emptied, timeout=5_000):
