@@ -13,18 +13,30 @@ from PySide6.QtCore import QObject, Signal
 from ui.workers.mailbox import Mailboxes
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from measureapp.acquire.events import ImageTaken
     from measureapp.data.calibration import RigCalibration
     from measureapp.data.cloud import StitchedCloud
     from measureapp.data.measurement import Inspection, Measurement, ViewResult
     from measureapp.data.plan import ScanPlan
     from measureapp.data.rig import RigDescription
-    from ui.controllers.comparison import Comparison
+    from measureapp.inspection.deviation import Deviation
 
 Level = Literal["info", "done", "warning", "error"]
 ViewpointStatus = Literal["waiting", "moving", "capturing", "stored", "processed", "failed"]
 Role = Literal["operator", "engineer"]
 GraphicsState = Literal["preparing", "ready", "failed"]
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """Deviations of one cloud, and the places of the drawing that were not measured."""
+
+    stitched: StitchedCloud
+    deviation: Deviation
+    unmeasured_mm: np.ndarray  # (M, 3), in the nominal's frame
+    unmeasured_normals: np.ndarray  # (M, 3)
 
 
 @dataclass(frozen=True)

@@ -9,10 +9,10 @@ import pytest
 
 from measureapp.data.mesh import Mesh
 from ui.controllers import comparison as comparisons
-from ui.controllers.comparison import Comparison
 from ui.look.look import Look
 from ui.pages.deviation_card import DeviationCard, scale_end_mm
 from ui.pages.layers import deviation_layers, vertex_normals
+from ui.session import Comparison
 from ui.viewport.colouring import DIVERGING, UNKNOWN
 from ui.widgets.histogram import BINS, Histogram
 

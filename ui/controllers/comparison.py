@@ -2,35 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QObject, Slot
 
 from ui.controllers.jobs import JobRunner
-from ui.session import Session
+from ui.session import Comparison, Session
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from measureapp.data.cloud import StitchedCloud
     from measureapp.data.measurement import Alignment
-    from measureapp.inspection.deviation import Deviation
     from ui.workers.job import Job
 
 NEAR_MM = 2.0  # a place of the drawing without a point this close counts as not measured
 PLACES = 60_000
-
-
-@dataclass(frozen=True, eq=False)
-class Comparison:
-    """Deviations of one cloud, and the places of the drawing that were not measured."""
-
-    stitched: StitchedCloud
-    deviation: Deviation
-    unmeasured_mm: np.ndarray  # (M, 3), in the nominal's frame
-    unmeasured_normals: np.ndarray  # (M, 3)
 
 
 class ComparisonController(QObject):

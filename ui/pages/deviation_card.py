@@ -13,7 +13,7 @@ from ui.widgets.basic import column, label, row
 from ui.widgets.histogram import Histogram
 
 if TYPE_CHECKING:
-    from ui.controllers.comparison import Comparison
+    from ui.session import Comparison
 
 
 class DeviationCard(QFrame):

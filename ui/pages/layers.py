@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import ViewResult
     from measureapp.data.mesh import Mesh
     from measureapp.geometry.transform import RigidTransform
-    from ui.controllers.comparison import Comparison
+    from ui.session import Comparison
 
 DENSE_TRIANGLES = 150_000  # so dense that rounded edges are not seen
 SCALE_SAMPLES = 20_000  # of each cloud decide the end of the scale
