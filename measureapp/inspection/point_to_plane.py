@@ -14,6 +14,7 @@ from measureapp.inspection.settings import AlignmentSettings
 
 ROBUST_SIGMA = 1.4826  # median absolute deviation of a normal distribution to its σ
 TUKEY = 4.685
+COOLING = 0.6
 DETERMINED = 2e-4  # eigenvalue over the greatest, below which a motion is left open
 STILL_MM = 1e-5
 MOTIONS = ("turn about x", "turn about y", "turn about z", "shift along x", "shift along y", "shift along z")
@@ -49,6 +50,7 @@ def register(
     """
     matrix = np.array(start, float)
     reach = 0.05 * surface.diagonal_mm if reach_mm is None else reach_mm
+    annealed = reach  # wide at first: where half of the points fit already, the scatter alone would leave the other half out for good
     undetermined: tuple[str, ...] = ()
     for _ in range(settings.iterations if iterations is None else iterations):
         moved, closest, residual, counts = _matched(points, surface, matrix, settings, reach)
@@ -56,12 +58,18 @@ def register(
             reach *= 2
             continue
         scale = ROBUST_SIGMA * float(np.median(np.abs(residual[counts])))
-        width = max(TUKEY * scale, 1e-4 * surface.diagonal_mm)
+        narrow = max(TUKEY * scale, 1e-4 * surface.diagonal_mm)
+        width = max(narrow, annealed)
+        annealed *= COOLING
         weights = np.where(counts & (np.abs(residual) < width), (1 - np.minimum(np.abs(residual) / width, 1) ** 2) ** 2, 0.0)
         step, undetermined = _step(moved, closest.normals, residual, weights, surface.diagonal_mm / 2)
         matrix = step @ matrix
         reach = max(0.7 * reach, 3 * width, 0.01 * surface.diagonal_mm)
-        if np.linalg.norm(step[:3, 3]) < STILL_MM and np.abs(step[:3, :3] - np.eye(3)).max() * surface.diagonal_mm < STILL_MM:
+        if (
+            width == narrow
+            and np.linalg.norm(step[:3, 3]) < STILL_MM
+            and np.abs(step[:3, :3] - np.eye(3)).max() * surface.diagonal_mm < STILL_MM
+        ):
             break
     return _summary(points, surface, matrix, settings, undetermined)
 
