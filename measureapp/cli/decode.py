@@ -37,8 +37,8 @@ def register(app: typer.Typer) -> None:
         kind = "gray-code" (most significant bit first; complementary = true when a shifted last plane follows); each with
         images = { camera = ["file", …] }.
 
-        A phase map holds phase_rad, sigma_rad, modulation, exposure_index and mask: 0 valid, 1 saturated, 2 dark,
-        3 order conflict, 4 out of range, 5 edge.
+        A phase map holds phase_rad, sigma_rad, modulation, exposure_index and mask: 0 valid, 1 saturated, 2 weak
+        modulation, 3 shadow, 4 order conflict, 5 out of range, 6 edge, 7 blooming.
         """
         from measureapp.fringe.decode import decode as decode_stack
         from measureapp.project.fringe_manifest import read_manifest

@@ -7,17 +7,21 @@ from dataclasses import dataclass
 from math import tau
 from typing import Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from measureapp.arrays import ImageArray
 from measureapp.data.model import Model
 from measureapp.geometry.transform import RigidTransform
 
 
+Direction = Literal["vertical", "horizontal"]  # of the fringes: the phase of vertical ones grows with the projector's column
+
+
 class PhaseShiftGroup(Model):
     """Equally shifted sinusoids of one pitch: image n is A + B cos(phase + shift_sign · 2πn/steps)."""
 
     kind: Literal["phase-shift"] = "phase-shift"
+    direction: Direction = "vertical"
     pitch_px: float = Field(gt=2, description="period in projector pixels")
     steps: int = Field(default=4, ge=3)
 
@@ -31,6 +35,7 @@ class GrayCodeGroup(Model):
     """Binary planes, most significant first, that number the periods; with ``complementary`` the last is shifted by half a period."""
 
     kind: Literal["gray-code"] = "gray-code"
+    direction: Direction = "vertical"
     planes: int = Field(ge=1, description="all planes, the complementary one included")
     complementary: bool = False
 
@@ -44,17 +49,50 @@ PatternGroup = PhaseShiftGroup | GrayCodeGroup
 
 
 class PatternSet(Model):
-    """The images projected at one viewpoint, in order; fringes stand vertical, the phase grows with the projector's column."""
+    """The images projected at one viewpoint, in order: first all groups of vertical fringes, then those of horizontal ones."""
 
     name: str
-    projector_px: int = Field(gt=0, description="columns the phase runs over")
+    projector_px: int = Field(gt=0, description="columns the phase of vertical fringes runs over")
+    projector_rows: int | None = Field(default=None, gt=0, description="rows the phase of horizontal fringes runs over")
     groups: tuple[PatternGroup, ...] = Field(min_length=1)
     shift_sign: Literal[-1, 1] = -1
+
+    @model_validator(mode="after")
+    def _directions_follow_each_other(self) -> PatternSet:
+        directions = [group.direction for group in self.groups]
+        if directions != sorted(directions, reverse=True):
+            raise ValueError("groups of vertical fringes must come before those of horizontal ones")
+        if "horizontal" in directions and self.projector_rows is None:
+            raise ValueError("horizontal fringes need projector_rows")
+        return self
 
     @property
     def count(self) -> int:
         """How many images the set has."""
         return sum(group.count for group in self.groups)
+
+    @property
+    def directions(self) -> tuple[Direction, ...]:
+        """The directions of its fringes, vertical first."""
+        return tuple(dict.fromkeys(group.direction for group in self.groups))
+
+    def along(self, direction: Direction) -> tuple[PatternSet, slice]:
+        """Return the groups of one direction as a set of their own, and which images they are.
+
+        The set's ``projector_px`` is the extent its phase runs over: columns for vertical fringes, rows for horizontal ones.
+        Raises ValueError when there are none.
+        """
+        groups = tuple(group for group in self.groups if group.direction == direction)
+        first = 0 if direction == self.groups[0].direction else self.count - sum(group.count for group in groups)
+        extent = self.projector_px if direction == "vertical" else self.projector_rows
+        alone = PatternSet(
+            name=f"{self.name} ({direction})" if len(self.directions) > 1 else self.name,
+            projector_px=extent or self.projector_px,
+            projector_rows=self.projector_rows,
+            groups=groups,
+            shift_sign=self.shift_sign,
+        )
+        return alone, slice(first, first + alone.count)
 
     @property
     def pitches_px(self) -> tuple[float, ...]:

@@ -12,14 +12,16 @@ from measureapp.arrays import BoolArray, FloatArray, IntArray
 
 
 class PixelState(IntEnum):
-    """Why a pixel has a phase, or has none."""
+    """Why a pixel has a phase, or has none; the first reason that applies."""
 
     VALID = 0
     SATURATED = 1  # in every exposure
-    DARK = 2  # a grey level of 0, or weak modulation
-    ORDER_CONFLICT = 3  # the fringe orders of the pitches or bits contradict each other
-    OUT_OF_RANGE = 4  # phase outside the projector
-    EDGE = 5  # at a depth step: phase of two surfaces mixed
+    WEAK_MODULATION = 2  # light, but too little of it follows the pattern, or its phase is too uncertain
+    SHADOW = 3  # no light of the projector
+    ORDER_CONFLICT = 4  # the fringe orders of the pitches or bits contradict each other
+    OUT_OF_RANGE = 5  # phase outside the projector
+    EDGE = 6  # at a depth step: phase of two surfaces mixed
+    BLOOMING = 7  # beside a saturated pixel that spills over
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -40,6 +42,7 @@ class PhaseMap:
     valid_ratio_composite: float = 0.0
     details: dict[str, float] = field(default_factory=dict)
     saturation: float = 255.0  # grey level of a saturated pixel
+    across: PhaseMap | None = None  # of the horizontal fringes, where the set has both directions
 
     @property
     def valid(self) -> BoolArray:

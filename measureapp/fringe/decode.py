@@ -86,7 +86,7 @@ def _states(
     state = np.full(saturated.shape, PixelState.VALID, np.uint8)
     state[outside] = PixelState.OUT_OF_RANGE
     state[absolute.conflict] = PixelState.ORDER_CONFLICT
-    state[dark | (absolute.sigma_rad > settings.max_sigma_rad)] = PixelState.DARK
+    state[dark | (absolute.sigma_rad > settings.max_sigma_rad)] = PixelState.WEAK_MODULATION
     state[saturated] = PixelState.SATURATED
     state[_edges(absolute.phase_rad, np.asarray(state == PixelState.VALID), settings.edge_step_rad)] = PixelState.EDGE
     return state

@@ -147,7 +147,8 @@ def decode_figures(phase_map: PhaseMap) -> dict[str, Any]:
 
 def _completeness(maps: Mapping[str, PhaseMap], pixels: np.typing.NDArray[Any]) -> float:
     """Points over the pixels of the reference camera that see projected light."""
-    lit = int(np.count_nonzero(next(iter(maps.values())).state != PixelState.DARK))
+    unlit = (PixelState.SHADOW, PixelState.WEAK_MODULATION)
+    lit = int(np.count_nonzero(~np.isin(next(iter(maps.values())).state, unlit)))
     return min(1.0, len(pixels) / lit) if lit else 0.0
 
 

@@ -87,7 +87,7 @@ class Head:
             sigma_rad=np.where(lit, sigma_rad, 0).astype(np.float32),
             modulation=np.where(lit, 80, 0).astype(np.float32),
             grey=np.full(shape, 102, np.float32),
-            state=np.where(lit, PixelState.VALID, PixelState.DARK).astype(np.uint8),
+            state=np.where(lit, PixelState.VALID, PixelState.SHADOW).astype(np.uint8),
             exposure_index=np.zeros(shape, np.int8),
             pitch_px=PITCH_PX,
             projector_px=PROJECTOR_PX,

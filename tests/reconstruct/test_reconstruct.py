@@ -113,9 +113,9 @@ def test_a_phase_that_another_camera_contradicts_gives_no_point(head: Head, rect
 
 def test_a_point_that_stands_alone_is_removed(head: Head, rectifier: Rectifier) -> None:
     maps = head.phase_maps(plane(550, 0.2, 0.1))
-    state = np.full_like(maps["left"].state, PixelState.DARK)
+    state = np.full_like(maps["left"].state, PixelState.SHADOW)
     state[50:200, 50:250] = PixelState.VALID
-    state[60:80, 60:80] = PixelState.DARK
+    state[60:80, 60:80] = PixelState.SHADOW
     state[70, 70] = PixelState.VALID
     state[68:73, 61:66] = PixelState.VALID
     made = reconstruct(
@@ -154,7 +154,7 @@ def test_a_calibration_of_other_cameras_is_refused_in_words(head: Head) -> None:
 
 
 def test_empty_phase_maps_give_an_empty_cloud(head: Head, rectifier: Rectifier) -> None:
-    maps = {name: replace(each, state=np.full_like(each.state, PixelState.DARK)) for name, each in head.phase_maps(plane(550)).items()}
+    maps = {name: replace(each, state=np.full_like(each.state, PixelState.SHADOW)) for name, each in head.phase_maps(plane(550)).items()}
     made = reconstruct(maps, head.cameras, rectifier=rectifier)
     assert len(made.cloud) == 0
 
