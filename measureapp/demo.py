@@ -15,6 +15,7 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
 from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
+from measureapp.data.pattern_sets import DEFAULT_NAME
 from measureapp.data.rig import Resolution
 from measureapp.devices.plugin_loader import load_plugin
 from measureapp.geometry.transform import RigidTransform, orthonormalised
@@ -55,6 +56,7 @@ class DemoRequest:
     resolution: Resolution = "half"
     viewpoints: int | None = None  # None: what the part needs
     seed: int = 1  # draws the rig's hidden errors and all noise
+    patterns: str = DEFAULT_NAME
 
 
 def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Outcome:
@@ -80,6 +82,7 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
         radius_mm=part.radius_mm,
         height_mm=part.height_mm,
         count=request.viewpoints if request.viewpoints is not None else DEFAULT_VIEWPOINTS.get(request.part, OTHER_VIEWPOINTS),
+        patterns=request.patterns,
     )
     name = f"Demo: {part.name}, {request.resolution} resolution, {len(plan)} views, seed {request.seed}"
     settings = ProjectSettings(name=name, part=part.name, rig=description)

@@ -22,13 +22,14 @@ def register(app: typer.Typer) -> None:
         viewpoints: Annotated[int | None, typer.Option(help="How many views to take; default: what the part needs.")] = None,
         resolution: Annotated[Literal["full", "half", "quarter"], typer.Option(help="Of the cameras.")] = "half",
         seed: Annotated[int, typer.Option(min=0, help="Draws the virtual rig's hidden errors and noise.")] = 1,
+        patterns: Annotated[str, typer.Option(help="Pattern set of `patterns list`; paper: 4 steps at 32 and 33 px.")] = "three-close",
         as_json: JsonOption = False,
     ) -> None:
         """Calibrate, scan, stitch, measure and report on the virtual rig, and compare with its hidden truth."""
         from measureapp.demo import DemoRequest, run_demo
 
         folder = out or Path(f"demo-{Path(part).stem}-{resolution}")
-        request = DemoRequest(folder, part, resolution, viewpoints, seed)
+        request = DemoRequest(folder, part, resolution, viewpoints, seed, patterns)
         outcome = run_demo(request, tell_failures, TerminalProgress())
         deviation = outcome.document["truth_deviation"]
         lines = [

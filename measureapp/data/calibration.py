@@ -38,13 +38,28 @@ class CameraCalibration:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class ProjectorCalibration:
+    """The projector as an inverse camera: pixel (0, 0) of its image is the centre of the top-left projector pixel.
+
+    `reference_from_projector` goes from the projector's frame (called by its name) to the reference camera's ("camera").
+    """
+
+    pinhole: PinholeCamera
+    reference_from_projector: RigidTransform
+    name: str = "projector"
+    standard_deviations: Mapping[str, float] = field(default_factory=dict)
+    provenance: Provenance = field(default_factory=Provenance)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class CameraArrayCalibration:
-    """All cameras of the head in the reference camera's frame `camera`."""
+    """All cameras of the head, and its projector where it is calibrated, in the reference camera's frame `camera`."""
 
     reference: str
     cameras: Mapping[str, CameraCalibration]
     pair_rms_px: Mapping[str, float] = field(default_factory=dict)  # "left-right" -> rms
     provenance: Provenance = field(default_factory=Provenance)
+    projector: ProjectorCalibration | None = None
 
     def __post_init__(self) -> None:
         if self.reference not in self.cameras:

@@ -11,6 +11,8 @@ from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
 from measureapp.errors import FrameMismatch
 from measureapp.geometry.transform import RigidTransform
 
+PROJECTOR_BIT = 128  # in PointCloud.cameras
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PointCloud:
@@ -21,7 +23,7 @@ class PointCloud:
     sigma_mm: FloatArray  # (N,) float32, predicted standard deviation along the viewing ray
     grey: FloatArray  # (N,) float32, 0…1
     pixel: IntArray  # (N, 2) int32, (row, column) in the camera that saw it first; -1 where unknown
-    cameras: IntArray  # (N,) uint8, bit i set: seen by the i-th camera
+    cameras: IntArray  # (N,) uint8, bit i set: seen by the i-th camera; bit 7 (PROJECTOR_BIT): the projector served as a camera
     frame: str  # "camera", "part", …
     viewpoint_id: str
 

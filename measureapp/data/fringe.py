@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import tau
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
 from measureapp.arrays import ImageArray
 from measureapp.data.model import Model
 from measureapp.geometry.transform import RigidTransform
-
 
 Direction = Literal["vertical", "horizontal"]  # of the fringes: the phase of vertical ones grows with the projector's column
 
@@ -45,7 +44,7 @@ class GrayCodeGroup(Model):
         return self.planes
 
 
-PatternGroup = PhaseShiftGroup | GrayCodeGroup
+PatternGroup = Annotated[PhaseShiftGroup | GrayCodeGroup, Field(discriminator="kind")]
 
 
 class PatternSet(Model):
@@ -108,13 +107,6 @@ class PatternSet(Model):
     def phase_range_rad(self) -> float:
         """The absolute phase at the projector's right edge."""
         return tau * self.projector_px / self.finest_pitch_px
-
-
-PAPER_PATTERNS = PatternSet(
-    name="paper: 4 steps at 32 and 33 px",
-    projector_px=1024,
-    groups=(PhaseShiftGroup(pitch_px=32, steps=4), PhaseShiftGroup(pitch_px=33, steps=4)),
-)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

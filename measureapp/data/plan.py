@@ -8,8 +8,9 @@ from typing import Literal
 import numpy as np
 from pydantic import Field, field_validator
 
-from measureapp.data.fringe import PAPER_PATTERNS, PatternSet
+from measureapp.data.fringe import PatternSet
 from measureapp.data.model import Model
+from measureapp.data.pattern_sets import DEFAULT_PATTERNS, PATTERN_SETS
 from measureapp.geometry.transform import RigidTransform
 
 
@@ -66,8 +67,15 @@ class ScanPlan(Model):
     schema_version: Literal[1] = 1
     name: str
     viewpoints: tuple[Viewpoint, ...] = Field(min_length=1)
-    patterns: PatternSet = PAPER_PATTERNS
+    patterns: PatternSet = DEFAULT_PATTERNS  # in a file also the name of a set for the projector of 1024 × 768 px
     bracket: ExposureBracket = ExposureBracket()
+
+    @field_validator("patterns", mode="before")
+    @classmethod
+    def _named(cls, value: object) -> object:
+        if isinstance(value, str) and value not in PATTERN_SETS:
+            raise ValueError(f"there is no pattern set {value!r}, only {', '.join(PATTERN_SETS)}")
+        return PATTERN_SETS[value] if isinstance(value, str) else value
 
     @field_validator("viewpoints")
     @classmethod

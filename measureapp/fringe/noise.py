@@ -8,7 +8,7 @@ from pydantic import Field
 from measureapp.arrays import FloatArray
 from measureapp.data.model import Model
 
-QUANTISATION_VARIANCE = 1.0 / 12.0
+QUANTISATION_VARIANCE = 1.0 / 12.0  # of one grey level
 
 
 class CameraNoise(Model):
@@ -16,6 +16,10 @@ class CameraNoise(Model):
 
     full_well_e: float = Field(default=6000.0, gt=0, description="electrons at saturation")
     read_noise_e: float = Field(default=7.0, ge=0, description="electrons")
+    step_grey: float = Field(
+        default=1.0, gt=0, description="distance of two grey levels the camera can give; 16 for 12 bits stretched to 16"
+    )
+    black_grey: float = Field(default=0.0, ge=0, description="grey level of no light")
 
     def electrons_per_grey(self, saturation: float) -> float:
         """Return how many electrons one grey level stands for."""
@@ -23,11 +27,12 @@ class CameraNoise(Model):
 
     def floor_variance(self, saturation: float) -> float:
         """Return the variance in the dark, in grey levels²."""
-        return (self.read_noise_e / self.electrons_per_grey(saturation)) ** 2 + QUANTISATION_VARIANCE
+        return (self.read_noise_e / self.electrons_per_grey(saturation)) ** 2 + QUANTISATION_VARIANCE * self.step_grey**2
 
     def variance(self, grey: FloatArray, saturation: float) -> FloatArray:
         """Return the variance in grey levels² of pixels whose mean is ``grey``."""
-        return np.asarray(grey / self.electrons_per_grey(saturation) + self.floor_variance(saturation))
+        light = np.maximum(np.asarray(grey) - self.black_grey, 0.0)
+        return np.asarray(light / self.electrons_per_grey(saturation) + self.floor_variance(saturation))
 
 
 def phase_sigma(steps: int, sigma_grey: FloatArray, modulation: FloatArray) -> FloatArray:

@@ -9,7 +9,8 @@ import numpy as np
 from measureapp.arrays import read_only
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
 from measureapp.data.cloud import PointCloud
-from measureapp.data.fringe import PAPER_PATTERNS, FringeStack, GrayCodeGroup, PatternSet, PhaseShiftGroup
+from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternSet, PhaseShiftGroup
+from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.data.phase import PhaseMap
 from measureapp.fringe.decode import decode
 from measureapp.fringe.patterns import pattern_images

@@ -9,6 +9,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import FloatArray
+from measureapp.data.pattern_sets import DEFAULT_NAME, made_for
 from measureapp.data.plan import FlangePose, ScanPlan, Viewpoint
 from measureapp.data.rig import RigDescription
 from measureapp.errors import PlanError
@@ -54,7 +55,9 @@ def viewpoint_looking_at(
     return Viewpoint(id=name, flange=FlangePose.of(base_from_flange), guide_mm=guide_mm, table_deg=table_deg)
 
 
-def plan_around_part(rig: RigDescription, name: str, *, radius_mm: float, height_mm: float, count: int) -> ScanPlan:
+def plan_around_part(
+    rig: RigDescription, name: str, *, radius_mm: float, height_mm: float, count: int, patterns: str = DEFAULT_NAME
+) -> ScanPlan:
     """Plan ``count`` viewpoints in rings around a part that stands on the table's centre.
 
     A ring is one station of the robot: between its views only the table turns. The rings alternate along the table's
@@ -66,14 +69,18 @@ def plan_around_part(rig: RigDescription, name: str, *, radius_mm: float, height
     name : of the plan
     radius_mm, height_mm : of the cylinder about the table's axis that holds the part
     count : how many viewpoints, at least 1
+    patterns : name of a pattern set, made for the rig's projector
 
     Raises
     ------
     PlanError
-        ``count`` is below 1, or a place cannot be reached at any elevation.
+        ``count`` is below 1, there is no such pattern set, or a place cannot be reached at any elevation.
     """
     if count < 1:
         raise PlanError(f"{count} viewpoints measure nothing.", "Ask for at least 1.")
+    sets = made_for(rig.projector.width_px, rig.projector.height_px)
+    if patterns not in sets:
+        raise PlanError(f"There is no pattern set {patterns!r}.", f"Choose one of {', '.join(sets)}.")
     rings = 1 if count < 5 else 2 if count < 16 else 3
     heights = _target_heights(height_mm)
     places: list[tuple[float, int, FloatArray]] = []
@@ -85,7 +92,7 @@ def plan_around_part(rig: RigDescription, name: str, *, radius_mm: float, height
         _reachable(rig, f"view{number:02d}", target, *RINGS_DEG[ring], table_deg)
         for number, (table_deg, ring, target) in enumerate(sorted(places, key=lambda place: place[:2]), start=1)
     ]
-    return ScanPlan(name=name, viewpoints=tuple(viewpoints))
+    return ScanPlan(name=name, viewpoints=tuple(viewpoints), patterns=sets[patterns])
 
 
 def _shares(count: int, rings: int) -> list[int]:

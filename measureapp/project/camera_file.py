@@ -1,4 +1,4 @@
-"""`cameras.json`: the cameras of a head, in the format that also comes from outside."""
+"""`cameras.json`: the cameras of a head and, where it is calibrated, its projector, in the format that also comes from outside."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, Provenance
+from measureapp.arrays import FloatArray
+from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, ProjectorCalibration, Provenance
 from measureapp.errors import FrameMismatch, InputError
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
@@ -17,9 +18,10 @@ from measureapp.project.atomic import write_json
 
 SCHEMA_VERSION = 1
 DISTORTION_LENGTHS = (4, 5, 8, 12, 14)
-FILE_FIELDS = {"schema_version", "reference", "cameras", "pair_rms_px", "provenance"}
-CAMERA_FIELDS = {"width", "height", "matrix", "distortion", "reference_from_camera", "standard_deviations", "rms_px", "serial"}
-NEEDED_CAMERA_FIELDS = ("width", "height", "matrix", "distortion", "reference_from_camera")
+FILE_FIELDS = {"schema_version", "reference", "cameras", "pair_rms_px", "provenance", "projector"}
+LENS_FIELDS = ("width", "height", "matrix", "distortion")
+CAMERA_FIELDS = {*LENS_FIELDS, "reference_from_camera", "standard_deviations", "rms_px", "serial"}
+PROJECTOR_FIELDS = {*LENS_FIELDS, "reference_from_projector", "name", "standard_deviations", "provenance"}
 PROVENANCE_FIELDS = {"created", "method", "inputs"}
 
 
@@ -49,22 +51,44 @@ def read_cameras(path: Path) -> CameraArrayCalibration:
 
 def cameras_document(calibration: CameraArrayCalibration) -> dict[str, Any]:
     """Return the JSON document of ``calibration``."""
-    provenance = calibration.provenance
-    return {
+    document = {
         "schema_version": SCHEMA_VERSION,
         "reference": calibration.reference,
         "cameras": {name: _camera_document(calibration.cameras[name]) for name in calibration.names},
         "pair_rms_px": {pair: float(value) for pair, value in calibration.pair_rms_px.items()},
-        "provenance": {"created": provenance.created, "method": provenance.method, "inputs": dict(provenance.inputs)},
+        "provenance": _provenance_document(calibration.provenance),
+    }
+    if calibration.projector is not None:
+        document["projector"] = _projector_document(calibration.projector)
+    return document
+
+
+def _projector_document(projector: ProjectorCalibration) -> dict[str, Any]:
+    return {
+        **_lens_document(projector.pinhole),
+        "reference_from_projector": projector.reference_from_projector.matrix.tolist(),
+        "name": projector.name,
+        "standard_deviations": {name: float(value) for name, value in projector.standard_deviations.items()},
+        "provenance": _provenance_document(projector.provenance),
+    }
+
+
+def _provenance_document(provenance: Provenance) -> dict[str, Any]:
+    return {"created": provenance.created, "method": provenance.method, "inputs": dict(provenance.inputs)}
+
+
+def _lens_document(pinhole: PinholeCamera) -> dict[str, Any]:
+    return {
+        "width": pinhole.width_px,
+        "height": pinhole.height_px,
+        "matrix": pinhole.matrix.tolist(),
+        "distortion": pinhole.distortion.tolist(),
     }
 
 
 def _camera_document(camera: CameraCalibration) -> dict[str, Any]:
     return {
-        "width": camera.pinhole.width_px,
-        "height": camera.pinhole.height_px,
-        "matrix": camera.pinhole.matrix.tolist(),
-        "distortion": camera.pinhole.distortion.tolist(),
+        **_lens_document(camera.pinhole),
         "reference_from_camera": camera.reference_from_camera.matrix.tolist(),
         "standard_deviations": {name: float(value) for name, value in camera.standard_deviations.items()},
         "rms_px": float(camera.rms_px),
@@ -92,13 +116,47 @@ def cameras_from(document: Any, source: str = "cameras.json") -> CameraArrayCali
     _known(provenance, PROVENANCE_FIELDS, source, "provenance")
     made = {name: _camera(name, entry, reference, source) for name, entry in cameras.items()}
     pairs = _numbers(document.get("pair_rms_px", {}), source, "pair_rms_px")
-    return CameraArrayCalibration(str(reference), made, pairs, Provenance(**provenance))
+    projector = _projector(document["projector"], source) if "projector" in document else None
+    if projector is not None and projector.name in made:
+        raise InputError(f"{source}: projector.name is {projector.name!r}, which is a camera's.", "Give the projector a name of its own.")
+    return CameraArrayCalibration(str(reference), made, pairs, Provenance(**provenance), projector)
 
 
 def _camera(name: str, entry: Any, reference: str, source: str) -> CameraCalibration:
     place = f"cameras.{name}"
     _known(entry, CAMERA_FIELDS, source, place)
-    for needed in NEEDED_CAMERA_FIELDS:
+    pinhole = _pinhole(entry, source, place)
+    pose = _array(_field(entry, "reference_from_camera", source, f"{place}."), (4, 4), source, f"{place}.reference_from_camera")
+    if name == reference and not np.allclose(pose, np.eye(4), atol=1e-9):
+        raise InputError(
+            f"{source}: {place}.reference_from_camera is not the identity for the reference camera.",
+            "Its last row is 0 0 0 1; lengths in mm.",
+        )
+    transform = _transform(pose, name, source, f"{place}.reference_from_camera")
+    deviations = _numbers(entry.get("standard_deviations", {}), source, f"{place}.standard_deviations")
+    rms_px = _numbers({"rms_px": entry.get("rms_px", 0.0)}, source, place)["rms_px"]
+    return CameraCalibration(name, pinhole, transform, deviations, rms_px, str(entry.get("serial", "")))
+
+
+def _projector(entry: Any, source: str) -> ProjectorCalibration:
+    _known(entry, PROJECTOR_FIELDS, source, "projector")
+    pinhole = _pinhole(entry, source, "projector")
+    place = "projector.reference_from_projector"
+    pose = _array(_field(entry, "reference_from_projector", source, "projector."), (4, 4), source, place)
+    provenance = entry.get("provenance", {})
+    _known(provenance, PROVENANCE_FIELDS, source, "projector.provenance")
+    name = str(entry.get("name", "projector"))
+    return ProjectorCalibration(
+        pinhole,
+        _transform(pose, name, source, place),
+        name,
+        _numbers(entry.get("standard_deviations", {}), source, "projector.standard_deviations"),
+        Provenance(**provenance),
+    )
+
+
+def _pinhole(entry: Mapping[str, Any], source: str, place: str) -> PinholeCamera:
+    for needed in LENS_FIELDS:
         _field(entry, needed, source, f"{place}.")
     matrix = _array(entry["matrix"], (3, 3), source, f"{place}.matrix")
     if matrix[0, 0] <= 0 or matrix[1, 1] <= 0 or not np.allclose(matrix[2], [0, 0, 1]):
@@ -106,24 +164,19 @@ def _camera(name: str, entry: Any, reference: str, source: str) -> CameraCalibra
     distortion = _array(entry["distortion"], None, source, f"{place}.distortion").ravel()
     if len(distortion) not in DISTORTION_LENGTHS:
         raise InputError(f"{source}: {place}.distortion has {len(distortion)} coefficients.", "OpenCV's order has 4, 5, 8, 12 or 14.")
-    pose = _array(entry["reference_from_camera"], (4, 4), source, f"{place}.reference_from_camera")
     size = [entry[side] for side in ("width", "height")]
     if any(isinstance(value, bool) or not isinstance(value, int) or value <= 0 for value in size):
         raise InputError(f"{source}: {place}.width and height must be whole numbers above 0.", "Give the image's size in pixels.")
-    if not np.allclose(pose[3], [0, 0, 0, 1]) or (name == reference and not np.allclose(pose, np.eye(4), atol=1e-9)):
-        wanted = "the identity for the reference camera" if name == reference else "a rigid 4×4 transform"
-        raise InputError(f"{source}: {place}.reference_from_camera is not {wanted}.", "Its last row is 0 0 0 1; lengths in mm.")
+    return PinholeCamera(size[0], size[1], matrix, distortion)
+
+
+def _transform(pose: FloatArray, name: str, source: str, place: str) -> RigidTransform:
+    if not np.allclose(pose[3], [0, 0, 0, 1]):
+        raise InputError(f"{source}: {place} is not a rigid 4×4 transform.", "Its last row is 0 0 0 1; lengths in mm.")
     try:
-        transform = RigidTransform(pose, "camera", name)
+        return RigidTransform(pose, "camera", name)
     except FrameMismatch as error:
-        raise InputError(
-            f"{source}: {place}.reference_from_camera is not a rigid transform.", "Its 3×3 part must be a rotation; lengths in mm."
-        ) from error
-    deviations = _numbers(entry.get("standard_deviations", {}), source, f"{place}.standard_deviations")
-    rms_px = _numbers({"rms_px": entry.get("rms_px", 0.0)}, source, place)["rms_px"]
-    return CameraCalibration(
-        name, PinholeCamera(size[0], size[1], matrix, distortion), transform, deviations, rms_px, str(entry.get("serial", ""))
-    )
+        raise InputError(f"{source}: {place} is not a rigid transform.", "Its 3×3 part must be a rotation; lengths in mm.") from error
 
 
 def _known(entry: Any, fields: set[str], source: str, place: str) -> None:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import tomllib
 from collections import Counter
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from itertools import product
+from os import cpu_count
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -13,7 +15,7 @@ import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
 from measureapp.arrays import ImageArray, read_only
-from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternSet, PhaseShiftGroup
+from measureapp.data.fringe import Direction, FringeStack, GrayCodeGroup, PatternGroup, PatternSet, PhaseShiftGroup
 from measureapp.data.model import Model, first_problem
 from measureapp.errors import InputError
 from measureapp.fringe.patterns import check_determines_phase
@@ -21,15 +23,21 @@ from measureapp.project.images import read_image
 
 Images = dict[str, tuple[str, ...]]  # camera -> paths beside the manifest
 NOT_GIVEN = -1.0
+MOST_BEATING = 8  # pitches whose longest beat is searched for
 
 
 class PhaseShiftEntry(Model):
-    """One group of equally shifted sinusoids; its pitch in projector pixels, or how many periods fill ``projector_px``."""
+    """One group of equally shifted sinusoids; its pitch in projector pixels, or how many periods fill the projector.
+
+    Periods of vertical fringes fill ``projector_px``, those of horizontal ones ``projector_rows``.
+    """
 
     kind: Literal["phase-shift"]
+    direction: Direction = "vertical"
     pitch_px: float | None = Field(default=None, gt=2)
     periods: float | None = Field(default=None, gt=0)
     projector_px: int | None = Field(default=None, gt=0)
+    steps: int | None = Field(default=None, ge=3, description="how many images there must be")
     images: Images = Field(min_length=1)
 
     @model_validator(mode="after")
@@ -43,8 +51,10 @@ class GrayCodeEntry(Model):
     """Gray code planes, most significant bit first; with ``complementary`` the last one is shifted by half a period."""
 
     kind: Literal["gray-code"]
+    direction: Direction = "vertical"
     complementary: bool = False
     projector_px: int | None = Field(default=None, gt=0)
+    planes: int | None = Field(default=None, ge=1, description="how many images there must be")
     images: Images = Field(min_length=1)
 
 
@@ -59,11 +69,16 @@ class ExposureEntry(Model):
 
 
 class FringeManifest(Model):
-    """The whole file. Where ``projector_px`` is given nowhere, the phase runs over the beat of the pitches or the reach of the Gray code."""
+    """The whole file.
+
+    Where ``projector_px`` (``projector_rows`` for horizontal fringes) is given nowhere, the phase runs over the beat of the pitches
+    or the reach of the Gray code.
+    """
 
     shift_sign: Literal[-1, 1] = -1
     saturation: int | None = Field(default=None, gt=0, le=65536, description="grey level of a saturated pixel; needed for 16-bit images")
     projector_px: int | None = Field(default=None, gt=0)
+    projector_rows: int | None = Field(default=None, gt=0)
     exposure: tuple[ExposureEntry, ...] = Field(min_length=1)
 
 
@@ -79,7 +94,7 @@ def read_manifest(path: Path) -> FringeStack:
     """
     path = Path(path)
     manifest = parse_manifest(path)
-    exposures = sorted(manifest.exposure, key=lambda entry: -entry.exposure_us)
+    exposures = [_vertical_first(entry) for entry in sorted(manifest.exposure, key=lambda entry: -entry.exposure_us)]
     _check_same(path, exposures)
     patterns = _patterns(path, manifest, exposures[0].group)
     check_determines_phase(patterns)
@@ -110,6 +125,11 @@ def parse_manifest(path: Path) -> FringeManifest:
         ) from error
 
 
+def _vertical_first(entry: ExposureEntry) -> ExposureEntry:
+    """Return the exposure with its groups in the order of a `PatternSet`."""
+    return entry.model_copy(update={"group": tuple(sorted(entry.group, key=lambda group: group.direction, reverse=True))})
+
+
 def _check_same(path: Path, exposures: list[ExposureEntry]) -> None:
     """Raise InputError unless every exposure has the same groups, cameras and numbers of images, and names no image twice."""
     times = [entry.exposure_us for entry in exposures]
@@ -128,7 +148,20 @@ def _check_same(path: Path, exposures: list[ExposureEntry]) -> None:
             raise InputError(
                 f"{path}: the groups of exposure {entry.exposure_us} µs have different cameras.", "Name every camera in every group."
             )
-    repeated = [file for file, count in Counter(_files(path, exposures)).items() if count > 1]
+    _check_files(path, exposures)
+
+
+def _check_files(path: Path, exposures: list[ExposureEntry]) -> None:
+    """Raise InputError when an image is missing, or is named twice by whatever path; before the first of them is read."""
+    files = list(_files(path, exposures))
+    missing = [file for file in files if not file.exists()]
+    if missing:
+        others = f", and {len(missing) - 1} more of the {len(files)} images" if len(missing) > 1 else ""
+        raise InputError(
+            f"{path}: image {missing[0]} cannot be read: it does not exist{others}.",
+            "Correct the paths, which start from the manifest's folder, or copy the images there.",
+        )
+    repeated = [file for file, count in Counter(file.resolve() for file in files).items() if count > 1]
     if repeated:
         raise InputError(f"{path} names the image {repeated[0]} more than once.", "Give every image its own place.")
 
@@ -141,6 +174,10 @@ def _check_group(place: str, group: PhaseShiftEntry | GrayCodeEntry, model: Phas
     least = 3 if group.kind == "phase-shift" else 1 + int(group.complementary)
     if min(counts.values()) < least:
         raise InputError(f"{place} has {min(counts.values())} images and needs at least {least}.", "Add the missing images.")
+    stated = group.steps if group.kind == "phase-shift" else group.planes
+    if stated is not None and set(counts.values()) != {stated}:
+        word = "steps" if group.kind == "phase-shift" else "planes"
+        raise InputError(f"{place} has {min(counts.values())} images and says {word} = {stated}.", f"Name {stated} images, in order.")
     expected = {camera: len(files) for camera, files in model.images.items()}
     if counts != expected or group.model_copy(update={"images": {}}) != model.model_copy(update={"images": {}}):
         raise InputError(f"{place} differs from the group of the longest exposure.", "Record the same patterns at every exposure.")
@@ -154,58 +191,85 @@ def _files(path: Path, exposures: list[ExposureEntry]) -> Iterator[Path]:
 
 
 def _patterns(path: Path, manifest: FringeManifest, entries: tuple[PhaseShiftEntry | GrayCodeEntry, ...]) -> PatternSet:
-    given = {width for width in (manifest.projector_px, *(entry.projector_px for entry in entries)) if width is not None}
+    upright, lying = ([entry for entry in entries if entry.direction == direction] for direction in ("vertical", "horizontal"))
+    groups: tuple[PatternGroup, ...] = ()
+    rows = columns = None
+    if upright:
+        columns, groups = _along(path, upright, manifest.projector_px, "projector_px")
+    if lying:
+        rows, across = _along(path, lying, manifest.projector_rows, "projector_rows")
+        groups += across
+    return PatternSet(
+        name=path.name,
+        projector_px=columns or manifest.projector_px or rows or 0,  # there is at least one group
+        projector_rows=rows or manifest.projector_rows,
+        groups=groups,
+        shift_sign=manifest.shift_sign,
+    )
+
+
+def _along(
+    path: Path, entries: list[PhaseShiftEntry | GrayCodeEntry], extent_px: int | None, word: str
+) -> tuple[int, tuple[PatternGroup, ...]]:
+    """Return the columns or rows that the groups of one direction run over, and the groups."""
+    of_groups = {entry.projector_px for entry in entries if entry.projector_px is not None}
+    if of_groups and word != "projector_px":
+        raise InputError(f"{path}: a group of horizontal fringes has projector_px.", f"Give {word}, at the top of the file.")
+    given = of_groups | ({extent_px} if extent_px is not None else set())
     if len(given) > 1:
-        raise InputError(f"{path} gives different projector_px: {sorted(given)}.", "Give one value, at the top of the file.")
-    projector_px = given.pop() if given else None
-    groups = tuple(_group(path, entry, projector_px) for entry in entries)
-    return PatternSet(name=path.name, projector_px=projector_px or _reach_px(path, groups), groups=groups, shift_sign=manifest.shift_sign)
+        raise InputError(f"{path} gives different {word}: {sorted(given)}.", "Give one value, at the top of the file.")
+    extent_px = next(iter(given), None)
+    groups = tuple(_group(path, entry, extent_px, word) for entry in entries)
+    return extent_px or _reach_px(path, groups), groups
 
 
-def _group(path: Path, entry: PhaseShiftEntry | GrayCodeEntry, projector_px: int | None) -> PhaseShiftGroup | GrayCodeGroup:
+def _group(path: Path, entry: PhaseShiftEntry | GrayCodeEntry, extent_px: int | None, word: str) -> PatternGroup:
     count = len(next(iter(entry.images.values())))
     if isinstance(entry, GrayCodeEntry):
-        return GrayCodeGroup(planes=count, complementary=entry.complementary)
+        return GrayCodeGroup(planes=count, complementary=entry.complementary, direction=entry.direction)
     if entry.pitch_px is not None:
-        return PhaseShiftGroup(pitch_px=entry.pitch_px, steps=count)
-    if projector_px is None:
-        raise InputError(f"{path}: `periods` needs `projector_px`, the width they fill.", "Add projector_px at the top of the file.")
-    pitch_px = projector_px / (entry.periods or NOT_GIVEN)
+        return PhaseShiftGroup(pitch_px=entry.pitch_px, steps=count, direction=entry.direction)
+    if extent_px is None:
+        raise InputError(f"{path}: `periods` needs `{word}`, the length they fill.", f"Add {word} at the top of the file.")
+    pitch_px = extent_px / (entry.periods or NOT_GIVEN)
     if pitch_px <= 2:
-        raise InputError(
-            f"{path}: {entry.periods:g} periods over {projector_px} px are finer than 2 px.", "Correct periods or projector_px."
-        )
-    return PhaseShiftGroup(pitch_px=pitch_px, steps=count)
+        raise InputError(f"{path}: {entry.periods:g} periods over {extent_px} px are finer than 2 px.", f"Correct periods or {word}.")
+    return PhaseShiftGroup(pitch_px=pitch_px, steps=count, direction=entry.direction)
 
 
-def _reach_px(path: Path, groups: tuple[PhaseShiftGroup | GrayCodeGroup, ...]) -> int:
-    """Return how many columns the groups can tell apart: the Gray code's reach, or the longest beat of the pitches."""
+def _reach_px(path: Path, groups: tuple[PatternGroup, ...]) -> int:
+    """Return how many columns or rows the groups can tell apart: the Gray code's reach, or the longest beat of the pitches."""
     pitches = [group.pitch_px for group in groups if isinstance(group, PhaseShiftGroup)]
     if not pitches:
         raise InputError(f"{path} has no phase-shift group.", "Add the shifted sinusoids.")
     for group in groups:
         if isinstance(group, GrayCodeGroup):
             return int(2 ** (group.planes - int(group.complementary)) * min(pitches))
-    frequencies = [abs(float(np.dot(factors, 1 / np.array(pitches)))) for factors in product((-1, 0, 1), repeat=len(pitches))]
     if len(pitches) == 1:
         raise InputError(
             f"{path}: a single pitch of {pitches[0]:g} px does not tell the periods apart.", "Add a second pitch or a Gray code."
         )
+    if len(pitches) > MOST_BEATING:
+        raise InputError(f"{path}: {len(pitches)} pitches need projector_px.", "Add projector_px (projector_rows for horizontal fringes).")
+    frequencies = [abs(float(np.dot(factors, 1 / np.array(pitches)))) for factors in product((-1, 0, 1), repeat=len(pitches))]
     return int(1 / min(frequency for frequency in frequencies if frequency > 1e-9) + 1e-6)
 
 
 def _read_camera(path: Path, exposures: list[ExposureEntry], camera: str) -> ImageArray:
-    """Read the images of one camera into one array (exposures, patterns, height, width)."""
-    files = [[path.parent / file for group in entry.group for file in group.images[camera]] for entry in exposures]
-    stack: ImageArray | None = None
-    for e, row in enumerate(files):
-        for p, file in enumerate(row):
-            image = read_image(file)
-            if stack is None:
-                stack = np.empty((len(files), len(row), *image.shape), image.dtype)
-            _check_image(file, image, files[0][0], stack)
-            stack[e, p] = image
-    assert stack is not None
+    """Read the images of one camera into one array (exposures, patterns, height, width), on all processors."""
+    files = [path.parent / file for entry in exposures for group in entry.group for file in group.images[camera]]
+    first = read_image(files[0])
+    stack = np.empty((len(exposures), len(files) // len(exposures), *first.shape), first.dtype)
+    flat = stack.reshape(-1, *first.shape)
+    flat[0] = first
+
+    def read(number: int) -> None:
+        image = read_image(files[number])
+        _check_image(files[number], image, files[0], stack)
+        flat[number] = image
+
+    with ThreadPoolExecutor(cpu_count() or 1) as pool:
+        list(pool.map(read, range(1, len(files))))
     return np.asarray(read_only(stack))
 
 

@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 
 from measureapp.arrays import FloatArray, ImageArray
-from measureapp.data.board import CheckerboardDescription
+from measureapp.data.board import BoardDescription, CheckerboardDescription
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.mesh import Mesh
 from measureapp.data.rig import RigDescription
@@ -48,7 +48,7 @@ class World:
         description: RigDescription,
         part: Part,
         seed: int,
-        board: CheckerboardDescription = PAPER_BOARD,
+        board: BoardDescription = PAPER_BOARD,
         options: WorldOptions | None = None,
     ) -> None:
         self.description = description
@@ -205,6 +205,14 @@ class World:
         """Return the part's surface at table angle 0 in the true table frame (of which the part frame is the turning copy)."""
         mesh = self.part.mesh.seen_from(self._truth.table_from_nominal)
         return mesh.seen_from(RigidTransform.identity(frame, "table"))
+
+    def true_light(self, camera: str) -> FloatArray:
+        """Return what the light of the projector does in every pixel of ``camera`` now, (H, W, 4) float32.
+
+        Projector column (far below 0 in shadow) and row, reflected light per unit of irradiance, albedo; zero off the part.
+        """
+        with self._lock:
+            return self._light_map(camera).copy()
 
     def true_board_corners_mm(self) -> FloatArray:
         """Return the board's true corners (N, 3) in frame `board`, its bow included."""

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from measureapp.data.fringe import PAPER_PATTERNS, FringeStack
+from measureapp.data.fringe import FringeStack
+from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.fringe.decode import decode
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.reconstruct.reconstruct import reconstruct

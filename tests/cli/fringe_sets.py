@@ -7,7 +7,8 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from measureapp.data.fringe import PAPER_PATTERNS, PatternSet
+from measureapp.data.fringe import PatternSet
+from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.fringe.patterns import pattern_images
 
 

@@ -11,7 +11,8 @@ import pytest
 from measureapp.arrays import read_only
 from measureapp.cli import main
 from measureapp.data.board import BoardView
-from measureapp.data.fringe import PAPER_PATTERNS, AxisReadback, FringeStack
+from measureapp.data.fringe import AxisReadback, FringeStack
+from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.rig_file import read_rig

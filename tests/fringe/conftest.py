@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from measureapp.arrays import FloatArray
-from measureapp.data.fringe import PAPER_PATTERNS, FringeStack, GrayCodeGroup, PatternSet, PhaseShiftGroup
+from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternSet, PhaseShiftGroup
+from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.fringe.noise import CameraNoise
 
 EXPOSURES_US = (100_000, 80_000, 60_000, 40_000, 20_000)

@@ -6,16 +6,16 @@ from types import ModuleType
 
 import pytest
 
-from measureapp.fringe import kernels as fringe_kernels
+from measureapp.fringe.kernels import decoding, orders
 from measureapp.pipeline.warm_up import warm_up
 from measureapp.progress import CallbackProgress, Cancelled
-from measureapp.reconstruct.kernels import borders, cleaning, fusing, matching
+from measureapp.reconstruct.kernels import binning, cleaning, fusing, matching, slopes
 from measureapp.reconstruct.reconstruct import reconstruct
 from measureapp.register import kernels as register_kernels
 from measureapp.register.prepare import prepare
 from tests.reconstruct.conftest import make_head, plane
 
-MEASURING = (fringe_kernels, borders, cleaning, fusing, matching, register_kernels)
+MEASURING = (decoding, orders, binning, cleaning, fusing, matching, slopes, register_kernels)
 
 
 def compiled(module: ModuleType) -> dict[str, int]:

@@ -2,7 +2,8 @@ import numpy as np
 import pytest
 
 from measureapp.arrays import read_only
-from measureapp.data.fringe import PAPER_PATTERNS, AxisReadback, FringeStack
+from measureapp.data.fringe import AxisReadback, FringeStack
+from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.errors import StorageError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.frame_store import FrameStore

@@ -1,0 +1,73 @@
+"""`patterns export`: the images as PNG, for a real projector."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from measureapp.cli.patterns.options import (
+    HeightOption,
+    SetArgument,
+    WidthOption,
+    numbers,
+)
+from measureapp.cli.reply import JsonOption, reply
+
+
+def register(group: typer.Typer) -> None:
+    """Add the command."""
+
+    @group.command()
+    def export(
+        patterns: SetArgument,
+        out: Annotated[Path, typer.Option("--out", help="Folder of the images.")],
+        width: WidthOption = 1024,
+        height: HeightOption = 768,
+        response: Annotated[Path | None, typer.Option("--response", help="Projector response to correct the sinusoids for.")] = None,
+        cameras: Annotated[str, typer.Option("--cameras", help="Names for the manifest of the recordings.")] = "left,right,upper",
+        exposures: Annotated[
+            str, typer.Option("--exposures", help="Exposures for that manifest, in µs.")
+        ] = "100000,80000,60000,40000,20000",
+        as_json: JsonOption = False,
+    ) -> None:
+        """Write the images as PNG, numbered in the order of projection.
+
+        patterns.json says what each image shows: kind, direction, pitch_px, step and shift_rad, or plane. MANIFEST.toml is for
+        `measureapp decode`: store what the cameras see of image 007 as CAMERA/EXPOSURE/007.png beside it.
+        """
+        from measureapp.fringe.pattern_check import check_patterns
+        from measureapp.fringe.patterns import pattern_images
+        from measureapp.project.pattern_files import export_patterns, read_pattern_set
+        from measureapp.project.response_file import read_response
+
+        made = read_pattern_set(patterns, width, height)
+        known = read_response(response) if response else None
+        check_patterns(made, width, height)
+        images = pattern_images(made, width, height, known)
+        files = export_patterns(out, made, images, known.name if known else None, _names(cameras), _times(exposures))
+        corrected = f", corrected for {known.name}" if known else ""
+        reply(
+            {"name": made.name, "files": files, "list": out / "patterns.json", "manifest": out / "MANIFEST.toml"},
+            f"{made.name}: {len(files)} images of {width} × {height} px{corrected} → {out}",
+            as_json,
+        )
+
+
+def _times(text: str) -> tuple[int, ...]:
+    from measureapp.errors import InputError
+
+    values = numbers("--exposures", text)
+    if any(value != round(value) for value in values):
+        raise InputError(f"--exposures {text} are not whole microseconds.", "Give whole numbers of µs, separated by commas.")
+    return tuple(sorted((round(value) for value in values), reverse=True))
+
+
+def _names(text: str) -> tuple[str, ...]:
+    from measureapp.errors import InputError
+
+    names = tuple(word.strip() for word in text.split(","))
+    if len(set(names)) < len(names) or not all(name.replace("-", "").replace("_", "").isalnum() and name.isascii() for name in names):
+        raise InputError(f"--cameras {text} is not a list of different names.", "Separate names of letters and digits by commas.")
+    return names

@@ -1,0 +1,89 @@
+"""A rig chooses its exposures itself, from a quick probe."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from measureapp.acquire.capture import SHOW_TIMEOUT_S, checked_grab, move_to, set_exposure
+from measureapp.arrays import ImageArray, read_only
+from measureapp.data.fringe import FringeStack, PatternSet, PhaseShiftGroup
+from measureapp.data.plan import Viewpoint
+from measureapp.devices.rig import Rig
+from measureapp.fringe import bracket
+from measureapp.fringe.bracket import BracketLimits, BracketProposal
+from measureapp.fringe.noise import CameraNoise
+from measureapp.fringe.patterns import pattern_images
+from measureapp.fringe.probe import probed
+from measureapp.progress import NoProgress, Progress
+
+PROBE_RATIO = 8  # between the two exposures of the probe
+
+
+def propose_bracket(
+    rig: Rig,
+    patterns: PatternSet,
+    budget_s: float,
+    most: int = 5,
+    viewpoint: Viewpoint | None = None,
+    noise: Mapping[str, CameraNoise] | None = None,
+    limits: BracketLimits | None = None,
+    progress: Progress | None = None,
+) -> BracketProposal:
+    """Take one pattern group at two exposures and propose the bracket of the scene in sight.
+
+    The patterns are loaded into the projector and stay there. The rig's own bracket is compared with the proposal.
+
+    Parameters
+    ----------
+    budget_s : time for all images of one viewpoint
+    most : exposures at most
+    viewpoint : where to look from; None for where the axes stand
+    noise : of the cameras that were measured; the default model for others
+    limits : of readout, exposures and their multiples; its budget and most are not looked at
+
+    Raises
+    ------
+    DecodeError
+        Nothing in sight can be decoded: all dark, or saturated at the shortest probe exposure; says what to do.
+    DeviceError
+        From the rig.
+    """
+    progress = progress or NoProgress()
+    if viewpoint is not None:
+        move_to(rig, viewpoint)
+    probe = probed(probe_stack(rig, patterns, progress), noise or {})
+    allowed = replace(limits or BracketLimits(budget_s), budget_s=budget_s, most=most)
+    return bracket.propose_bracket(probe, patterns, allowed, compare={"rig": rig.description.exposures_us})
+
+
+def probe_stack(rig: Rig, patterns: PatternSet, progress: Progress) -> FringeStack:
+    """Take the finest pitch at the rig's longest exposure and an eighth of it, where the axes stand."""
+    place, start = _finest(patterns)
+    group = patterns.groups[place]
+    rig.projector.load(pattern_images(patterns, rig.projector.width_px, rig.projector.height_px))
+    longest = max(rig.description.exposures_us)
+    exposures = (longest, max(1, longest // PROBE_RATIO))
+    taken: dict[str, list[ImageArray]] = {name: [] for name in rig.cameras}
+    for level, exposure_us in enumerate(exposures):
+        set_exposure(rig.cameras, exposure_us)
+        for image in range(group.count):
+            progress.report(
+                level * group.count + image, len(exposures) * group.count, f"probe: image {image + 1} at {exposure_us / 1000:g} ms"
+            )
+            rig.projector.show(start + image, timeout_s=SHOW_TIMEOUT_S)
+            for name, camera in rig.cameras.items():
+                taken[name].append(checked_grab(camera, exposure_us, start + image))
+    images = {name: read_only(np.reshape(stack, (len(exposures), group.count, *stack[0].shape))) for name, stack in taken.items()}
+    alone = patterns.model_copy(update={"name": f"{patterns.name}: probe", "groups": (group,)})
+    return FringeStack("probe", alone, exposures, images, min(camera.saturation for camera in rig.description.cameras))
+
+
+def _finest(patterns: PatternSet) -> tuple[int, int]:
+    """Return the number of the group of the finest pitch, and its first image."""
+    starts = np.cumsum([0, *(group.count for group in patterns.groups)])
+    sinusoids = [(group.pitch_px, number) for number, group in enumerate(patterns.groups) if isinstance(group, PhaseShiftGroup)]
+    place = min(sinusoids)[1]
+    return place, int(starts[place])

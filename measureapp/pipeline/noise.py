@@ -1,0 +1,72 @@
+"""The noise of a rig's cameras, measured by the rig itself."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from measureapp.acquire.capture import PLAIN_LIGHT, SHOW_TIMEOUT_S, checked_grab, move_to, set_exposure
+from measureapp.arrays import ImageArray
+from measureapp.data.plan import Viewpoint
+from measureapp.devices.rig import Rig
+from measureapp.errors import CalibrationError
+from measureapp.fringe.photon_transfer import NoiseEstimate, estimate_noise
+from measureapp.progress import NoProgress, Progress
+
+LEVELS = (1.0, 0.7, 0.5, 0.35, 0.2, 0.1, 0.05)  # of the longest exposure that is not mostly saturated
+LIT = 0.02  # of saturation
+MOST_SATURATED, DIMMER, TRIES = 0.5, 2, 8
+
+
+def measure_noise(
+    rig: Rig, viewpoint: Viewpoint | None = None, repeats: int = 2, progress: Progress | None = None
+) -> dict[str, NoiseEstimate]:
+    """Take plain images at several exposures and estimate the noise of every camera from them.
+
+    Whatever is in sight serves as long as it stands still: its light and dark areas give more brightnesses. The
+    exposures start where at most half of the lit pixels of a camera are saturated.
+
+    Parameters
+    ----------
+    viewpoint : where to look from; None for where the axes stand
+    repeats : images of every exposure
+
+    Raises
+    ------
+    CalibrationError
+        A camera sees nothing, or only saturated pixels; names it.
+    DeviceError
+        From the rig.
+    """
+    progress = progress or NoProgress()
+    if viewpoint is not None:
+        move_to(rig, viewpoint)
+    rig.projector.show(PLAIN_LIGHT, timeout_s=SHOW_TIMEOUT_S)
+    estimates = {}
+    for number, name in enumerate(rig.cameras):
+        progress.report(number, len(rig.cameras), f"noise of camera {name}")
+        estimates[name] = _of_camera(rig, name, repeats)
+    progress.report(1, 1, "noise measured")
+    return estimates
+
+
+def _of_camera(rig: Rig, name: str, repeats: int) -> NoiseEstimate:
+    saturation = rig.description.camera(name).saturation
+    longest_us = _longest_us(rig, name, saturation)
+    exposures = sorted({max(1, round(longest_us * level)) for level in LEVELS}, reverse=True)
+    return estimate_noise([_repeated(rig, name, exposure, repeats) for exposure in exposures], saturation, name)
+
+
+def _repeated(rig: Rig, name: str, exposure_us: int, repeats: int) -> ImageArray:
+    camera = rig.cameras[name]
+    set_exposure({name: camera}, exposure_us)
+    return np.stack([checked_grab(camera, exposure_us, PLAIN_LIGHT) for _ in range(repeats)])
+
+
+def _longest_us(rig: Rig, name: str, saturation: int) -> int:
+    exposure = max(rig.description.exposures_us)
+    for _ in range(TRIES):
+        pixels = _repeated(rig, name, exposure, 1)
+        if (pixels >= saturation).sum() <= MOST_SATURATED * (pixels > LIT * saturation).sum():
+            return exposure
+        exposure = max(1, exposure // DIMMER)
+    raise CalibrationError(f"Camera {name!r} is saturated even at {exposure} µs.", "Dim the light, or close the aperture.")

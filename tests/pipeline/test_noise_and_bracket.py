@@ -1,0 +1,118 @@
+"""A rig measures its cameras' noise and chooses its exposures; the simulated world knows what is true."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from measureapp.acquire.capture import checked_grab, move_to, set_exposure
+from measureapp.data.fringe import FringeStack, PatternSet, PhaseShiftGroup
+from measureapp.data.plan import Viewpoint
+from measureapp.devices.plugin_loader import load_plugin
+from measureapp.devices.rig import Rig
+from measureapp.errors import CalibrationError, DecodeError
+from measureapp.fringe.bracket import BracketLimits
+from measureapp.fringe.decode import decode
+from measureapp.fringe.settings import DecodeSettings
+from measureapp.fringe.stack_checks import check_stack
+from measureapp.pipeline.bracket import probe_stack, propose_bracket
+from measureapp.pipeline.noise import measure_noise
+from measureapp.planning.viewpoints import Gaze, viewpoint_looking_at
+from measureapp.progress import NoProgress
+from measureapp.project.rig_file import read_rig
+
+PATTERNS = PatternSet(name="3", projector_px=1024, groups=tuple(PhaseShiftGroup(pitch_px=pitch) for pitch in (16, 17.5, 19.5)))
+
+
+def rig_with(part: str, world: dict[str, object] | None = None) -> tuple[Rig, Viewpoint]:
+    """A small virtual rig that looks at a part, and from where."""
+    description = read_rig("paper").at_resolution("quarter")
+    rig: Rig = load_plugin(None, "virtual_rig").entry(description, {"part": part, "seed": 3, "world": world or {}})
+    rig.place_on_table("part")
+    target = np.add(description.table.centre_in_guide_mm, [0.0, 0.0, 30.0])
+    return rig, viewpoint_looking_at(description, "view", target, Gaze(10.0, 50.0, description.standoff_mm), guide_mm=0.0, table_deg=0.0)
+
+
+def test_the_noise_of_the_virtual_cameras_is_found() -> None:
+    rig, view = rig_with("gypsum", {"sensor": {"full_well_e": 9000.0, "read_noise_e": 25.0}})
+    found = measure_noise(rig, view, repeats=4)
+    assert set(found) == set(rig.cameras)
+    for estimate in found.values():
+        assert estimate.accepted, estimate.verdict
+        assert estimate.noise.full_well_e == pytest.approx(9000, rel=0.04)
+        assert abs(estimate.noise.full_well_e - 9000) < 5 * estimate.full_well_sd_e
+        assert abs(estimate.noise.read_noise_e - 25) < 5 * estimate.read_noise_sd_e
+        assert estimate.read_noise_sd_e < 8
+
+
+def test_a_rig_that_sees_nothing_says_so() -> None:
+    rig, view = rig_with("gypsum")
+    rig.place_on_table("empty")
+    with pytest.raises(CalibrationError, match=r"camera '.*' are saturated, black"):
+        measure_noise(rig, view)
+    with pytest.raises(DecodeError, match="No camera sees fringes"):
+        propose_bracket(rig, PATTERNS, 4.0, viewpoint=view)
+
+
+def test_a_camera_saturated_at_every_exposure_is_named() -> None:
+    rig, view = rig_with("flat", {"light": {"lamp": 1e6}})
+    with pytest.raises(CalibrationError, match="is saturated even at"):
+        measure_noise(rig, view)
+
+
+def test_the_bracket_a_rig_proposes_gives_what_it_promises() -> None:
+    rig, view = rig_with("impeller")
+    found = propose_bracket(rig, PATTERNS, 4.8, 5, view)
+    assert found.figures.time_s <= 4.8
+    assert set(found.compared) == {"paper", "rig"}
+    for figures in (found.figures, found.compared["rig"]):
+        observed, sigma = taken(rig, view, figures.exposures_us)
+        predicted = np.mean(list(figures.decodable.values()))
+        assert observed == pytest.approx(predicted, abs=0.06)
+        assert sigma == pytest.approx(figures.median_sigma_rad, rel=0.15)
+    better, _ = taken(rig, view, found.exposures_us)
+    assert better > taken(rig, view, found.compared["rig"].exposures_us)[0] - 0.005
+
+
+def taken(rig: Rig, view: Viewpoint, exposures: tuple[int, ...]) -> tuple[float, float]:
+    """Decode a bracket that is really taken: share of the lit pixels that are valid, and median noise."""
+    move_to(rig, view)
+    images: dict[str, list[np.ndarray]] = {name: [] for name in rig.cameras}
+    for exposure in exposures:
+        set_exposure(rig.cameras, exposure)
+        for pattern in range(PATTERNS.count):
+            rig.projector.show(pattern, timeout_s=1.0)
+            for name, camera in rig.cameras.items():
+                images[name].append(checked_grab(camera, exposure, pattern))
+    stacks = {name: np.reshape(grabbed, (len(exposures), PATTERNS.count, *grabbed[0].shape)) for name, grabbed in images.items()}
+    stack = FringeStack(view.id, PATTERNS, exposures, stacks, 255)
+    check_stack(stack)
+    maps = decode(stack, DecodeSettings(vote_radius=0, edge_step_rad=1e6))
+    shares, sigmas = [], []
+    for name, phase_map in maps.items():
+        lit = lit_pixels(rig, name)
+        shares.append(float(phase_map.valid[lit].mean()))
+        sigmas.append(float(np.median(phase_map.sigma_rad[phase_map.valid])))
+    return float(np.mean(shares)), float(np.mean(sigmas))
+
+
+def lit_pixels(rig: Rig, name: str) -> np.ndarray:
+    """Pixels in which two opposite steps differ clearly at a long exposure, or that are saturated in both."""
+    camera = rig.cameras[name]
+    set_exposure({name: camera}, 100_000)
+    images = []
+    for step in range(4):
+        rig.projector.show(step, timeout_s=1.0)
+        images.append(checked_grab(camera, 100_000, step).astype(int))
+    high, low = np.max(images, axis=0), np.min(images, axis=0)
+    return np.asarray((high - low > 6) | (low >= 255))
+
+
+def test_the_probe_takes_only_the_finest_pitch_at_two_exposures() -> None:
+    rig, view = rig_with("flat")
+    patterns = PATTERNS.model_copy(update={"groups": PATTERNS.groups[::-1]})
+    propose_bracket(rig, patterns, 4.8, 2, view, limits=BracketLimits(1.0, multiple_us=10_000))
+    stack = probe_stack(rig, patterns, NoProgress())
+    assert stack.exposures_us == (100_000, 12_500)
+    assert stack.patterns.pitches_px == (16,)
+    assert {images.shape[:2] for images in stack.images.values()} == {(2, 4)}
