@@ -131,6 +131,7 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         session, controllers = self.session, self.controllers
         self.rail.chosen.connect(self.show_page)
+        self.properties.actionClicked.connect(self._act)
         self.header.openClicked.connect(self._choose_project)
         self.header.helpClicked.connect(self._show_help)
         self.header.role.valueChanged.connect(self._change_role)
@@ -153,6 +154,9 @@ class MainWindow(QMainWindow):
 
     def _show_properties(self) -> None:
         self.properties.show_properties(self.page.properties)
+
+    def _act(self) -> None:
+        self.page.act()
 
     def _unfold(self) -> None:
         self.properties.fold(False)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from math import radians
 
 import numpy as np
@@ -10,7 +11,7 @@ import numpy as np
 from measureapp.acquire.events import Event, ImageTaken
 from measureapp.arrays import ImageArray, read_only
 from measureapp.data.board import BoardView
-from measureapp.data.fringe import AxisReadback, FringeStack
+from measureapp.data.fringe import AxisReadback, FringeStack, PatternSet
 from measureapp.data.plan import ScanPlan, Viewpoint
 from measureapp.devices.camera import Camera, GrabbedImage
 from measureapp.devices.rig import Rig
@@ -54,8 +55,29 @@ def move_to(rig: Rig, viewpoint: Viewpoint) -> AxisReadback:
     return readback
 
 
-def capture_stack(rig: Rig, viewpoint: Viewpoint, plan: ScanPlan, on_event: Callable[[Event], None], progress: Progress) -> FringeStack:
+@dataclass(frozen=True, slots=True, eq=False)
+class ExposureTaken:
+    """All images of one exposure of a viewpoint, while the others are still to come."""
+
+    viewpoint_id: str
+    patterns: PatternSet
+    exposures_us: tuple[int, ...]  # of the whole bracket
+    level: int  # which of them
+    images: Mapping[str, ImageArray]  # camera -> (patterns, height, width), read-only
+    saturation: int
+
+
+def capture_stack(
+    rig: Rig,
+    viewpoint: Viewpoint,
+    plan: ScanPlan,
+    on_event: Callable[[Event], None],
+    progress: Progress,
+    on_exposure: Callable[[ExposureTaken], None],
+) -> FringeStack:
     """Take all patterns at all exposures with all cameras; the patterns are already loaded into the projector.
+
+    ``on_exposure`` is called as soon as the images of one exposure are complete.
 
     Raises
     ------
@@ -71,6 +93,7 @@ def capture_stack(rig: Rig, viewpoint: Viewpoint, plan: ScanPlan, on_event: Call
         name: np.empty((len(exposures), count, camera.height_px, camera.width_px), np.uint8 if camera.bit_depth == 8 else np.uint16)
         for name, camera in rig.cameras.items()
     }
+    saturation = min(camera.saturation for camera in rig.description.cameras)
     for level, exposure_us in enumerate(exposures):
         set_exposure(rig.cameras, exposure_us)
         for pattern in range(count):
@@ -82,13 +105,18 @@ def capture_stack(rig: Rig, viewpoint: Viewpoint, plan: ScanPlan, on_event: Call
                 images[name][level, pattern] = checked_grab(camera, exposure_us, pattern)
                 if pattern == 0:
                     on_event(ImageTaken(viewpoint.id, name, exposure_us, read_only(images[name][level, 0].copy())))
+        on_exposure(
+            ExposureTaken(
+                viewpoint.id, plan.patterns, exposures, level, {name: read_only(stack[level]) for name, stack in images.items()}, saturation
+            )
+        )
     _confirm_still(rig, readback, viewpoint.id)
     return FringeStack(
         viewpoint_id=viewpoint.id,
         patterns=plan.patterns,
         exposures_us=exposures,
         images={name: read_only(stack) for name, stack in images.items()},
-        saturation=min(camera.saturation for camera in rig.description.cameras),
+        saturation=saturation,
         readback=readback,
     )
 

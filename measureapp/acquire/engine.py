@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Collection
 from typing import Protocol
 
-from measureapp.acquire.capture import capture_stack
+from measureapp.acquire.capture import ExposureTaken, capture_stack
 from measureapp.acquire.events import Event, RunEnded, RunStarted, ViewpointFailed, ViewpointStarted, ViewpointStored
 from measureapp.arrays import ImageArray
 from measureapp.data.fringe import FringeStack
@@ -17,7 +17,13 @@ from measureapp.progress import Cancelled, PartOf, Progress
 
 
 class Sink(Protocol):
-    """Where finished stacks go."""
+    """Where finished stacks go, and who may begin with one before it is complete."""
+
+    def exposure_taken(self, taken: ExposureTaken) -> None:
+        """Hear that all images of one exposure are there; must return quickly, because the rig waits."""
+
+    def drop(self, viewpoint_id: str) -> None:
+        """Hear that a viewpoint failed or was cancelled: what was begun with its exposures is void."""
 
     def store(self, stack: FringeStack) -> None:
         """Keep ``stack`` for good; raises StorageError."""
@@ -76,10 +82,12 @@ class Engine:
         start = time.monotonic()
         on_event(ViewpointStarted(viewpoint.id))
         try:
-            stack = capture_stack(self._rig, viewpoint, plan, on_event, progress)
-        except DeviceTimeout:
+            stack = capture_stack(self._rig, viewpoint, plan, on_event, progress, self._sink.exposure_taken)
+        except (DeviceTimeout, Cancelled):
+            self._sink.drop(viewpoint.id)
             raise
         except DeviceError as error:
+            self._sink.drop(viewpoint.id)
             on_event(ViewpointFailed(viewpoint.id, str(error)))
             return
         self._sink.store(stack)

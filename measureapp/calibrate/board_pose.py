@@ -8,15 +8,17 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from measureapp.arrays import FloatArray, read_only
+from measureapp.arrays import FloatArray, IntArray, read_only
 from measureapp.calibrate.least_squares import NormalEquations, minimise
 from measureapp.calibrate.poses import moved
 from measureapp.calibrate.projection import cross_matrices, project_with_derivatives
 from measureapp.calibrate.sightings import rms
-from measureapp.data.board import CheckerboardDescription
+from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform, orthonormalised
+
+Seen = tuple[CameraCalibration, FloatArray, FloatArray]  # camera, pixels (N, 2), marks on the board (N, 3)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -42,8 +44,9 @@ def stated_pose(camera_from_board: RigidTransform, sigma_rad: float, sigma_mm: f
 def board_pose(
     corners_px: Mapping[str, FloatArray],
     cameras: CameraArrayCalibration,
-    board: CheckerboardDescription,
+    board: BoardDescription,
     corner_sigma_px: float = 0.1,
+    ids: Mapping[str, IntArray] | None = None,
 ) -> BoardPose:
     """Find camera_from_board by least squares over the corners of all cameras that see the board.
 
@@ -51,6 +54,7 @@ def board_pose(
     ----------
     corners_px : camera -> corners (N, 2), ordered like ``board.corners_mm``
     corner_sigma_px : standard deviation of one coordinate of a corner, from the camera calibration
+    ids : camera -> which corners (N,) it saw, where it did not see all of them
 
     Raises
     ------
@@ -63,17 +67,19 @@ def board_pose(
             f"Camera {unknown[0]!r} is not calibrated." if unknown else "No camera saw the board.",
             "Use the calibration of the cameras that took the images: " + ", ".join(cameras.cameras) + ".",
         )
-    seen = [(cameras.cameras[name], np.asarray(pixels, float)) for name, pixels in corners_px.items()]
-    start = min((_first_guess(camera, pixels, board) for camera, pixels in seen), key=lambda pose: _cost(pose, seen, board))
+    seen = [
+        (cameras.cameras[name], np.asarray(pixels, float), board.marks_mm((ids or {}).get(name))) for name, pixels in corners_px.items()
+    ]
+    start = min((_first_guess(*one) for one in seen), key=lambda pose: _cost(pose, seen))
     minimum = minimise(
         start,
-        lambda pose: _normal(pose, seen, board),
-        lambda pose: _cost(pose, seen, board),
+        lambda pose: _normal(pose, seen),
+        lambda pose: _cost(pose, seen),
         lambda pose, step: np.asarray(moved(pose, step)),
         iterations=30,
     )
     pose = RigidTransform(orthonormalised(minimum.state), "camera", "board")
-    residuals = np.concatenate([_residuals(minimum.state, camera, pixels, board) for camera, pixels in seen])
+    residuals = np.concatenate([_residuals(minimum.state, *one) for one in seen])
     return BoardPose(pose, minimum.hessian / corner_sigma_px**2, rms(residuals))
 
 
@@ -89,38 +95,40 @@ def triangulated(corners_px: Mapping[str, FloatArray], cameras: CameraArrayCalib
     return np.asarray(np.linalg.solve(normal, right[..., None])[..., 0])
 
 
-def _first_guess(camera: CameraCalibration, pixels: FloatArray, board: CheckerboardDescription) -> FloatArray:
+def _flat(marks_mm: FloatArray) -> FloatArray:
+    return np.column_stack([marks_mm[:, :2], np.zeros(len(marks_mm))])
+
+
+def _first_guess(camera: CameraCalibration, pixels: FloatArray, marks_mm: FloatArray) -> FloatArray:
     flat = camera.pinhole.normalise(pixels)
-    _, turns, shifts, errors = cv2.solvePnPGeneric(
-        board.flat_corners_mm, flat.reshape(-1, 1, 2), np.eye(3), np.zeros(5), flags=cv2.SOLVEPNP_IPPE
-    )
+    _, turns, shifts, errors = cv2.solvePnPGeneric(_flat(marks_mm), flat.reshape(-1, 1, 2), np.eye(3), np.zeros(5), flags=cv2.SOLVEPNP_IPPE)
     best = int(np.argmin(np.ravel(errors)))
     in_camera = RigidTransform.from_vector(np.ravel(turns[best]), np.ravel(shifts[best]), camera.name, "board")
     place = camera.reference_from_camera
     return np.asarray((RigidTransform(place.matrix, "camera", camera.name) @ in_camera).matrix)
 
 
-def _in_camera(pose: FloatArray, camera: CameraCalibration, board: CheckerboardDescription) -> tuple[FloatArray, FloatArray]:
-    turned = board.corners_mm @ pose[:3, :3].T
+def _in_camera(pose: FloatArray, camera: CameraCalibration, marks_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
+    turned = marks_mm @ pose[:3, :3].T
     place = camera.reference_from_camera
     return turned, (turned + pose[:3, 3] - place.translation_mm) @ place.rotation
 
 
-def _residuals(pose: FloatArray, camera: CameraCalibration, pixels: FloatArray, board: CheckerboardDescription) -> FloatArray:
-    return camera.pinhole.project(_in_camera(pose, camera, board)[1]) - pixels
+def _residuals(pose: FloatArray, camera: CameraCalibration, pixels: FloatArray, marks_mm: FloatArray) -> FloatArray:
+    return camera.pinhole.project(_in_camera(pose, camera, marks_mm)[1]) - pixels
 
 
-def _cost(pose: FloatArray, seen: list[tuple[CameraCalibration, FloatArray]], board: CheckerboardDescription) -> float:
-    return sum(float(np.sum(_residuals(pose, camera, pixels, board) ** 2)) for camera, pixels in seen)
+def _cost(pose: FloatArray, seen: list[Seen]) -> float:
+    return sum(float(np.sum(_residuals(pose, *one) ** 2)) for one in seen)
 
 
-def _normal(pose: FloatArray, seen: list[tuple[CameraCalibration, FloatArray]], board: CheckerboardDescription) -> NormalEquations:
+def _normal(pose: FloatArray, seen: list[Seen]) -> NormalEquations:
     hessian, gradient = np.zeros((6, 6)), np.zeros(6)
-    for camera, pixels in seen:
-        turned, points = _in_camera(pose, camera, board)
+    for camera, pixels, marks_mm in seen:
+        turned, points = _in_camera(pose, camera, marks_mm)
         projected, by_point, _ = project_with_derivatives(camera.pinhole, points)
         by_reference = by_point @ camera.reference_from_camera.rotation.T
         jacobian = np.concatenate([-by_reference @ cross_matrices(turned), by_reference], axis=2).reshape(-1, 6)
         hessian += jacobian.T @ jacobian
         gradient += jacobian.T @ (projected - pixels).ravel()
-    return NormalEquations(hessian, gradient, _cost(pose, seen, board))
+    return NormalEquations(hessian, gradient, _cost(pose, seen))

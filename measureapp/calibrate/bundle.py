@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
 from measureapp.calibrate.least_squares import Minimum, NormalEquations, minimise
 from measureapp.calibrate.poses import inverted, moved
 from measureapp.calibrate.projection import cross_matrices, project_with_derivatives, with_intrinsics_moved
-from measureapp.data.board import CheckerboardDescription
+from measureapp.data.board import BoardDescription
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.progress import Progress
 
 POSE = 6
 BOW = 3  # quadratic departure of the board from a plane
 HUBER_FACTOR = 3.0  # residuals beyond this many standard deviations count linearly
+NOISE_ROUNDS = 4
+SAME_NOISE = 0.02  # relative change of a camera's noise that is not worth another adjustment
+LEAST_SIGMA_PX = 1e-6
+TINY = 1e-30
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -38,6 +42,7 @@ class Sight:
     view: int
     corners_px: FloatArray  # (N, 2)
     used: BoolArray  # (N,)
+    ids: IntArray | None = None  # (N,), which corners of the board they are; None: all, in order
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,32 +78,47 @@ class Layout:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Bundle:
-    """The adjustment of given sights on a given board."""
+    """The adjustment of given sights on a given board.
 
-    board: CheckerboardDescription
+    Residuals are counted in standard deviations of the camera that saw them: a projector whose pixels come from phases is
+    not as sharp as a camera. `cost`, the normal equations and `huber` are in these units.
+    """
+
+    board: BoardDescription
     sights: tuple[Sight, ...]
     layout: Layout
-    huber_px: float = np.inf
+    huber: float = np.inf
+    sigmas_px: tuple[float, ...] = ()  # per camera, standard deviation of one coordinate of a corner; empty: 1 px
+    flat_mm: FloatArray = field(init=False, repr=False)  # (M, 3), the board's marks without bow
+    bow_terms: FloatArray = field(init=False, repr=False)  # (M, 3)
 
-    def corners_mm(self, state: BundleState) -> FloatArray:
-        """Return the corners of the board as bowed in ``state`` (N, 3)."""
-        corners = self.board.flat_corners_mm
-        corners[:, 2] += self.board.bow_terms @ state.bow_mm
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "flat_mm", read_only(self.board.flat_corners_mm))
+        object.__setattr__(self, "bow_terms", read_only(self.board.bow_terms))
+
+    def sigma_px(self, camera: int) -> float:
+        """Return the standard deviation of one coordinate of a corner in a camera."""
+        return self.sigmas_px[camera] if self.sigmas_px else 1.0
+
+    def corners_mm(self, state: BundleState, sight: Sight) -> FloatArray:
+        """Return the corners of a sight on the board as bowed in ``state`` (N, 3)."""
+        corners = np.array(_of(self.flat_mm, sight))
+        corners[:, 2] += _of(self.bow_terms, sight) @ state.bow_mm
         return corners
 
     def residuals(self, state: BundleState, sight: Sight) -> FloatArray:
         """Return projected minus seen corners (N, 2)."""
         board = state.reference_from_board[sight.view]
         camera = inverted(state.reference_from_camera[sight.camera])
-        points = (self.corners_mm(state) @ board[:3, :3].T + board[:3, 3]) @ camera[:3, :3].T + camera[:3, 3]
+        points = (self.corners_mm(state, sight) @ board[:3, :3].T + board[:3, 3]) @ camera[:3, :3].T + camera[:3, 3]
         return state.pinholes[sight.camera].project(points) - sight.corners_px
 
     def cost(self, state: BundleState) -> float:
         """Return the robust sum of squares."""
         total = 0.0
         for sight in self.sights:
-            length = np.linalg.norm(self.residuals(state, sight)[sight.used], axis=1)
-            total += float(np.sum(np.where(length <= self.huber_px, length**2, self.huber_px * (2 * length - self.huber_px))))
+            length = self._whitened(state, sight)
+            total += float(np.sum(np.where(length <= self.huber, length**2, self.huber * (2 * length - self.huber))))
         return total
 
     def linearise(self, state: BundleState) -> NormalEquations:
@@ -111,19 +131,27 @@ class Bundle:
         size = self.layout.board_at(len(state.reference_from_board))
         hessian, gradient = np.zeros((size, size)), np.zeros(size)
         for sight in self.sights:
-            residual, jacobian, index = self._linearised(state, sight)
-            length = np.linalg.norm(residual, axis=1)
-            weight = np.where(length <= self.huber_px, 1.0, self.huber_px / np.maximum(length, 1e-30)) * sight.used
+            residual, jacobian, index = self.linearised(state, sight)
+            sigma = self.sigma_px(sight.camera)
+            weight = self._weight(np.linalg.norm(residual, axis=1) / sigma) * sight.used / sigma**2
             weighted = (jacobian * weight[:, None, None]).reshape(-1, len(index))
             flat = jacobian.reshape(-1, len(index))
             hessian[np.ix_(index, index)] += weighted.T @ flat
             gradient[index] += weighted.T @ residual.ravel()
         return NormalEquations(hessian, gradient, self.cost(state))
 
-    def _linearised(self, state: BundleState, sight: Sight) -> tuple[FloatArray, FloatArray, IntArray]:
+    def _weight(self, length: FloatArray) -> FloatArray:
+        return np.where(length <= self.huber, 1.0, self.huber / np.maximum(length, TINY))
+
+    def _whitened(self, state: BundleState, sight: Sight) -> FloatArray:
+        """The lengths of the residuals that count, in standard deviations."""
+        return np.asarray(np.linalg.norm(self.residuals(state, sight)[sight.used], axis=1) / self.sigma_px(sight.camera))
+
+    def linearised(self, state: BundleState, sight: Sight) -> tuple[FloatArray, FloatArray, IntArray]:
+        """Return residuals (N, 2), their derivatives (N, 2, K) and which parameters these are (K,): lens, board pose and the others."""
         board = state.reference_from_board[sight.view]
         place = state.reference_from_camera[sight.camera]
-        turned = self.corners_mm(state) @ board[:3, :3].T
+        turned = self.corners_mm(state, sight) @ board[:3, :3].T
         from_centre = turned + board[:3, 3] - place[:3, 3]
         into_camera = place[:3, :3].T
         pixels, by_point, by_lens = project_with_derivatives(state.pinholes[sight.camera], from_centre @ into_camera.T)
@@ -134,7 +162,7 @@ class Bundle:
         lens_at, board_at = layout.lens_at(sight.camera), layout.board_at(sight.view)
         index = [np.arange(lens_at, lens_at + layout.lens), np.arange(board_at, board_at + POSE)]
         if layout.bow:
-            blocks.append((by_reference @ board[:3, 2])[:, :, None] * self.board.bow_terms[:, None, :])
+            blocks.append((by_reference @ board[:3, 2])[:, :, None] * _of(self.bow_terms, sight)[:, None, :])
             index.append(np.arange(layout.bow_at, layout.boards_at))
         if sight.camera:
             blocks.append(np.concatenate([by_reference @ cross_matrices(from_centre), -by_reference], axis=2))
@@ -156,29 +184,48 @@ class Bundle:
         return BundleState(tuple(lenses), np.array(places), boards, bow)
 
     def variance(self, state: BundleState) -> float:
-        """Return the variance of one pixel coordinate after the adjustment, px²."""
-        length = np.concatenate([np.linalg.norm(self.residuals(state, sight)[sight.used], axis=1) for sight in self.sights])
-        weight = np.minimum(1.0, self.huber_px / np.maximum(length, 1e-30))
+        """Return the variance of a residual in units of the one assumed by `sigmas_px`; 1 where that was right."""
+        length = np.concatenate([self._whitened(state, sight) for sight in self.sights])
         freedom = 2 * len(length) - self.layout.board_at(len(state.reference_from_board))
-        return float(np.sum(weight * length**2)) / max(freedom, 1)
+        return float(np.sum(self._weight(length) * length**2)) / max(freedom, 1)
 
 
 def adjust(
-    board: CheckerboardDescription, sights: Sequence[Sight], start: BundleState, *, free_bow: bool, progress: Progress | None = None
-) -> Minimum[BundleState]:
-    """Minimise the robust reprojection error over lenses, camera poses, board poses and, where asked, the board's bow."""
-    bundle = robust_bundle(board, sights, start, free_bow=free_bow)
-    return minimise(start, bundle.linearise, bundle.cost, bundle.moved, progress=progress)
+    board: BoardDescription, sights: Sequence[Sight], start: BundleState, *, free_bow: bool, progress: Progress | None = None
+) -> tuple[Minimum[BundleState], Bundle]:
+    """Minimise the robust reprojection error over lenses, camera poses, board poses and, where asked, the board's bow.
+
+    Each camera's noise is estimated from its own residuals, and the adjustment repeated until the noise no longer changes.
+
+    Returns
+    -------
+    minimum : the solution; its hessian counts residuals in units of the bundle's `sigmas_px`
+    bundle : with the noise as it was weighted in the end
+    """
+    state = start
+    for _ in range(NOISE_ROUNDS):
+        bundle = robust_bundle(board, sights, state, free_bow=free_bow)
+        minimum = minimise(state, bundle.linearise, bundle.cost, bundle.moved, progress=progress)
+        state = minimum.state
+        if np.allclose(robust_sigmas(bundle, state), bundle.sigmas_px, rtol=SAME_NOISE):
+            break
+    return minimum, bundle
 
 
-def robust_bundle(board: CheckerboardDescription, sights: Sequence[Sight], state: BundleState, *, free_bow: bool) -> Bundle:
-    """Return the bundle of ``sights`` whose limit of linear growth follows from the residuals at ``state``."""
+def robust_bundle(board: BoardDescription, sights: Sequence[Sight], state: BundleState, *, free_bow: bool) -> Bundle:
+    """Return the bundle of ``sights`` whose weights and limit of linear growth follow from the residuals at ``state``."""
     layout = Layout(4 + len(state.pinholes[0].distortion), len(state.pinholes), BOW if free_bow else 0)
     plain = Bundle(board, tuple(sights), layout)
-    return Bundle(board, tuple(sights), layout, HUBER_FACTOR * np.sqrt(2) * robust_sigma(plain, state))
+    return Bundle(board, tuple(sights), layout, HUBER_FACTOR * float(np.sqrt(2)), robust_sigmas(plain, state))
 
 
-def robust_sigma(bundle: Bundle, state: BundleState) -> float:
-    """Return the standard deviation of one pixel coordinate, by the median of the absolute residuals."""
-    everything = np.concatenate([bundle.residuals(state, sight)[sight.used].ravel() for sight in bundle.sights])
-    return max(1.4826 * float(np.median(np.abs(everything))), 1e-6)
+def robust_sigmas(bundle: Bundle, state: BundleState) -> tuple[float, ...]:
+    """Return each camera's standard deviation of one pixel coordinate, by the median of the absolute residuals."""
+    seen: list[list[FloatArray]] = [[] for _ in state.pinholes]
+    for sight in bundle.sights:
+        seen[sight.camera].append(bundle.residuals(state, sight)[sight.used].ravel())
+    return tuple(max(1.4826 * float(np.median(np.abs(np.concatenate(own)))), LEAST_SIGMA_PX) for own in seen)
+
+
+def _of(marks: FloatArray, sight: Sight) -> FloatArray:
+    return marks if sight.ids is None else marks[sight.ids]

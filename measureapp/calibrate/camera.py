@@ -10,7 +10,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.sightings import Rejection, Sighting, rms
-from measureapp.data.board import CheckerboardDescription
+from measureapp.data.board import BoardDescription
 from measureapp.errors import CalibrationError
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
@@ -31,7 +31,7 @@ class MonoSolution:
 
 
 def calibrate_camera(
-    sightings: Sequence[Sighting], board: CheckerboardDescription, size_px: tuple[int, int], distortion_count: int = 5
+    sightings: Sequence[Sighting], board: BoardDescription, size_px: tuple[int, int], distortion_count: int = 5
 ) -> MonoSolution:
     """Calibrate one camera [1]_, leaving out views that fit three times worse than the median view.
 
@@ -63,19 +63,19 @@ def bad_view_reason(error_px: float, median_px: float) -> str:
     """Say why a view was left out."""
     return (
         f"its rms of {error_px:.2f} px is more than {BAD_VIEW_FACTOR:.0f} times the median of {median_px:.2f} px: "
-        "corners were found in a wrong place, or the board moved"
+        "its corners were found in a wrong place, or the image is blurred"
     )
 
 
 def _zhang(
-    sightings: Sequence[Sighting], board: CheckerboardDescription, size_px: tuple[int, int], distortion_count: int
+    sightings: Sequence[Sighting], board: BoardDescription, size_px: tuple[int, int], distortion_count: int
 ) -> tuple[PinholeCamera, list[RigidTransform], FloatArray]:
-    corners = board.corners_mm.astype(np.float32)
+    corners = [board.marks_mm(sighting.ids).astype(np.float32) for sighting in sightings]
     pixels = [sighting.corners_px.astype(np.float32).reshape(-1, 1, 2) for sighting in sightings]
     flags = FIXED_COEFFICIENTS[distortion_count]
     camera = sightings[0].camera
     try:
-        _, matrix, distortion, turns, shifts = cv2.calibrateCamera([corners] * len(pixels), pixels, size_px, None, None, flags=flags)
+        _, matrix, distortion, turns, shifts = cv2.calibrateCamera(corners, pixels, size_px, None, None, flags=flags)
     except cv2.error as error:
         raise CalibrationError(
             f"The views of camera {camera!r} do not determine its lens.", "Tilt the board in several directions and fill the image."
@@ -87,7 +87,8 @@ def _zhang(
         RigidTransform.from_vector(np.ravel(turn), np.ravel(shift), camera, "board") for turn, shift in zip(turns, shifts, strict=True)
     ]
     errors = [
-        rms(pinhole.project(pose.apply(board.corners_mm)) - sighting.corners_px) for pose, sighting in zip(poses, sightings, strict=True)
+        rms(pinhole.project(pose.apply(board.marks_mm(sighting.ids))) - sighting.corners_px)
+        for pose, sighting in zip(poses, sightings, strict=True)
     ]
     return pinhole, poses, np.array(errors)
 

@@ -3,34 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from itertools import combinations
 
 import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.board import require_unambiguous
-from measureapp.calibrate.bundle import Bundle, BundleState, Sight, adjust, robust_bundle, robust_sigma
-from measureapp.calibrate.camera import (
-    BAD_VIEW_FACTOR,
-    BAD_VIEW_FLOOR_PX,
-    FIXED_COEFFICIENTS,
-    LEAST_VIEWS,
-    bad_view_reason,
-    calibrate_camera,
-)
+from measureapp.calibrate.bundle import Bundle, BundleState, Sight, adjust
+from measureapp.calibrate.camera import FIXED_COEFFICIENTS, LEAST_VIEWS, calibrate_camera
+from measureapp.calibrate.camera_cleaning import Cleaned, CornerRejection, Names, cleaned, compacted
 from measureapp.calibrate.camera_pairs import LoopCheck, contradictions, loops, placed_from_reference
+from measureapp.calibrate.least_squares import Minimum
 from measureapp.calibrate.poses import inverted
 from measureapp.calibrate.projection import intrinsic_names
 from measureapp.calibrate.sightings import Rejection, Sighting, ViewResidual, rms
-from measureapp.data.board import CheckerboardDescription
+from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, Provenance
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform, orthonormalised
 from measureapp.progress import NoProgress, PartOf, Progress
 
-ROUNDS = 3  # adjust, leave out what does not fit, adjust again
-BAD_CORNER_FACTOR = 6.0
+ROUNDS = 6  # adjust, leave out what does not fit, adjust again
 WEAK_FOCAL_SHARE = 0.05
 LEAST_SIGHTS_FOR_BOW = 12
 BOW_NAMES = ("board.bow_xx_mm", "board.bow_xy_mm", "board.bow_yy_mm")
@@ -41,7 +35,7 @@ POSE_NAMES = ("rotation_x_rad", "rotation_y_rad", "rotation_z_rad", "x_mm", "y_m
 class CameraArrayProblem:
     """Everything the solution depends on."""
 
-    board: CheckerboardDescription
+    board: BoardDescription
     reference: str
     sizes_px: Mapping[str, tuple[int, int]]  # camera -> (width, height)
     sightings: tuple[Sighting, ...]
@@ -56,10 +50,12 @@ class CameraArraySolution:
 
     calibration: CameraArrayCalibration
     joint_rms_px: float
-    sigma_px: float  # standard deviation of one coordinate of a corner
-    board: CheckerboardDescription  # with its bow, where that was estimated
+    sigma_px: float  # standard deviation of one coordinate of a corner, over all cameras
+    sigmas_px: Mapping[str, float]  # the same per camera
+    board: BoardDescription  # with its bow, where that was estimated
     views: tuple[ViewResidual, ...]
     rejected: tuple[Rejection, ...]
+    rejected_corners: tuple[CornerRejection, ...]
     boards: Mapping[str, RigidTransform]  # view -> camera_from_board in the reference camera's frame
     loops: tuple[LoopCheck, ...]
     parameters: tuple[str, ...]  # names of the rows of `covariance`: "left.fx", "right.x_mm", …
@@ -82,25 +78,28 @@ def solve(problem: CameraArrayProblem, progress: Progress | None = None) -> Came
     _check(problem)
     sightings, rejected, start, checks = _started(problem, PartOf(progress, 0.0, 0.4))
     cameras, views = _indices(problem, sightings)
-    sights = [
-        Sight(cameras[sighting.camera], views[sighting.view], sighting.corners_px, np.ones(len(sighting.corners_px), bool))
-        for sighting in sightings
-    ]
-    names = (tuple(cameras), tuple(views))
+    sights = [Sight(cameras[one.camera], views[one.view], one.corners_px, np.ones(len(one.corners_px), bool), one.ids) for one in sightings]
+    names: Names = (tuple(cameras), tuple(views))
     free_bow = problem.free_bow and len(sights) >= LEAST_SIGHTS_FOR_BOW
+    corners: list[CornerRejection] = []
     for number in range(ROUNDS):
-        part = PartOf(progress, 0.4 + 0.2 * number, 0.6 + 0.2 * number, "bundle: ")
-        minimum = adjust(problem.board, sights, start, free_bow=free_bow, progress=part)
-        bundle = robust_bundle(problem.board, sights, minimum.state, free_bow=free_bow)
-        kept, out = _cleaned(bundle, minimum.state, names)
-        if not out:
+        part = PartOf(progress, 0.4 + 0.6 * number / ROUNDS, 0.4 + 0.6 * (number + 1) / ROUNDS, "bundle: ")
+        minimum, bundle = adjust(problem.board, sights, start, free_bow=free_bow, progress=part)
+        found = cleaned(bundle, minimum.state, names)
+        if not found.anything:
             break
-        rejected += out
-        start, sights, names = _compacted(minimum.state, kept, names)
+        rejected, corners = rejected + found.rejected, _still_used(corners, found)
+        start, sights, names = compacted(minimum.state, found.kept, names)
+    else:  # the last round's finds are left out as well, so the solution must not contain them
+        minimum, bundle = adjust(problem.board, sights, start, free_bow=free_bow, progress=progress)
     progress.report(1, 1)
-    variance = bundle.variance(minimum.state)
-    covariance = minimum.covariance(variance)[: bundle.layout.boards_at, : bundle.layout.boards_at]
-    return _solution(bundle, minimum.state, names, rejected, checks, covariance, variance)
+    return _solution(bundle, minimum, names, rejected, corners, checks)
+
+
+def _still_used(corners: list[CornerRejection], found: Cleaned) -> list[CornerRejection]:
+    """Add the corners found; those of a sighting left out whole are no longer named one by one."""
+    out = {(one.camera, one.view) for one in found.rejected}
+    return [one for one in (*corners, *found.corners) if (one.camera, one.view) not in out]
 
 
 def _check(problem: CameraArrayProblem) -> None:
@@ -151,53 +150,19 @@ def _indices(problem: CameraArrayProblem, sightings: list[Sighting]) -> tuple[di
     return {name: index for index, name in enumerate(order)}, {view: index for index, view in enumerate(views)}
 
 
-def _cleaned(bundle: Bundle, state: BundleState, names: tuple[tuple[str, ...], tuple[str, ...]]) -> tuple[list[Sight], list[Rejection]]:
-    """Leave out whole sightings that fit badly, and single corners far off."""
-    errors = np.array([rms(bundle.residuals(state, sight), sight.used) for sight in bundle.sights])
-    limit_px = BAD_CORNER_FACTOR * np.sqrt(2) * robust_sigma(bundle, state)
-    kept, out = [], []
-    for sight, error in zip(bundle.sights, errors, strict=True):
-        median = float(np.median([other for other, of in zip(errors, bundle.sights, strict=True) if of.camera == sight.camera]))
-        camera, view = names[0][sight.camera], names[1][sight.view]
-        if error > max(BAD_VIEW_FACTOR * median, BAD_VIEW_FLOOR_PX):
-            out.append(Rejection(camera, view, bad_view_reason(error, median)))
-            continue
-        far = sight.used & (np.linalg.norm(bundle.residuals(state, sight), axis=1) > max(limit_px, BAD_VIEW_FLOOR_PX))
-        if far.any():
-            places = ", ".join(str(number) for number in np.flatnonzero(far))
-            out.append(Rejection(camera, view, f"corner {places} lies more than {limit_px:.2f} px from where it should"))
-        kept.append(replace(sight, used=sight.used & ~far))
-    return kept, out
-
-
-def _compacted(
-    state: BundleState, sights: list[Sight], names: tuple[tuple[str, ...], tuple[str, ...]]
-) -> tuple[BundleState, list[Sight], tuple[tuple[str, ...], tuple[str, ...]]]:
-    """Drop board positions no camera sees any more. Raises CalibrationError where too few are left."""
-    for camera, name in enumerate(names[0]):
-        left = sum(sight.camera == camera for sight in sights)
-        if left < LEAST_VIEWS:
-            raise CalibrationError(
-                f"Camera {name!r} has {left} views left that fit the others; at least {LEAST_VIEWS} are needed.",
-                "Check that the images show the same rigid board, sharp and in the same order for all cameras.",
-            )
-    views = sorted({sight.view for sight in sights})
-    new = {view: index for index, view in enumerate(views)}
-    kept = [replace(sight, view=new[sight.view]) for sight in sights]
-    compact = replace(state, reference_from_board=state.reference_from_board[views])
-    return compact, kept, (names[0], tuple(names[1][view] for view in views))
-
-
 def _solution(
     bundle: Bundle,
-    state: BundleState,
-    names: tuple[tuple[str, ...], tuple[str, ...]],
+    minimum: Minimum[BundleState],
+    names: Names,
     rejected: list[Rejection],
+    corners: list[CornerRejection],
     checks: tuple[LoopCheck, ...],
-    covariance: FloatArray,
-    variance: float,
 ) -> CameraArraySolution:
-    cameras, views = names
+    state, (cameras, views) = minimum.state, names
+    variance = bundle.variance(state)
+    covariance = minimum.covariance(variance)[: bundle.layout.boards_at, : bundle.layout.boards_at]
+    sigmas = np.sqrt(variance) * np.array(bundle.sigmas_px)
+    counts = [sum(int(sight.used.sum()) for sight in bundle.sights if sight.camera == camera) for camera in range(len(cameras))]
     labels = _labels(bundle, cameras)
     deviations = dict(zip(labels, np.sqrt(np.diag(covariance)), strict=True))
     residuals = [bundle.residuals(state, sight)[sight.used] for sight in bundle.sights]
@@ -214,13 +179,15 @@ def _solution(
     return CameraArraySolution(
         calibration=array,
         joint_rms_px=rms(np.concatenate(residuals)),
-        sigma_px=float(np.sqrt(variance)),
+        sigma_px=float(np.sqrt(np.average(sigmas**2, weights=counts))),
+        sigmas_px={name: float(sigma) for name, sigma in zip(cameras, sigmas, strict=True)},
         board=bundle.board.model_copy(update={"bow_mm": tuple(float(value) for value in state.bow_mm)}),
         views=tuple(
             ViewResidual(cameras[sight.camera], views[sight.view], rms(values), len(values))
             for sight, values in zip(bundle.sights, residuals, strict=True)
         ),
         rejected=tuple(rejected),
+        rejected_corners=tuple(corners),
         boards={
             view: RigidTransform(orthonormalised(pose), "camera", "board")
             for view, pose in zip(views, state.reference_from_board, strict=True)

@@ -7,11 +7,11 @@ from collections.abc import Mapping
 import cv2
 import numpy as np
 
-from measureapp.arrays import FloatArray
+from measureapp.arrays import FloatArray, IntArray
 from measureapp.calibrate.camera import LEAST_VIEWS
 from measureapp.calibrate.camera_array import CameraArrayProblem
 from measureapp.calibrate.sightings import Rejection, Sighting
-from measureapp.data.board import CheckerboardDescription
+from measureapp.data.board import BoardDescription
 
 ADVISED_VIEWS = 10
 ADVISED_TILT_RAD = np.deg2rad(15.0)
@@ -23,17 +23,15 @@ ROUGH_FOCAL = 1.5  # focal length over image width, enough to judge tilts
 class CameraArrayDraft:
     """The sightings collected so far, and those that gave nothing with their reasons."""
 
-    def __init__(
-        self, board: CheckerboardDescription, reference: str, sizes_px: Mapping[str, tuple[int, int]], distortion_count: int = 5
-    ) -> None:
+    def __init__(self, board: BoardDescription, reference: str, sizes_px: Mapping[str, tuple[int, int]], distortion_count: int = 5) -> None:
         self._board, self._reference, self._sizes = board, reference, dict(sizes_px)
         self._distortion_count = distortion_count
         self._sightings: dict[tuple[str, str], Sighting] = {}
         self._rejected: dict[tuple[str, str], Rejection] = {}
 
-    def add(self, camera: str, view: str, corners_px: FloatArray) -> None:
-        """Add the corners seen by one camera."""
-        self._sightings[camera, view] = Sighting(camera, view, corners_px)
+    def add(self, camera: str, view: str, corners_px: FloatArray, ids: IntArray | None = None) -> None:
+        """Add the corners seen by one camera; ``ids`` says which they are, where it did not see all."""
+        self._sightings[camera, view] = Sighting(camera, view, corners_px, ids)
 
     def reject(self, camera: str, view: str, reason: str) -> None:
         """Note that one camera gave nothing in a view, and why."""
@@ -93,5 +91,11 @@ class CameraArrayDraft:
         width, height = self._sizes[sighting.camera]
         focal = ROUGH_FOCAL * width
         matrix = np.array([[focal, 0, width / 2], [0, focal, height / 2], [0, 0, 1]])
-        _, turn, _ = cv2.solvePnP(self._board.corners_mm, np.array(sighting.corners_px), matrix, np.zeros(5), flags=cv2.SOLVEPNP_IPPE)
+        _, turn, _ = cv2.solvePnP(
+            self._board.flat_corners_mm[sighting.ids if sighting.ids is not None else slice(None)],
+            np.array(sighting.corners_px),
+            matrix,
+            np.zeros(5),
+            flags=cv2.SOLVEPNP_IPPE,
+        )
         return np.asarray(cv2.Rodrigues(turn)[0], np.float64)[:, 2]

@@ -47,22 +47,44 @@ def contradictions(poses: Poses) -> list[Rejection]:
     CalibrationError
         Most views of a pair contradict each other: the images do not belong together.
     """
-    rejected = {}
+    odd: dict[str, dict[tuple[str, str], bool]] = {}  # view -> pairs that contradict, and whether exchanged images explain it
     for left, right in combinations(poses, 2):
         shared = [view for view in poses[left] if view in poses[right]]
         if not shared:
             continue
-        _, odd = pair_transform(poses[left], poses[right])
-        if len(odd) * 2 >= len(shared) and len(shared) > 1:
+        middle, wrong = pair_transform(poses[left], poses[right])
+        if len(wrong) * 2 >= len(shared) and len(shared) > 1:
             raise CalibrationError(
-                f"The images of cameras {left!r} and {right!r} do not belong together: in {len(odd)} of {len(shared)} views "
+                f"The images of cameras {left!r} and {right!r} do not belong together: in {len(wrong)} of {len(shared)} views "
                 "they saw different board positions.",
                 "Give the images of all cameras in the same order, one of each camera per board position.",
             )
-        for view in odd:
-            reason = f"cameras {left} and {right} did not see the same board position"
-            rejected.update({(camera, view): Rejection(camera, view, reason) for camera in (left, right)})
-    return list(rejected.values())
+        for view in wrong:
+            odd.setdefault(view, {})[left, right] = _exchanged(poses[left][view], poses[right][view], middle)
+    return [rejection for view, pairs in odd.items() for rejection in _blamed(view, pairs)]
+
+
+def _exchanged(left: RigidTransform, right: RigidTransform, middle: FloatArray) -> bool:
+    """Whether the images of both cameras fit when they change places (the lenses being alike)."""
+    turned = stacked([right]) @ inverted(stacked([left]))
+    return bool(np.linalg.norm(change_between(middle[None], turned)[0, :3]) < LARGEST_TURN_RAD)
+
+
+def _blamed(view: str, pairs: Mapping[tuple[str, str], bool]) -> list[Rejection]:
+    """The cameras whose images of a view are left out: the one that all contradictions share, or else all of them."""
+    swapped = next((pair for pair, exchanged in pairs.items() if exchanged), None)
+    if swapped is not None:
+        reason = f"the images of cameras {swapped[0]} and {swapped[1]} were exchanged"
+        return [Rejection(camera, view, reason) for camera in swapped]
+    cameras = list(dict.fromkeys(camera for pair in pairs for camera in pair))
+    common = [camera for camera in cameras if len(pairs) > 1 and all(camera in pair for pair in pairs)]
+    blamed = common or cameras
+    others = [camera for camera in cameras if camera not in blamed]
+    if others:
+        reason = f"it does not show the board position that cameras {' and '.join(others)} saw"
+    else:
+        reason = f"cameras {' and '.join(cameras)} did not see the same board position: the board moved, or images were exchanged"
+    return [Rejection(camera, view, reason) for camera in blamed]
 
 
 def placed_from_reference(poses: Poses, reference: str) -> dict[str, FloatArray]:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.arrays import FloatArray, IntArray
 from measureapp.calibrate.axis_motion import across
+from measureapp.calibrate.axis_noise import AxisNoise
 from measureapp.calibrate.board_pose import BoardPose
-from measureapp.calibrate.least_squares import Minimum, minimise_residuals
+from measureapp.calibrate.least_squares import Minimum, NormalEquations, minimise
 from measureapp.calibrate.poses import change_between, inverted, moved, stacked
 from measureapp.progress import Progress
 
@@ -19,15 +20,6 @@ POSE = 6
 TURN_STEP, LENGTH_STEP, SCALE_STEP = 1e-6, 1e-4, 1e-6
 POSE_STEPS = (TURN_STEP,) * 3 + (LENGTH_STEP,) * 3
 POSE_LABELS = ("rotation_x_rad", "rotation_y_rad", "rotation_z_rad", "x_mm", "y_mm", "z_mm")
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class AxisNoise:
-    """Standard deviations the chain expects of the axes."""
-
-    robot_mm: float = 0.3  # absolute pose error of the robot, per pose and coordinate
-    robot_rad: float = float(np.deg2rad(0.02))
-    table_rad: float = float(np.deg2rad(10 / 3600))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -42,6 +34,7 @@ class ChainState:
     guide_from_board: FloatArray  # (4, 4), at table angle 0
     robot_changes: FloatArray  # (G, 6), error of each robot pose in its flange frame
     table_changes: FloatArray  # (K,), error of each table angle
+    camera_changes: FloatArray = field(default_factory=lambda: np.zeros(0))  # (C,), where the cameras are freed
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,10 +55,12 @@ class Chain:
     table_rad: FloatArray  # (N,)
     camera_from_board: FloatArray  # (N, 4, 4)
     roots: FloatArray  # (N, 6, 6), upper triangular roots of the poses' information
-    robot_group: IntArray  # (N,), which robot pose; equal poses share their error
+    robot_group: IntArray  # (N,), which approach of the robot; sightings of one approach share its error
     table_group: IntArray  # (N,), which table angle
     noise: AxisNoise
     free: Free
+    by_cameras: FloatArray | None = None  # (N, 6, C), change of the observed poses with the parameters of the cameras
+    camera_covariance: FloatArray | None = None  # (C, C), where the cameras are freed: what their calibration says of them
 
     @property
     def labels(self) -> tuple[str, ...]:
@@ -81,7 +76,7 @@ class Chain:
 
     @property
     def robot_poses(self) -> int:
-        """How many different robot poses there are."""
+        """How many approaches of the robot there are."""
         return int(self.robot_group.max()) + 1
 
     @property
@@ -104,15 +99,30 @@ class Chain:
         turned[:, :3, 3] = state.axis_point_mm - turned[:, :3, :3] @ state.axis_point_mm
         return turned
 
+    @property
+    def approached(self) -> FloatArray:
+        """The poses base_from_flange (G, 4, 4) as read back, one per approach."""
+        return self.base_from_flange[np.unique(self.robot_group, return_index=True)[1]]
+
+    @property
+    def cameras_freed(self) -> int:
+        """How many parameters of the cameras are estimated."""
+        return 0 if self.camera_covariance is None else len(self.camera_covariance)
+
+    @property
+    def size(self) -> int:
+        """How many parameters there are."""
+        return sum(self._lengths())
+
     def residuals(self, state: ChainState) -> FloatArray:
-        """Return the whitened residuals: poses (6 N), robot errors (6 G), table errors (K)."""
-        poses = (self.roots @ change_between(self.camera_from_board, self.predicted(state))[..., None]).ravel()
-        robot = state.robot_changes / np.array([self.noise.robot_rad] * 3 + [self.noise.robot_mm] * 3)
-        table = state.table_changes / self.noise.table_rad
-        return np.concatenate([poses, robot.ravel(), table])
+        """Return the whitened residuals of the poses (6 N) and the table errors (K)."""
+        away = change_between(self.camera_from_board, self.predicted(state))
+        if self.cameras_freed and self.by_cameras is not None:
+            away = away - self.by_cameras @ state.camera_changes
+        return np.concatenate([(self.roots @ away[..., None]).ravel(), state.table_changes / self.noise.table_rad])
 
     def moved(self, state: ChainState, step: FloatArray) -> ChainState:
-        """Return the state after a step in the order of `labels`, then robot and table errors."""
+        """Return the state after a step in the order of `labels`, then robot, table and camera errors."""
         taken = iter(np.split(step, np.cumsum(self._lengths())[:-1]))
         changed = state
         if self.free.hand_eye:
@@ -130,35 +140,78 @@ class Chain:
             guide_from_board=moved(state.guide_from_board, next(taken)),
             robot_changes=state.robot_changes + next(taken).reshape(-1, POSE),
             table_changes=state.table_changes + next(taken),
+            camera_changes=state.camera_changes + next(taken) if self.cameras_freed else state.camera_changes,
         )
 
     def _lengths(self) -> list[int]:
         parts = [(self.free.hand_eye, POSE), (self.free.guide, 3), (self.free.axis, 4), (True, POSE)]
-        return [length for used, length in parts if used] + [POSE * self.robot_poses, self.table_angles]
+        return [length for used, length in parts if used] + [POSE * self.robot_poses, self.table_angles, self.cameras_freed]
 
     def adjusted(self, start: ChainState, progress: Progress | None = None) -> Minimum[ChainState]:
-        """Minimise all residuals from ``start``."""
-        named, robot, table = len(self.labels), self.robot_poses, self.table_angles
+        """Minimise all residuals and the errors' departures from what is expected of them, from ``start``."""
+        priors = self._priors()
+        return minimise(
+            start, lambda state: self._normal(state, priors), lambda state: self._cost(state, priors), self.moved, progress=progress
+        )
+
+    def _priors(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Inverse covariances of the robot's rotations (G, G) and translations (G, G), and of the cameras (C, C)."""
+        turn, shift = self.noise.robot_covariances(self.approached)
+        cameras = np.zeros((0, 0)) if self.camera_covariance is None else np.linalg.inv(self.camera_covariance)
+        return np.linalg.inv(turn), np.linalg.inv(shift), cameras
+
+    def _cost(self, state: ChainState, priors: tuple[FloatArray, FloatArray, FloatArray]) -> float:
+        turn, shift, cameras = priors
+        rotations, translations = state.robot_changes[:, :3], state.robot_changes[:, 3:]
+        robot = np.sum(rotations * (turn @ rotations)) + np.sum(translations * (shift @ translations))
+        own = state.camera_changes @ cameras @ state.camera_changes if self.cameras_freed else 0.0
+        return float(np.sum(self.residuals(state) ** 2) + robot + own)
+
+    def _normal(self, state: ChainState, priors: tuple[FloatArray, FloatArray, FloatArray]) -> NormalEquations:
+        jacobian = self.jacobian(state)
+        hessian, gradient = jacobian.T @ jacobian, jacobian.T @ self.residuals(state)
+        first = len(self.labels)
+        for part in range(POSE):
+            index = first + part + POSE * np.arange(self.robot_poses)
+            inverse = priors[0] if part < 3 else priors[1]
+            hessian[np.ix_(index, index)] += inverse
+            gradient[index] += inverse @ state.robot_changes[:, part]
+        if self.cameras_freed:
+            index = np.arange(self.size - self.cameras_freed, self.size)
+            hessian[np.ix_(index, index)] += priors[2]
+            gradient[index] += priors[2] @ state.camera_changes
+        return NormalEquations(hessian, gradient, self._cost(state, priors))
+
+    def jacobian(self, state: ChainState) -> FloatArray:
+        """Return the derivatives (6 N + K, P) of `residuals`, by central differences; errors of different approaches are shifted at once."""
+        named, robot, table, count = len(self.labels), self.robot_poses, self.table_angles, len(self.guide_mm)
+        result = np.zeros((POSE * count + table, self.size))
+
+        def difference(chosen: IntArray | int, step: float) -> FloatArray:
+            shift = np.zeros(self.size)
+            shift[chosen] = step
+            return (self.residuals(self.moved(state, shift)) - self.residuals(self.moved(state, -shift))) / (2 * step)
+
+        for parameter, step in enumerate(self._steps()):
+            result[:, parameter] = difference(parameter, step)
+        rows = np.arange(POSE * count)
+        for part, step in enumerate(POSE_STEPS):
+            change = difference(named + part + POSE * np.arange(robot), step)
+            result[rows, named + part + POSE * np.repeat(self.robot_group, POSE)] = change[rows]
+        if table:
+            at = named + POSE * robot + np.arange(table)
+            change = difference(at, TURN_STEP)
+            result[rows, np.repeat(at[self.table_group], POSE)] = change[rows]
+            result[POSE * count + np.arange(table), at] = 1 / self.noise.table_rad
+        if self.cameras_freed and self.by_cameras is not None:
+            result[rows, -self.cameras_freed :] = -(self.roots @ self.by_cameras).reshape(POSE * count, -1)
+        return result
+
+    def _steps(self) -> list[float]:
         steps: list[float] = [*POSE_STEPS] if self.free.hand_eye else []
         steps += [TURN_STEP, TURN_STEP, SCALE_STEP] if self.free.guide else []
         steps += [TURN_STEP, TURN_STEP, LENGTH_STEP, LENGTH_STEP] if self.free.axis else []
-        steps += [*POSE_STEPS, *(POSE_STEPS * robot), *((TURN_STEP,) * table)]
-        together = [np.arange(robot) * POSE + named + part for part in range(POSE)]
-        if table:
-            together.append(np.arange(table) + named + POSE * robot)
-        return minimise_residuals(
-            start, self.residuals, self.moved, np.array(steps), together=together, rows_of=self._rows_of, progress=progress
-        )
-
-    def _rows_of(self, parameter: int) -> BoolArray:
-        """Return the residuals that the error of one robot pose or table angle touches."""
-        count, robot, table = len(self.guide_mm), self.robot_poses, self.table_angles
-        rows = np.zeros(POSE * count + POSE * robot + table, bool)
-        index = parameter - len(self.labels)
-        group, number = (self.robot_group, index // POSE) if index < POSE * robot else (self.table_group, index - POSE * robot)
-        rows[: POSE * count] = np.repeat(group == number, POSE)
-        rows[POSE * count + index] = True
-        return rows
+        return [*steps, *POSE_STEPS]
 
     def freedom(self) -> int:
         """Return the degrees of freedom: robot and table errors count as observed by their priors."""

@@ -1,18 +1,23 @@
-"""Where the reference camera sits on the flange: five closed solutions side by side, then a joint refinement."""
+"""Where the reference camera sits on the flange: seven closed solutions side by side, then a joint refinement."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 
 from measureapp.arrays import FloatArray
+from measureapp.calibrate.axis_noise import AxisNoise
 from measureapp.calibrate.board_pose import BoardPose
-from measureapp.calibrate.chain import POSE_LABELS, AxisNoise, Chain, ChainState, Free, poses_of, roots_of
-from measureapp.calibrate.hand_eye_methods import METHODS, park_martin
-from measureapp.calibrate.motions import Degeneracy, Motions, motions_between
-from measureapp.calibrate.poses import change_between, inverted, mean_pose, stacked
+from measureapp.calibrate.chain import POSE_LABELS, Chain, ChainState, Free, poses_of, roots_of
+from measureapp.calibrate.hand_eye_methods import METHODS
+from measureapp.calibrate.least_squares import Minimum
+from measureapp.calibrate.motions import Degeneracy, motions_between
+from measureapp.calibrate.pose_checks import board_deviations, check_direction, check_units
+from measureapp.calibrate.poses import mean_pose, stacked
+from measureapp.calibrate.robot_world import ROBOT_WORLD_METHODS
 from measureapp.data.calibration import HandEye
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform, orthonormalised
@@ -20,10 +25,6 @@ from measureapp.progress import NoProgress, Progress
 
 LEAST_POSES = 3
 ADVISED_POSES = 10
-SWAPPED_SHARE = 0.3  # inverted poses that fit better than this share of the residual were given the wrong way round
-LEAST_SWAPPED_MM = 1.0
-METRE_SCALES = (100.0, 0.01)
-SHORTEST_DISTANCE_MM = 5.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -57,6 +58,11 @@ class HandEyeSolution:
     base_from_board: RigidTransform
     degeneracy: Degeneracy
     spread_mm: float  # largest distance between the methods' translations
+    part_in_camera_mm: FloatArray  # (3,), a point before the camera as far away as the board was: it stands for the part
+    spread_at_part_mm: float  # largest distance between that point carried to the flange by each method
+    influence_mm: FloatArray  # (N,), how far that point moves in the flange frame when the pose is left out
+    chain: Chain
+    minimum: Minimum[ChainState]
 
 
 class HandEyeDraft:
@@ -93,7 +99,7 @@ class HandEyeDraft:
 
 
 def solve(problem: HandEyeProblem, progress: Progress | None = None) -> HandEyeSolution:
-    """Find flange_from_camera by Tsai-Lenz, Park-Martin, Horaud, Daniilidis and Andreff, then refine it.
+    """Find flange_from_camera by Tsai-Lenz, Park-Martin, Horaud, Daniilidis, Andreff, Shah and Li-Wang-Wu, then refine it.
 
     The refinement minimises the errors of the board poses (weighted by their information) and of the robot poses (by
     ``noise``) over X, the board's place and one error per robot pose. Where board poses come from images, their
@@ -109,20 +115,28 @@ def solve(problem: HandEyeProblem, progress: Progress | None = None) -> HandEyeS
     if len(robot) != len(camera):
         raise CalibrationError(f"{len(robot)} robot poses do not belong to {len(camera)} board poses.", "Give one of each per position.")
     motions, degeneracy = motions_between(robot, camera)
-    _check_units(camera, motions)
-    _check_direction(robot, camera)
+    check_units(camera, motions)
+    check_direction(robot, camera)
     methods, refused = {}, {}
-    for done, (name, method) in enumerate(METHODS.items()):
-        progress.report(done, len(METHODS) + 1, name)
+    solvers: dict[str, Callable[[], FloatArray]] = {name: partial(method, motions) for name, method in METHODS.items()}
+    solvers |= {name: partial(_without_board, method, robot, camera) for name, method in ROBOT_WORLD_METHODS.items()}
+    for done, (name, solver) in enumerate(solvers.items()):
+        progress.report(done, len(solvers) + 1, name)
         try:
-            methods[name] = _estimate(method(motions), robot, camera)
+            methods[name] = _estimate(solver(), robot, camera)
         except CalibrationError as error:
             refused[name] = str(error)
-    progress.report(len(METHODS), len(METHODS) + 1, "refining")
+    progress.report(len(solvers), len(solvers) + 1, "refining")
     best = min(methods.values(), key=lambda estimate: float(np.mean(estimate.residual_mm)))
     solution = _refined(problem, best, methods, refused, degeneracy)
     progress.report(1, 1)
     return solution
+
+
+def _without_board(
+    method: Callable[[FloatArray, FloatArray], tuple[FloatArray, FloatArray]], robot: FloatArray, camera: FloatArray
+) -> FloatArray:
+    return method(robot, camera)[0]
 
 
 def _refined(
@@ -162,7 +176,7 @@ def _refined(
         residual_rad=float(np.sqrt(np.mean(refined.residual_rad**2))),
         method="joint refinement",
     )
-    places = np.array([estimate.flange_from_camera.translation_mm for estimate in methods.values()])
+    part = np.array([0.0, 0.0, float(np.median(np.linalg.norm(camera[:, :3, 3], axis=1)))])
     return HandEyeSolution(
         methods=methods,
         refused=refused,
@@ -172,57 +186,33 @@ def _refined(
         covariance=covariance,
         base_from_board=RigidTransform(orthonormalised(minimum.state.guide_from_board), "base", "board"),
         degeneracy=degeneracy,
-        spread_mm=float(np.max(np.linalg.norm(places[:, None] - places[None], axis=2))),
+        spread_mm=_spread([estimate.flange_from_camera.translation_mm for estimate in methods.values()]),
+        part_in_camera_mm=part,
+        spread_at_part_mm=_spread([estimate.flange_from_camera.apply(part) for estimate in methods.values()]),
+        influence_mm=_influence(chain, minimum, part),
+        chain=chain,
+        minimum=minimum,
     )
 
 
+def _spread(points_mm: Sequence[FloatArray]) -> float:
+    """Return the largest distance between two of the points."""
+    points = np.array(points_mm)
+    return float(np.max(np.linalg.norm(points[:, None] - points[None], axis=2)))
+
+
+def _influence(chain: Chain, minimum: Minimum[ChainState], part_in_camera_mm: FloatArray) -> FloatArray:
+    """Return how far a point at the part moves when each sighting in turn is left out, mm; without its rows, one step of Gauss-Newton."""
+    jacobian, residual = chain.jacobian(minimum.state), chain.residuals(minimum.state)
+    turn = minimum.state.flange_from_camera[:3, :3] @ part_in_camera_mm
+    moves = []
+    for first in range(0, 6 * len(chain.guide_mm), 6):
+        own = jacobian[first : first + 6]
+        step = np.linalg.solve(minimum.hessian - own.T @ own, own.T @ residual[first : first + 6])
+        moves.append(np.linalg.norm(np.cross(step[:3], turn) + step[3:6]))
+    return np.array(moves)
+
+
 def _estimate(x: FloatArray, robot: FloatArray, camera: FloatArray) -> HandEyeEstimate:
-    length, angle = _deviations(x, robot, camera)
+    length, angle = board_deviations(x, robot, camera)
     return HandEyeEstimate(RigidTransform(orthonormalised(x), "flange", "camera"), length, angle)
-
-
-def _deviations(x: FloatArray, robot: FloatArray, camera: FloatArray) -> tuple[FloatArray, FloatArray]:
-    boards = robot @ x @ camera
-    change = change_between(np.broadcast_to(mean_pose(boards), boards.shape), boards)
-    return np.linalg.norm(change[:, 3:], axis=1), np.linalg.norm(change[:, :3], axis=1)
-
-
-def _check_units(camera: FloatArray, motions: Motions) -> None:
-    distance = float(np.median(np.linalg.norm(camera[:, :3, 3], axis=1)))
-    if distance < SHORTEST_DISTANCE_MM:
-        raise CalibrationError(f"The board poses put the board {distance:.3f} mm from the camera.", "They seem to be in metres: give mm.")
-    rotation = park_martin(motions)[:3, :3]
-    rows = np.concatenate([motions.flange[:, :3, :3] - np.eye(3), motions.flange[:, :3, 3:]], axis=2).reshape(-1, 4)
-    right = (motions.camera[:, :3, 3] @ rotation.T).ravel()
-    scale = float(np.linalg.lstsq(rows, right, rcond=None)[0][3])
-    if scale > METRE_SCALES[0] or 0 < scale < METRE_SCALES[1]:
-        which = "robot" if scale > 1 else "board"
-        raise CalibrationError(
-            f"The translations of the {which} poses are about {max(scale, 1 / scale):.0f} times too small for those of the others.",
-            f"The {which} poses seem to be in metres: give mm.",
-        )
-
-
-def _check_direction(robot: FloatArray, camera: FloatArray) -> None:
-    """Refuse poses given as their inverses. Raises CalibrationError.
-
-    Inverting the robot poses or the board poses spoils A X = X B in the same way; only the board's place before the camera
-    tells which. Inverting both leaves an equation of the same form.
-    """
-    hint = "Give base_from_flange for the robot and camera_from_board for the board."
-    distance = camera[:, 2, 3]
-    own = _misfit(robot, camera)
-    spoiled = own > LEAST_SWAPPED_MM and _misfit(inverted(robot), camera) < SWAPPED_SHARE * own
-    if np.all(distance <= 0) or (spoiled and np.median(distance) <= 0):
-        raise CalibrationError("The board lies behind the camera: the board poses seem to be board_from_camera.", hint)
-    if spoiled:
-        raise CalibrationError("The robot poses seem to be flange_from_base (or the board poses board_from_camera).", hint)
-
-
-def _misfit(robot: FloatArray, camera: FloatArray) -> float:
-    """Return how much the board moves in the base frame with Park's solution, mm; infinite without one."""
-    try:
-        motions, _ = motions_between(robot, camera)
-    except CalibrationError:
-        return float("inf")
-    return float(np.mean(_deviations(park_martin(motions), robot, camera)[0]))

@@ -3,28 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
-from measureapp.arrays import FloatArray
+from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.calibrate.axis_noise import SAME_POSE, AxisNoise, approaches_of
 from measureapp.calibrate.board_pose import BoardPose
-from measureapp.calibrate.chain import AxisNoise, Chain, ChainState, Free, groups_of, poses_of, roots_of
-from measureapp.calibrate.least_squares import Minimum
-from measureapp.calibrate.poses import change_between, moved
+from measureapp.calibrate.camera_prior import CameraPrior
+from measureapp.calibrate.chain import Chain, ChainState, Free, groups_of, poses_of, roots_of
+from measureapp.calibrate.joint_solution import RigSolution, solution_of
 from measureapp.calibrate.rig import RigStages, stages_of
-from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, Provenance, RigCalibration, RobotStation, RotationAxis
+from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError
-from measureapp.geometry.transform import RigidTransform, orthonormalised
 from measureapp.progress import NoProgress, Progress
 
 LEAST_OBSERVATIONS = 6
 LEAST_STROKE_MM = 10.0
 LEAST_SWEEP_RAD = np.deg2rad(2.0)
-SAME_POSE = 1e-4  # robot poses closer than this (mm, rotation matrix) are one pose with one error
 SAME_ANGLE_RAD = 1e-7
-LEAST_SLIDES = 3
 OUTLIER_FACTOR = 6.0  # of the median misfit
 MOST_REJECTED = 0.25
 REJECTED = "the board was seen far from where all other sightings put it: it moved, or was found wrongly"
@@ -37,33 +35,7 @@ class RigObservation:
     name: str
     readback: AxisReadback
     board: BoardPose
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class RigResidual:
-    """How far the board was seen from where the chain puts it."""
-
-    name: str
-    distance_mm: float
-    angle_deg: float
-    robot_error_mm: float  # estimated error of the robot's pose
-    robot_error_deg: float
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class RigSolution:
-    """The calibrated rig, what the observations left unexplained, and what they could not show."""
-
-    calibration: RigCalibration
-    stages: RigStages  # the solution stage by stage, which the joint one started from
-    residuals: tuple[RigResidual, ...]
-    rejected: dict[str, str]  # observation -> reason
-    standard_deviations: dict[str, float]
-    parameters: tuple[str, ...]  # rows of `covariance`
-    covariance: FloatArray
-    sigma_ratio: float  # residuals over what was expected; about 1 where the stated noise is right
-    guide_from_board: RigidTransform  # the board's place with the table at 0
-    not_observable: tuple[str, ...] = field(default=())
+    by_cameras: FloatArray | None = None  # (6, C), change of the board pose with the parameters of a `CameraPrior`
 
 
 class RigDraft:
@@ -103,18 +75,22 @@ def solve_rig(
     cameras: CameraArrayCalibration,
     *,
     noise: AxisNoise | None = None,
+    camera_prior: CameraPrior | None = None,
+    free_cameras: bool = False,
     progress: Progress | None = None,
 ) -> RigSolution:
     """Estimate hand-eye transform, guide, axis and the board's place together from all sightings.
 
     Minimised are the errors of the board poses, weighted by the information of the corners in all cameras, and the
-    errors of robot poses and table angles, weighted by ``noise``. Sightings with equal robot poses share one robot error,
-    so that turning the table or moving the guide past a robot that stands still shows their axes without it. The start
-    is found stage by stage: Tsai-Lenz, guide line, weighted axis.
+    errors of robot poses and table angles, weighted by ``noise``. Neighbouring sightings with equal robot poses share one
+    robot error, so that turning the table or moving the guide past a robot that stands still shows their axes without it.
+    The start is found stage by stage: Tsai-Lenz, guide line, weighted axis.
 
     Parameters
     ----------
-    observations : sightings of one board that is fixed on the table
+    observations : sightings of one board that is fixed on the table, in the order they were taken
+    camera_prior : what the calibration of the cameras leaves uncertain; enters the covariance
+    free_cameras : estimate the parameters of the cameras as well, from where ``camera_prior`` has them
 
     Raises
     ------
@@ -124,6 +100,10 @@ def solve_rig(
     progress = progress or NoProgress()
     noise = noise or AxisNoise()
     sweep, stroke = _spans(observations)
+    if camera_prior is not None and any(observation.by_cameras is None for observation in observations):
+        raise CalibrationError(
+            "The board poses do not say how they depend on the cameras.", "Give `by_cameras` with every sighting, or no camera prior."
+        )
     if len(observations) < LEAST_OBSERVATIONS or sweep < LEAST_SWEEP_RAD:
         raise CalibrationError(
             f"{len(observations)} sightings of the board over {np.rad2deg(sweep):.1f}° of the table do not determine the rig.",
@@ -135,7 +115,7 @@ def solve_rig(
     rejected: dict[str, str] = {}
     while True:
         progress.report(len(rejected), len(observations), "joint solution of the rig")
-        chain = _chain(kept, noise, Free(guide=free_guide))
+        chain = _chain(kept, noise, Free(guide=free_guide), camera_prior if free_cameras else None)
         minimum = chain.adjusted(_start(stages, chain))
         outlier = _worst_outlier(chain, minimum.state)
         if outlier is None:
@@ -147,7 +127,9 @@ def solve_rig(
                 "Check that the board is fixed on the table, and that tables and images are in the same order.",
             )
     progress.report(1, 1)
-    return _solution(chain, minimum, kept, cameras, stages, rejected, () if free_guide else (_UNSEEN_GUIDE,))
+    names = [observation.name for observation in kept]
+    unseen = () if free_guide else (_UNSEEN_GUIDE,)
+    return solution_of(chain, minimum, names, cameras, stages, rejected=rejected, not_seen=unseen, camera_prior=camera_prior)
 
 
 _UNSEEN_GUIDE = "direction and scale of the guide: it hardly moved, +Y and 1 are assumed"
@@ -160,21 +142,52 @@ def _spans(observations: Sequence[RigObservation]) -> tuple[float, float]:
     return float(np.ptp([one.table_rad for one in readbacks])), float(np.ptp([one.guide_mm for one in readbacks]))
 
 
-def _chain(observations: Sequence[RigObservation], noise: AxisNoise, free: Free) -> Chain:
+def _chain(observations: Sequence[RigObservation], noise: AxisNoise, free: Free, freed: CameraPrior | None) -> Chain:
     robot = np.array([observation.readback.base_from_flange.matrix for observation in observations])
     table = np.array([observation.readback.table_rad for observation in observations])
+    slide = np.array([observation.readback.guide_mm for observation in observations])
     boards = [observation.board for observation in observations]
+    approaches = _approaches(robot, noise)
     return Chain(
         base_from_flange=robot,
-        guide_mm=np.array([observation.readback.guide_mm for observation in observations]),
+        guide_mm=slide,
         table_rad=table,
         camera_from_board=poses_of(boards),
-        roots=roots_of(boards),
-        robot_group=groups_of(robot[:, :3].reshape(-1, 12), SAME_POSE),
+        roots=_loosened(roots_of(boards), noise.guide_mm, _slid(approaches, slide)),
+        robot_group=approaches,
         table_group=groups_of(table[:, None], SAME_ANGLE_RAD),
         noise=noise,
         free=free,
+        by_cameras=_by_cameras(observations),
+        camera_covariance=None if freed is None else freed.covariance,
     )
+
+
+def _approaches(robot: FloatArray, noise: AxisNoise) -> IntArray:
+    """Number the approaches of the robot; one that repeats its poses exactly approaches each of them only once."""
+    poses = groups_of(robot[:, :3].reshape(-1, 12), SAME_POSE)
+    return approaches_of(poses) if noise.robot_repeat_mm > 0 else poses
+
+
+def _slid(approaches: IntArray, slide_mm: FloatArray) -> BoolArray:
+    """Return which sightings (N,) were taken while the guide carried the robot past the board; elsewhere its error is one with the robot's."""
+    return np.array([np.ptp(slide_mm[approaches == approach]) > 0 for approach in approaches])
+
+
+def _loosened(roots: FloatArray, guide_mm: float, slid: BoolArray) -> FloatArray:
+    """Return the roots of the poses' information with the slide's own errors added to the covariance of those that ``slid``."""
+    if guide_mm <= 0 or not slid.any():
+        return roots
+    covariance = np.linalg.inv(np.swapaxes(roots[slid], 1, 2) @ roots[slid])
+    covariance[:, 3:, 3:] += guide_mm**2 * np.eye(3)
+    result = np.array(roots)
+    result[slid] = np.swapaxes(np.linalg.cholesky(np.linalg.inv(covariance)), 1, 2)
+    return result
+
+
+def _by_cameras(observations: Sequence[RigObservation]) -> FloatArray | None:
+    parts = [observation.by_cameras for observation in observations if observation.by_cameras is not None]
+    return np.array(parts) if len(parts) == len(observations) else None
 
 
 def _start(stages: RigStages, chain: Chain) -> ChainState:
@@ -187,6 +200,7 @@ def _start(stages: RigStages, chain: Chain) -> ChainState:
         guide_from_board=np.asarray(stages.guide_from_board.matrix),
         robot_changes=np.zeros((chain.robot_poses, 6)),
         table_changes=np.zeros(chain.table_angles),
+        camera_changes=np.zeros(chain.cameras_freed),
     )
 
 
@@ -196,114 +210,3 @@ def _worst_outlier(chain: Chain, state: ChainState) -> int | None:
     misfit = np.linalg.norm(chain.residuals(state)[: 6 * count].reshape(count, 6), axis=1)
     worst = int(np.argmax(misfit))
     return worst if misfit[worst] > OUTLIER_FACTOR * max(float(np.median(misfit)), np.sqrt(6.0)) else None
-
-
-def _solution(
-    chain: Chain,
-    minimum: Minimum[ChainState],
-    observations: Sequence[RigObservation],
-    cameras: CameraArrayCalibration,
-    stages: RigStages,
-    rejected: dict[str, str],
-    unseen: tuple[str, ...],
-) -> RigSolution:
-    state = minimum.state
-    ratio = float(np.sqrt(minimum.cost / max(chain.freedom(), 1)))
-    count = len(chain.labels)
-    covariance = minimum.covariance(max(ratio, 1.0) ** 2)[:count, :count]
-    deviations = dict(zip(chain.labels, (float(value) for value in np.sqrt(np.diag(covariance))), strict=True))
-    change = change_between(chain.camera_from_board, chain.predicted(state))
-    distances, angles = np.linalg.norm(change[:, 3:], axis=1), np.linalg.norm(change[:, :3], axis=1)
-    robot = state.robot_changes[chain.robot_group]
-    residuals = tuple(
-        RigResidual(
-            observation.name,
-            float(distance),
-            float(np.rad2deg(angle)),
-            float(np.linalg.norm(error[3:])),
-            float(np.rad2deg(np.linalg.norm(error[:3]))),
-        )
-        for observation, distance, angle, error in zip(observations, distances, angles, robot, strict=True)
-    )
-    hand_eye = HandEye(
-        RigidTransform(orthonormalised(state.flange_from_camera), "flange", "camera"),
-        rotation_sigma_rad=_largest(deviations, "hand_eye.rotation"),
-        translation_sigma_mm=_largest(deviations, "hand_eye.x_mm", "hand_eye.y_mm", "hand_eye.z_mm"),
-        residual_mm=float(np.sqrt(np.mean(distances**2))),
-        residual_rad=float(np.sqrt(np.mean(angles**2))),
-        method="joint calibration of the rig",
-    )
-    return RigSolution(
-        calibration=RigCalibration(
-            cameras,
-            hand_eye,
-            _guide(state, deviations, _straightness(chain, distances)),
-            _axis(state, deviations, covariance, chain.labels, distances),
-            Provenance(method="joint calibration of the rig"),
-            _stations(chain, state),
-        ),
-        stages=stages,
-        residuals=residuals,
-        rejected=rejected,
-        standard_deviations=deviations,
-        parameters=chain.labels,
-        covariance=covariance,
-        sigma_ratio=ratio,
-        guide_from_board=RigidTransform(orthonormalised(state.guide_from_board), "guide", "board"),
-        not_observable=unseen,
-    )
-
-
-def _stations(chain: Chain, state: ChainState) -> tuple[RobotStation, ...]:
-    """Return every robot pose with its estimated error."""
-    firsts = [int(np.flatnonzero(chain.robot_group == number)[0]) for number in range(chain.robot_poses)]
-    errors = moved(np.tile(np.eye(4), (chain.robot_poses, 1, 1)), state.robot_changes)
-    return tuple(
-        RobotStation(
-            RigidTransform(chain.base_from_flange[first], "base", "flange"),
-            RigidTransform(orthonormalised(chain.base_from_flange[first] @ error), "base", "flange"),
-        )
-        for first, error in zip(firsts, errors, strict=True)
-    )
-
-
-def _straightness(chain: Chain, distances_mm: FloatArray) -> float:
-    """Return the rms distance from the straight line over slides with one robot pose, where its error cannot enter; 0 without such."""
-    slid = [
-        distances_mm[chain.robot_group == number]
-        for number in range(chain.robot_poses)
-        if len(np.unique(chain.guide_mm[chain.robot_group == number])) >= LEAST_SLIDES
-    ]
-    return float(np.sqrt(np.mean(np.concatenate(slid) ** 2))) if slid else 0.0
-
-
-def _largest(deviations: dict[str, float], *starts: str) -> float:
-    return max((value for name, value in deviations.items() if name.startswith(starts)), default=0.0)
-
-
-def _guide(state: ChainState, deviations: dict[str, float], straightness_mm: float) -> LinearGuide:
-    return LinearGuide(
-        state.guide_direction,
-        state.guide_scale,
-        direction_sigma_rad=_largest(deviations, "guide.direction"),
-        scale_sigma=_largest(deviations, "guide.scale"),
-        straightness_mm=straightness_mm,
-    )
-
-
-def _axis(
-    state: ChainState, deviations: dict[str, float], covariance: FloatArray, labels: tuple[str, ...], distances: FloatArray
-) -> RotationAxis:
-    """Return the axis with its point beside the board, where its place is best known."""
-    along = float(state.axis_direction @ (state.guide_from_board[:3, 3] - state.axis_point_mm))
-    rows = [labels.index(f"axis.{name}") for name in ("direction_1_rad", "direction_2_rad", "point_1_mm", "point_2_mm")]
-    carry = np.hstack([along * np.eye(2), np.eye(2)])
-    point_covariance = carry @ covariance[np.ix_(rows, rows)] @ carry.T
-    return RotationAxis(
-        state.axis_point_mm + along * state.axis_direction,
-        state.axis_direction,
-        "guide",
-        point_sigma_mm=float(np.sqrt(np.linalg.eigvalsh(point_covariance)[-1])),
-        direction_sigma_rad=_largest(deviations, "axis.direction"),
-        residual_mm=float(np.sqrt(np.mean(distances**2))),
-    )

@@ -48,6 +48,7 @@ class GuideSolution:
     along_mm: FloatArray  # (N,), signed error of the position along it
     turn_rad: FloatArray  # (N,), apparent turn of the board against its mean: pitch, yaw and roll of the slide
     stroke_mm: float
+    paper_mm: FloatArray  # (N,), error against the first position had pure +Y and scale 1 been assumed
     paper_cost_mm: float  # error at the end of the stroke had pure +Y and scale 1 been assumed
     warnings: tuple[str, ...] = ()
 
@@ -126,8 +127,13 @@ def _fitted(boards_mm: FloatArray, slide: FloatArray, turn: FloatArray, stroke: 
     warnings = [] if stroke >= ADVISED_STROKE_MM else [f"The positions span only {stroke:.0f} mm: spread them over more of the stroke."]
     if turn.max() > LARGEST_TURN_RAD:
         warnings.append(f"The board seems to turn by up to {np.rad2deg(turn.max()):.2f}°: it moved, or the hand-eye transform is wrong.")
-    cost = float(np.linalg.norm(travel - PAPER_DIRECTION)) * stroke
-    return GuideSolution(guide, aside, along, turn, stroke, cost, tuple(warnings))
+    paper = paper_error_mm(direction, scale) * np.abs(slide - slide[0])
+    return GuideSolution(guide, aside, along, turn, stroke, paper, paper_error_mm(direction, scale) * stroke, tuple(warnings))
+
+
+def paper_error_mm(direction: FloatArray, scale: float) -> float:
+    """Return the error per mm of travel of a guide that is taken to run along +Y with scale 1, as the paper does."""
+    return float(np.linalg.norm(scale * direction - PAPER_DIRECTION))
 
 
 def _stroke(observations: Sequence[GuideObservation]) -> float:

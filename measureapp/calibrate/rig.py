@@ -15,6 +15,7 @@ from measureapp.calibrate.board_pose import BoardPose
 from measureapp.calibrate.chain import groups_of, poses_of
 from measureapp.calibrate.hand_eye_methods import tsai_lenz
 from measureapp.calibrate.motions import motions_between
+from measureapp.calibrate.pose_checks import check_direction, check_guide_unit, check_robot_unit, check_table_angles, check_units
 from measureapp.calibrate.poses import mean_pose
 from measureapp.data.calibration import HandEye, LinearGuide, RotationAxis
 from measureapp.data.fringe import AxisReadback
@@ -68,7 +69,7 @@ def stages_of(observations: Sequence[Observation], guide_moved: bool) -> RigStag
     Raises
     ------
     CalibrationError
-        Too few robot poses at one table angle, parallel motions, or a table that hardly turned.
+        Too few robot poses at one table angle, parallel motions, a table that hardly turned, or tables in another unit or order.
     """
     angles = np.array([observation.readback.table_rad for observation in observations])
     group = groups_of(angles[:, None], SAME_ANGLE_RAD)
@@ -76,7 +77,13 @@ def stages_of(observations: Sequence[Observation], guide_moved: bool) -> RigStag
     robot = np.array([observation.readback.base_from_flange.matrix for observation in observations])
     slide = np.array([observation.readback.guide_mm for observation in observations])
     camera = poses_of([observation.board for observation in observations])
-    x = tsai_lenz(motions_between(_carried(robot, slide, PAPER_GUIDE)[still], camera[still])[0])
+    check_robot_unit(robot)
+    check_guide_unit(robot[still], slide[still], camera[still], PAPER_GUIDE.direction)
+    carried = _carried(robot, slide, PAPER_GUIDE)[still]
+    motions, _ = motions_between(carried, camera[still])
+    check_units(camera[still], motions)
+    check_direction(robot[still], camera[still], slide[still, None] * PAPER_GUIDE.direction)
+    x = tsai_lenz(motions)
     guide = _guide_line((robot @ x @ camera)[still], slide[still]) if guide_moved else PAPER_GUIDE
     carried = _carried(robot, slide, guide)
     x = tsai_lenz(motions_between(carried[still], camera[still])[0])
@@ -114,6 +121,7 @@ def _axis(places: FloatArray, angles: FloatArray) -> RotationAxis:
     order = np.argsort(angles)
     corners = BOARD_POINTS @ np.swapaxes(places[order][:, :3, :3], 1, 2) + places[order][:, None, :3, 3]
     turning = turning_of(corners)
+    check_table_angles(angles[order], turning.angles_rad)
     point, direction = turning.point_mm, turning.direction
     if len(places) >= LEAST_POSITIONS:
         try:

@@ -9,6 +9,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.axis_circles import LEAST_POSITIONS, axis_through_centres
+from measureapp.calibrate.axis_diagnostics import AxisDiagnostics, diagnose
 from measureapp.calibrate.axis_motion import (
     AXIS_PARAMETERS,
     Turning,
@@ -19,13 +20,14 @@ from measureapp.calibrate.axis_motion import (
 )
 from measureapp.calibrate.board_pose import BoardPose
 from measureapp.calibrate.poses import moved, stacked
-from measureapp.data.board import CheckerboardDescription
+from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import RotationAxis
 from measureapp.errors import CalibrationError
 from measureapp.progress import NoProgress, Progress
 
 DRAWS = 40  # simulated repetitions behind the standard deviations of the circle methods
 ANGLE_TOLERANCE_RAD = np.deg2rad(2.0)
+CLOSURE_RADIUS_MM = 250.0  # rim of the paper's table
 SHORT_SWEEP_RAD = np.deg2rad(30.0)
 METHODS = ("least_squares", "distance_weighted", "maximum_likelihood")
 
@@ -40,6 +42,7 @@ class AxisProblem:
     power: float = 2.0
     free_angles: bool = False  # estimate the angles, even where they were read back
     frame: str = "camera"
+    closure_radius_mm: float = CLOSURE_RADIUS_MM
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -61,6 +64,7 @@ class AxisSolution:
     sweep_rad: float
     power: float
     covariance: FloatArray  # (4, 4) of maximum likelihood: direction (2, rad) and point (2, mm) across the axis
+    diagnostics: AxisDiagnostics  # of the axis of maximum likelihood
     warnings: tuple[str, ...] = ()
 
     @property
@@ -72,7 +76,7 @@ class AxisSolution:
 class AxisDraft:
     """Collects table positions until they determine the axis."""
 
-    def __init__(self, board: CheckerboardDescription) -> None:
+    def __init__(self, board: BoardDescription) -> None:
         self._board = board
         self._sightings: list[tuple[BoardPose, float | None]] = []
 
@@ -101,7 +105,7 @@ class AxisDraft:
 
 def problem_from_poses(
     poses: Sequence[BoardPose],
-    board: CheckerboardDescription,
+    board: BoardDescription,
     angles_rad: Sequence[float | None] = (),
     *,
     power: float = 2.0,
@@ -149,7 +153,12 @@ def solve(problem: AxisProblem, progress: Progress | None = None) -> AxisSolutio
     sweep = float(np.ptp(likely.angles_rad))
     short = (f"The arcs span only {np.rad2deg(sweep):.0f}°, which makes their centres uncertain: turn the table further.",)
     ordered = {method: estimates[method] for method in METHODS if method in estimates}
-    return AxisSolution(ordered, refused, sweep, problem.power, covariance, short if sweep < SHORT_SWEEP_RAD else ())
+    angles = start.angles_rad if problem.angles_rad is not None else likely.angles_rad
+    diagnostics = diagnose(
+        likely.axis, corners, angles, angles_were_read=problem.angles_rad is not None, radius_mm=problem.closure_radius_mm
+    )
+    warnings = (*(short if sweep < SHORT_SWEEP_RAD else ()), *diagnostics.warnings)
+    return AxisSolution(ordered, refused, sweep, problem.power, covariance, diagnostics, warnings)
 
 
 def _start(corners: FloatArray, angles_rad: FloatArray | None) -> Turning:
@@ -159,7 +168,8 @@ def _start(corners: FloatArray, angles_rad: FloatArray | None) -> Turning:
     given = np.asarray(angles_rad, float) - angles_rad[0]
     if len(given) != len(corners):
         raise CalibrationError(f"{len(given)} angles do not belong to {len(corners)} table positions.", "Give one angle per position.")
-    if float(seen.angles_rad @ np.sin(given)) + float(np.sin(seen.angles_rad) @ given) < 0:
+    forwards, backwards = (float(np.sum(np.abs(np.angle(np.exp(1j * (sign * seen.angles_rad - given)))))) for sign in (1, -1))
+    if backwards < forwards:
         seen = replace(seen, direction=-seen.direction, angles_rad=-seen.angles_rad)
     wrong = np.abs(np.angle(np.exp(1j * (seen.angles_rad - given))))
     worst = int(np.argmax(wrong))

@@ -6,19 +6,57 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from measureapp.arrays import BoolArray, FloatArray, read_only
+from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FoundBoard:
+    """The marks of a board found in one image."""
+
+    ids: IntArray  # (N,) rising, indices into ``board.corners_mm``
+    corners_px: FloatArray  # (N, 2)
+    sigma_px: FloatArray  # (N,) estimated standard deviation of one coordinate
+    edge_px: float  # how wide edges are in the image, 10 to 90 %
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "ids", read_only(self.ids, np.int64, (None,)))
+        object.__setattr__(self, "corners_px", read_only(self.corners_px, np.float64, (len(self.ids), 2)))
+        object.__setattr__(self, "sigma_px", read_only(self.sigma_px, np.float64, (len(self.ids),)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sighting:
-    """The corners of one board position in one camera, ordered like ``board.corners_mm``."""
+    """The corners of one board position in one camera, in the order of ``board.corners_mm``: all of them, or those of `ids`."""
 
     camera: str
     view: str  # the same in all cameras that saw the same position
     corners_px: FloatArray  # (N, 2)
+    ids: IntArray | None = None  # (N,) rising, indices into ``board.corners_mm``; None: all of them
+    sigma_px: FloatArray | None = None  # (N,) standard deviation of one coordinate, where it was estimated
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "corners_px", read_only(self.corners_px, np.float64, (None, 2)))
+        count = len(self.corners_px)
+        if self.ids is not None:
+            object.__setattr__(self, "ids", read_only(self.ids, np.int64, (count,)))
+        if self.sigma_px is not None:
+            object.__setattr__(self, "sigma_px", read_only(self.sigma_px, np.float64, (count,)))
+
+    @property
+    def known_ids(self) -> IntArray:
+        """Indices of the corners into ``board.corners_mm`` (N,), also where all were seen."""
+        return np.arange(len(self.corners_px)) if self.ids is None else self.ids
+
+
+def sighting_of(camera: str, view: str, found: FoundBoard) -> Sighting:
+    """Return what was found in an image as the sighting of a camera."""
+    return Sighting(camera, view, found.corners_px, found.ids, found.sigma_px)
+
+
+def shared_corners(first: Sighting, second: Sighting) -> tuple[IntArray, IntArray, IntArray]:
+    """Return the ids both sightings hold, and where they stand in the first and in the second; each (M,)."""
+    ids, at_first, at_second = np.intersect1d(first.known_ids, second.known_ids, assume_unique=True, return_indices=True)
+    return ids, at_first, at_second
 
 
 @dataclass(frozen=True, slots=True)

@@ -37,8 +37,9 @@ def register(app: typer.Typer) -> None:
         kind = "gray-code" (most significant bit first; complementary = true when a shifted last plane follows); each with
         images = { camera = ["file", …] }.
 
-        A phase map holds phase_rad, sigma_rad, modulation, exposure_index and mask: 0 valid, 1 saturated, 2 weak
-        modulation, 3 shadow, 4 order conflict, 5 out of range, 6 edge, 7 blooming.
+        A phase map holds phase_rad, sigma_rad, modulation, grey, snr (modulation over noise), exposure_index and mask: 0 valid,
+        1 saturated, 2 weak modulation, 3 shadow, 4 order conflict, 5 out of range, 6 edge, 7 blooming. Sets with fringes of both
+        directions give the same arrays once more for the horizontal ones, with across_ before their names.
         """
         from measureapp.fringe.decode import decode as decode_stack
         from measureapp.project.fringe_manifest import read_manifest
@@ -79,6 +80,7 @@ def figures(phase_map: PhaseMap) -> dict[str, Any]:
         "decoded_px": int(valid.sum()),
         "modulation_median": float(np.median(phase_map.modulation[valid])) if valid.any() else 0.0,
         "phase_sigma_median": float(np.median(phase_map.sigma_rad[valid])) if valid.any() else None,
+        "snr_median": float(np.median(phase_map.snr[valid])) if valid.any() else 0.0,
         "order_conflicts": int((phase_map.state == PixelState.ORDER_CONFLICT).sum()),
         "orders_repaired": int(phase_map.details.get("orders_repaired", 0)),
         "rejected": {state.name.lower(): int((phase_map.state == state).sum()) for state in PixelState if state != PixelState.VALID},

@@ -81,7 +81,16 @@ def _document(made: Reconstruction, out: Path) -> dict[str, Any]:
         "points": len(made.cloud),
         "depth_mm": dict(zip(("p1", "p50", "p99"), (float(value) for value in depth), strict=True)),
         "sigma_median_mm": float(np.median(made.cloud.sigma_mm)),
-        "pairs": [{"cameras": pair.names, "matched": pair.matched, "epipolar_rms_px": pair.epipolar_rms_px} for pair in made.pairs],
+        "pairs": [
+            {
+                "cameras": pair.names,
+                "matched": pair.matched,
+                "epipolar_rms_px": pair.epipolar_rms_px,
+                "epipolar_px": pair.epipolar_px,
+                "skipped": pair.skipped,
+            }
+            for pair in made.pairs
+        ],
         "rejected": made.rejected,
         "file": out,
     }
@@ -95,7 +104,8 @@ def _lines(document: dict[str, Any]) -> str:
     ]
     for pair in document["pairs"]:
         rms = pair["epipolar_rms_px"]
-        seen = "" if rms is None else f", {rms:.3f} px in the third camera"
-        lines.append(f"  {'–'.join(pair['cameras'])}: {pair['matched']} matched{seen}")
+        seen = "" if rms is None else f", {rms:.3f} px in the third camera, {pair['epipolar_px']:.3f} px without the phase noise"
+        said = f"not matched, {pair['skipped']}" if pair["skipped"] else f"{pair['matched']} matched{seen}"
+        lines.append(f"  {'–'.join(pair['cameras'])}: {said}")
     lines.append("  rejected: " + ", ".join(f"{count} {reason}" for reason, count in document["rejected"].items() if count))
     return "\n".join(lines)

@@ -1,25 +1,101 @@
-"""The calibration board, and a sighting of it."""
+"""The calibration boards, and a sighting of one."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Field
+from pydantic import Discriminator, Field, Tag, model_validator
 
-from measureapp.arrays import FloatArray, ImageArray
+from measureapp.arrays import FloatArray, ImageArray, IntArray
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.model import Model
 
+# name -> markers; the names are OpenCV's without DICT_
+DICTIONARIES = {f"{bits}X{bits}_{count}": count for bits in (4, 5, 6, 7) for count in (50, 100, 250, 1000)} | {
+    "APRILTAG_16H5": 30,
+    "APRILTAG_25H9": 35,
+    "APRILTAG_36H10": 2320,
+    "APRILTAG_36H11": 587,
+    "ARUCO_ORIGINAL": 1024,
+}
+LARGEST_CIRCLE = 0.9  # diameter over the distance of neighbouring centres: beyond it circles run into each other in the image
 
-class CheckerboardDescription(Model):
-    """A checkerboard by its inner corners; frame `board`: origin at the first corner, x along columns, y along rows, z = 0."""
+
+class BoardDescription(Model):
+    """What all boards have in common: marks in rows, numbered row by row.
+
+    Frame `board`: origin at mark 0, x along columns, y along rows, z = 0 on a flat board; the printed side faces -z. The marks are
+    the inner corners of a checkerboard or the centres of circles; their index is their id, so that a view may hold some of them.
+    """
+
+    columns: int = Field(ge=2, description="marks along x")
+    rows: int = Field(ge=3, description="marks along y")
+    bow_mm: tuple[float, float, float] = Field(default=(0.0, 0.0, 0.0), description="departure from flat: factors of the `bow_terms`")
+
+    @property
+    def flat_corners_mm(self) -> FloatArray:
+        """The marks (columns·rows, 3) of a perfectly flat board, row by row."""
+        raise NotImplementedError
+
+    @property
+    def neighbour_mm(self) -> float:
+        """The distance of a mark to the nearest others."""
+        raise NotImplementedError
+
+    @property
+    def label(self) -> str:
+        """What it is, as part of a sentence."""
+        raise NotImplementedError
+
+    @property
+    def is_symmetric(self) -> bool:
+        """Whether the board looks the same after half a turn, so that its pose has two answers."""
+        raise NotImplementedError
+
+    @property
+    def shows_parts(self) -> bool:
+        """Whether each mark is known by itself, so that a view of a part of the board can be used."""
+        return False
+
+    @property
+    def count(self) -> int:
+        """How many marks there are."""
+        return self.columns * self.rows
+
+    @property
+    def bow_terms(self) -> FloatArray:
+        """The terms x², xy, y² of the marks (columns·rows, 3), with x, y from −1 to 1 over the longer side."""
+        centred = self.flat_corners_mm[:, :2] - self.flat_corners_mm[:, :2].mean(axis=0)
+        x, y = (centred / np.abs(centred).max()).T
+        return np.column_stack([x * x, x * y, y * y])
+
+    @property
+    def corners_mm(self) -> FloatArray:
+        """The marks (columns·rows, 3) with the board's bow, row by row."""
+        corners = self.flat_corners_mm
+        corners[:, 2] += self.bow_terms @ np.array(self.bow_mm)
+        return corners
+
+    @property
+    def middle_mm(self) -> FloatArray:
+        """The centre (3,) of the box around the marks of the flat board."""
+        corners = self.flat_corners_mm
+        return np.asarray((corners.min(axis=0) + corners.max(axis=0)) / 2.0)
+
+    def marks_mm(self, ids: IntArray | None = None) -> FloatArray:
+        """Return the marks of ``ids`` (N, 3) with the board's bow; all of them without ids."""
+        return self.corners_mm if ids is None else self.corners_mm[ids]
+
+
+class _SquaresDescription(BoardDescription):
+    """A board of squares by its inner corners."""
 
     columns: int = Field(ge=3, description="inner corners along x")
     rows: int = Field(ge=3, description="inner corners along y")
     square_mm: float = Field(gt=0)
-    bow_mm: tuple[float, float, float] = Field(default=(0.0, 0.0, 0.0), description="departure from flat: factors of the `bow_terms`")
 
     @property
     def flat_corners_mm(self) -> FloatArray:
@@ -28,23 +104,116 @@ class CheckerboardDescription(Model):
         return np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)]) * self.square_mm
 
     @property
-    def bow_terms(self) -> FloatArray:
-        """The terms x², xy, y² of the corners (columns·rows, 3), with x, y from −1 to 1 over the longer side."""
-        centred = self.flat_corners_mm[:, :2] - self.flat_corners_mm[:, :2].mean(axis=0)
-        x, y = (centred / np.abs(centred).max()).T
-        return np.column_stack([x * x, x * y, y * y])
+    def neighbour_mm(self) -> float:
+        """The side of a square."""
+        return self.square_mm
+
+
+class CheckerboardDescription(_SquaresDescription):
+    """A plain checkerboard. The squares on both sides of corner 0 along the board's diagonal are black."""
+
+    kind: Literal["checkerboard"] = Field(default="checkerboard", exclude=True)  # files from before the other boards do not have it
 
     @property
-    def corners_mm(self) -> FloatArray:
-        """The inner corners (columns·rows, 3) with the board's bow, row by row."""
-        corners = self.flat_corners_mm
-        corners[:, 2] += self.bow_terms @ np.array(self.bow_mm)
-        return corners
+    def label(self) -> str:
+        """What it is, as part of a sentence."""
+        return f"board of {self.columns} × {self.rows} corners"
 
     @property
     def is_symmetric(self) -> bool:
-        """Whether the board looks the same after half a turn, so that its pose has two answers."""
+        """Both numbers of corners are even, or both odd."""
         return self.columns % 2 == self.rows % 2
+
+
+class CharucoDescription(_SquaresDescription):
+    """A checkerboard with ArUco markers in its white squares, which tell its corners apart."""
+
+    kind: Literal["charuco"]
+    marker_mm: float = Field(gt=0, description="side of a marker")
+    dictionary: str = Field(default="5X5_250", description="the markers' dictionary: " + ", ".join(DICTIONARIES))
+    legacy_pattern: bool = Field(
+        default=False, description="drawn by OpenCV before 4.6, an even number of rows of squares, first one white"
+    )
+
+    @model_validator(mode="after")
+    def _fits(self) -> CharucoDescription:
+        if self.marker_mm >= self.square_mm:
+            raise ValueError(f"markers of {self.marker_mm:g} mm do not fit into squares of {self.square_mm:g} mm")
+        if self.dictionary not in DICTIONARIES:
+            raise ValueError(f"there is no dictionary {self.dictionary!r}; there are {', '.join(DICTIONARIES)}")
+        markers = (self.columns + 1) * (self.rows + 1) // 2
+        if markers > DICTIONARIES[self.dictionary]:
+            raise ValueError(f"the board needs {markers} markers, dictionary {self.dictionary} has {DICTIONARIES[self.dictionary]}")
+        if self.legacy_pattern and self.rows % 2 == 0:
+            raise ValueError("legacy_pattern makes a difference only with an even number of rows of squares (an odd one of corners)")
+        return self
+
+    @property
+    def label(self) -> str:
+        """What it is, as part of a sentence."""
+        return f"ChArUco board of {self.columns} × {self.rows} corners"
+
+    @property
+    def is_symmetric(self) -> bool:
+        """Never: every marker is another one."""
+        return False
+
+    @property
+    def shows_parts(self) -> bool:
+        """Its markers tell the corners apart."""
+        return True
+
+
+class CirclesDescription(BoardDescription):
+    """Dark circles on white in staggered rows: circle j of row i lies at ((2j + i mod 2)·spacing, i·spacing)."""
+
+    columns: int = Field(ge=2, description="circles in a row")
+    rows: int = Field(ge=3, description="rows of circles")
+    kind: Literal["circles"]
+    spacing_mm: float = Field(gt=0, description="distance of neighbouring rows; circles of one row are twice as far apart")
+    diameter_mm: float = Field(gt=0)
+
+    @model_validator(mode="after")
+    def _fits(self) -> CirclesDescription:
+        if self.diameter_mm > LARGEST_CIRCLE * self.neighbour_mm:
+            raise ValueError(
+                f"circles of {self.diameter_mm:g} mm lie too close: at most {LARGEST_CIRCLE * self.neighbour_mm:.3g} mm at this spacing"
+            )
+        return self
+
+    @property
+    def flat_corners_mm(self) -> FloatArray:
+        """The centres (columns·rows, 3) on a perfectly flat board, row by row."""
+        row, column = np.mgrid[0 : self.rows, 0 : self.columns]
+        return np.column_stack([(2 * column + row % 2).ravel(), row.ravel(), np.zeros(row.size)]) * self.spacing_mm
+
+    @property
+    def neighbour_mm(self) -> float:
+        """The distance to the nearest circle in the next row."""
+        return self.spacing_mm * float(np.sqrt(2.0))
+
+    @property
+    def label(self) -> str:
+        """What it is, as part of a sentence."""
+        return f"grid of {self.columns} × {self.rows} circles"
+
+    @property
+    def is_symmetric(self) -> bool:
+        """The first and the last row start at the same side only where the number of rows is odd."""
+        return self.rows % 2 == 0
+
+
+def _kind(board: Any) -> str:
+    return str(board.get("kind", "checkerboard")) if isinstance(board, Mapping) else str(getattr(board, "kind", ""))
+
+
+AnyBoard = Annotated[
+    Annotated[CheckerboardDescription, Tag("checkerboard")]
+    | Annotated[CharucoDescription, Tag("charuco")]
+    | Annotated[CirclesDescription, Tag("circles")],
+    Discriminator(_kind),
+]
+"""Any of the boards, told apart by `kind`; without one it is a checkerboard."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

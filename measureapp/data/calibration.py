@@ -23,6 +23,8 @@ class Provenance:
     created: str = ""  # ISO 8601
     method: str = ""
     inputs: Mapping[str, str] = field(default_factory=dict)  # name -> checksum or serial number
+    temperature_c: float | None = None  # of the room or the head, where it was measured
+    valid_days: float | None = None  # after `created`; None: until something says otherwise
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -27,6 +27,7 @@ class ViewResult:
     pairs: tuple[Mapping[str, Any], ...]  # figures of matching (JSON-ready)
     rejected: Mapping[str, int]  # reason -> count
     readback: AxisReadback
+    timings_s: Mapping[str, float] = field(default_factory=dict)  # of a view made during the scan: "last image to cloud"
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -9,6 +9,7 @@ from math import tau
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.data.fringe import Direction
 
 
 class PixelState(IntEnum):
@@ -32,8 +33,8 @@ class PhaseMap:
     viewpoint_id: str
     phase_rad: FloatArray  # (H, W) float32, 0 … 2π · projector_px / pitch_px
     sigma_rad: FloatArray  # (H, W) float32
-    modulation: FloatArray  # (H, W) float32, B in grey levels at the exposure taken
-    grey: FloatArray  # (H, W) float32, A in grey levels of the longest unsaturated exposure, scaled to the longest exposure
+    modulation: FloatArray | IntArray  # (H, W) of the images' type, B in grey levels at the exposure taken, least of all pitches
+    grey: FloatArray | IntArray  # (H, W) uint16, mean grey level over the exposures taken, scaled to the longest exposure
     state: IntArray  # (H, W) uint8 of PixelState
     exposure_index: IntArray  # (H, W) int8, exposure taken (paper's rule) or longest unsaturated one; -1 for none
     pitch_px: float
@@ -43,6 +44,8 @@ class PhaseMap:
     details: dict[str, float] = field(default_factory=dict)
     saturation: float = 255.0  # grey level of a saturated pixel
     across: PhaseMap | None = None  # of the horizontal fringes, where the set has both directions
+    direction: Direction = "vertical"  # of the fringes
+    snr_at_one_rad: float = 0.0  # B/σ_I of one image at which the phase would have a standard deviation of 1 rad
 
     @property
     def valid(self) -> BoolArray:
@@ -51,5 +54,18 @@ class PhaseMap:
 
     @property
     def column_px(self) -> FloatArray:
-        """The projector's column, (H, W)."""
+        """The projector's column, (H, W); its row where the fringes are horizontal."""
         return self.phase_rad * np.float32(self.pitch_px / tau)
+
+    @property
+    def snr(self) -> FloatArray:
+        """Modulation over noise, B/σ_I, (H, W) float32: of one image that would give the phase as exactly as all of them; 0 where masked."""
+        made = np.zeros(self.sigma_rad.shape, np.float32)
+        np.divide(np.float32(self.snr_at_one_rad), self.sigma_rad, out=made, where=self.sigma_rad > 0)
+        return made
+
+    @property
+    def reasons(self) -> dict[str, int]:
+        """How many pixels have which state, by name in lower case."""
+        counts = np.bincount(self.state.ravel(), minlength=len(PixelState))
+        return {state.name.lower(): int(counts[state]) for state in PixelState}

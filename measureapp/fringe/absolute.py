@@ -1,157 +1,180 @@
-"""The unwrapping of one camera's wrapped phases: which method applies, where the phase starts, what the window votes."""
+"""What turns the sums of one camera into absolute phase: the unwrapping, its origin, the thresholds."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from math import sqrt
 
 import numpy as np
 
-from measureapp.arrays import BoolArray, FloatArray, IntArray, in_bands
-from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternSet
+from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.data.phase import PixelState
 from measureapp.errors import DecodeError
-from measureapp.fringe import kernels
-from measureapp.fringe.exposure import WrappedPhases
-from measureapp.fringe.settings import DecodeSettings
-from measureapp.fringe.unwrap import HeterodynePlan, plan_heterodyne
+from measureapp.fringe.kernels.records import BLOCK, CHUNK, RESIDUAL_SCALE, Layout, Maps, Model, Work
+from measureapp.fringe.recipe import Recipe
+from measureapp.fringe.unwrap import HeterodynePlan, extent_px, plan_heterodyne
 
-GRAY_SLACK_CYCLES = 0.75
+RANGE_MARGIN_PX = 2.0
+GRAY_GATE_CYCLES, GRAY_SLACK_CYCLES = 0.5, 0.75
 LEAST_TRANSITIONS = 200
-SAMPLED_ROW = 4
+ORIGINS = (0.0, -0.5)  # cycles: the patterns start with a crest, or with a trough
+LUT_LENGTH = 1024
+NORMAL_QUANTILE = 3.09  # one pixel without fringes in a thousand is taken for one with fringes
+SAMPLED_CHUNKS = 32
+USABLE = (PixelState.VALID, PixelState.ORDER_CONFLICT, PixelState.OUT_OF_RANGE)
+
+Solve = Callable[[Model, Layout, int], None]  # fills the maps of one chunk in so many
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class AbsolutePhase:
-    """Phase of the finest pitch, in the convention of the images: I₀ = A + B cos(phase)."""
+def make_model(recipe: Recipe, plan: HeterodynePlan | None, decides_later: bool) -> Model:
+    """Return what turns sums into phase, with the origin at a crest."""
+    groups, noise, saturation = recipe.groups, recipe.noise, recipe.saturation
+    pitches = np.array([group.pitch_px for group in groups])
+    scales = pitches.min() / pitches
+    frequencies = np.array(plan.frequencies if plan else [1.0])
+    light = _of_exposures(recipe.exposures_us)
+    return Model(
+        sine_sign=np.float32(-recipe.patterns.shift_sign),
+        origin=np.float32(0),
+        combinations=np.array(plan.combinations if plan else np.empty((0, len(groups))), np.float32),
+        ratios=np.concatenate([[1.0], frequencies[1:] / frequencies[:-1]]).astype(np.float32),
+        watched=-1 if plan else 0,
+        guard=np.float32(plan.guard if plan else 0.0),
+        complementary=bool(recipe.gray_code and recipe.gray_code.complementary),
+        finest=recipe.finest,
+        scales=scales.astype(np.float32),
+        correction=_correction_table(recipe),
+        gain=np.float32(1 / noise.electrons_per_grey(saturation)),
+        floor=np.float32(noise.floor_variance(saturation)),
+        black=np.float32(noise.black_grey),
+        **light,
+        beyond=np.float32(min(saturation * max(recipe.exposures_us) / min(recipe.exposures_us), 65535.0)),
+        least_modulation=np.float32(recipe.settings.min_modulation_grey(saturation)),
+        most_sigma=np.float32(recipe.settings.max_sigma_rad),
+        dark_sigma=np.float32(sigma_of_nothing(scales)),
+        zero_is_dark=recipe.settings.rule == "paper",
+        lowest=np.float32(-RANGE_MARGIN_PX / pitches.min()),
+        highest=np.float32((extent_px(recipe.patterns) + RANGE_MARGIN_PX) / pitches.min()),
+        gate=np.float32(recipe.settings.residual_gate if plan else GRAY_GATE_CYCLES),
+        undecided=decides_later,
+    )
 
-    phase_rad: FloatArray  # (H, W) float32
-    sigma_rad: FloatArray  # (H, W) float32
-    conflict: BoolArray  # (H, W)
-    repaired: int
-    origin_rad: float  # phase at column 0: 0 where the patterns start with a crest, -π where with a trough
-    amplification: float  # noise of the order decision over that of a wrapped phase; 0 for Gray codes
+
+def _of_exposures(exposures_us: tuple[int, ...]) -> dict[str, FloatArray | IntArray]:
+    """Tabulate by set of exposures, bit e for exposure e, what the solver needs of it."""
+    light = np.array(exposures_us, float)
+    sets = np.arange(1 << len(light))
+    members = (sets[:, None] >> np.arange(len(light))) & 1 == 1
+    total = np.where(members.any(axis=1), members @ light, np.inf)
+    first = np.where(members.any(axis=1), members.argmax(axis=1), -1)
+    return {
+        "count": members.sum(axis=1).astype(np.float32),
+        "to_longest": (light[0] / total).astype(np.float32),
+        "to_brightest": (np.where(first >= 0, light[first], 0.0) / total).astype(np.float32),
+        "first": first.astype(np.int8),
+    }
 
 
-def unwrap(stack: FringeStack, camera: str, wrapped: WrappedPhases, usable: BoolArray, settings: DecodeSettings) -> AbsolutePhase:
-    """Unwrap by Gray code where the set has one, otherwise by heterodyne; mend orders by vote; average all pitches.
+def sigma_of_nothing(scales: FloatArray) -> float:
+    """Return the phase's standard deviation in radians above which the modulation cannot be told from noise.
 
-    Parameters
+    Without fringes (B/σ_B)² of a group has the χ² distribution of two degrees of freedom, and 1/σ² is their sum weighted by the
+    squared ``scales`` (frequency over the finest). Its quantile of one in a thousand is taken by moments [1]_ and [2]_.
+
+    References
     ----------
-    usable : (H, W), pixels with light and modulation; others are computed but take no part in votes
+    .. [1] F. E. Satterthwaite, Biometrics Bulletin 2(6), 110-114, 1946.
+    .. [2] E. B. Wilson, M. M. Hilferty, PNAS 17(12), 684-688, 1931.
+    """
+    square, fourth = float((scales**2).sum()), float((scales**4).sum())
+    freedom = 2 * square**2 / fourth
+    spread = 2 / (9 * freedom)
+    quantile = fourth / square * freedom * (1 - spread + NORMAL_QUANTILE * sqrt(spread)) ** 3
+    return 1 / sqrt(quantile)
+
+
+def _correction_table(recipe: Recipe) -> FloatArray:
+    """Tabulate −Σ a sin(kφ + p) in cycles over one period, (G, LUT_LENGTH + 1); (G, 0) where nothing is to be corrected."""
+    given, groups = recipe.settings.phase_correction, len(recipe.groups)
+    if not given:
+        return np.empty((groups, 0), np.float32)
+    if len(given) != groups:
+        raise DecodeError(
+            f"The phase correction is for {len(given)} pitches, pattern set {recipe.patterns.name!r} has {groups}.",
+            "Estimate the projector's response with this pattern set.",
+        )
+    phase = np.linspace(-np.pi, np.pi, LUT_LENGTH + 1)
+    table = np.zeros((groups, LUT_LENGTH + 1))
+    for group, harmonics in enumerate(given):
+        for order, amplitude, offset in harmonics:
+            table[group] -= amplitude * np.sin(order * phase + offset)
+    return (table / (2 * np.pi)).astype(np.float32)
+
+
+def make_maps(dtype: np.dtype[np.unsignedinteger], pixels: int) -> Maps:
+    """Return room for the maps of one camera."""
+    return Maps(
+        phase=np.empty(pixels, np.float32),
+        sigma=np.empty(pixels, np.float32),
+        modulation=np.empty(pixels, dtype),
+        grey=np.empty(pixels, np.uint16),
+        state=np.empty(pixels, np.uint8),
+        exposure=np.empty(pixels, np.int8),
+        residual=np.empty(pixels, np.int8),
+    )
+
+
+def make_work(groups: int) -> Work:
+    """Return the arrays in which a block of pixels is solved."""
+    shapes = {"phase": (groups, BLOCK), "power": (groups, BLOCK)}
+    arrays = {name: np.empty(shapes.get(name, (BLOCK,)), np.float32) for name in Work._fields if name != "code"}
+    return Work(**arrays, code=np.empty((3, BLOCK), np.int32))
+
+
+def plan_of(recipe: Recipe) -> HeterodynePlan | None:
+    """Return the chain of pitches, or None where a Gray code numbers the periods."""
+    return None if recipe.gray_code else plan_heterodyne(recipe.patterns)
+
+
+def with_origin(model: Model, plan: HeterodynePlan | None, layout: Layout, solve: Solve, maps: Maps) -> Model:
+    """Return the model with the phase at which the fringes start, told from a sample of the image.
 
     Raises
     ------
     DecodeError
         The phase runs against the Gray code: the shift sign of the images is wrong.
     """
-    gray = next((group for group in stack.patterns.groups if isinstance(group, GrayCodeGroup)), None)
-    plan = None if gray else plan_heterodyne(stack.patterns)
-    amplification = plan.amplification if plan else 0.0
-    if gray:
-        absolute, residual, origin = _by_gray_code(stack, camera, wrapped, gray, usable)
-    else:
-        assert plan is not None
-        absolute, residual, origin = _by_heterodyne(plan, wrapped, usable)
-    finest = _finest(stack.patterns)
-    slack = GRAY_SLACK_CYCLES if gray else 0.0
-    gate = 0.5 if gray else settings.residual_gate
-    variance = wrapped.variance[finest].reshape(usable.shape)
-    voted, conflict, repaired = _vote(absolute, residual, variance, usable, settings.vote_radius, (gate, amplification, slack))
-    sigma = _average(voted, wrapped, stack.patterns, origin)
-    return AbsolutePhase(voted, sigma, conflict, repaired, origin, amplification)
-
-
-def _finest(patterns: PatternSet) -> int:
-    return int(np.argmin(patterns.pitches_px))
-
-
-def _by_heterodyne(plan: HeterodynePlan, wrapped: WrappedPhases, usable: BoolArray) -> tuple[FloatArray, FloatArray, float]:
-    """Unwrap with a crest at column 0, or with a trough where the rounding residuals then lie nearer to zero."""
-    height, width = usable.shape
-    combinations = np.array(plan.combinations, np.float32)
-    frequencies = np.array(plan.frequencies)
-    ratios = np.concatenate([[1.0], frequencies[1:] / frequencies[:-1]]).astype(np.float32)
-    absolute = np.empty(height * width, np.float32)
-    residual = np.empty(height * width, np.float32)
-
-    def run(origin: float, decision: int, start: int, stop: int) -> None:
-        kernels.heterodyne(
-            wrapped.phase_rad,
-            np.float32(origin),
-            combinations,
-            ratios,
-            decision,
-            np.float32(plan.guard),
-            start,
-            stop,
-            absolute,
-            residual,
+    every = max(1, -(-len(maps.state) // CHUNK) // SAMPLED_CHUNKS)
+    chosen = [slice(begin, begin + CHUNK) for begin in range(0, len(maps.state), CHUNK * every)]
+    looking = model._replace(undecided=True)
+    if plan is None:
+        planes = layout.planes[:-1] if model.complementary else layout.planes
+        solve(looking._replace(complementary=False), layout._replace(planes=planes), every)
+        return model._replace(
+            origin=np.float32(_gray_origin([maps.phase[each] for each in chosen], [_usable(maps, each) for each in chosen]))
         )
-
-    origins = (0.0, -np.pi)
-    bands = [(row * width, (row + 1) * width) for row in range(0, height, SAMPLED_ROW)]
     spread = []
-    for origin in origins:
-        for start, stop in bands:
-            run(origin, len(ratios) - 1, start, stop)
-        chosen = np.abs(residual.reshape(height, width)[::SAMPLED_ROW])[usable[::SAMPLED_ROW]]
-        spread.append(float(np.mean(chosen)) if chosen.size else 0.0)
-    origin = origins[int(np.argmin(spread))]
-    in_bands(lambda start, stop: run(origin, plan.worst, start, stop), height * width)
-    return absolute.reshape(height, width), residual.reshape(height, width), origin
+    for origin in ORIGINS:
+        solve(looking._replace(origin=np.float32(origin), watched=len(plan.combinations) - 1), layout, every)
+        left = np.concatenate([np.abs(maps.residual[each][_usable(maps, each)].astype(np.float32)) for each in chosen])
+        spread.append(float(left.mean()) / RESIDUAL_SCALE if left.size else 0.0)
+    return model._replace(origin=np.float32(ORIGINS[int(np.argmin(spread))]))
 
 
-def _by_gray_code(
-    stack: FringeStack, camera: str, wrapped: WrappedPhases, group: GrayCodeGroup, usable: BoolArray
-) -> tuple[FloatArray, FloatArray, float]:
-    """Number the periods; their borders lie at a crest of the sinusoid, or at a trough where the images say so."""
-    images = stack.images[camera]
-    height, width = usable.shape
-    flat = images.reshape(images.shape[0], images.shape[1], height * width).view()
-    flat.flags.writeable = False
-    finest = _finest(stack.patterns)
-    planes = _plane_indices(stack.patterns, group)
-    absolute = np.empty(height * width, np.float32)
-    residual = np.empty(height * width, np.float32)
-
-    def run(indices: IntArray, complementary: bool, origin: float, start: int, stop: int) -> None:
-        kernels.gray_code(
-            flat,
-            indices,
-            complementary,
-            wrapped.phase_rad[finest],
-            wrapped.mean_sum,
-            wrapped.used[finest],
-            np.float32(origin),
-            start,
-            stop,
-            absolute,
-            residual,
-        )
-
-    plain = planes[:-1] if group.complementary else planes
-    in_bands(lambda start, stop: run(plain, False, 0.0, start, stop), height * width)
-    origin = _gray_origin(absolute.reshape(height, width), wrapped.phase_rad[finest].reshape(height, width), usable)
-    in_bands(lambda start, stop: run(planes, group.complementary, origin, start, stop), height * width)
-    return absolute.reshape(height, width), residual.reshape(height, width), origin
+def _usable(maps: Maps, where: slice) -> BoolArray:
+    return np.isin(maps.state[where], USABLE)
 
 
-def _plane_indices(patterns: PatternSet, wanted: GrayCodeGroup) -> IntArray:
-    start = 0
-    for group in patterns.groups:
-        if group is wanted:
-            return np.arange(start, start + group.count, dtype=np.int64)
-        start += group.count
-    return np.empty(0, np.int64)
-
-
-def _gray_origin(numbered: FloatArray, phase: FloatArray, usable: BoolArray) -> float:
-    """Return the phase at which the Gray code counts on; raises DecodeError when phase and code run against each other."""
-    period = np.floor(numbered[::SAMPLED_ROW] / (2 * np.pi) + 1e-4).astype(np.int32)
-    sampled = phase[::SAMPLED_ROW]
-    both = usable[::SAMPLED_ROW, 1:] & usable[::SAMPLED_ROW, :-1]
-    count_on = np.diff(period, axis=1)
-    step = np.angle(np.exp(1j * np.diff(sampled, axis=1)))
-    smooth = both & (np.abs(step) < np.pi / 2)
+def _gray_origin(numbered: list[FloatArray], usable: list[BoolArray]) -> float:
+    """Return the phase in cycles at which the Gray code counts on; raises DecodeError when phase and code run against each other."""
+    cycles = [phase / np.float32(2 * np.pi) for phase in numbered]
+    whole = [np.floor(each + 1e-4) for each in cycles]
+    both = np.concatenate([mask[1:] & mask[:-1] for mask in usable])
+    count_on = np.concatenate([np.diff(each) for each in whole])
+    turn = np.concatenate([np.diff(each - period) for each, period in zip(cycles, whole, strict=True)])
+    step = turn - np.rint(turn)
+    before = np.concatenate([(each - period)[:-1] for each, period in zip(cycles, whole, strict=True)])
+    smooth = both & (np.abs(step) < 0.25)
     border = smooth & (np.abs(count_on) == 1)
     if int(border.sum()) < LEAST_TRANSITIONS:
         return 0.0
@@ -159,33 +182,4 @@ def _gray_origin(numbered: FloatArray, phase: FloatArray, usable: BoolArray) -> 
         raise DecodeError(
             "The phase runs against the Gray code.", "Change the sign of `shift_sign`, or reverse the order of the shifted images."
         )
-    at_border = np.exp(1j * sampled[:, :-1][border]).mean()
-    return 0.0 if at_border.real >= 0 else -np.pi
-
-
-def _vote(
-    absolute: FloatArray, residual: FloatArray, variance: FloatArray, usable: BoolArray, radius: int, limits: tuple[float, float, float]
-) -> tuple[FloatArray, BoolArray, int]:
-    gate, amplification, slack = (np.float32(limit) for limit in limits)
-    if radius == 0:
-        return absolute, np.asarray(usable & (np.abs(residual) > gate)), 0
-    voted = np.empty_like(absolute)
-    conflict = np.empty(absolute.shape, np.bool_)
-
-    def work(start: int, stop: int) -> int:
-        return int(kernels.vote(absolute, residual, variance, usable, gate, amplification, slack, radius, start, stop, voted, conflict))
-
-    return voted, conflict, sum(in_bands(work, len(absolute)))
-
-
-def _average(absolute: FloatArray, wrapped: WrappedPhases, patterns: PatternSet, origin: float) -> FloatArray:
-    """Average the pitches into ``absolute`` (in place) and return the standard deviation."""
-    scales = (patterns.finest_pitch_px / np.array(patterns.pitches_px)).astype(np.float32)
-    sigma = np.empty(absolute.size, np.float32)
-    flat = absolute.reshape(-1)
-
-    def work(start: int, stop: int) -> None:
-        kernels.combine(flat, wrapped.phase_rad, wrapped.variance, scales, np.float32(origin), start, stop, sigma)
-
-    in_bands(work, absolute.size)
-    return sigma.reshape(absolute.shape)
+    return 0.0 if float(np.cos(2 * np.pi * before[border]).mean()) >= 0 else -0.5

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.data.fringe import PatternSet, PhaseShiftGroup
 from measureapp.errors import DecodeError
 
 
@@ -17,23 +16,6 @@ def shift_weights(steps: int, shift_sign: int) -> tuple[FloatArray, FloatArray]:
         )
     shifts = 2.0 * np.pi * np.arange(steps) / steps
     return -shift_sign * np.sin(shifts), np.cos(shifts)
-
-
-def image_weights(patterns: PatternSet) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return for every image of a set its phase-shift group (-1 for other images), sine weight and cosine weight, each (P,)."""
-    group_of, sines, cosines, number = [], [], [], 0
-    for group in patterns.groups:
-        if isinstance(group, PhaseShiftGroup):
-            sine, cosine = shift_weights(group.steps, patterns.shift_sign)
-            group_of += [number] * group.steps
-            sines += list(sine)
-            cosines += list(cosine)
-            number += 1
-        else:
-            group_of += [-1] * group.count
-            sines += [0.0] * group.count
-            cosines += [0.0] * group.count
-    return np.array(group_of), np.array(sines), np.array(cosines)
 
 
 def wrapped_phase(images: FloatArray, shift_sign: int = -1) -> tuple[FloatArray, FloatArray, FloatArray]:

@@ -25,8 +25,20 @@ class DecodeSettings(Model):
     residual_gate: float = Field(default=0.35, gt=0, le=0.5, description="largest rounding residual of an order without support, cycles")
     vote_radius: int = Field(default=2, ge=0, le=4, description="radius of the window that votes about orders, px; 0: no vote")
     edge_step_rad: float = Field(default=3.0, gt=0, description="phase step between neighbours that marks an edge")
+    blooming_radius_px: int = Field(
+        default=0, ge=0, le=16, description="an exposure is not used so close to a pixel it saturates; 0 for sensors that do not spill over"
+    )
     noise: CameraNoise = CameraNoise()
+    camera_noise: dict[str, CameraNoise] = Field(default_factory=dict, description="of cameras that differ from `noise`, by name")
+    phase_correction: tuple[tuple[tuple[int, float, float], ...], ...] = Field(
+        default=(),
+        description="for every phase-shift group, in order, the harmonics (k, a, p) of the projector: phase − Σ a sin(k phase + p)",
+    )
 
     def min_modulation_grey(self, saturation: float) -> float:
         """Return the least modulation in grey levels of images that saturate at ``saturation``."""
         return self.min_modulation * saturation / EIGHT_BIT_WHITE
+
+    def noise_of(self, camera: str) -> CameraNoise:
+        """Return the noise model of a camera."""
+        return self.camera_noise.get(camera, self.noise)

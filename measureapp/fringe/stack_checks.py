@@ -52,7 +52,7 @@ def check_stack(stack: FringeStack) -> None:
     DecodeError
         Names camera, exposure and image, counted from 1.
     """
-    _check_shapes(stack)
+    check_shapes(stack)
     samples = [_sampled(stack, camera) for camera in stack.images]
     for sample in samples:
         _check_levels(sample)
@@ -62,7 +62,8 @@ def check_stack(stack: FringeStack) -> None:
         _check_brightness(sample)
 
 
-def _check_shapes(stack: FringeStack) -> None:
+def check_shapes(stack: FringeStack) -> None:
+    """Raise DecodeError unless all cameras have as many images as the set says, and of one bit depth."""
     expected = (len(stack.exposures_us), stack.patterns.count)
     for camera, images in stack.images.items():
         if images.ndim != 4 or images.shape[:2] != expected:

@@ -9,21 +9,24 @@ from datetime import UTC, datetime
 
 import numpy as np
 
-from measureapp.arrays import FloatArray
-from measureapp.calibrate.board import detect
+from measureapp.calibrate.axis_noise import AxisNoise, articulated_robot
+from measureapp.calibrate.board import find_board
 from measureapp.calibrate.board_pose import board_pose
 from measureapp.calibrate.camera_array import CameraArrayProblem, CameraArraySolution
 from measureapp.calibrate.camera_array import solve as solve_cameras
-from measureapp.calibrate.chain import AxisNoise
-from measureapp.calibrate.joint import RigObservation, RigSolution, solve_rig
-from measureapp.calibrate.sightings import Rejection, Sighting
-from measureapp.data.board import BoardView, CheckerboardDescription
+from measureapp.calibrate.camera_prior import CameraPrior, pose_by_cameras
+from measureapp.calibrate.joint import RigObservation, solve_rig
+from measureapp.calibrate.joint_solution import RigSolution
+from measureapp.calibrate.sightings import FoundBoard, Rejection, sighting_of
+from measureapp.data.board import BoardDescription, BoardView
 from measureapp.data.calibration import CameraArrayCalibration, Provenance
 from measureapp.data.rig import RigDescription
 from measureapp.errors import CalibrationError
 from measureapp.progress import PartOf, Progress
 
 DETECTION_THREADS = 2
+STRAIGHTNESS_MM = 0.003  # usual of a ground rail over the travel of a calibration
+SPAN_OVER_RMS = np.sqrt(8.0)  # of a sine
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -34,9 +37,7 @@ class CalibratedRig:
     rig: RigSolution  # its `calibration` holds everything
 
 
-def calibrate_from_views(
-    views: Sequence[BoardView], board: CheckerboardDescription, rig: RigDescription, progress: Progress
-) -> CalibratedRig:
+def calibrate_from_views(views: Sequence[BoardView], board: BoardDescription, rig: RigDescription, progress: Progress) -> CalibratedRig:
     """Find the board in all images, calibrate the cameras from them, then hand-eye, guide and axis.
 
     Raises
@@ -51,19 +52,15 @@ def calibrate_from_views(
         board=board,
         reference=rig.reference,
         sizes_px={camera.name: (camera.width_px, camera.height_px) for camera in rig.cameras},
-        sightings=tuple(Sighting(camera, view, corners) for view, seen in found.items() for camera, corners in seen.items()),
+        sightings=tuple(sighting_of(camera, view, one) for view, seen in found.items() for camera, one in seen.items()),
         rejected=missed,
     )
     solved = solve_cameras(problem, PartOf(progress, 0.5, 0.8))
     cameras = _with_serials(solved.calibration, rig)
     solved = replace(solved, calibration=cameras)
     observations = _observations(views, found, solved)
-    noise = AxisNoise(
-        robot_mm=rig.robot.absolute_accuracy_mm,
-        robot_rad=float(np.deg2rad(rig.robot.absolute_accuracy_deg)),
-        table_rad=float(np.deg2rad(rig.table.accuracy_arcsec / 3600.0)),
-    )
-    solution = solve_rig(observations, cameras, noise=noise, progress=PartOf(progress, 0.8, 1.0))
+    prior = CameraPrior(solved.parameters, solved.covariance)
+    solution = solve_rig(observations, cameras, noise=expected_noise(rig), camera_prior=prior, progress=PartOf(progress, 0.8, 1.0))
     provenance = Provenance(
         created=datetime.now(UTC).isoformat(timespec="seconds"),
         method=solution.calibration.provenance.method,
@@ -72,15 +69,26 @@ def calibrate_from_views(
     return CalibratedRig(solved, replace(solution, calibration=replace(solution.calibration, provenance=provenance)))
 
 
+def expected_noise(rig: RigDescription) -> AxisNoise:
+    """Return what the data sheets of the rig's axes let expect; a table's accuracy is the span of its error over a turn."""
+    return articulated_robot(
+        rig.robot.absolute_accuracy_mm,
+        float(np.deg2rad(rig.robot.absolute_accuracy_deg)),
+        rig.robot.repeatability_mm,
+        float(np.deg2rad(rig.table.accuracy_arcsec / 3600.0)) / SPAN_OVER_RMS,
+        float(np.hypot(STRAIGHTNESS_MM, rig.guide.repeatability_mm)),
+    )
+
+
 def _detected(
-    views: Sequence[BoardView], board: CheckerboardDescription, progress: Progress
-) -> tuple[dict[str, dict[str, FloatArray]], tuple[Rejection, ...]]:
+    views: Sequence[BoardView], board: BoardDescription, progress: Progress
+) -> tuple[dict[str, dict[str, FoundBoard]], tuple[Rejection, ...]]:
     """Corners by view and camera, and the images without a board."""
-    found: dict[str, dict[str, FloatArray]] = {view.viewpoint_id: {} for view in views}
+    found: dict[str, dict[str, FoundBoard]] = {view.viewpoint_id: {} for view in views}
     missed = []
     images = [(view.viewpoint_id, camera, pixels) for view in views for camera, pixels in view.images.items()]
     with ThreadPoolExecutor(DETECTION_THREADS) as pool:
-        pending = [pool.submit(detect, pixels, board) for _, _, pixels in images]
+        pending = [pool.submit(find_board, pixels, board) for _, _, pixels in images]
         try:
             for number, ((view, camera, _), future) in enumerate(zip(images, pending, strict=True)):
                 progress.report(number, len(images), f"looking for the board in {view}")
@@ -95,16 +103,18 @@ def _detected(
 
 
 def _observations(
-    views: Sequence[BoardView], found: Mapping[str, Mapping[str, FloatArray]], solved: CameraArraySolution
+    views: Sequence[BoardView], found: Mapping[str, Mapping[str, FoundBoard]], solved: CameraArraySolution
 ) -> list[RigObservation]:
     """Board poses from the sightings that the camera calibration kept."""
     used = {(residual.camera, residual.view) for residual in solved.views}
     observations = []
     for view in views:
-        corners = {camera: seen for camera, seen in found[view.viewpoint_id].items() if (camera, view.viewpoint_id) in used}
-        if corners:
-            pose = board_pose(corners, solved.calibration, solved.board, solved.sigma_px)
-            observations.append(RigObservation(view.viewpoint_id, view.readback, pose))
+        seen = {camera: one for camera, one in found[view.viewpoint_id].items() if (camera, view.viewpoint_id) in used}
+        if seen:
+            corners, ids = {camera: one.corners_px for camera, one in seen.items()}, {camera: one.ids for camera, one in seen.items()}
+            pose = board_pose(corners, solved.calibration, solved.board, solved.sigma_px, ids)
+            by_cameras = pose_by_cameras(pose, ids, solved.calibration, solved.board, solved.parameters)
+            observations.append(RigObservation(view.viewpoint_id, view.readback, pose, by_cameras))
     return observations
 
 

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict, replace
 from datetime import UTC, datetime
 from typing import Any
 
 import numpy as np
 
+from measureapp.acquire.capture import ExposureTaken
 from measureapp.acquire.engine import Engine
 from measureapp.acquire.events import Event, InspectionReady, StitchReady, ViewpointFailed, ViewReady
 from measureapp.data.calibration import RigCalibration
@@ -22,7 +25,9 @@ from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, ReconstructError, RegistrationError
 from measureapp.fringe.decode import decode
 from measureapp.fringe.patterns import pattern_images
+from measureapp.fringe.stack_checks import check_stack
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
+from measureapp.pipeline.live_decoding import LiveDecoding
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.reach import check_reach
 from measureapp.progress import NoProgress, PartOf, Progress
@@ -36,23 +41,51 @@ from measureapp.register.stitch import stitch
 from measureapp.register.surface import surface
 
 OnEvent = Callable[[Event], None]
+LAST_IMAGE_TO_CLOUD = "last image to cloud"  # storing goes on meanwhile and is not waited for
 TYPICAL_RADIUS_MM = 100.0  # of points about the table's axis
 KNOWN_STATION_MM, KNOWN_STATION_DEG = 0.03, 0.004  # repeatability of the robot and what the board leaves unknown
 
 
 class _Processing:
-    """The sink of a scan: stores every stack for good, then makes a cloud of it where there is a calibration."""
+    """The sink of a scan: decodes while images come, stores every stack for good and makes a cloud of it where there is a calibration."""
 
-    def __init__(self, project: ProjectFolder, calibration: RigCalibration | None, on_event: OnEvent, watch: Stopwatch) -> None:
+    def __init__(
+        self,
+        project: ProjectFolder,
+        calibration: RigCalibration | None,
+        on_event: OnEvent,
+        watch: Stopwatch,
+        live: LiveDecoding | None = None,
+    ) -> None:
         self.views: dict[str, ViewResult] = {}
         self._project, self._calibration, self._on_event, self._watch = project, calibration, on_event, watch
         self._rectifier = None if calibration is None else Rectifier(calibration.cameras)
+        self._live = None if calibration is None else live
+
+    def exposure_taken(self, taken: ExposureTaken) -> None:
+        """Decode it on another thread."""
+        if self._live is not None:
+            self._live.exposure_taken(taken)
+
+    def drop(self, viewpoint_id: str) -> None:
+        """Forget what was decoded of a viewpoint that failed."""
+        if self._live is not None:
+            self._live.drop(viewpoint_id)
 
     def store(self, stack: FringeStack) -> None:
-        """Keep the raw images, then process them."""
+        """Keep the raw images, and process them meanwhile; returns when both are done. A stack that cannot be kept gives no view."""
+        with ThreadPoolExecutor(1, "storing") as pool:
+            storing = pool.submit(self._store, stack)
+            try:
+                self.process(stack, NoProgress())
+            finally:
+                if storing.exception() is not None:
+                    self.views.pop(stack.viewpoint_id, None)
+        storing.result()
+
+    def _store(self, stack: FringeStack) -> None:
         with self._watch.stage("storing"):
             self._project.frames.store(stack)
-        self.process(stack, NoProgress())
 
     def process(self, stack: FringeStack, progress: Progress) -> None:
         """Make a cloud of a stack; a view without points is told, not passed on."""
@@ -60,10 +93,14 @@ class _Processing:
             return
         with self._watch.stage("clouds"):
             try:
-                view = cloud_of_view(stack, self._calibration, progress, self._rectifier)
+                decoded = None if self._live is None else self._live.maps(stack)
+                maps, last_image_s = decoded or (None, 0.0)
+                view = cloud_of_view(stack, self._calibration, progress, self._rectifier, maps)
             except ReconstructError as error:
                 self._on_event(ViewpointFailed(stack.viewpoint_id, str(error)))
                 return
+        if decoded is not None:
+            view = replace(view, timings_s={LAST_IMAGE_TO_CLOUD: time.monotonic() - last_image_s})
         self.views[view.viewpoint_id] = view
         self._on_event(ViewReady(view))
 
@@ -92,13 +129,14 @@ def scan(
         check_cameras(rig, calibration)
     stored = project.stored_viewpoints()
     check_space(project, rig.description, plan)
-    sink = _Processing(project, calibration, on_event, watch)
-    for viewpoint_id in stored:
-        sink.process(project.frames.load(viewpoint_id), NoProgress())
-    images = pattern_images(plan.patterns, rig.projector.width_px, rig.projector.height_px)
-    rig.place_on_table("part")
-    with watch.stage("scan with storing and clouds"):
-        Engine(rig, sink).run(plan, images, on_event, progress, stored)
+    with LiveDecoding() as live:
+        sink = _Processing(project, calibration, on_event, watch, live)
+        for viewpoint_id in stored:
+            sink.process(project.frames.load(viewpoint_id), NoProgress())
+        images = pattern_images(plan.patterns, rig.projector.width_px, rig.projector.height_px)
+        rig.place_on_table("part")
+        with watch.stage("scan with storing and clouds"):
+            Engine(rig, sink).run(plan, images, on_event, progress, stored)
     return tuple(sink.views[viewpoint.id] for viewpoint in plan if viewpoint.id in sink.views)
 
 
@@ -114,11 +152,19 @@ def clouds_from_disk(
     return tuple(sink.views.values())
 
 
-def cloud_of_view(stack: FringeStack, calibration: RigCalibration, progress: Progress, rectifier: Rectifier) -> ViewResult:
-    """Decode, match, triangulate and judge one viewpoint. Raises DecodeError, ReconstructError."""
+def cloud_of_view(
+    stack: FringeStack,
+    calibration: RigCalibration,
+    progress: Progress,
+    rectifier: Rectifier,
+    maps: Mapping[str, PhaseMap] | None = None,
+) -> ViewResult:
+    """Decode (where ``maps`` were not decoded already), match, triangulate and judge one viewpoint. Raises DecodeError, ReconstructError."""
     if stack.readback is None:
         raise ReconstructError(f"{stack.viewpoint_id} has no read-back of the axes.", "Only stacks taken by a rig can be placed.")
-    maps = decode(stack, None, PartOf(progress, 0.0, 0.5))
+    if maps is None:
+        check_stack(stack)
+        maps = decode(stack, None, PartOf(progress, 0.0, 0.5))
     result = reconstruct(maps, calibration.cameras, progress=PartOf(progress, 0.5, 1.0), rectifier=rectifier)
     quality = judge(result.cloud, completeness=_completeness(maps, result.cloud.pixel))
     return ViewResult(

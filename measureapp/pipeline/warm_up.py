@@ -14,6 +14,8 @@ from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.data.phase import PhaseMap
 from measureapp.fringe.decode import decode
 from measureapp.fringe.patterns import pattern_images
+from measureapp.fringe.settings import DecodeSettings
+from measureapp.fringe.streaming import StreamingDecoder
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import NoProgress, PartOf, Progress
@@ -27,6 +29,9 @@ SHIFT_PX = round(FOCAL_PX * STEP_MM / WALL_MM)
 FIRST_COLUMN = 300
 FULL_TABLE = 3 * CHUNK  # as many voxels as make the table grow
 CAMERAS = ("first", "second", "third")
+THREE_STEPS = PatternSet(
+    name="warm-up", projector_px=1024, groups=(PhaseShiftGroup(pitch_px=32, steps=3), PhaseShiftGroup(pitch_px=33, steps=3))
+)
 GRAY_PATTERNS = PatternSet(name="warm-up", projector_px=1024, groups=(PhaseShiftGroup(pitch_px=32), GrayCodeGroup(planes=5)))
 
 
@@ -38,7 +43,15 @@ def warm_up(progress: Progress | None = None) -> None:
     progress : told after each stage; where it can be cancelled. What is compiled by then stays compiled
     """
     progress = progress or NoProgress()
-    steps = ("decoding", "decoding Gray codes", "decoding 16 bits", "reconstructing three cameras", "reconstructing two", "stitching")
+    steps = (
+        "decoding",
+        "decoding other steps",
+        "decoding 16 bits",
+        "decoding while images arrive",
+        "reconstructing three cameras",
+        "reconstructing two",
+        "stitching",
+    )
 
     def begin(step: int) -> None:
         progress.report(step, len(steps), f"compiling: {steps[step]}")
@@ -46,14 +59,18 @@ def warm_up(progress: Progress | None = None) -> None:
     begin(0)
     maps = decode(_stack(PAPER_PATTERNS, np.uint8))
     begin(1)
-    decode(_stack(GRAY_PATTERNS, np.uint8))
+    for patterns in (GRAY_PATTERNS, THREE_STEPS):
+        decode(_stack(patterns, np.uint8))
     begin(2)
     decode(_stack(PAPER_PATTERNS, np.uint16))
     begin(3)
-    cloud = _cloud(maps, CAMERAS, PartOf(progress, 3 / len(steps), 4 / len(steps)))
+    for patterns, dtype in ((PAPER_PATTERNS, np.uint8), (THREE_STEPS, np.uint8), (PAPER_PATTERNS, np.uint16)):
+        _stream(_stack(patterns, dtype))
     begin(4)
-    _cloud(maps, CAMERAS[:2], PartOf(progress, 4 / len(steps), 5 / len(steps)))
+    cloud = _cloud(maps, CAMERAS, PartOf(progress, 4 / len(steps), 5 / len(steps)))
     begin(5)
+    _cloud(maps, CAMERAS[:2], PartOf(progress, 5 / len(steps), 6 / len(steps)))
+    begin(6)
     stays = RigidTransform.identity("part", "camera")
     stitch([cloud, cloud], [stays, stays])
     VoxelSums(1).add(np.arange(FULL_TABLE), np.zeros((FULL_TABLE, 1)))
@@ -68,6 +85,14 @@ def _stack(patterns: PatternSet, dtype: type[np.unsignedinteger]) -> FringeStack
         start = FIRST_COLUMN + number * SHIFT_PX
         images[camera] = read_only(shown[None, :, :, start : start + WIDTH_PX], dtype)
     return FringeStack("warm-up", patterns, (10_000,), images, 255)
+
+
+def _stream(stack: FringeStack) -> None:
+    """Decode a stack as if its images came one by one, with the guard against blooming."""
+    decoder = StreamingDecoder(stack.patterns, stack.exposures_us, stack.saturation, DecodeSettings(blooming_radius_px=1))
+    for camera, images in stack.images.items():
+        decoder.add(camera, 0, images[0])
+    decoder.finish()
 
 
 def _cloud(maps: Mapping[str, PhaseMap], names: tuple[str, ...], progress: Progress) -> PointCloud:

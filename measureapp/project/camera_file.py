@@ -22,7 +22,7 @@ FILE_FIELDS = {"schema_version", "reference", "cameras", "pair_rms_px", "provena
 LENS_FIELDS = ("width", "height", "matrix", "distortion")
 CAMERA_FIELDS = {*LENS_FIELDS, "reference_from_camera", "standard_deviations", "rms_px", "serial"}
 PROJECTOR_FIELDS = {*LENS_FIELDS, "reference_from_projector", "name", "standard_deviations", "provenance"}
-PROVENANCE_FIELDS = {"created", "method", "inputs"}
+PROVENANCE_FIELDS = {"created", "method", "inputs", "temperature_c", "valid_days"}
 
 
 def write_cameras(path: Path, calibration: CameraArrayCalibration) -> None:
@@ -74,7 +74,9 @@ def _projector_document(projector: ProjectorCalibration) -> dict[str, Any]:
 
 
 def _provenance_document(provenance: Provenance) -> dict[str, Any]:
-    return {"created": provenance.created, "method": provenance.method, "inputs": dict(provenance.inputs)}
+    document: dict[str, Any] = {"created": provenance.created, "method": provenance.method, "inputs": dict(provenance.inputs)}
+    optional = {"temperature_c": provenance.temperature_c, "valid_days": provenance.valid_days}
+    return document | {name: float(value) for name, value in optional.items() if value is not None}
 
 
 def _lens_document(pinhole: PinholeCamera) -> dict[str, Any]:
@@ -113,13 +115,12 @@ def cameras_from(document: Any, source: str = "cameras.json") -> CameraArrayCali
             f"{source}: the reference camera {reference!r} is not among the cameras.", "Name one of: " + ", ".join(cameras) + "."
         )
     provenance = document.get("provenance", {})
-    _known(provenance, PROVENANCE_FIELDS, source, "provenance")
     made = {name: _camera(name, entry, reference, source) for name, entry in cameras.items()}
     pairs = _numbers(document.get("pair_rms_px", {}), source, "pair_rms_px")
     projector = _projector(document["projector"], source) if "projector" in document else None
     if projector is not None and projector.name in made:
         raise InputError(f"{source}: projector.name is {projector.name!r}, which is a camera's.", "Give the projector a name of its own.")
-    return CameraArrayCalibration(str(reference), made, pairs, Provenance(**provenance), projector)
+    return CameraArrayCalibration(str(reference), made, pairs, _provenance(provenance, source, "provenance"), projector)
 
 
 def _camera(name: str, entry: Any, reference: str, source: str) -> CameraCalibration:
@@ -144,15 +145,20 @@ def _projector(entry: Any, source: str) -> ProjectorCalibration:
     place = "projector.reference_from_projector"
     pose = _array(_field(entry, "reference_from_projector", source, "projector."), (4, 4), source, place)
     provenance = entry.get("provenance", {})
-    _known(provenance, PROVENANCE_FIELDS, source, "projector.provenance")
     name = str(entry.get("name", "projector"))
     return ProjectorCalibration(
         pinhole,
         _transform(pose, name, source, place),
         name,
         _numbers(entry.get("standard_deviations", {}), source, "projector.standard_deviations"),
-        Provenance(**provenance),
+        _provenance(provenance, source, "projector.provenance"),
     )
+
+
+def _provenance(entry: Any, source: str, place: str) -> Provenance:
+    _known(entry, PROVENANCE_FIELDS, source, place)
+    optional = {name: entry[name] for name in ("temperature_c", "valid_days") if entry.get(name) is not None}
+    return Provenance(**{**entry, **_numbers(optional, source, place)})
 
 
 def _pinhole(entry: Mapping[str, Any], source: str, place: str) -> PinholeCamera:

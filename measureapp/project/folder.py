@@ -18,7 +18,7 @@ from typing import Any, Literal, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
-from measureapp.data.board import BoardView, CheckerboardDescription
+from measureapp.data.board import AnyBoard, BoardView, CheckerboardDescription
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
 from measureapp.data.model import Model, first_problem
@@ -43,7 +43,7 @@ class ProjectSettings(Model):
     name: str
     part: str
     rig: RigDescription
-    board: CheckerboardDescription = DEFAULT_BOARD
+    board: AnyBoard = DEFAULT_BOARD
 
 
 class ProjectFolder:

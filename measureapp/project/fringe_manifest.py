@@ -19,6 +19,7 @@ from measureapp.data.fringe import Direction, FringeStack, GrayCodeGroup, Patter
 from measureapp.data.model import Model, first_problem
 from measureapp.errors import InputError
 from measureapp.fringe.patterns import check_determines_phase
+from measureapp.fringe.stack_checks import check_stack
 from measureapp.project.images import read_image
 
 Images = dict[str, tuple[str, ...]]  # camera -> paths beside the manifest
@@ -90,7 +91,7 @@ def read_manifest(path: Path) -> FringeStack:
     InputError
         The manifest or an image cannot be read, an entry is wrong or foreign, images are missing, repeated or do not fit each other.
     DecodeError
-        The images do not determine the phase over the projector.
+        The images do not determine the phase over the projector, or are not what the manifest says: repeated, blank, exchanged.
     """
     path = Path(path)
     manifest = parse_manifest(path)
@@ -100,13 +101,15 @@ def read_manifest(path: Path) -> FringeStack:
     check_determines_phase(patterns)
     cameras = tuple(exposures[0].group[0].images)
     images = {camera: _read_camera(path, exposures, camera) for camera in cameras}
-    return FringeStack(
+    stack = FringeStack(
         viewpoint_id=path.parent.resolve().name,
         patterns=patterns,
         exposures_us=tuple(entry.exposure_us for entry in exposures),
         images=images,
         saturation=_saturation(path, manifest, images),
     )
+    check_stack(stack)
+    return stack
 
 
 def parse_manifest(path: Path) -> FringeManifest:

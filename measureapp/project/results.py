@@ -89,6 +89,7 @@ def _view_document(view: ViewResult) -> dict[str, Any]:
         "pairs": [dict(pair) for pair in view.pairs],
         "rejected": dict(view.rejected),
         "readback": readback_document(view.readback),
+        "timings_s": dict(view.timings_s),
     }
 
 
@@ -102,4 +103,5 @@ def _view_from(folder: Path, document: Mapping[str, Any]) -> ViewResult:
         pairs=tuple(document["pairs"]),
         rejected=document["rejected"],
         readback=readback_from(document["readback"]),
+        timings_s=document.get("timings_s", {}),
     )

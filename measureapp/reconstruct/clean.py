@@ -2,16 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 
-from measureapp.arrays import BoolArray, FloatArray, IntArray, in_bands
+from measureapp.arrays import BoolArray, FloatArray, IntArray, in_bands, read_only
+from measureapp.data.point_state import PointState
 from measureapp.reconstruct import kernels
+from measureapp.reconstruct.cubics import PixelSteps
 from measureapp.reconstruct.settings import ReconstructSettings
 
 ONE_SURFACE_DEG = 80.0
+WORDS = {
+    PointState.UNMATCHED: "unmatched",
+    PointState.AMBIGUOUS: "ambiguous",
+    PointState.CONTRADICTED: "contradicted",
+    PointState.UNCERTAIN: "uncertain",
+    PointState.FLYING: "flying",
+    PointState.OUTLIER: "outlier",
+    PointState.GRAZING: "grazing",
+    PointState.PARTNER_GRAZING: "grazing for a partner",
+    PointState.ISLAND: "island",
+}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -24,20 +38,34 @@ class CleanDepth:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class LocalPlanes:
-    """The plane through the window of every point."""
-
-    normals: FloatArray  # (H, W, 3) float32
-    residual_mm: FloatArray  # (H, W) float32, depth minus that of the plane
-    neighbours: IntArray  # (H, W) uint8, points of the window on the same surface
-
-
-@dataclass(frozen=True, slots=True, eq=False)
 class Partner:
     """Another camera that takes part in points."""
 
     centre_mm: FloatArray  # (3,) in the frame of the camera whose depth map it is
     takes_part: BoolArray  # (H, W)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Lens:
+    """The viewing rays of a camera as the kernels want them."""
+
+    rays: FloatArray  # (H, W, 2) float32, normalised image coordinates
+    steps: PixelSteps  # how they change from pixel to pixel
+    spacing: float  # distance of neighbouring pixels in normalised coordinates
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DepthGrid:
+    """A depth map with the points that were not rejected, and the other cameras that take part in each."""
+
+    depth_mm: FloatArray  # (H, W) float32
+    sigma_mm: FloatArray  # (H, W) float32
+    others: IntArray  # (H, W) uint8
+    fate: IntArray  # (H, W) uint8 of PointState
+    lens: Lens
+    inverse: FloatArray  # (H + 2r, W + 2r) float32, inverse depth of the points left, with a border of zeros
+    border: int  # r
+    per_px: np.float32  # largest depth step between neighbours of one surface, as a share of the depth
 
 
 def clean(
@@ -48,7 +76,7 @@ def clean(
     partners: Sequence[Partner],
     settings: ReconstructSettings,
 ) -> CleanDepth:
-    """Remove what cannot be trusted and count it by reason; each filter sees what the ones before it left.
+    """Remove what cannot be trusted and count it by reason.
 
     Parameters
     ----------
@@ -57,75 +85,185 @@ def clean(
     spacing : distance of neighbouring pixels in normalised coordinates
     partners : the other cameras; what one of them sees at a grazing angle is mostly the border of another surface
     """
-    depth = depth_mm.copy()
-    steepest = _steepest(settings)
-    rejected: dict[str, int] = {}
-
-    def reject(reason: str, bad: BoolArray) -> None:
-        gone = bad & (depth > 0)
-        rejected[reason] = int(gone.sum())
-        depth[gone] = 0
-
-    reject("uncertain", sigma_mm > settings.max_sigma_mm)
-    planes = local_planes(depth, sigma_mm, rays, spacing, settings)
-    reject("flying", planes.neighbours < settings.min_neighbours)
-    edge_mm = settings.outlier_slope * settings.normal_radius_px * spacing * depth
-    cosine = _cosine(planes.normals, rays)
-    reject("outlier", np.abs(planes.residual_mm) * cosine > settings.outlier_sigmas * sigma_mm + edge_mm)
-    reject("grazing", cosine < np.cos(np.radians(settings.max_incidence_deg)))
-    for partner in partners:
-        grazing = _cosine_from(partner.centre_mm, planes.normals, rays, depth) < np.cos(np.radians(settings.max_partner_incidence_deg))
-        reject("grazing for a partner", grazing & partner.takes_part)
-    reject("island", _islands(depth, sigma_mm, spacing, steepest) < settings.min_island_px)
-    return CleanDepth(depth, local_planes(depth, sigma_mm, rays, spacing, settings).normals, rejected)
+    depth, sigma = np.ascontiguousarray(depth_mm, np.float32), np.ascontiguousarray(sigma_mm, np.float32)
+    others = np.zeros(depth.shape, np.uint8)
+    for place, partner in enumerate(partners):
+        others |= partner.takes_part.astype(np.uint8) << np.uint8(place)
+    fate = np.where(depth > 0, PointState.VALID, PointState.NO_PHASE).astype(np.uint8)
+    lens = Lens(rays, PixelSteps.of(rays), spacing)
+    grid = cleaned(depth, sigma, others, fate, lens, [partner.centre_mm for partner in partners], settings)
+    pixel, normals = gathered_normals(grid)
+    dense = np.zeros((*depth.shape, 3), np.float32)
+    dense[..., 2] = -1
+    dense[pixel[:, 0], pixel[:, 1]] = normals
+    return CleanDepth(np.where(fate == PointState.VALID, depth, np.float32(0)), dense, rejections(fate))
 
 
-def local_planes(
-    depth_mm: FloatArray, sigma_mm: FloatArray, rays: FloatArray, spacing: float, settings: ReconstructSettings
-) -> LocalPlanes:
-    """Fit a plane to the window of every point, over neighbours that no depth step parts from it."""
-    shape = depth_mm.shape
-    planes = LocalPlanes(np.empty((*shape, 3), np.float32), np.empty(shape, np.float32), np.empty(shape, np.uint8))
-    steepest = _steepest(settings)
-    radius = settings.normal_radius_px
-    work: Callable[[int, int], None] = lambda start, stop: kernels.fit_planes(  # noqa: E731
-        rays,
-        depth_mm,
-        sigma_mm,
-        spacing,
-        steepest,
-        radius,
-        max(1, radius // 2),
-        start,
-        stop,
-        planes.normals,
-        planes.residual_mm,
-        planes.neighbours,
+def rejections(*fates: IntArray) -> dict[str, int]:
+    """Count pixels that had a phase and gave no point, by reason."""
+    ends = [0, len(PointState)]
+    counts = np.sum([cv2.calcHist([fate], [0], None, [len(PointState)], ends).ravel() for fate in fates], axis=0)
+    return {words: int(counts[state]) for state, words in WORDS.items()}
+
+
+def cleaned(
+    depth_mm: FloatArray,
+    sigma_mm: FloatArray,
+    others: IntArray,
+    fate: IntArray,
+    lens: Lens,
+    centres_mm: Sequence[FloatArray],
+    settings: ReconstructSettings,
+) -> DepthGrid:
+    """Remove what cannot be trusted from a depth map; ``fate`` is written to. Islands are what hangs together after all else is gone.
+
+    Parameters
+    ----------
+    others : (H, W) uint8, bit i: the camera at ``centres_mm[i]``, in the frame of the depth map's, takes part
+    """
+    height, width = depth_mm.shape
+    border = settings.normal_radius_px
+    inverse = np.zeros((height + 2 * border, width + 2 * border), np.float32)
+    per_px = np.float32(lens.spacing * np.tan(np.radians(max(settings.max_incidence_deg, ONE_SURFACE_DEG))))
+    made = DepthGrid(depth_mm, sigma_mm, others, fate, lens, inverse, border, per_px)
+    worst = np.float32(settings.max_sigma_mm)
+    in_bands(lambda start, stop: kernels.invert(depth_mm, sigma_mm, worst, border, start, stop, inverse, fate), height)
+    _judge(made, centres_mm, settings)
+    _drop_islands(made, settings.min_island_px)
+    return made
+
+
+def _judge(grid: DepthGrid, centres_mm: Sequence[FloatArray], settings: ReconstructSettings) -> None:
+    centres = np.array([*centres_mm], np.float32).reshape(-1, 3)
+    limits = (
+        settings.min_neighbours,
+        settings.outlier_sigmas,
+        settings.outlier_slope * settings.normal_radius_px * grid.lens.spacing,
+        np.cos(np.radians(settings.max_incidence_deg)),
+        np.cos(np.radians(settings.max_partner_incidence_deg)),
     )
-    in_bands(work, shape[0])
-    return planes
+    numbers = tuple(np.float32(limit) for limit in limits)
+    steps = grid.lens.steps
+    in_bands(
+        lambda start, stop: kernels.judge(
+            grid.inverse,
+            grid.sigma_mm,
+            grid.lens.rays,
+            steps.cubics,
+            steps.unit,
+            grid.per_px,
+            grid.border,
+            numbers,
+            centres,
+            grid.others,
+            start,
+            stop,
+            grid.fate,
+        ),
+        len(grid.fate),
+    )
 
 
-def _steepest(settings: ReconstructSettings) -> float:
-    """Return the tangent of the steepest slope over which neighbours count as one surface."""
-    return float(np.tan(np.radians(max(settings.max_incidence_deg, ONE_SURFACE_DEG))))
+def _drop_islands(grid: DepthGrid, least: int) -> None:
+    shape = grid.fate.shape
+    starts, stops, counts = np.empty(shape, np.int16), np.empty(shape, np.int16), np.empty(shape[0], np.int32)
+    in_bands(
+        lambda start, stop: kernels.find_runs(
+            grid.inverse, grid.sigma_mm, grid.fate, grid.per_px, grid.border, start, stop, starts, stops, counts
+        ),
+        shape[0],
+    )
+    kernels.drop_islands(grid.inverse, grid.sigma_mm, grid.per_px, grid.border, least, starts, stops, counts, grid.fate)
 
 
-def _cosine(normals: FloatArray, rays: FloatArray) -> FloatArray:
-    """Return the cosine of the angle between normal and viewing ray."""
-    dot = normals[..., 0] * rays[..., 0] + normals[..., 1] * rays[..., 1] + normals[..., 2]
-    return np.asarray(-dot / np.sqrt(1 + rays[..., 0] ** 2 + rays[..., 1] ** 2))
+@dataclass(frozen=True, slots=True, eq=False)
+class PointArrays:
+    """The arrays of a cloud, to be filled."""
+
+    points_mm: FloatArray  # (N, 3) float64
+    normals: FloatArray  # (N, 3) float32
+    sigma_mm: FloatArray  # (N,) float32
+    grey: FloatArray  # (N,) float32
+    pixel: IntArray  # (N, 2) int32
+    cameras: IntArray  # (N,) uint8
+
+    @classmethod
+    def of(cls, count: int) -> PointArrays:
+        """Make room for points."""
+        return cls(
+            np.empty((count, 3), np.float64),
+            np.empty((count, 3), np.float32),
+            np.empty(count, np.float32),
+            np.empty(count, np.float32),
+            np.empty((count, 2), np.int32),
+            np.empty(count, np.uint8),
+        )
 
 
-def _cosine_from(centre_mm: FloatArray, normals: FloatArray, rays: FloatArray, depth_mm: FloatArray) -> FloatArray:
-    """Return the cosine of the angle between normal and the ray of a camera at ``centre_mm``."""
-    x, y, z = (np.float32(value) for value in centre_mm)
-    to_x, to_y, to_z = x - rays[..., 0] * depth_mm, y - rays[..., 1] * depth_mm, z - depth_mm
-    dot = normals[..., 0] * to_x + normals[..., 1] * to_y + normals[..., 2] * to_z
-    return np.asarray(dot / np.sqrt(to_x**2 + to_y**2 + to_z**2))
+def points_per_row(grid: DepthGrid) -> IntArray:
+    """Count the points of every row."""
+    counts = np.empty(len(grid.fate), np.int64)
+    in_bands(lambda start, stop: kernels.count_points(grid.inverse, grid.border, start, stop, counts), len(counts))
+    return counts
 
 
-def _islands(depth_mm: FloatArray, sigma_mm: FloatArray, spacing: float, steepest: float) -> IntArray:
-    size = np.empty(depth_mm.shape, np.int32)
-    kernels.island_sizes(depth_mm, sigma_mm, spacing, steepest, size)
-    return size
+def gather(
+    grid: DepthGrid,
+    counts: IntArray,
+    first: int,
+    grey: FloatArray | IntArray,
+    saturation: float,
+    bits: tuple[int, ...],
+    reference_from_camera: FloatArray,
+    out: PointArrays,
+) -> None:
+    """Write the points of a depth map into a cloud, from index ``first`` on.
+
+    Parameters
+    ----------
+    counts : `points_per_row` of it
+    grey, saturation : grey levels of the image, and the one that becomes 1
+    bits : of this camera and of the others, for `PointCloud.cameras`
+    reference_from_camera : (4, 4)
+    """
+    begins = first + np.cumsum(counts) - counts
+    steps = grid.lens.steps
+    pose = np.ascontiguousarray(reference_from_camera[:3], np.float64)
+    other_bits = np.array(bits[1:], np.uint8)
+    levels = read_only(grey, np.uint16)
+    in_bands(
+        lambda start, stop: kernels.gather_points(
+            grid.inverse,
+            grid.depth_mm,
+            grid.sigma_mm,
+            grid.lens.rays,
+            steps.cubics,
+            steps.unit,
+            grid.per_px,
+            grid.border,
+            levels,
+            np.float32(1 / saturation),
+            grid.others,
+            np.uint8(bits[0]),
+            other_bits,
+            pose,
+            begins,
+            start,
+            stop,
+            out.points_mm,
+            out.normals,
+            out.sigma_mm,
+            out.grey,
+            out.pixel,
+            out.cameras,
+        ),
+        len(counts),
+    )
+
+
+def gathered_normals(grid: DepthGrid) -> tuple[IntArray, FloatArray]:
+    """Return the pixels (N, 2) and normals (N, 3) of the points left."""
+    counts = points_per_row(grid)
+    out = PointArrays.of(int(counts.sum()))
+    gather(grid, counts, 0, grid.depth_mm, 1.0, (1,), np.eye(4), out)
+    return out.pixel, out.normals

@@ -2,47 +2,47 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
 
 import numpy as np
 
-from measureapp.arrays import BoolArray, FloatArray, in_bands
-from measureapp.data.phase import PhaseMap
+from measureapp.arrays import FloatArray, in_bands
+from measureapp.data.point_state import PointState
 from measureapp.reconstruct import kernels
-from measureapp.reconstruct.match import observe_rows, shift_sums
+from measureapp.reconstruct.match import DepthMap, sight_of
 from measureapp.reconstruct.phase_view import PhaseView
 from measureapp.reconstruct.rectifier import Rectifier
 from measureapp.reconstruct.settings import ReconstructSettings
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Coverage:
-    """What an earlier camera says about points of a later one."""
+def keep_new(
+    name: str, earlier: str, view: DepthMap, views: Mapping[str, PhaseView], rectifier: Rectifier, settings: ReconstructSettings
+) -> FloatArray:
+    """Leave in ``view`` only points of camera ``name`` whose surroundings camera ``earlier`` has no phase of; write the others' fate.
 
-    new: BoolArray  # (H, W), points whose surroundings the earlier camera has no phase of
-    contradicted: int  # points where it sees another phase
-    shift_squares: float  # sum of squared shifts along its epipolar lines, px²
-    shift_count: int
+    Returns
+    -------
+    (N, 2) distance in px between a point's image in the earlier camera and the place with its phase, and the variance of it
+    """
+    here, sight = views[name], sight_of(name, earlier, views, rectifier)
+    depth, fate = view.depth_mm, view.fate
 
+    def work(start: int, stop: int) -> FloatArray:
+        rows = slice(start, stop)
+        points = depth[rows] > 0
+        if not points.any():
+            return np.zeros((0, 2), np.float32)
+        seen = np.empty(points.shape, np.uint8)
+        excess, shift, variance = (np.zeros(points.shape, np.float32) for _ in range(3))
+        kernels.observe(rectifier.rays(name), here.phase, depth, sight, start, stop, seen, excess, shift, variance)
+        found = seen == kernels.SEEN
+        over, off = excess[found], shift[found]
+        noise = variance[found] + 2 * here.sigma[rows][found] ** 2
+        slope = np.abs(over) / np.maximum(np.abs(off), np.float32(1e-9))
+        differs = np.abs(over) > settings.agreement_sigmas * np.sqrt(noise) + settings.agreement_px * slope
+        fate[rows][points & (seen != kernels.BLANK)] = PointState.SEEN_BY_ANOTHER
+        fate[rows][found] = np.where(differs, PointState.CONTRADICTED, PointState.SEEN_BY_ANOTHER)
+        depth[rows][points & (seen != kernels.BLANK)] = 0
+        return np.column_stack([off, noise / np.maximum(slope, np.float32(1e-9)) ** 2])
 
-def coverage(depth_mm: FloatArray, here: PhaseMap, earlier: PhaseMap, rectifier: Rectifier, settings: ReconstructSettings) -> Coverage:
-    """Look at the points of camera ``here`` with an earlier one."""
-    view, other = (PhaseView.of(seen_by, settings.max_phase_step_rad) for seen_by in (here, earlier))
-    pair = rectifier.pair(here.camera, earlier.camera)
-    rays = rectifier.rays(here.camera)
-    new = np.empty(depth_mm.shape, np.bool_)
-
-    def work(start: int, stop: int) -> tuple[int, float, int]:
-        shape = (stop - start, depth_mm.shape[1])
-        seen = np.empty(shape, np.uint8)
-        excess, shift, gain, variance = (np.empty(shape, np.float32) for _ in range(4))
-        observe_rows(view, other, pair, rays, settings, depth_mm[start:stop], (start, stop), (seen, excess, shift, gain, variance))
-        limit_rad = settings.agreement_sigmas * np.sqrt(variance + 2 * view.sigma[start:stop] ** 2)
-        slope = np.abs(excess) / np.maximum(np.abs(shift), 1e-9)
-        differs = np.abs(excess) > limit_rad + settings.agreement_px * slope
-        new[start:stop] = (seen == kernels.BLANK) & (depth_mm[start:stop] > 0)
-        squares, count = shift_sums(shift, seen)
-        return int(((seen == kernels.SEEN) & differs).sum()), float(squares), int(count)
-
-    contradicted, squares, counts = zip(*in_bands(work, len(depth_mm)), strict=True)
-    return Coverage(new, sum(contradicted), sum(squares), sum(counts))
+    return np.concatenate(in_bands(work, len(depth)))

@@ -2,38 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray, in_bands
-from measureapp.data.phase import PhaseMap
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.phase_view import PhaseView
 from measureapp.reconstruct.rectifier import Rectifier
-from measureapp.reconstruct.rectify import RectifiedPair, RectifiedView
 from measureapp.reconstruct.settings import ReconstructSettings
+from measureapp.reconstruct.tables import PairTables
 
-BINS_PER_COLUMN = 2
-RANGE_MARGIN_RAD = 2 * np.pi
-TRIMMED_PX = 3.0
-
-
-@dataclass(frozen=True, slots=True)
-class PhaseBins:
-    """How phases are sorted: bin 0 starts at `lowest_rad`."""
-
-    lowest_rad: float
-    per_rad: float
-    count: int
-
-    @classmethod
-    def covering(cls, phase_map: PhaseMap) -> PhaseBins:
-        """Cover the projector with two bins per column, and a period more on either side."""
-        per_rad = BINS_PER_COLUMN * phase_map.pitch_px / (2 * np.pi)
-        range_rad = 2 * np.pi * phase_map.projector_px / phase_map.pitch_px
-        return cls(-RANGE_MARGIN_RAD, per_rad, int(np.ceil((range_rad + 2 * RANGE_MARGIN_RAD) * per_rad)))
+ROWS_PER_BAND = 48
+SAMPLES = 160  # along the longer side of an image: shifts between the cameras are noted at so many places
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,203 +26,149 @@ class DepthMap:
     depth_mm: FloatArray  # (H, W) float32, z in the camera's frame
     sigma_mm: FloatArray  # (H, W) float32, standard deviation of it
     others: IntArray  # (H, W) uint8, bit i: the i-th other camera takes part
+    fate: IntArray  # (H, W) uint8 of PointState
     matched: tuple[int, ...]  # pixels matched with each other camera
-    unmatched: int
-    ambiguous: int
-    contradicted: int
-    shift_squares: FloatArray  # (M,) sum over the matches of each camera of squared shifts in the others, px²
-    shift_counts: IntArray  # (M,)
+    shifts: FloatArray  # (M, rows, columns, 2) float32, places where points of one pair are in the other cameras: px off, variance
+
+
+def sample_step(shape: tuple[int, ...]) -> int:
+    """Return at every how many pixels shifts are noted."""
+    return max(1, max(shape[:2]) // SAMPLES)
 
 
 def match_view(
-    name: str, others: tuple[str, ...], maps: Mapping[str, PhaseMap], rectifier: Rectifier, settings: ReconstructSettings
+    name: str,
+    others: Sequence[str],
+    views: Mapping[str, PhaseView],
+    tables: Mapping[str, PairTables],
+    skip: IntArray,
+    covered: Mapping[str, IntArray],
+    rectifier: Rectifier,
+    settings: ReconstructSettings,
 ) -> DepthMap:
     """Match camera ``name`` with each of ``others``; candidates that another camera contradicts are dropped, the rest fused.
 
     The phase of a match is bilinear in the other image, so its variance is known; the pixel of ``name`` itself is not resampled.
+
+    Parameters
+    ----------
+    skip : (H, W) uint8, 0 for pixels to match
+    covered : per other camera (H, W) uint8, set to 1 where its pixels take part in points
     """
-    bins = PhaseBins.covering(maps[name])
-    pairs = [rectifier.pair(name, other) for other in others]
-    views = {camera: PhaseView.of(maps[camera], settings.max_phase_step_rad) for camera in (name, *others)}
-    tables = [
-        (
-            _table(pair, pair.here, views[name], bins, settings),
-            _table(pair, pair.there, views[other], bins, settings),
-        )
-        for pair, other in zip(pairs, others, strict=True)
-    ]
-    work = _ViewMatcher(views[name], [views[other] for other in others], pairs, tables, rectifier.rays(name), bins, settings)
-    bands = in_bands(work.rows, len(views[name].phase))
-    totals = np.sum([band.totals for band in bands], axis=0)
-    return DepthMap(
-        depth_mm=np.concatenate([band.depth for band in bands]),
-        sigma_mm=np.concatenate([band.sigma for band in bands]),
-        others=np.concatenate([band.bits for band in bands]),
-        matched=tuple(int(count) for count in totals[:, 0]),
-        unmatched=int(totals[:, 1].sum()),
-        ambiguous=int(totals[:, 2].sum()),
-        contradicted=sum(band.contradicted for band in bands),
-        shift_squares=np.sum([band.shift_squares for band in bands], axis=0),
-        shift_counts=np.sum([band.shift_counts for band in bands], axis=0),
+    view = views[name]
+    shape = view.phase.shape
+    every = sample_step(shape)
+    made = DepthMap(
+        np.empty(shape, np.float32),
+        np.empty(shape, np.float32),
+        np.empty(shape, np.uint8),
+        np.empty(shape, np.uint8),
+        (),
+        np.zeros((len(others), *(-(-length // every) for length in shape), 2), np.float32),
     )
+    work = _Work(
+        name, tuple(others), views, tables, skip, tuple(covered[other].reshape(-1) for other in others), rectifier, settings, made, every
+    )
+    bands = in_bands(work.rows, shape[0], max(8, shape[0] // ROWS_PER_BAND))
+    totals = np.sum(bands, axis=0)
+    return DepthMap(made.depth_mm, made.sigma_mm, made.others, made.fate, tuple(int(count) for count in totals), made.shifts)
 
 
-def _table(
-    pair: RectifiedPair, view: RectifiedView, phase: PhaseView, bins: PhaseBins, settings: ReconstructSettings
-) -> tuple[IntArray, IntArray]:
-    first = np.empty((pair.rows, bins.count), np.int16)
-    last = np.empty((pair.rows, bins.count), np.int16)
-
-    def work(start: int, stop: int) -> None:
-        kernels.fill_table(
-            view.grid,
-            pair.stride,
-            view.width_px,
-            phase.phase,
-            phase.state,
-            settings.max_phase_step_rad,
-            bins.lowest_rad,
-            bins.per_rad,
-            start,
-            stop,
-            first,
-            last,
-        )
-
-    in_bands(work, pair.rows)
-    return first, last
+def sight_of(name: str, other: str, views: Mapping[str, PhaseView], rectifier: Rectifier) -> tuple[Any, ...]:
+    """Return what the kernels need to look at points of camera ``name`` with ``other``."""
+    pair, view = rectifier.pair(name, other), views[other]
+    place = (pair.here.rectified_from_camera, pair.here.frame, pair.there.frame, pair.there.grid, pair.stride, pair.baseline_mm)
+    return (view.phase, view.sigma, view.state, view.slope, view.quad, *place)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Band:
-    depth: FloatArray
-    sigma: FloatArray
-    bits: IntArray
-    totals: IntArray  # (M, 3)
-    contradicted: int
-    shift_squares: FloatArray
-    shift_counts: IntArray
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _ViewMatcher:
-    """Matches, checks and fuses bands of rows of one camera."""
-
-    view: PhaseView
-    others: list[PhaseView]
-    pairs: list[RectifiedPair]
-    tables: list[tuple[tuple[IntArray, IntArray], tuple[IntArray, IntArray]]]
-    rays: FloatArray
-    bins: PhaseBins
-    settings: ReconstructSettings
-
-    def rows(self, start: int, stop: int) -> _Band:
-        """Do the rows from ``start`` to ``stop``."""
-        count = len(self.others)
-        shape = (stop - start, self.view.phase.shape[1])
-        depth = np.empty((count, *shape), np.float32)
-        gain, variance, excess, shift = (np.zeros((count, count, *shape), np.float32) for _ in range(4))
-        seen = np.zeros((count, count, *shape), np.uint8)
-        totals = np.zeros((count, 3), np.int64)
-        for k in range(count):
-            totals[k] = self._match(k, start, stop, depth[k], gain[k, k], variance[k, k])
-        for k in range(count):
-            for c in range(count):
-                if c != k:
-                    observe_rows(
-                        self.view,
-                        self.others[c],
-                        self.pairs[c],
-                        self.rays,
-                        self.settings,
-                        depth[k],
-                        (start, stop),
-                        (seen[k, c], excess[k, c], shift[k, c], gain[k, c], variance[k, c]),
-                    )
-        z, sigma = np.empty(shape, np.float32), np.empty(shape, np.float32)
-        bits = np.empty(shape, np.uint8)
-        contradicted = kernels.fuse(
-            self.view.sigma[start:stop],
-            depth,
-            gain,
-            variance,
-            excess,
-            shift,
-            seen,
-            self.settings.agreement_sigmas,
-            self.settings.agreement_px,
-            z,
-            sigma,
-            bits,
-        )
-        squares, counts = shift_sums(shift, seen)
-        return _Band(z, sigma, bits, totals, int(contradicted), squares.sum(axis=1), counts.sum(axis=1))
-
-    def _match(self, k: int, start: int, stop: int, depth: FloatArray, gain: FloatArray, variance: FloatArray) -> IntArray:
-        pair, other = self.pairs[k], self.others[k]
-        (first_here, last_here), (first, last) = self.tables[k]
-        return np.array(
-            kernels.match(
-                self.rays,
-                self.view.phase,
-                self.view.state,
-                pair.here.rectified_from_camera,
-                pair.here.frame,
-                first_here,
-                last_here,
-                pair.there.frame,
-                pair.there.grid,
-                pair.stride,
-                other.phase,
-                other.sigma,
-                other.state,
-                first,
-                last,
-                self.bins.lowest_rad,
-                self.bins.per_rad,
-                self.settings.max_phase_step_rad,
-                pair.baseline_mm,
-                start,
-                stop,
-                depth,
-                gain,
-                variance,
-            )
-        )
-
-
-def observe_rows(
-    view: PhaseView,
-    other: PhaseView,
-    pair: RectifiedPair,
-    rays: FloatArray,
-    settings: ReconstructSettings,
-    depth: FloatArray,
+def match_rows(
+    name: str,
+    other: str,
+    views: Mapping[str, PhaseView],
+    tables: PairTables,
+    skip: IntArray,
+    rectifier: Rectifier,
     rows: tuple[int, int],
-    out: tuple[IntArray, FloatArray, FloatArray, FloatArray, FloatArray],
-) -> None:
-    """Look with ``other`` at the points that ``view`` has at ``depth`` (rows, W); ``out``: seen, excess, shift, gain, variance."""
-    kernels.observe(
-        rays,
-        view.phase,
-        pair.here.rectified_from_camera,
-        pair.here.frame,
-        pair.there.frame,
-        pair.there.grid,
-        pair.stride,
-        other.phase,
-        other.sigma,
-        other.state,
-        settings.max_phase_step_rad,
-        pair.baseline_mm,
-        depth,
+    out: Sequence[Any],
+) -> int:
+    """Match rows of camera ``name`` with ``other``; ``out``: depth, gain, variance, place there and reason, (rows, W) each."""
+    pair, here, there = rectifier.pair(name, other), views[name], views[other]
+    lines = rectifier.lines(name, other, other)
+    ray_depth = tuple(np.float32(value) for value in pair.here.rectified_from_camera[2])
+    numbers = (pair.here.frame[0], pair.here.frame[1] - pair.there.frame[1], pair.baseline_mm)
+    matched = kernels.match(
+        rectifier.rays(name),
+        here.phase,
+        skip,
+        rectifier.lines(name, other, name).pixels,
+        ray_depth,
+        there.phase,
+        there.sigma,
+        there.slope,
+        there.quad,
+        lines.pixels,
+        lines.steps.cubics,
+        lines.steps.unit,
+        tables.there,
+        np.float32(tables.lowest_rad),
+        np.float32(tables.per_rad),
+        tuple(np.float32(value) for value in numbers),
         rows[0],
         rows[1],
         *out,
     )
+    return int(matched)
 
 
-def shift_sums(shift: FloatArray, seen: IntArray) -> tuple[FloatArray, IntArray]:
-    """Sum the squared shifts (..., rows, W) that other cameras see of points, without gross ones; also how many."""
-    usable = (seen == kernels.SEEN) & (np.abs(shift) < TRIMMED_PX)
-    return np.where(usable, shift.astype(np.float64) ** 2, 0.0).sum(axis=(-2, -1)), usable.sum(axis=(-2, -1))
+@dataclass(frozen=True, slots=True, eq=False)
+class _Work:
+    """Matches, checks and fuses bands of rows of one camera."""
+
+    name: str
+    others: tuple[str, ...]
+    views: Mapping[str, PhaseView]
+    tables: Mapping[str, PairTables]
+    skip: IntArray
+    covered: tuple[IntArray, ...]
+    rectifier: Rectifier
+    settings: ReconstructSettings
+    made: DepthMap
+    every: int
+
+    def rows(self, start: int, stop: int) -> IntArray:
+        """Do the rows from ``start`` to ``stop``; returns how many pixels were matched with each other camera."""
+        view, count = self.views[self.name], len(self.others)
+        shape = (count, stop - start, view.phase.shape[1])
+        found: list[Any] = [np.empty(shape, dtype) for dtype in (np.float32, np.float32, np.float32, np.int32, np.uint8)]
+        matched = [
+            match_rows(
+                self.name, other, self.views, self.tables[other], self.skip, self.rectifier, (start, stop), [part[k] for part in found]
+            )
+            for k, other in enumerate(self.others)
+        ]
+        arguments: tuple[Any, ...] = (
+            self.rectifier.rays(self.name),
+            view.phase,
+            view.sigma,
+            self.skip,
+            *found,
+            tuple(sight_of(self.name, other, self.views, self.rectifier) for other in self.others),
+            tuple(self._table_of(other) for other in self.others),
+            self.settings.agreement_sigmas,
+            self.settings.agreement_px,
+            self.every,
+            start,
+            stop,
+            self.made.depth_mm,
+            self.made.sigma_mm,
+            self.made.others,
+            self.made.fate,
+            self.covered,
+            self.made.shifts,
+        )
+        kernels.fuse(*arguments)
+        return np.array(matched)
+
+    def _table_of(self, other: str) -> tuple[Any, ...]:
+        tables, pair = self.tables[other], self.rectifier.pair(self.name, other)
+        return tables.here, self.rectifier.lines(self.name, other, self.name).pixels, pair.here.frame, tables.lowest_rad, tables.per_rad

@@ -10,23 +10,30 @@ from measureapp.arrays import FloatArray, IntArray, in_bands, read_only
 from measureapp.data.phase import PhaseMap
 from measureapp.reconstruct import kernels
 
+SPARSE = 16  # one pixel of so many in each direction tells what a phase map is like
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PhaseView:
-    """The arrays of a phase map as the kernels want them."""
+    """The arrays of a phase map, and what the kernels need to look into it."""
 
     phase: FloatArray  # (H, W) float32
     sigma: FloatArray  # (H, W) float32
-    state: IntArray  # (H, W) uint8; `kernels.BORROWED` where the phase is continued
+    state: IntArray  # (H, W) uint8
+    slope: FloatArray  # (H, W, 2) float32, rad/px along x and y, (0, 0) where unknown
+    quad: IntArray  # (H, W) uint8, whether a pixel and its right, lower and lower right neighbour are one surface
 
     @classmethod
     def of(cls, phase_map: PhaseMap, step_rad: float) -> PhaseView:
-        """Take them out of a phase map and continue its borders by one pixel, over neighbours less than ``step_rad`` apart."""
+        """Take the slopes of a phase map, over neighbours less than ``step_rad`` apart."""
         phase, sigma = read_only(phase_map.phase_rad, np.float32), read_only(phase_map.sigma_rad, np.float32)
         state = read_only(phase_map.state, np.uint8)
-        made = cls(np.empty_like(phase), np.empty_like(sigma), np.empty_like(state))
-        in_bands(
-            lambda start, stop: kernels.continue_borders(phase, sigma, state, step_rad, start, stop, made.phase, made.sigma, made.state),
-            len(phase),
-        )
-        return cls(read_only(made.phase), read_only(made.sigma), read_only(made.state))
+        slope, quad = np.empty((*phase.shape, 2), np.float32), np.empty(phase.shape, np.uint8)
+        step = np.float32(step_rad)
+        in_bands(lambda start, stop: kernels.slopes(phase, sigma, state, step, start, stop, slope, quad), len(phase))
+        return cls(phase, sigma, state, read_only(slope), read_only(quad))
+
+    def sparse_slopes(self) -> FloatArray:
+        """Return the known slopes (N, 2) of a sparse choice of pixels."""
+        some = self.slope[::SPARSE, ::SPARSE].reshape(-1, 2)
+        return np.asarray(some[(some != 0).any(axis=1)], np.float64)

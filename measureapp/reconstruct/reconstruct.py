@@ -2,39 +2,32 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from itertools import combinations
+from math import degrees
 
+import cv2
 import numpy as np
 
-from measureapp.arrays import IntArray
+from measureapp.arrays import FloatArray, IntArray, read_only
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.cloud import PointCloud
-from measureapp.data.phase import PhaseMap
+from measureapp.data.phase import PhaseMap, PixelState
+from measureapp.data.point_state import PointState
 from measureapp.errors import ReconstructError
 from measureapp.progress import NoProgress, Progress
-from measureapp.reconstruct.clean import CleanDepth, Partner, clean
-from measureapp.reconstruct.coverage import coverage
-from measureapp.reconstruct.match import DepthMap, match_view
+from measureapp.reconstruct.clean import DepthGrid, Lens, PointArrays, cleaned, gather, points_per_row, rejections
+from measureapp.reconstruct.coverage import keep_new
+from measureapp.reconstruct.figures import PairFigures, pair_figures
+from measureapp.reconstruct.match import DepthMap, match_view, sample_step
+from measureapp.reconstruct.phase_view import PhaseView
 from measureapp.reconstruct.rectified_grid import on_rectified_grid
 from measureapp.reconstruct.rectifier import Rectifier
 from measureapp.reconstruct.settings import ReconstructSettings
-from measureapp.reconstruct.triangulate import along_ray, points_on_rays
+from measureapp.reconstruct.tables import LEAST_SINE, fringe_sine, pair_tables
 
-
-@dataclass(frozen=True, slots=True)
-class PairFigures:
-    """How well two cameras matched.
-
-    `epipolar_rms_px`: the points of this pair alone, seen by the other cameras: rms distance, along the epipolar line, between the
-    point's image and the place with the point's phase (differences beyond 3 px left out). It holds the calibration's errors and the
-    phase noise. With two cameras vertical fringes say nothing across the epipolar lines: then it is None.
-    """
-
-    names: tuple[str, str]
-    matched: int
-    epipolar_rms_px: float | None
+COVERED_RADIUS_PX = 2  # gaps between the pixels that take part in points of another camera
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -44,6 +37,7 @@ class Reconstruction:
     cloud: PointCloud
     pairs: tuple[PairFigures, ...]
     rejected: Mapping[str, int]  # reason -> count
+    fates: Mapping[str, IntArray]  # camera -> (H, W) uint8 of PointState, what became of every pixel of its image
 
 
 def reconstruct(
@@ -69,7 +63,7 @@ def reconstruct(
     Raises
     ------
     ReconstructError
-        Fewer than two cameras, or images of another size, pitch or camera than calibrated.
+        Fewer than two cameras, or images of another size, pitch or camera than calibrated, or fringes along all epipolar lines.
     """
     settings = settings or ReconstructSettings()
     progress = progress or NoProgress()
@@ -90,24 +84,153 @@ def _on_rectified_grid(
     maps = dict(phase_maps) | {names[0]: on_rectified_grid(phase_maps[names[0]], grid, settings.max_phase_step_rad)}
     made = _reconstruct(names, maps, turned, settings, progress)
     native = np.rint(grid.native[made.cloud.pixel[:, 0], made.cloud.pixel[:, 1]]).astype(np.int32)
-    return replace(made, cloud=replace(made.cloud, pixel=native[:, ::-1]))
+    fates = dict(made.fates) | {names[0]: _native_fate(made.fates[names[0]], grid.native, phase_maps[names[0]])}
+    return replace(made, cloud=replace(made.cloud, pixel=native[:, ::-1]), fates=fates)
+
+
+def _native_fate(fate: IntArray, native: FloatArray, phase_map: PhaseMap) -> IntArray:
+    """Take what became of rectified pixels back to the pixels of the image; one with a point counts before others at a place."""
+    height, width = phase_map.state.shape
+    back = np.where(phase_map.state == 0, PointState.UNMATCHED, PointState.NO_PHASE).astype(np.uint8)
+    at = np.rint(native).astype(np.int32)
+    inside = (at[..., 0] >= 0) & (at[..., 1] >= 0) & (at[..., 0] < width) & (at[..., 1] < height)
+    told = inside & (fate != PointState.NO_PHASE)
+    for chosen in (told & (fate != PointState.VALID), told & (fate == PointState.VALID)):
+        back[at[..., 1][chosen], at[..., 0][chosen]] = fate[chosen]
+    back[phase_map.state != 0] = PointState.NO_PHASE
+    return np.asarray(read_only(back))
 
 
 def _reconstruct(
     names: tuple[str, ...], phase_maps: Mapping[str, PhaseMap], rectifier: Rectifier, settings: ReconstructSettings, progress: Progress
 ) -> Reconstruction:
-    views, clouds, rejected = [], [], Counter[str]()
+    work = _Work(names, phase_maps, rectifier, settings)
     for number, name in enumerate(names[:-1]):
         progress.report(number, len(names) - 1, f"matching {name}")
-        view = match_view(name, names[number + 1 :], phase_maps, rectifier, settings)
-        cloud, reasons = _cloud_of(number, names, view, phase_maps, rectifier, settings)
-        views.append(view)
-        clouds.append(cloud)
-        rejected.update({"unmatched": view.unmatched, "ambiguous": view.ambiguous, "contradicted": view.contradicted})
-        rejected.update(reasons)
+        work.match(number)
+    work.finish_last()
     progress.report(1, 1, "reconstructed")
-    pairs = _pair_figures(names, views)
-    return Reconstruction(_joined(clouds), pairs, {reason: int(count) for reason, count in rejected.items()})
+    return Reconstruction(
+        work.cloud(),
+        work.figures(),
+        rejections(*(work.fates[name] for name in names[:-1])),
+        {name: read_only(work.fates[name]) for name in names},
+    )
+
+
+class _Work:
+    """One view: the cameras one after the other, each for what those before it do not have."""
+
+    def __init__(
+        self, names: tuple[str, ...], phase_maps: Mapping[str, PhaseMap], rectifier: Rectifier, settings: ReconstructSettings
+    ) -> None:
+        self.names, self.phase_maps, self.rectifier, self.settings = names, phase_maps, rectifier, settings
+        self.views = {name: PhaseView.of(phase_maps[name], settings.max_phase_step_rad) for name in names}
+        self.skipped = self._pairs_along_the_fringes()
+        self.covered = {name: np.zeros(self.views[name].phase.shape, np.uint8) for name in names[1:]}
+        self.fates: dict[str, IntArray] = {}
+        self.grids: dict[str, tuple[DepthGrid, tuple[str, ...]]] = {}
+        self.matched: dict[tuple[str, str], int] = {}
+        self.shifts: dict[tuple[str, str], list[FloatArray]] = {}
+
+    def _pairs_along_the_fringes(self) -> dict[tuple[str, str], str]:
+        """Return the pairs whose epipolar lines run along the fringes, so that the phase does not tell where on a line a point is."""
+        skipped = {}
+        for pair in combinations(self.names, 2):
+            sine = fringe_sine(*pair, self.views, self.rectifier)
+            if sine < LEAST_SINE:
+                skipped[pair] = f"epipolar lines {degrees(np.arcsin(sine)):.0f}° from the direction of the fringes"
+        if skipped and len(skipped) == len(self.names) * (len(self.names) - 1) // 2:
+            pair, why = next(iter(skipped.items()))
+            raise ReconstructError(
+                f"Fringes of this direction cannot match the cameras {' and '.join(pair)}: {why}.",
+                "Project fringes of the other direction, or both.",
+            )
+        return skipped
+
+    def match(self, number: int) -> None:
+        """Match the ``number``-th camera with those after it, and clean what it finds."""
+        name = self.names[number]
+        skip = self._skip(number)
+        others = tuple(other for other in self.names[number + 1 :] if (name, other) not in self.skipped)
+        if not others or skip.all():
+            self.fates[name] = np.where(skip == 0, np.uint8(PointState.UNMATCHED), skip)
+            return
+        tables = pair_tables(name, others, self.views, self.phase_maps[name], self.rectifier)
+        view = match_view(name, others, self.views, tables, skip, self.covered, self.rectifier, self.settings)
+        for place, other in enumerate(others):
+            self.matched[name, other] = view.matched[place]
+            self.shifts[name, other] = [view.shifts[place]]
+        self._drop_seen_before(number, others, view)
+        cameras = self.rectifier.cameras.cameras
+        camera_from_reference = cameras[name].reference_from_camera.inverse()
+        centres = [camera_from_reference.apply(cameras[other].reference_from_camera.translation_mm) for other in others]
+        lens = Lens(self.rectifier.rays(name), self.rectifier.ray_steps(name), 1.0 / float(cameras[name].pinhole.matrix[0, 0]))
+        grid = cleaned(view.depth_mm, view.sigma_mm, view.others, view.fate, lens, centres, self.settings)
+        self.fates[name] = view.fate
+        self.grids[name] = (grid, others)
+
+    def _skip(self, number: int) -> IntArray:
+        """Return the fate of pixels that are not matched: they have no phase, or take part in points already; 0 for all others."""
+        name = self.names[number]
+        skip = np.asarray(self.views[name].state != PixelState.VALID).view(np.uint8)  # True is PointState.NO_PHASE
+        if number == 0:
+            return skip
+        kernel = np.ones((2 * COVERED_RADIUS_PX + 1, 2 * COVERED_RADIUS_PX + 1), np.uint8)
+        covered = np.asarray(cv2.dilate(self.covered[name], kernel) != 0)
+        every = sample_step(covered.shape)
+        covered[::every, ::every] = False
+        np.copyto(skip, np.uint8(PointState.SEEN_BY_ANOTHER), where=covered & (skip == 0))
+        return skip
+
+    def _drop_seen_before(self, number: int, others: tuple[str, ...], view: DepthMap) -> None:
+        """Leave only points whose surroundings no camera before has a phase of."""
+        name = self.names[number]
+        for earlier in self.names[:number]:
+            shifts = keep_new(name, earlier, view, self.views, self.rectifier, self.settings)
+            if len(others) == 1:  # the points are of one pair alone: what the earlier camera sees tests that pair
+                self.shifts[name, others[0]].append(shifts)
+
+    def finish_last(self) -> None:
+        """Say what became of the last camera's pixels: they only ever help others."""
+        name = self.names[-1]
+        skip = self._skip(len(self.names) - 1)
+        free = skip == 0
+        seen = np.where(self.covered[name] != 0, np.uint8(PointState.SEEN_BY_ANOTHER), np.uint8(PointState.UNMATCHED))
+        np.copyto(skip, seen, where=free)
+        self.fates[name] = skip
+
+    def cloud(self) -> PointCloud:
+        """Gather the points of all cameras in the reference camera's frame."""
+        order = self.rectifier.cameras.names
+        counts = {name: points_per_row(grid) for name, (grid, _) in self.grids.items()}
+        out = PointArrays.of(int(sum(count.sum() for count in counts.values())))
+        first = 0
+        for name, (grid, others) in self.grids.items():
+            seen, camera = self.phase_maps[name], self.rectifier.cameras.cameras[name]
+            bits = tuple(1 << order.index(each) for each in (name, *others))
+            gather(grid, counts[name], first, seen.grey, seen.saturation, bits, np.array(camera.reference_from_camera.matrix), out)
+            first += int(counts[name].sum())
+        return PointCloud(
+            out.points_mm,
+            out.normals,
+            out.sigma_mm,
+            out.grey,
+            out.pixel,
+            out.cameras,
+            frame="camera",
+            viewpoint_id=self.phase_maps[self.names[0]].viewpoint_id,
+        )
+
+    def figures(self) -> tuple[PairFigures, ...]:
+        """Judge all pairs."""
+        figures = []
+        for pair in combinations(self.names, 2):
+            if pair in self.skipped:
+                figures.append(PairFigures(pair, 0, None, skipped=self.skipped[pair]))
+            else:
+                figures.append(pair_figures(pair, self.matched.get(pair, 0), self.shifts.get(pair, [])))
+        return tuple(figures)
 
 
 def _usable_names(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibration) -> tuple[str, ...]:
@@ -132,90 +255,3 @@ def _usable_names(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibr
     if len(kinds) > 1:
         raise ReconstructError("The phase maps of the cameras are of different pitches.", "Decode the images of one pattern set.")
     return names
-
-
-def _cloud_of(
-    number: int,
-    names: tuple[str, ...],
-    view: DepthMap,
-    phase_maps: Mapping[str, PhaseMap],
-    rectifier: Rectifier,
-    settings: ReconstructSettings,
-) -> tuple[PointCloud, Counter[str]]:
-    """Take the points of the ``number``-th camera that no camera before it has."""
-    name = names[number]
-    rejected: Counter[str] = Counter()
-    depth = view.depth_mm
-    for earlier in names[:number]:
-        seen = coverage(depth, phase_maps[name], phase_maps[earlier], rectifier, settings)
-        rejected["contradicted"] += seen.contradicted
-        depth = np.where(seen.new, depth, np.float32(0))
-        if len(view.matched) == 1:  # the points are of one pair alone: what the earlier camera sees tests that pair
-            view.shift_squares[0] += seen.shift_squares
-            view.shift_counts[0] += seen.shift_count
-    pinhole = rectifier.cameras.cameras[name].pinhole
-    partners = _partners(name, names[number + 1 :], view, rectifier)
-    cleaned = clean(depth, view.sigma_mm, rectifier.rays(name), 1.0 / float(pinhole.matrix[0, 0]), partners, settings)
-    rejected.update(cleaned.rejected)
-    return _points(number, names, view, cleaned, phase_maps[name], rectifier), rejected
-
-
-def _partners(name: str, others: tuple[str, ...], view: DepthMap, rectifier: Rectifier) -> list[Partner]:
-    cameras = rectifier.cameras.cameras
-    camera_from_reference = cameras[name].reference_from_camera.inverse()
-    return [
-        Partner(
-            camera_from_reference.apply(cameras[other].reference_from_camera.translation_mm), np.asarray((view.others >> place) & 1 == 1)
-        )
-        for place, other in enumerate(others)
-    ]
-
-
-def _points(
-    number: int, names: tuple[str, ...], view: DepthMap, cleaned: CleanDepth, phase_map: PhaseMap, rectifier: Rectifier
-) -> PointCloud:
-    name, rays = names[number], rectifier.rays(names[number])
-    keep = np.asarray(cleaned.depth_mm > 0)
-    reference_from_camera = rectifier.cameras.cameras[name].reference_from_camera
-    return PointCloud(
-        points_mm=reference_from_camera.apply(points_on_rays(rays, cleaned.depth_mm, keep)),
-        normals=reference_from_camera.rotate(cleaned.normals[keep]),
-        sigma_mm=along_ray(rays, view.sigma_mm, keep),
-        grey=np.clip(phase_map.grey[keep] / phase_map.saturation, 0.0, 1.0),
-        pixel=np.argwhere(keep),
-        cameras=_camera_bits(number, names, view.others[keep], rectifier.cameras.names),
-        frame="camera",
-        viewpoint_id=phase_map.viewpoint_id,
-    )
-
-
-def _camera_bits(number: int, names: tuple[str, ...], others: IntArray, order: tuple[str, ...]) -> IntArray:
-    """Translate the bits of the other cameras of a match into bits in the order of the calibration."""
-    bits = np.full(len(others), 1 << order.index(names[number]), np.uint8)
-    for place, other in enumerate(names[number + 1 :]):
-        bits |= (((others >> place) & 1) << order.index(other)).astype(np.uint8)
-    return bits
-
-
-def _pair_figures(names: tuple[str, ...], views: list[DepthMap]) -> tuple[PairFigures, ...]:
-    figures = []
-    for number, view in enumerate(views):
-        for place, other in enumerate(names[number + 1 :]):
-            seen = int(view.shift_counts[place])
-            rms = float(np.sqrt(view.shift_squares[place] / seen)) if seen else None
-            figures.append(PairFigures((names[number], other), view.matched[place], rms))
-    return tuple(figures)
-
-
-def _joined(clouds: list[PointCloud]) -> PointCloud:
-    first = clouds[0]
-    return PointCloud(
-        points_mm=np.concatenate([cloud.points_mm for cloud in clouds]),
-        normals=np.concatenate([cloud.normals for cloud in clouds]),
-        sigma_mm=np.concatenate([cloud.sigma_mm for cloud in clouds]),
-        grey=np.concatenate([cloud.grey for cloud in clouds]),
-        pixel=np.concatenate([cloud.pixel for cloud in clouds]),
-        cameras=np.concatenate([cloud.cameras for cloud in clouds]),
-        frame=first.frame,
-        viewpoint_id=first.viewpoint_id,
-    )

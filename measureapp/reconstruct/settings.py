@@ -22,7 +22,7 @@ class ReconstructSettings(Model):
     agreement_px: float = Field(default=0.5, ge=0, description="what the calibration may add to it, px along the epipolar line")
     max_sigma_mm: float = Field(default=0.5, gt=0, description="largest standard deviation along the viewing ray")
     max_incidence_deg: float = Field(default=85.0, gt=0, lt=90, description="largest angle between normal and viewing ray")
-    max_partner_incidence_deg: float = Field(default=80.0, gt=0, lt=90, description="the same for the other cameras that take part")
+    max_partner_incidence_deg: float = Field(default=85.0, gt=0, lt=90, description="the same for the other cameras that take part")
     normal_radius_px: int = Field(default=4, ge=1, le=15, description="radius of the window of normals and of the outlier filter")
     min_neighbours: int = Field(default=6, ge=3, le=24, description="of 24 places in that window; fewer: a flying pixel")
     outlier_sigmas: float = Field(default=5.0, gt=0, description="distance to the local plane, in standard deviations")

@@ -1,23 +1,11 @@
-"""From depths on a camera's pixel grid to points in the reference camera's frame."""
+"""Two rays to a point, for single points outside the pixel grid."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from measureapp.arrays import BoolArray, FloatArray
+from measureapp.arrays import FloatArray
 from measureapp.geometry.transform import RigidTransform
-
-
-def points_on_rays(rays: FloatArray, depth_mm: FloatArray, keep: BoolArray) -> FloatArray:
-    """Return the points (N, 3) float64 in the camera's frame of the pixels ``keep`` (H, W), row by row."""
-    z = depth_mm[keep].astype(np.float64)
-    return np.column_stack([rays[..., 0][keep] * z, rays[..., 1][keep] * z, z])
-
-
-def along_ray(rays: FloatArray, depth_sigma_mm: FloatArray, keep: BoolArray) -> FloatArray:
-    """Return the standard deviation (N,) along the viewing ray from that of the depth."""
-    flat = rays[keep].astype(np.float64)
-    return depth_sigma_mm[keep] * np.sqrt(1.0 + (flat**2).sum(axis=1))
 
 
 def intersect_two_rays(pixels_here: FloatArray, pixels_there: FloatArray, here_from_there: RigidTransform) -> tuple[FloatArray, FloatArray]:

@@ -22,7 +22,7 @@ UNDISTORT_STEPS = 30
 UNDISTORT_TOLERANCE = 1e-11  # on the plane z = 1
 NOT_LIT = -1e6  # projector column of a point its light does not reach
 NO_HIT = 0xFFFFFFFF
-SUPERSAMPLES = 7  # squared: samples of a pixel that straddles an edge of the checker pattern
+SUPERSAMPLES = 7  # squared: samples of a pixel that straddles an edge of the board's print
 
 
 def in_bands(kernel: Callable[..., None], start: int, stop: int, *arguments: Any) -> None:
@@ -195,15 +195,53 @@ def _on_board(x, y, pose, bow):  # type: ignore[no-untyped-def]
 
 
 @njit(cache=True)
-def _paint(x, y, layout, colours):  # type: ignore[no-untyped-def]
-    """Albedo of the board at a place; ``layout`` = square, columns, rows of inner corners; 0 beyond its white margin."""
-    i = np.floor(x / layout[0])
-    j = np.floor(y / layout[0])
-    if i < -2 or j < -2 or i > layout[1] or j > layout[2]:
+def _paint(x, y, layout, cells, colours):  # type: ignore[no-untyped-def]
+    """Albedo of the board at a place; 0 beyond its white margin.
+
+    ``layout`` = size of a circle (0: there are squares), square or spacing, columns, rows, side of a marker (0: none);
+    ``cells`` (rows + 1, columns + 1, n, n) are the markers in the squares, see `marker_cells`.
+    """
+    if layout[0] > 0.0:
+        return _paint_circles(x, y, layout, colours)
+    i = np.floor(x / layout[1])
+    j = np.floor(y / layout[1])
+    if i < -2 or j < -2 or i > layout[2] or j > layout[3]:
         return 0.0
-    if i < -1 or j < -1 or i > layout[1] - 1 or j > layout[2] - 1:
+    if i < -1 or j < -1 or i > layout[2] - 1 or j > layout[3] - 1:
         return colours[0]
+    if layout[4] > 0.0:
+        return _paint_marked(x, y, int(i), int(j), layout, cells, colours)
     return colours[1] if (int(i) + int(j)) % 2 == 0 else colours[0]
+
+
+@njit(cache=True)
+def _paint_circles(x, y, layout, colours):  # type: ignore[no-untyped-def]
+    """Dark circles at ((2j + i mod 2), i) times the spacing."""
+    unit = layout[1]
+    last_x, last_y = 2.0 * layout[2] - 1.0, layout[3] - 1.0
+    if x < -2.0 * unit or y < -2.0 * unit or x > (last_x + 2.0) * unit or y > (last_y + 2.0) * unit:
+        return 0.0
+    nearest = np.round(y / unit)
+    for row in range(max(0, int(nearest) - 1), min(int(last_y), int(nearest) + 1) + 1):
+        odd = row % 2
+        column = np.round((x / unit - odd) / 2.0)
+        if 0.0 <= column < layout[2] and (x - (2.0 * column + odd) * unit) ** 2 + (y - row * unit) ** 2 < layout[0] ** 2 / 4.0:
+            return colours[1]
+    return colours[0]
+
+
+@njit(cache=True)
+def _paint_marked(x, y, i, j, layout, cells, colours):  # type: ignore[no-untyped-def]
+    """A square without a marker is black; a marker stands in the middle of a white one."""
+    size = cells.shape[2]
+    if cells[j + 1, i + 1, 0, 0] == 2:
+        return colours[1]
+    edge = (layout[1] - layout[4]) / 2.0
+    m = int(np.floor((x - i * layout[1] - edge) / layout[4] * size))
+    n = int(np.floor((y - j * layout[1] - edge) / layout[4] * size))
+    if m < 0 or n < 0 or m >= size or n >= size:
+        return colours[0]
+    return colours[0] if cells[j + 1, i + 1, n, m] == 1 else colours[1]
 
 
 @njit(cache=True, nogil=True)
@@ -220,6 +258,7 @@ def light_board(
     light_d: FloatArray,
     standoff_mm: float,
     layout: FloatArray,
+    cells: ImageArray,
     colours: FloatArray,
     bow: FloatArray,
     out: FloatArray,
@@ -240,19 +279,19 @@ def light_board(
             xr, yr, _ = _on_board(xn + 0.5 / k[0], yn, board_from_camera, bow)
             xd, yd, _ = _on_board(xn, yn + 0.5 / k[1], board_from_camera, bow)
             ax, ay, bx, by = xr - x, yr - y, xd - x, yd - y
-            albedo = _paint(x, y, layout, colours)
+            albedo = _paint(x, y, layout, cells, colours)
             if (
-                albedo != _paint(x + ax + bx, y + ay + by, layout, colours)
-                or albedo != _paint(x - ax - bx, y - ay - by, layout, colours)
-                or albedo != _paint(x + ax - bx, y + ay - by, layout, colours)
-                or albedo != _paint(x - ax + bx, y - ay + by, layout, colours)
+                albedo != _paint(x + ax + bx, y + ay + by, layout, cells, colours)
+                or albedo != _paint(x - ax - bx, y - ay - by, layout, cells, colours)
+                or albedo != _paint(x + ax - bx, y + ay - by, layout, cells, colours)
+                or albedo != _paint(x - ax + bx, y - ay + by, layout, cells, colours)
             ):
                 total = 0.0
                 for m in range(SUPERSAMPLES):
                     for n in range(SUPERSAMPLES):
                         p = (2 * m + (2 * n + 1.0) / SUPERSAMPLES) / SUPERSAMPLES - 1.0
                         q = (2 * n + (2 * m + 1.0) / SUPERSAMPLES) / SUPERSAMPLES - 1.0
-                        total += _paint(x + p * ax + q * bx, y + p * ay + q * by, layout, colours)
+                        total += _paint(x + p * ax + q * bx, y + p * ay + q * by, layout, cells, colours)
                 albedo = total / (SUPERSAMPLES * SUPERSAMPLES)
             if albedo == 0.0:
                 continue

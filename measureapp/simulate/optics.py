@@ -10,7 +10,8 @@ import cv2
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, ImageArray, IntArray
-from measureapp.data.board import CheckerboardDescription
+from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
+from measureapp.geometry.marker_cells import marker_cells
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
 from measureapp.simulate import kernels
@@ -114,16 +115,16 @@ def _ray_scene(part: Part) -> tuple[Any, Callable[[FloatArray], Any]]:
 
 
 class PrintedBoard:
-    """A checkerboard on a slightly bowed plate; its scene is the board frame."""
+    """A board on a slightly bowed plate; its scene is the board frame."""
 
-    def __init__(self, board: CheckerboardDescription, bow_mm: float) -> None:
+    def __init__(self, board: BoardDescription, bow_mm: float) -> None:
         self._board = board
-        self._layout = np.array([board.square_mm, board.columns, board.rows], float)
-        middle = np.array([board.columns - 1, board.rows - 1]) * board.square_mm / 2.0
+        self._layout, self._cells = _print_of(board)
+        middle = board.middle_mm[:2]
         self._bow = np.array([-bow_mm, *middle, float(np.linalg.norm(middle))])  # the printed side faces -z
 
     def corners_mm(self) -> FloatArray:
-        """The true inner corners (N, 3), bow included."""
+        """The true marks (N, 3), bow included."""
         corners = self._board.corners_mm.copy()
         height, x, y, radius = self._bow
         corners[:, 2] = height * (1.0 - ((corners[:, 0] - x) ** 2 + (corners[:, 1] - y) ** 2) / radius**2)
@@ -132,9 +133,9 @@ class PrintedBoard:
     def lit(self, camera: PinholeCamera, scene_from_camera: RigidTransform, lights: Lights, out: FloatArray) -> None:
         """Fill ``out`` as `Surface.lit` does; the board shadows nothing."""
         out[:] = 0.0
-        square, columns, rows = self._layout
-        x = np.linspace(-2 * square, (columns + 1) * square, OUTLINE_SAMPLES)
-        y = np.linspace(-2 * square, (rows + 1) * square, OUTLINE_SAMPLES)
+        margin, (right, bottom) = 2 * self._layout[1], self._board.flat_corners_mm[:, :2].max(axis=0)
+        x = np.linspace(-margin, right + margin, OUTLINE_SAMPLES)
+        y = np.linspace(-margin, bottom + margin, OUTLINE_SAMPLES)
         outline = np.stack(np.meshgrid(x, y, [0.0]), axis=-1).reshape(-1, 3)
         box = image_box(camera, scene_from_camera.inverse(), outline)
         if box is None or scene_from_camera.translation_mm[2] >= 0.0:
@@ -151,10 +152,24 @@ class PrintedBoard:
             *lens(lights.pinhole),
             lights.standoff_mm,
             self._layout,
+            self._cells,
             np.array([WHITE, BLACK]),
             self._bow,
             out,
         )
+
+
+def _print_of(board: BoardDescription) -> tuple[FloatArray, ImageArray]:
+    """Layout and cells of a board's print, as `kernels.light_board` takes them."""
+    none = np.zeros((1, 1, 1, 1), np.uint8)
+    if isinstance(board, CirclesDescription):
+        return np.array([board.diameter_mm, board.spacing_mm, board.columns, board.rows, 0.0], float), none
+    if isinstance(board, CharucoDescription):
+        cells = marker_cells(board.columns, board.rows, board.dictionary, board.legacy_pattern)
+        return np.array([0.0, board.square_mm, board.columns, board.rows, board.marker_mm], float), cells
+    if isinstance(board, CheckerboardDescription):
+        return np.array([0.0, board.square_mm, board.columns, board.rows, 0.0], float), none
+    raise NotImplementedError(f"no print of a {type(board).__name__}")
 
 
 def image_box(camera: PinholeCamera, camera_from_scene: RigidTransform, outline_mm: FloatArray) -> IntArray | None:

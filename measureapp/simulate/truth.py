@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.data.board import CheckerboardDescription
+from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import (
     CameraArrayCalibration,
     CameraCalibration,
@@ -57,7 +57,7 @@ class Truth:
     table: TableErrors | None
 
 
-def draw_truth(rig: RigDescription, board: CheckerboardDescription, errors: RigErrors, seed: int) -> Truth:
+def draw_truth(rig: RigDescription, board: BoardDescription, errors: RigErrors, seed: int) -> Truth:
     """Draw a rig as it might have been built from ``rig``; the same seed gives the same rig at every camera resolution."""
     generators = [np.random.default_rng([seed, subject]) for subject in range(9)]
     heads = {
@@ -140,7 +140,7 @@ def _standing(top_in_table_mm: FloatArray, rng: np.random.Generator) -> RigidTra
     return RigidTransform.from_parts(rotation_about([0, 0, 1], turn), top_in_table_mm + shift, "table", "nominal")
 
 
-def _board_on_stand(top_mm: FloatArray, board: CheckerboardDescription, rng: np.random.Generator) -> RigidTransform:
+def _board_on_stand(top_mm: FloatArray, board: BoardDescription, rng: np.random.Generator) -> RigidTransform:
     """guide_from_board: printed side up and towards the robot, rows running down."""
     tilt = np.deg2rad(BOARD_TILT_DEG + rng.uniform(-3.0, 3.0))
     turn = rotation_about([0, 0, 1], np.deg2rad(rng.uniform(-5.0, 5.0)))
@@ -148,5 +148,4 @@ def _board_on_stand(top_mm: FloatArray, board: CheckerboardDescription, rng: np.
     rotation = turn @ np.column_stack([x, y, np.cross(x, y)])
     away = rng.uniform(0.0, 2.0 * np.pi)
     centre = top_mm + np.array([BOARD_OFF_AXIS_MM * np.cos(away), BOARD_OFF_AXIS_MM * np.sin(away), BOARD_HEIGHT_MM])
-    middle = np.array([board.columns - 1, board.rows - 1, 0.0]) * board.square_mm / 2.0
-    return RigidTransform.from_parts(rotation, centre - rotation @ middle, "guide", "board")
+    return RigidTransform.from_parts(rotation, centre - rotation @ board.middle_mm, "guide", "board")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pydantic import Field
 
-from measureapp.data.board import CheckerboardDescription
+from measureapp.data.board import AnyBoard
 from measureapp.data.model import Model
 from measureapp.simulate.options import WorldOptions
 from measureapp.simulate.world import PAPER_BOARD
@@ -16,5 +16,5 @@ class VirtualRigSettings(Model):
     part: str = Field(default="gypsum", description="impeller, gypsum, gear, sphere_plate, flat, or a mesh file (STL, PLY, OBJ)")
     seed: int = Field(default=1, ge=0, description="draws the hidden errors and all noise")
     time_scale: float = Field(default=0.0, ge=0, description="1: moves and exposures last as long as on the real rig; 0: no waiting")
-    board: CheckerboardDescription = PAPER_BOARD
+    board: AnyBoard = PAPER_BOARD
     world: WorldOptions = WorldOptions()

@@ -103,6 +103,13 @@ class FakeAxis:
 class Memory:
     stacks: list = field(default_factory=list)
     full: bool = False
+    heard: list = field(default_factory=list)  # exposures and dropped viewpoints
+
+    def exposure_taken(self, taken):
+        self.heard.append((taken.viewpoint_id, taken.level, {name: int(images[0, 0, 0]) for name, images in taken.images.items()}))
+
+    def drop(self, viewpoint_id):
+        self.heard.append((viewpoint_id, "dropped"))
 
     def store(self, stack):
         if self.full:
@@ -153,10 +160,27 @@ def test_every_viewpoint_is_taken_with_all_patterns_exposures_and_cameras(rig, p
     assert kinds(events) == [RunStarted, *[ViewpointStarted, ViewpointStored] * 3, RunEnded]
     assert events[-1].reason == "done"
     assert [stack.viewpoint_id for stack in sink.stacks] == ["v0", "v1", "v2"]
-    assert sink.stacks[0].images["left"].shape == (2, 8, HEIGHT, WIDTH)
+    assert sink.stacks[0].images["left"].shape == (2, plan.patterns.count, HEIGHT, WIDTH)
     assert sink.stacks[2].readback.guide_mm == 20.0
     assert np.all(sink.stacks[0].images["right"][0] == 100)
     assert np.all(sink.stacks[0].images["right"][1] == 20)
+
+
+def test_the_sink_hears_of_every_exposure_while_the_next_is_still_to_come(rig, plan):
+    sink = Memory()
+    taken_before = []
+    genuine = sink.exposure_taken
+    sink.exposure_taken = lambda taken: (taken_before.append(rig.cameras["right"].frames), genuine(taken))
+    run(rig, plan, sink)
+    # images of one camera, at two exposures from three viewpoints
+    assert taken_before == [plan.patterns.count * number for number in range(1, 7)]
+    assert sink.heard[:2] == [("v0", 0, {"left": 100, "right": 100}), ("v0", 1, {"left": 20, "right": 20})]
+
+
+def test_the_sink_is_told_to_drop_a_viewpoint_that_failed_on_the_way(rig, plan):
+    rig.cameras["right"].longest_us = 50_000
+    _, sink = run(rig, plan)
+    assert sink.heard == [(f"v{i}", "dropped") for i in range(3)]
 
 
 def test_viewpoints_on_disk_are_not_taken_again(rig, plan):

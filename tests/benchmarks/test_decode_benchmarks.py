@@ -48,9 +48,7 @@ def naive(images: np.ndarray, first_only: bool) -> np.ndarray:
         unsaturated &= np.cumsum(unsaturated, axis=0) == 1
     summed = (floats * unsaturated[:, None]).sum(axis=0)
     shifts = tau * np.arange(4) / 4
-    phases = [
-        np.arctan2(np.tensordot(np.sin(shifts), part, 1), np.tensordot(np.cos(shifts), part, 1)) for part in (summed[:4], summed[4:])
-    ]
+    phases = [np.arctan2(np.tensordot(np.sin(shifts), part, 1), np.tensordot(np.cos(shifts), part, 1)) for part in (summed[:4], summed[4:])]
     beat = np.mod(phases[0] - phases[1] + 0.1, tau) - 0.1
     return np.asarray(phases[0] + tau * np.rint((33 * beat - phases[0]) / tau))
 
@@ -110,7 +108,6 @@ def test_decoding_one_camera_against_a_copy_of_its_images(benchmark: Benchmark, 
         benchmark.extra_info[f"{name}, ms"] = round(1e3 * value, 2)
     benchmark.extra_info["ours over copy"] = round(best["ours"] / best["copy"], 2)
     benchmark.extra_info["naive over ours"] = round(best["naive"] / best["ours"], 1)
-    print(benchmark.extra_info)
     most, least = ASKED[rule]
     assert best["ours"] <= most * best["copy"]
     assert best["naive"] >= least * best["ours"]

@@ -10,9 +10,9 @@ import pytest
 from recorded import recorded
 from scipy.spatial.transform import Rotation
 
+from measureapp.calibrate.axis_noise import AxisNoise
 from measureapp.calibrate.board import detect
 from measureapp.calibrate.board_pose import board_pose, stated_pose
-from measureapp.calibrate.chain import AxisNoise
 from measureapp.calibrate.hand_eye import HandEyeDraft, HandEyeProblem, solve
 from measureapp.calibrate.poses import change_between, moved
 from measureapp.data.board import CheckerboardDescription
@@ -49,9 +49,35 @@ def change(estimate, truth=X):
 def test_every_method_is_exact_without_noise(generator, turn):
     x = RigidTransform.from_vector(turn, [100, -150, 80], "flange", "camera")
     solution = solve(problem_of(generator, noisy=False, x=x))
-    assert set(solution.methods) == {"tsai_lenz", "park_martin", "horaud", "daniilidis", "andreff"}
+    assert set(solution.methods) == {"tsai_lenz", "park_martin", "horaud", "daniilidis", "andreff", "shah", "li_wang_wu"}
     for name, estimate in (*solution.methods.items(), ("refined", solution.refined)):
         np.testing.assert_allclose(estimate.flange_from_camera.matrix, x.matrix, atol=1e-6, err_msg=name)
+
+
+def test_the_methods_spread_is_told_at_the_part(generator):
+    solution = solve(problem_of(generator))
+    carried = [estimate.flange_from_camera.apply(solution.part_in_camera_mm) for estimate in solution.methods.values()]
+    assert 500 < solution.part_in_camera_mm[2] < 620
+    assert solution.spread_at_part_mm == pytest.approx(max(np.linalg.norm(a - b) for a in carried for b in carried))
+    assert solve(problem_of(generator, noisy=False)).spread_at_part_mm < 1e-5
+
+
+def test_the_influence_of_a_pose_is_what_leaving_it_out_changes(generator):
+    problem = problem_of(generator)
+    solution = solve(problem)
+    at_part = solution.refined.flange_from_camera.apply(solution.part_in_camera_mm)
+    for index in (0, 5, 11):
+        robot = problem.base_from_flange[:index] + problem.base_from_flange[index + 1 :]
+        without = solve(HandEyeProblem(robot, problem.boards[:index] + problem.boards[index + 1 :], NOISE))
+        truly = np.linalg.norm(without.refined.flange_from_camera.apply(solution.part_in_camera_mm) - at_part)
+        assert solution.influence_mm[index] == pytest.approx(truly, rel=0.05, abs=1e-4)
+
+
+def test_a_pose_whose_robot_slipped_has_the_largest_influence(generator):
+    problem = problem_of(generator, count=15)
+    slipped = problem.base_from_flange[4].matrix @ moved(np.eye(4), np.array([0, 0, 0, 1.5, 0, 0]))
+    robot = (*problem.base_from_flange[:4], RigidTransform(slipped, "base", "flange"), *problem.base_from_flange[5:])
+    assert int(np.argmax(solve(replace(problem, base_from_flange=robot)).influence_mm)) == 4
 
 
 def test_two_poses_half_a_turn_apart_do_not_upset_the_methods(generator):

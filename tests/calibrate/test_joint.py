@@ -36,6 +36,8 @@ def test_the_rig_is_recovered_without_robot_errors(rig, simulate, generator):
     assert abs(calibration.guide.scale - rig.guide.scale) < 5e-5
     assert np.linalg.norm(calibration.axis.direction - rig.axis.direction) < 5e-5
     assert off_axis_mm(calibration.axis, rig.axis) < 0.02
+    stroke = np.ptp([one.guide_mm for one in simulate.readbacks(rig).values()])
+    assert solution.paper_cost_mm == pytest.approx(stroke * np.linalg.norm(rig.guide.direction * rig.guide.scale - [0, 1, 0]), rel=0.02)
     assert not solution.not_observable
     assert not solution.rejected
 

@@ -50,6 +50,9 @@ def test_errors_agree_with_the_predicted_standard_deviations():
 def test_the_cost_of_assuming_plus_y_is_told(generator):
     solution = solve(problem_of(generator, sigma_mm=0.0))
     assert solution.paper_cost_mm == pytest.approx(600 * np.linalg.norm(GUIDE.direction * GUIDE.scale - [0, 1, 0]))
+    assert solution.paper_mm[0] == 0
+    assert solution.paper_mm[-1] == pytest.approx(solution.paper_cost_mm)
+    assert np.all(np.diff(solution.paper_mm) > 0)
 
 
 def test_straightness_shows_a_bent_guide(generator):

@@ -80,6 +80,13 @@ def test_falling_angles_turn_the_direction_round(board):
     assert solve(AxisProblem(turned_corners(board)[::-1], ANGLES[::-1])).best.axis.direction @ AXIS.direction > 0.99
 
 
+def test_a_whole_turn_keeps_its_sense(board):
+    angles = np.deg2rad(np.arange(0.0, 360.0, 30.0))
+    for sign in (1, -1):
+        solution = solve(AxisProblem(turned_corners(board, angles), sign * angles))
+        assert solution.best.axis.direction @ AXIS.direction * sign > 0.99
+
+
 def test_weights_follow_the_chord_lengths():
     corners = np.array([[[1.0, 0, 0], [3.0, 0, 0]], [[0, 1.0, 0], [0, 3.0, 0]], [[-1.0, 0, 0], [-3.0, 0, 0]]])
     np.testing.assert_allclose(distance_weights(corners, 2.0), [0.25, 2.25])  # chords 1 : 3, mean 2

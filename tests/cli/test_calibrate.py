@@ -53,7 +53,7 @@ def test_hand_eye_and_guide_follow_from_tables(capsys, tables):
     arguments = ["hand-eye", "--robot-poses", tables / "standing.csv", "--board-poses", tables / "board.csv", "--out", solved]
     code, answer = run(capsys, *arguments)
     assert code == 0, answer
-    assert set(answer["methods"]) == {"tsai_lenz", "park_martin", "horaud", "daniilidis", "andreff"}
+    assert set(answer["methods"]) == {"tsai_lenz", "park_martin", "horaud", "daniilidis", "andreff", "shah", "li_wang_wu"}
     for entry in (*answer["methods"].values(), answer["refined"]):
         np.testing.assert_allclose(entry["flange_from_camera"], X.matrix, atol=1e-5)
         assert entry["residual_mm"]["max"] < 1e-4
@@ -122,6 +122,11 @@ def test_the_axis_follows_from_a_corner_table(capsys, tmp_path):
         assert entry["standard_deviations"]["direction_deg"] > 0
         assert len(entry["residuals"]["positions"]) == 7
     assert answer["distance_weighted"]["p"] == 3
+    closure = answer["diagnostics"]["closure"]
+    assert closure["board_mm"] == pytest.approx(0.01 * np.sqrt(3 * 6 / 7), rel=0.2)
+    assert closure["angles_were_read"] and closure["radius_mm"] == 250
+    assert len(answer["diagnostics"]["arcs"]["centre_sigma_mm"]) == 20
+    assert len(answer["diagnostics"]["wobble_deg"]["positions"]) == 7
     assert json.loads((tmp_path / "axis.json").read_text())["schema_version"] == 1
 
 
@@ -290,6 +295,8 @@ def test_the_whole_rig_follows_from_images(capsys, tmp_path, small_head):
             0.01,
             "--robot-sigma-deg",
             0.001,
+            "--out",
+            tmp_path / "rig.json",
         ),
     )
     assert code == 0, answer
@@ -299,3 +306,27 @@ def test_the_whole_rig_follows_from_images(capsys, tmp_path, small_head):
     assert np.linalg.norm(np.cross(answer["axis"]["direction"], axis.direction)) < np.deg2rad(0.1)
     assert np.array(answer["covariance"]).shape == (len(answer["parameters"]),) * 2
     assert answer["not_observable"] == []
+    assert len(answer["weak_directions"]) == 3
+    common = (
+        *("--robot-poses", tmp_path / "robot.csv", "--guide-positions", tmp_path / "guide.csv", "--angles", tmp_path / "angles.csv"),
+        *("--images", f"left={tmp_path}/left*.png", "--images", f"right={tmp_path}/right*.png"),
+        *("--cameras", tmp_path / "cameras.json", "--board", "9x6", "--square-mm", 12),
+    )
+    code, answer = run(capsys, "check", "--calibration", tmp_path / "rig.json", *common)
+    assert code == 0, answer
+    assert answer["good"] and len(answer["views"]) == 13
+    knocked = json.loads((tmp_path / "rig.json").read_text())
+    knocked["axis"]["point_mm"][0] += 8
+    knocked["stations"] = []
+    (tmp_path / "knocked.json").write_text(json.dumps(knocked))
+    code, answer = run(capsys, "check", "--calibration", tmp_path / "knocked.json", *common)
+    assert code == 1
+    assert answer["suspect"] == "axis"
+    assert "calibrate the axis again" in answer["verdict"]
+    code, answer = run(capsys, "check", "--calibration", tmp_path / "cameras.json", *common)
+    assert code == 2
+    assert "holds no calibrated rig" in answer["error"]["message"]
+    (tmp_path / "angles.csv").write_text("position,angle_deg\n0,0\n1,10")
+    code, answer = run(capsys, "check", "--calibration", tmp_path / "rig.json", *common)
+    assert code == 2
+    assert "2 table angles do not belong to 13 robot poses" in answer["error"]["message"]

@@ -50,17 +50,23 @@ class Head:
     head_from_reference: RigidTransform
 
     def phase_maps(
-        self, surface: Surface, sigma_rad: float = 1e-4, noise_seed: int | None = None, shadows: bool = True
+        self, surface: Surface, sigma_rad: float = 1e-4, noise_seed: int | None = None, shadows: bool = True, horizontal: bool = False
     ) -> dict[str, PhaseMap]:
         """What every camera would decode of the surface; holes where the projector's light does not arrive."""
         random = None if noise_seed is None else np.random.default_rng(noise_seed)
         maps = {}
         for name, camera in self.cameras.cameras.items():
-            maps[name] = self._phase_map(camera, surface, sigma_rad, random, shadows)
+            maps[name] = self._phase_map(camera, surface, sigma_rad, random, shadows, 1 if horizontal else 0)
         return maps
 
     def _phase_map(
-        self, camera: CameraCalibration, surface: Surface, sigma_rad: float, random: np.random.Generator | None, shadows: bool
+        self,
+        camera: CameraCalibration,
+        surface: Surface,
+        sigma_rad: float,
+        random: np.random.Generator | None,
+        shadows: bool,
+        axis: int = 0,
     ) -> PhaseMap:
         height, width = camera.pinhole.height_px, camera.pinhole.width_px
         y, x = np.mgrid[0:height, 0:width]
@@ -73,7 +79,7 @@ class Head:
         if shadows:
             reach = np.linalg.norm(points, axis=1)
             seen &= np.abs(surface(np.zeros(3), points / reach[:, None]) - reach) < 1e-6
-        column = PROJECTOR_FOCAL_PX * points[:, 0] / points[:, 2] + (PROJECTOR_PX - 1) / 2
+        column = PROJECTOR_FOCAL_PX * points[:, axis] / points[:, 2] + (PROJECTOR_PX - 1) / 2
         seen &= (column > 0) & (column < PROJECTOR_PX - 1)
         phase = column * tau / PITCH_PX
         if random is not None:

@@ -4,9 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from measureapp.data.phase import PixelState
+from measureapp.data.point_state import PointState
 from measureapp.errors import ReconstructError
+from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import CallbackProgress, Cancelled
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
 from measureapp.reconstruct.rectifier import Rectifier
@@ -165,3 +168,76 @@ def test_it_can_be_cancelled(head: Head, rectifier: Rectifier) -> None:
 
     with pytest.raises(Cancelled):
         reconstruct(head.phase_maps(plane(550)), head.cameras, progress=CallbackProgress(stop), rectifier=rectifier)
+
+
+def test_horizontal_fringes_match_the_pairs_whose_epipolar_lines_cross_them_and_skip_the_others_in_words(
+    head: Head, rectifier: Rectifier
+) -> None:
+    maps = head.phase_maps(plane(550, 0.2, 0.1), horizontal=True)
+    made = reconstruct(maps, head.cameras, rectifier=rectifier)
+    assert len(made.cloud) > 0.7 * maps["left"].valid.sum()
+    assert np.abs(off_plane(head, made)[made.cloud.cameras != 6]).max() < 2 * FLOAT32_PHASE_MM
+    skipped = {pair.names: pair.skipped for pair in made.pairs}
+    assert "direction of the fringes" in skipped["left", "right"]
+    assert skipped["left", "upper"] == skipped["right", "upper"] == ""
+    two = {name: maps[name] for name in ("left", "right")}
+    with pytest.raises(ReconstructError, match="cannot match the cameras left and right"):
+        reconstruct(two, head.cameras, ReconstructSettings(grid="image"), rectifier=rectifier)
+
+
+def test_phase_noise_is_not_taken_for_a_shifted_camera_but_a_shifted_camera_is(head: Head, rectifier: Rectifier) -> None:
+    maps = head.phase_maps(plane(550, 0.2, 0.1), SIGMA_RAD, 4)
+    quiet = reconstruct(maps, head.cameras, rectifier=rectifier)
+    upper = head.cameras.cameras["upper"]
+    turned = RigidTransform.from_parts(Rotation.from_rotvec([0, 0.3 / 511, 0]).as_matrix(), np.zeros(3), "upper", "upper")
+    moved = replace(upper, reference_from_camera=upper.reference_from_camera @ turned)  # 0.3 px
+    shaken = reconstruct(maps, replace(head.cameras, cameras={**head.cameras.cameras, "upper": moved}))
+    for before, after in zip(quiet.pairs, shaken.pairs, strict=True):
+        assert before.epipolar_px is not None and before.epipolar_rms_px is not None and after.epipolar_px is not None
+        assert before.epipolar_px < before.epipolar_rms_px
+        assert before.epipolar_px < 0.03
+        assert after.epipolar_px > 0.1
+
+
+def test_order_errors_of_patches_spoil_no_other_point(head: Head, rectifier: Rectifier) -> None:
+    maps = head.phase_maps(plane(550, 0.2, 0.1), SIGMA_RAD, 5)
+    random = np.random.default_rng(6)
+    wrong = {}
+    for name, each in maps.items():
+        phase, hit = each.phase_rad.copy(), np.zeros(each.state.shape, bool)
+        for row, column in zip(random.integers(0, 238, 60), random.integers(0, 319, 60), strict=True):
+            phase[row : row + 3, column : column + 3] += np.float32(2 * np.pi * random.choice([-1, 1]))
+            hit[row : row + 3, column : column + 3] = True
+        maps[name] = replace(each, phase_rad=phase)
+        wrong[name] = hit
+    made = reconstruct(maps, head.cameras, rectifier=rectifier)
+    off = np.abs(off_plane(head, made))
+    assert (off > np.maximum(6 * made.cloud.sigma_mm, 0.3)).sum() < 10
+    assert len(made.cloud) > 0.97 * (maps["left"].valid & ~wrong["left"]).sum()
+
+
+def test_a_surface_that_another_camera_cannot_see_for_something_before_it_is_no_contradiction(head: Head, rectifier: Rectifier) -> None:
+    ball = sphere((60, 0, 470), 30)  # hides parts of the wall from the right camera alone
+    maps = head.phase_maps(nearest(ball, plane(560)), SIGMA_RAD, 7, shadows=False)
+    made = reconstruct(maps, head.cameras, rectifier=rectifier)
+    points = head.head_from_reference.apply(made.cloud.points_mm)
+    off = np.minimum(np.abs(np.linalg.norm(points - [60, 0, 470], axis=1) - 30), np.abs(points[:, 2] - 560))
+    assert (off > np.maximum(6 * made.cloud.sigma_mm, 0.3)).mean() < 2e-4
+    right = (head.head_from_reference @ head.cameras.cameras["right"].reference_from_camera).translation_mm
+    away = np.linalg.norm(points - right, axis=1)
+    hidden = (np.abs(points[:, 2] - 560) < 1) & (ball(right, (points - right) / away[:, None]) < away - 20)
+    assert hidden.sum() > 500
+    assert (made.cloud.cameras[hidden] == 5).mean() > 0.95
+
+
+def test_every_pixel_of_every_camera_has_a_fate_and_the_points_are_the_valid_ones(head: Head, rectifier: Rectifier) -> None:
+    maps = head.phase_maps(nearest(sphere((20, -10, 500), 40), plane(560)), SIGMA_RAD, 2)
+    made = reconstruct(maps, head.cameras, rectifier=rectifier)
+    assert set(made.fates) == set(maps)
+    assert sum(int((fate == PointState.VALID).sum()) for fate in made.fates.values()) == len(made.cloud)
+    for name, fate in made.fates.items():
+        assert ((fate == PointState.NO_PHASE) == (maps[name].state != PixelState.VALID)).all()
+    first = made.cloud.cameras != 6
+    assert (made.fates["left"][tuple(made.cloud.pixel[first].T)] == PointState.VALID).all()
+    assert made.rejected["flying"] == sum(int((made.fates[name] == PointState.FLYING).sum()) for name in ("left", "right"))
+    assert (made.fates["right"] == PointState.SEEN_BY_ANOTHER).mean() > 0.5

@@ -6,8 +6,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from PySide6.QtWidgets import QFileDialog
 
+from measureapp.data.pattern_sets import DEFAULT_NAME, PATTERN_SETS
 from ui.look.demo_settings import DemoSettings
 from ui.look.paths import demo_folder
+from ui.look.pattern_words import pattern_line, pattern_titles
 from ui.widgets.demo_form import OWN_MESH, PARTS, DemoForm
 from ui.widgets.segments import Segments
 
@@ -17,6 +19,7 @@ ANY_SETTINGS = st.builds(
     st.sampled_from(["full", "half", "quarter"]),
     st.integers(3, 60),
     st.integers(1, 9999),
+    st.sampled_from(sorted(PATTERN_SETS)),
 )
 
 
@@ -35,6 +38,24 @@ def test_a_change_by_the_user_is_told(qtbot):
     with qtbot.waitSignal(form.valueChanged) as told:
         form._viewpoints.setValue(12)
     assert told.args[0].viewpoints == 12
+
+
+def test_every_pattern_set_has_a_name_and_a_line_of_its_own_with_the_recommended_one_first(qtbot):
+    form = DemoForm()
+    qtbot.addWidget(form)
+    titles = pattern_titles()
+    assert set(titles) == set(PATTERN_SETS) and len(set(titles.values())) == len(titles)
+    assert next(iter(titles)) == DEFAULT_NAME == form.value().patterns
+    assert form._pattern_line.text().startswith("Recommended. 12 images: 4 steps")
+    with qtbot.waitSignal(form.valueChanged) as told:
+        form._patterns.setCurrentIndex(form._patterns.findData("paper"))
+    assert told.args[0].patterns == "paper"
+    assert form._patterns.currentText() == "Paper: 32 and 33 px"
+    assert form._pattern_line.text() == pattern_line("paper") == "8 images: 4 steps at 32 and 33 px."
+
+
+def test_demos_with_other_patterns_lie_in_other_folders():
+    assert demo_folder(DemoSettings()) != demo_folder(DemoSettings(patterns="paper"))
 
 
 def test_choosing_the_impeller_suggests_the_viewpoints_it_needs(qtbot):

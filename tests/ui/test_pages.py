@@ -303,3 +303,52 @@ def test_the_name_of_a_dimension_is_words_but_a_letter_of_the_drawing_stays():
 
     assert dimension_words("sphere_5_diameter") == "Sphere 5 diameter"
     assert dimension_words("a") == "a"
+
+
+def test_the_plan_page_says_what_the_patterns_promise_and_what_a_view_costs(filled, rig):
+    page = filled.pages["plan"]
+    filled.show_page("plan")
+    groups = {group.heading: {name: plain(value) for name, value in group.rows} for group in page.properties.groups}
+    promised, cost = groups["What the patterns promise"], groups["Each view"]
+    assert promised["Range"] == "1088 px" and promised["Guard band"] == "64 px"
+    assert float(promised["σ of the column"].split()[0]) == pytest.approx(0.03, abs=0.01)
+    assert promised["Wrong orders"] == "None expected"
+    assert cost["Images"] == "60 × 3 cameras"
+    # 12 images of 100, 80 and three times the 71 ms that an image takes at least
+    assert cost["Taking them"] == "4.7 s at least"
+    assert cost["On disk"] == "907 MB"
+
+
+def test_the_papers_patterns_promise_their_wrong_orders(rig):
+    from measureapp.data.pattern_sets import PATTERN_SETS
+    from ui.pages.pattern_promise import odds, promise
+
+    rows = dict(promise(PATTERN_SETS["paper"], 1024, 768)[0].rows)
+    assert rows["Wrong orders"].startswith("1 of ")
+    both = promise(PATTERN_SETS["paper-both"], 1024, 768)
+    assert [group.heading.rpartition(", ")[2] for group in both] == ["vertical fringes", "horizontal fringes"]
+    assert "Cannot be used" in dict(promise(PATTERN_SETS["paper"], 4096, 768)[0].rows)
+    assert [plain(odds(value)) for value in (4.9e-4, 0.25, 1e-9, 0.0)] == [
+        "1 of 2\u202f000 pixels".replace("\u202f", " "),
+        "1 of 4 pixels",
+        "< 1 of 1 000 000 pixels".replace("\u2009", " "),
+        "None expected",
+    ]
+
+
+def test_decoded_shares_and_losses_are_told_where_they_are_stored(filled, application, measurement):
+    from dataclasses import replace
+
+    from ui.pages.clouds import view_properties
+
+    figures = {"decoded_ratio": 0.152, "order_conflicts": 3, "phase_sigma_median": 0.0071}
+    decode = {"left": figures, "right": {**figures, "decoded_ratio": 0.131}}
+    view = replace(measurement.views[0], decode=decode, rejected={"island": 2, "contradicted": 700, "flying": 0})
+    groups = {group.heading: dict(group.rows) for group in view_properties(view, None).groups}
+    assert plain(groups["Pixels decoded"]["Camera left"]) == "15.2 %"
+    assert groups["Pixels decoded"]["Order conflicts"] == "6"
+    assert list(groups["Points left out"]) == ["Contradicted", "Island"]
+    application.session.add_view(view)
+    tiles = {tile.name: plain(tile.figure) for tile in filled.pages["scan"].tiles.tiles}
+    assert tiles[view.viewpoint_id] == "13–15 % decoded"
+    assert tiles[measurement.views[1].viewpoint_id] == ""

@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject
 from ui.controllers.comparison import ComparisonController
 from ui.controllers.demo import DemoController
 from ui.controllers.documents import DocumentsController
+from ui.controllers.holes import HolesController
 from ui.controllers.jobs import JobRunner
 from ui.controllers.project import ProjectController
 from ui.controllers.startup import StartupController
@@ -22,14 +23,16 @@ class Controllers(QObject):
         self.jobs = JobRunner(session, self)
         self.background = JobRunner(session, self)
         self.drawing = JobRunner(session, self)
+        self.explaining = JobRunner(session, self)
         self.demo = DemoController(session, self.jobs, self)
         self.project = ProjectController(session, self.jobs, self)
         self.documents = DocumentsController(session, self.jobs, self)
         self.comparison = ComparisonController(session, self.background, self)
         self.stored_images = StoredImagesController(session, self.background, self)
+        self.holes = HolesController(session, self.explaining, self)
         self.startup = StartupController(session, self.background, self)
 
     @property
     def runners(self) -> tuple[JobRunner, ...]:
-        """All queues: what the user waits for, what runs beside it, and pictures being composed."""
-        return self.jobs, self.background, self.drawing
+        """All queues: what the user waits for, what runs beside it, pictures being composed, and views being explained."""
+        return self.jobs, self.background, self.drawing, self.explaining

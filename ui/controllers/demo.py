@@ -58,7 +58,7 @@ class DemoController(QObject):
             job.report(0, 1, "Preparing the virtual rig")
             from measureapp.demo import DemoRequest, run_demo
 
-            request = DemoRequest(folder, settings.part, settings.resolution, settings.viewpoints, settings.seed)
+            request = DemoRequest(folder, settings.part, settings.resolution, settings.viewpoints, settings.seed, settings.patterns)
             return run_demo(request, events.sink(job), job)
 
         return work

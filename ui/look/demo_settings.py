@@ -5,14 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from measureapp.data.pattern_sets import DEFAULT_NAME
+
 Resolution = Literal["full", "half", "quarter"]
 
 
 @dataclass(frozen=True)
 class DemoSettings:
-    """Part, image resolution, number of viewpoints, and the seed of the virtual rig's hidden errors."""
+    """Part, image resolution, number of viewpoints, the seed of the virtual rig's hidden errors, and the pattern set by its name."""
 
     part: str = "gypsum"
     resolution: Resolution = "half"
     viewpoints: int = 8
     seed: int = 1
+    patterns: str = DEFAULT_NAME

@@ -19,6 +19,7 @@ NAMES = {
     "export": "download-simple",
     "pdf": "file-pdf",
     "fit": "corners-out",
+    "holes": "image-square",
     "eye": "eye",
     "hidden": "eye-slash",
     "light": "sun",

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from measureapp.data.pattern_sets import DEFAULT_NAME
 from ui.look.demo_settings import DemoSettings
 
 
 def demo_folder(settings: DemoSettings) -> Path:
     """Return where the demo project with these settings is kept."""
     name = f"demo-{Path(settings.part).stem}-{settings.resolution}-{settings.viewpoints}-views-rig-{settings.seed}"
+    if settings.patterns != DEFAULT_NAME:
+        name += f"-{settings.patterns}"
     return Path.home() / "MeasureApp" / name
 
 

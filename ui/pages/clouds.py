@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QHeaderView
@@ -9,6 +10,7 @@ from PySide6.QtWidgets import QHeaderView
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.wording import NOTHING, counted, millimetres, percent, quantity, sentence, several
+from ui.pages.holes_dialog import HolesDialog
 from ui.pages.layers import ColourBy, PlacedClouds, placements_of, rgb, scale_end, stitched_layer, view_layer
 from ui.pages.picked_point import merged_point, point_properties, view_point
 from ui.pages.viewport_page import Composer, Picture, ViewportPage
@@ -32,6 +34,7 @@ EMPTY = (
     "Each viewpoint gives a cloud of points; fine stitching lays them together. The demo makes some in a minute or two.",
 )
 SCALE_NAMES = {"sigma": "Standard deviation σ", "residual": "Residual of the view"}
+ACTION = "Images and holes"
 HEADERS = ["", "View", "Points", "Correction", "Residual", "Verdict"]
 
 
@@ -50,6 +53,11 @@ class CloudsPage(ViewportPage):
         self.table.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.Fixed)
         self.table.setColumnWidth(0, 40)
         self.hidden: set[str] = set()
+        self._asked: tuple[str, int, tuple[int, int] | None] = ("", 0, None)  # view, place of the camera, pixel
+        self.dialog = HolesDialog(look, controllers.holes, self)
+        self.holes = Button("Images and holes", look, "holes", tip="The images of the selected view, and why pixels have no point")
+        self.holes.clicked.connect(self.act)
+        self.action_row.addWidget(self.holes)
         self._placed = PlacedClouds()
         fit = Button("Show all", look, "fit", "quiet", "Look at everything from the front")
         fit.clicked.connect(self.view.reset_camera)
@@ -83,6 +91,7 @@ class CloudsPage(ViewportPage):
     def _show(self) -> None:
         views, stitched = self.session.views, self.session.stitched
         self.show_filled(bool(views))
+        self.holes.setVisible(bool(views) and self.controllers.holes.can_explain)
         for name in ("after", "merged"):
             self.stage.set_available(name, stitched is not None)
         if stitched is None and self.stage.value() != "before":
@@ -121,7 +130,19 @@ class CloudsPage(ViewportPage):
     def _select(self, place: int) -> None:
         if 0 <= place < len(self.session.views):
             view = self.session.views[place]
-            self.show_properties(view_properties(view, self.placements().get(view.viewpoint_id)))
+            self._asked = (view.viewpoint_id, 0, None)
+            self.show_properties(self._with_action(view_properties(view, self.placements().get(view.viewpoint_id))))
+
+    def _with_action(self, properties: Properties) -> Properties:
+        return replace(properties, action=ACTION) if self.controllers.holes.can_explain else properties
+
+    def act(self) -> None:
+        """Show the images of the selected view or point, and why it has holes."""
+        name, place, pixel = self._asked
+        calibration = self.session.calibration
+        cameras = () if calibration is None else calibration.cameras.names
+        if name:
+            self.dialog.open_view(name, cameras[place] if place < len(cameras) else "", pixel)
 
     def _visible(self) -> list[int]:
         return [index for index, view in enumerate(self.session.views) if view.viewpoint_id not in self.hidden]
@@ -139,7 +160,8 @@ class CloudsPage(ViewportPage):
             view = self.session.views[self._visible()[layer]]
             cloud = self._placed.get(view, self.placements().get(view.viewpoint_id), fine=self.stage.value() == "after")
             point = view_point(view.viewpoint_id, cloud, place)
-        self.show_properties(point_properties(point))
+        self._asked = (point.viewpoint_id, point.camera, point.pixel)
+        self.show_properties(self._with_action(point_properties(point)))
         self.propertiesAsked.emit()
         words = f"{point.viewpoint_id}   sigma {millimetres(point.sigma_mm)}".replace("\u00a0", " ")
         theme = self.look.theme
@@ -183,6 +205,17 @@ def view_verdict(view: ViewResult, placement: ViewPlacement | None) -> tuple[str
     return "pass", "Good", "Accepted by cloud statistics" + (" and fine stitching." if placement is not None else ".")
 
 
+def decoding_group(view: ViewResult) -> Group:
+    """Return how much of the images was decoded."""
+    rows = [(f"Camera {camera}", percent(figures["decoded_ratio"])) for camera, figures in view.decode.items()]
+    conflicts = sum(int(figures["order_conflicts"]) for figures in view.decode.values())
+    noise = [float(figures["phase_sigma_median"]) for figures in view.decode.values() if figures["phase_sigma_median"]]
+    rows.append(("Order conflicts", counted(conflicts)))
+    if noise:
+        rows.append(("Phase noise (median)", quantity(max(noise), "rad", 4)))
+    return Group("Pixels decoded", tuple(rows))
+
+
 def view_properties(view: ViewResult, placement: ViewPlacement | None) -> Properties:
     """Return what there is to know about one view."""
     quality = view.quality
@@ -210,9 +243,10 @@ def view_properties(view: ViewResult, placement: ViewPlacement | None) -> Proper
                 ),
             )
         )
-    if view.rejected:
-        groups.append(
-            Group("Points left out", tuple((sentence(name).rstrip("."), counted(count)) for name, count in view.rejected.items()))
-        )
+    if view.decode:
+        groups.append(decoding_group(view))
+    left_out = sorted(((count, name) for name, count in view.rejected.items() if count), reverse=True)
+    if left_out:
+        groups.append(Group("Points left out", tuple((sentence(name).rstrip("."), counted(count)) for count, name in left_out)))
     verdict, _, why = view_verdict(view, placement)
     return Properties(view.viewpoint_id, tuple(groups), "" if verdict == "pass" else why)

@@ -64,5 +64,8 @@ class Page(QWidget):
         self.properties = properties
         self.propertiesChanged.emit(properties)
 
+    def act(self) -> None:
+        """Do what the button of the properties says."""
+
     def close_page(self) -> None:
         """Release what must not outlive the window."""

@@ -26,19 +26,22 @@ class PickedPoint:
     grey: float
     pixel: tuple[int, int] | None  # row, column; None where it is not known
     cameras: int  # how many cameras saw it
+    camera: int = 0  # place, in the calibration, of the camera whose pixel it is
     nearest_mm: float | None = None  # from a merged point to the measured one whose pixel is told
 
 
 def view_point(viewpoint_id: str, cloud: PointCloud, place: int) -> PickedPoint:
     """Return one point of a placed view."""
     line, across = (int(value) for value in cloud.pixel[place])
+    bits = int(cloud.cameras[place])
     return PickedPoint(
         viewpoint_id,
         cloud.points_mm[place],
         float(cloud.sigma_mm[place]),
         float(cloud.grey[place]),
         (line, across) if line >= 0 else None,
-        int(cloud.cameras[place]).bit_count(),
+        bits.bit_count(),
+        max(0, (bits & -bits).bit_length() - 1),
     )
 
 
@@ -52,7 +55,9 @@ def merged_point(stitched: StitchedCloud, visible: Collection[int], place: int, 
         return PickedPoint(placement.viewpoint_id, position, sigma, grey, None, 0)
     distances = np.linalg.norm(cloud.points_mm - placement.part_from_camera.inverse().apply(position[None])[0], axis=1)
     nearest = view_point(placement.viewpoint_id, cloud, int(np.argmin(distances)))
-    return PickedPoint(placement.viewpoint_id, position, sigma, grey, nearest.pixel, nearest.cameras, float(distances.min()))
+    return PickedPoint(
+        placement.viewpoint_id, position, sigma, grey, nearest.pixel, nearest.cameras, nearest.camera, float(distances.min())
+    )
 
 
 def point_properties(point: PickedPoint) -> Properties:

@@ -8,6 +8,7 @@ from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.wording import exposure, millimetres, quantity, sentence_case, several
 from ui.pages.page import Page
+from ui.pages.pattern_promise import cost, promise
 from ui.session import Session
 from ui.widgets.basic import card, row
 from ui.widgets.data_table import Cell, DataTable, number
@@ -84,17 +85,17 @@ class PlanPage(Page):
         ]
 
     def _select(self, place: int) -> None:
-        plan = self.session.plan
-        if plan is None or not 0 <= place < len(plan):
+        plan, rig = self.session.plan, self.session.rig
+        if plan is None or rig is None or not 0 <= place < len(plan):
             return
         self.drawing.choose(place)
-        self.show_properties(viewpoint_properties(plan, plan.viewpoints[place]))
+        self.show_properties(viewpoint_properties(plan, plan.viewpoints[place], rig))
 
 
-def viewpoint_properties(plan: ScanPlan, viewpoint: Viewpoint) -> Properties:
-    """Return what there is to know about one viewpoint."""
+def viewpoint_properties(plan: ScanPlan, viewpoint: Viewpoint, rig: RigDescription) -> Properties:
+    """Return what there is to know about one viewpoint, and what the plan's patterns promise there."""
     x, y, z = viewpoint.flange.position_mm
-    pitches = ", ".join(f"{pitch:g} px" for pitch in plan.patterns.pitches_px)
+    pitches = ", ".join(f"{pitch:.4g} px" for pitch in plan.patterns.pitches_px)
     return Properties(
         viewpoint.id,
         (
@@ -106,7 +107,11 @@ def viewpoint_properties(plan: ScanPlan, viewpoint: Viewpoint) -> Properties:
                     ("Table", quantity(viewpoint.table_deg, "°", 1)),
                 ),
             ),
-            Group("Patterns", (("Set", plan.patterns.name), ("Images", str(plan.patterns.count)), ("Fringe pitches", pitches))),
+            Group(
+                "Patterns", (("Set", sentence_case(plan.patterns.name)), ("Images", str(plan.patterns.count)), ("Fringe pitches", pitches))
+            ),
+            *promise(plan.patterns, rig.projector.width_px, rig.projector.height_px),
+            cost(plan, rig),
             Group("Exposures", tuple((f"No. {place + 1}", exposure(value)) for place, value in enumerate(plan.bracket.exposures_us))),
         ),
     )

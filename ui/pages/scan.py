@@ -9,7 +9,7 @@ from PySide6.QtGui import QShowEvent
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
-from ui.look.wording import counted, exposure, several
+from ui.look.wording import counted, exposure, percent, several
 from ui.pages.layers import PlacedClouds, placements_of, view_layer
 from ui.pages.viewport_page import Composer, Picture, ViewportPage
 from ui.session import Session
@@ -22,6 +22,7 @@ from ui.workers.job import Job
 
 if TYPE_CHECKING:
     from measureapp.acquire.events import ImageTaken
+    from measureapp.data.measurement import ViewResult
 
 LIVE_INTERVAL_MS = 33
 EMPTY = (
@@ -90,7 +91,8 @@ class ScanPage(ViewportPage):
         done, failed = states.count("processed"), states.count("failed")
         words = f"{done} of {several(len(states), 'viewpoint')} processed" if states else "No viewpoint is scanned"
         self.state.setText(words + (f", {failed} failed." if failed else "."))
-        self.tiles.show_tiles([Tile(state.id, state.status, state.note) for state in points.values()])
+        decoded = {view.viewpoint_id: decoded_share(view) for view in self.session.views}
+        self.tiles.show_tiles([Tile(state.id, state.status, state.note, decoded.get(state.id, "")) for state in points.values()])
         self._show_summary()
 
     def _show_summary(self) -> None:
@@ -143,3 +145,12 @@ class ScanPage(ViewportPage):
             return Picture(tuple(layers))
 
         return compose
+
+
+def decoded_share(view: ViewResult) -> str:
+    """Return how much of its images was decoded, from the camera with the least to the one with the most."""
+    shares = sorted(float(figures["decoded_ratio"]) for figures in view.decode.values())
+    if not shares:
+        return ""
+    least, most = percent(shares[0], 0), percent(shares[-1], 0)
+    return f"{most} decoded" if least == most else f"{least.split(chr(160))[0]}–{most} decoded"

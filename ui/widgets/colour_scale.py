@@ -20,7 +20,7 @@ class ColourScale(QWidget):
         self._colours = np.zeros((2, 3))
         self.low, self.high, self.name = 0.0, 1.0, ""
         self.setFixedHeight(40)
-        self.setMinimumWidth(280)
+        self.setMinimumWidth(152)
         self.setMaximumWidth(304)
         kept = self.sizePolicy()
         kept.setRetainSizeWhenHidden(True)  # the row above the picture keeps its height

@@ -1,14 +1,16 @@
-"""What the demo measures: part, resolution, viewpoints, seed."""
+"""What the demo measures and how: part, resolution, viewpoints, patterns, seed."""
 
 from __future__ import annotations
 
 from pathlib import Path
 from typing import cast
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QFileDialog, QFormLayout, QSpinBox, QWidget
 
 from ui.look.demo_settings import DemoSettings, Resolution
+from ui.look.pattern_words import pattern_line, pattern_titles
+from ui.widgets.basic import label
 from ui.widgets.segments import Segments
 
 PARTS = {"gypsum": "Gypsum cross", "impeller": "Impeller", "gear": "Gear", "sphere_plate": "Sphere plate", "flat": "Flat plate"}
@@ -32,6 +34,12 @@ class DemoForm(QWidget):
         self._part.setToolTip("A sample part, or a closed mesh of your own with millimetres as its unit")
         self._chosen = 0
         self._resolution = Segments({"quarter": "Quarter", "half": "Half", "full": "Full"})
+        self._patterns, self._pattern_line = QComboBox(), label("", "small", wrap=True)
+        for name, words in pattern_titles().items():
+            self._patterns.addItem(words, name)
+            self._patterns.setItemData(self._patterns.count() - 1, pattern_line(name), Qt.ItemDataRole.ToolTipRole)
+        self._patterns.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self._patterns.setMinimumContentsLength(16)
         self._viewpoints, self._seed = QSpinBox(), QSpinBox()
         for spin in (self._viewpoints, self._seed):
             spin.lineEdit().setTextMargins(6, 0, 0, 0)
@@ -46,6 +54,8 @@ class DemoForm(QWidget):
             ("Part", self._part),
             ("Resolution", self._resolution),
             ("Viewpoints", self._viewpoints),
+            ("Patterns", self._patterns),
+            ("", self._pattern_line),
             ("Seed of the rig", self._seed),
         ):
             form.addRow(words, editor)
@@ -54,12 +64,14 @@ class DemoForm(QWidget):
         self._part.currentIndexChanged.connect(self._tell)
         self._resolution.valueChanged.connect(self._tell)
         self._viewpoints.valueChanged.connect(self._tell)
+        self._patterns.currentIndexChanged.connect(self._on_patterns)
         self._seed.valueChanged.connect(self._tell)
 
     def value(self) -> DemoSettings:
         """Return what is set."""
         resolution = cast(Resolution, self._resolution.value())
-        return DemoSettings(self._part.currentData(), resolution, self._viewpoints.value(), self._seed.value())
+        patterns = self._patterns.currentData()
+        return DemoSettings(self._part.currentData(), resolution, self._viewpoints.value(), self._seed.value(), patterns)
 
     def setValue(self, settings: DemoSettings) -> None:
         """Show other settings."""
@@ -67,6 +79,8 @@ class DemoForm(QWidget):
         self._resolution.setValue(settings.resolution)
         self._viewpoints.setValue(settings.viewpoints)
         self._seed.setValue(settings.seed)
+        self._patterns.setCurrentIndex(self._patterns.findData(settings.patterns))
+        self._say_patterns()
 
     def _show_part(self, part: str) -> None:
         """Choose a part; a mesh file becomes an entry of its own."""
@@ -88,6 +102,13 @@ class DemoForm(QWidget):
 
     def _suggest_viewpoints(self) -> None:
         self._viewpoints.setValue(VIEWPOINTS.get(self._part.currentData(), OTHER_VIEWPOINTS))
+
+    def _on_patterns(self) -> None:
+        self._say_patterns()
+        self._tell()
+
+    def _say_patterns(self) -> None:
+        self._pattern_line.setText(pattern_line(self._patterns.currentData()))
 
     def _tell(self) -> None:
         if not self._part.currentData():  # the user is about to choose a file

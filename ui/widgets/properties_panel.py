@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from ui.look.look import Look
@@ -26,6 +26,7 @@ class Properties:
     title: str
     groups: tuple[Group, ...] = ()
     note: str = ""
+    action: str = ""  # what one can do with it, on a button
 
 
 FOLDED_WIDTH = 48
@@ -34,9 +35,12 @@ FOLDED_WIDTH = 48
 class PropertiesPanel(QFrame):
     """Shows `Properties`; folds away to the edge."""
 
+    actionClicked = Signal()
+
     def __init__(self, look: Look, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("properties")
+        self._look = look
         self._width = look.theme.sizes["properties"]
         self._button = Button("", look, "fold", "quiet", "Fold or unfold the properties")
         self._button.setFixedSize(32, 32)
@@ -86,6 +90,11 @@ class PropertiesPanel(QFrame):
             self._rows.addWidget(label(group.heading, "caption"))
             self._rows.addWidget(_hairline())
             self._rows.addLayout(_grid(group))
+        if properties.action:
+            button = Button(properties.action, self._look)
+            button.clicked.connect(self.actionClicked)
+            self._rows.addSpacing(16)
+            self._rows.addWidget(button)
         self._rows.addStretch(1)
 
 

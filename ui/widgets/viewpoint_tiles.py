@@ -38,6 +38,7 @@ class Tile:
     name: str
     status: str
     note: str = ""
+    figure: str = ""  # said in place of the state, which colour and sign tell
 
 
 class ViewpointTiles(QWidget):
@@ -116,7 +117,7 @@ class ViewpointTiles(QWidget):
         painter.drawRoundedRect(QRectF(box.left() + 8, box.top() + 10, 4, box.height() - 20), 2, 2)
         words = box.adjusted(24, 8, -32, -8)
         self._write(painter, words, tile.name, "text", Qt.AlignmentFlag.AlignTop, theme.sizes["body"])
-        state = WORDS[tile.status] + (f" · {tile.note}" if tile.note else "")
+        state = f"{WORDS[tile.status]} · {tile.note}" if tile.note else tile.figure or WORDS[tile.status]
         self._write(painter, words.adjusted(0, 0, 24, 0), state, "soft", Qt.AlignmentFlag.AlignBottom, theme.sizes["small"])
         if tile.status in SIGNS:
             sign = QRectF(box.right() - 28, box.top() + 8, 18, 18).toRect()

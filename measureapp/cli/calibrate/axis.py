@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.calibrate.options import BoardOption, CamerasOption, ImagesOption, OutOption, SquareOption
+from measureapp.cli.calibrate.options import NO_BOARD, BoardChoice, CamerasOption, ImagesOption, OutOption, with_board
 from measureapp.cli.reply import JsonOption, TerminalProgress, jsonable, reply
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
+    from measureapp.calibrate.axis_diagnostics import AxisDiagnostics
     from measureapp.calibrate.rotation_axis import AxisEstimate, AxisProblem, AxisSolution
     from measureapp.progress import Progress
 
@@ -21,15 +22,16 @@ def register(group: typer.Typer) -> None:
     """Add the command."""
 
     @group.command()
+    @with_board
     def axis(
         corners: Annotated[Path | None, typer.Option(help="Corners: position,corner,x_mm,y_mm,z_mm[,angle_deg].")] = None,
         images: ImagesOption = None,
         cameras: CamerasOption = None,
-        board: BoardOption = None,
-        square_mm: SquareOption = None,
+        board: BoardChoice = NO_BOARD,
         angles: Annotated[Path | None, typer.Option(help="Table angles: position,angle_deg, in the order of the images.")] = None,
         power: Annotated[float, typer.Option(help="p of the distance weighting, above 1.")] = 2.0,
         free_angles: Annotated[bool, typer.Option("--free-angles", help="Estimate the angles as well.")] = False,
+        closure_radius_mm: Annotated[float, typer.Option(min=1e-3, help="Radius at which the closure is told, mm.")] = 250.0,
         out: OutOption = None,
         as_json: JsonOption = False,
     ) -> None:
@@ -45,11 +47,9 @@ def register(group: typer.Typer) -> None:
             raise InputError("Give either --corners or --images.", "With --images also --cameras, --board and --square-mm.")
         progress = TerminalProgress()
         problem, rejected = (
-            (_from_corners(corners, angles), [])
-            if corners is not None
-            else _from_images(images, cameras, board, square_mm, angles, progress)
+            (_from_corners(corners, angles), []) if corners is not None else _from_images(images, cameras, board, angles, progress)
         )
-        solution = solve(replace(problem, power=power, free_angles=free_angles))
+        solution = solve(replace(problem, power=power, free_angles=free_angles, closure_radius_mm=closure_radius_mm))
         document = axis_answer(solution, problem.frame) | {"rejected": rejected}
         if out is not None:
             write_json(out, {"schema_version": 1, **jsonable(document)})
@@ -73,13 +73,13 @@ def _from_corners(corners: Path, angles: Path | None) -> AxisProblem:
 
 
 def _from_images(
-    images: list[str] | None, cameras: Path | None, board: str | None, square_mm: float | None, angles: Path | None, progress: Progress
+    images: list[str] | None, cameras: Path | None, board: BoardChoice, angles: Path | None, progress: Progress
 ) -> tuple[AxisProblem, list[dict[str, Any]]]:
     from measureapp.calibrate.rotation_axis import problem_from_poses
     from measureapp.cli.calibrate.sightings import poses_from_images
     from measureapp.project.tables import read_angles
 
-    seen = poses_from_images(images, cameras, board, square_mm, "the rotation axis", progress)
+    seen = poses_from_images(images, cameras, board, "the rotation axis", progress)
     known: list[float | None] = [None] * seen.positions
     if angles is not None:
         given = list(read_angles(angles).values())
@@ -99,7 +99,34 @@ def axis_answer(solution: AxisSolution, frame: str) -> dict[str, Any]:
         "frame": frame,
         "positions": len(solution.best.angles_rad),
         "sweep_deg": math.degrees(solution.sweep_rad),
+        "diagnostics": _diagnostics(solution.diagnostics),
         "warnings": list(solution.warnings),
+    }
+
+
+def _diagnostics(diagnostics: AxisDiagnostics) -> dict[str, Any]:
+    import numpy as np
+
+    arcs, closure = diagnostics.arcs, diagnostics.closure
+    return {
+        "arcs": {
+            "radii_mm": arcs.radii_mm,
+            "lengths_mm": arcs.lengths_mm,
+            "centre_sigma_mm": arcs.centre_sigma_mm,
+            "corner_sigma_mm": arcs.point_sigma_mm,
+        },
+        "closure": {
+            "board_mm": closure.board_mm,
+            "positions_mm": closure.positions_mm,
+            "radius_mm": closure.radius_mm,
+            "at_radius_mm": closure.at_radius_mm,
+            "angles_were_read": closure.angles_were_read,
+        },
+        "wobble_deg": {"rms": math.degrees(np.sqrt(np.mean(closure.wobble_rad**2))), "positions": np.degrees(closure.wobble_rad)},
+        "angle_error_deg": {
+            "rms": math.degrees(np.sqrt(np.mean(closure.angle_error_rad**2))),
+            "positions": np.degrees(closure.angle_error_rad),
+        },
     }
 
 
@@ -135,6 +162,14 @@ def _lines(document: dict[str, Any]) -> list[str]:
                 f"  {name:<19} direction {direction} ± {deviations['direction_deg']:.4f}°, point {point} ± {deviations['point_mm']:.4f} mm, "
                 f"residual {entry['residuals']['rms_mm']:.4f} mm"
             )
+    closure, arcs = document["diagnostics"]["closure"], document["diagnostics"]["arcs"]
+    lines.append(
+        f"  turned back by the {'table' if closure['angles_were_read'] else 'estimated'} angles: {closure['board_mm']:.4f} mm at the board, "
+        f"{closure['at_radius_mm']:.4f} mm at radius {closure['radius_mm']:.0f} mm; wobble {document['diagnostics']['wobble_deg']['rms']:.4f}°"
+    )
+    lines.append(
+        f"  arcs of radius {min(arcs['radii_mm']):.1f} to {max(arcs['radii_mm']):.1f} mm, centres ± {max(arcs['centre_sigma_mm']):.4f} mm"
+    )
     lines += [f"  {name}: {reason}" for name, reason in document["refused"].items()]
     lines += [f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
     return lines + [f"  {warning}" for warning in document["warnings"]]

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from datetime import UTC, datetime
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.calibrate.options import BoardOption, ImagesOption, OutOption, SquareOption, board_of
+from measureapp.cli.calibrate.camera_quality import quality_answer, quality_lines, quality_of, serials_of, write_map
+from measureapp.cli.calibrate.options import NO_BOARD, BoardChoice, ImagesOption, OutOption, with_board
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 if TYPE_CHECKING:
     from measureapp.calibrate.camera_array import CameraArrayProblem, CameraArraySolution
-    from measureapp.data.board import CheckerboardDescription
+    from measureapp.data.board import BoardDescription
     from measureapp.progress import Progress
     from measureapp.project.board_images import BoardImages
 
@@ -21,35 +24,54 @@ def register(group: typer.Typer) -> None:
     """Add the command."""
 
     @group.command()
+    @with_board
     def cameras(
         images: ImagesOption = None,
-        board: BoardOption = None,
-        square_mm: SquareOption = None,
+        board: BoardChoice = NO_BOARD,
         out: OutOption = None,
         reference: Annotated[str | None, typer.Option(help="Reference camera; default: the first given.")] = None,
         distortion: Annotated[int, typer.Option(help="Distortion coefficients: 4, 5 or 8.")] = 5,
+        standoff_mm: Annotated[float | None, typer.Option(help="Distance at which parts are measured; default: that of the board.")] = None,
+        uncertainty_map: Annotated[Path | None, typer.Option(help="npz to write the uncertainty map to; a PNG goes beside it.")] = None,
+        corners_out: Annotated[Path | None, typer.Option(help="File for the corners found, to solve again without images.")] = None,
+        serial: Annotated[list[str] | None, typer.Option(help="Serial number of a camera: name=number; once per camera.")] = None,
+        temperature_c: Annotated[float | None, typer.Option(help="Temperature when the images were taken.")] = None,
+        valid_days: Annotated[float | None, typer.Option(help="Days after which the calibration expires.", min=0)] = None,
         as_json: JsonOption = False,
     ) -> None:
-        """Calibrate the lenses of all cameras and their places to each other."""
+        """Calibrate the lenses of all cameras and their places to each other, and say how far the result can be trusted."""
         from measureapp.calibrate.camera_array import solve
         from measureapp.progress import PartOf
         from measureapp.project.board_images import find_board_images
+        from measureapp.project.camera_file import write_cameras
+        from measureapp.project.camera_inputs import write_camera_inputs
 
-        description = board_of(board, square_mm)
+        description = board.description()
         files = find_board_images(images or ())
+        numbers = serials_of(serial or (), files.cameras)
         progress = TerminalProgress()
         problem = _problem(files, description, reference or files.cameras[0], distortion, PartOf(progress, 0.0, 0.6))
-        solution = _dated(solve(problem, PartOf(progress, 0.6, 1.0)), files)
+        solution = _dated(solve(problem, PartOf(progress, 0.6, 0.7)), files, numbers, temperature_c, valid_days)
+        quality = quality_of(problem, solution, standoff_mm, PartOf(progress, 0.7, 1.0))
+        written: dict[str, Path] = {}
+        if uncertainty_map is not None:
+            written |= write_map(uncertainty_map, quality)
+        if corners_out is not None:
+            write_camera_inputs(corners_out, problem)
+            written["corners"] = corners_out
         if out is not None:
-            from measureapp.project.camera_file import write_cameras
-
             write_cameras(out, solution.calibration)
-        document = cameras_answer(solution, files) | {"files": {"cameras": out} if out else {}}
-        reply(document, "\n".join(_lines(solution, document)), as_json)
+            written["cameras"] = out
+        document = cameras_answer(solution, files) | quality_answer(quality) | {"files": written}
+        reply(document, "\n".join([*_lines(solution, document), *quality_lines(quality), *_written(written)]), as_json)
 
 
-def _problem(files: BoardImages, board: CheckerboardDescription, reference: str, distortion: int, progress: Progress) -> CameraArrayProblem:
-    from measureapp.calibrate.board import detect
+def _written(files: Mapping[str, Path]) -> list[str]:
+    return [f"Written: {path}" for path in files.values()]
+
+
+def _problem(files: BoardImages, board: BoardDescription, reference: str, distortion: int, progress: Progress) -> CameraArrayProblem:
+    from measureapp.calibrate.board import find_board
     from measureapp.calibrate.camera_draft import CameraArrayDraft
     from measureapp.errors import CalibrationError
 
@@ -58,7 +80,8 @@ def _problem(files: BoardImages, board: CheckerboardDescription, reference: str,
     for done, (camera, position, image) in enumerate(files.each()):
         progress.report(done, total, f"board in {files.path(camera, position).name}")
         try:
-            draft.add(camera, _view(position), detect(image, board))
+            found = find_board(image, board)
+            draft.add(camera, _view(position), found.corners_px, found.ids)
         except CalibrationError as error:
             draft.reject(camera, _view(position), error.message.rstrip("."))
     return draft.problem()
@@ -68,8 +91,10 @@ def _view(position: int) -> str:
     return f"{position + 1:02d}"
 
 
-def _dated(solution: CameraArraySolution, files: BoardImages) -> CameraArraySolution:
-    """Return the solution with today's date and the checksums of its images."""
+def _dated(
+    solution: CameraArraySolution, files: BoardImages, serials: Mapping[str, str], temperature_c: float | None, valid_days: float | None
+) -> CameraArraySolution:
+    """Return the solution with today's date, the checksums of its images and the cameras' serial numbers."""
     import hashlib
     from dataclasses import replace
 
@@ -77,8 +102,11 @@ def _dated(solution: CameraArraySolution, files: BoardImages) -> CameraArraySolu
         solution.calibration.provenance,
         created=datetime.now(UTC).isoformat(timespec="seconds"),
         inputs={path.name: hashlib.sha256(path.read_bytes()).hexdigest() for paths in files.files.values() for path in paths},
+        temperature_c=temperature_c,
+        valid_days=valid_days,
     )
-    return replace(solution, calibration=replace(solution.calibration, provenance=provenance))
+    cameras = {name: replace(camera, serial=serials.get(name, "")) for name, camera in solution.calibration.cameras.items()}
+    return replace(solution, calibration=replace(solution.calibration, cameras=cameras, provenance=provenance))
 
 
 def cameras_answer(solution: CameraArraySolution, files: BoardImages) -> dict[str, Any]:
@@ -89,6 +117,7 @@ def cameras_answer(solution: CameraArraySolution, files: BoardImages) -> dict[st
         "rms_px": {name: camera.rms_px for name, camera in calibration.cameras.items()} | dict(calibration.pair_rms_px),
         "joint_rms_px": solution.joint_rms_px,
         "corner_sigma_px": solution.sigma_px,
+        "corner_sigmas_px": dict(solution.sigmas_px),
         "cameras": {name: _parameters(solution, name) for name in calibration.names},
         "pairs": _pairs(solution),
         "loops": [{"cameras": loop.cameras, "angle_deg": loop.angle_deg, "distance_mm": loop.distance_mm} for loop in solution.loops],
@@ -98,6 +127,17 @@ def cameras_answer(solution: CameraArraySolution, files: BoardImages) -> dict[st
         ],
         "rejected": [
             {"camera": one.camera, "view": one.view, "image": _image(files, one), "reason": one.reason} for one in solution.rejected
+        ],
+        "rejected_corners": [
+            {
+                "camera": one.camera,
+                "view": one.view,
+                "image": _image(files, one),
+                "corner": one.corner,
+                "distance_px": one.distance_px,
+                "reason": one.reason,
+            }
+            for one in solution.rejected_corners
         ],
     }
 
@@ -160,4 +200,7 @@ def _lines(solution: CameraArraySolution, document: dict[str, Any]) -> list[str]
     for loop in document["loops"]:
         lines.append(f"  loop {' → '.join(loop['cameras'])}: {loop['angle_deg']:.4f}°, {loop['distance_mm']:.3f} mm")
     lines += [f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
-    return lines + [f"Written: {path}" for path in document["files"].values()]
+    lines += [
+        f"  corner {one['corner']} left out: {one['image']} ({one['camera']}): it {one['reason']}" for one in document["rejected_corners"]
+    ]
+    return lines

@@ -10,14 +10,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from measureapp.cli.calibrate.options import (
-    BoardOption,
+    NO_BOARD,
+    BoardChoice,
     BoardPosesOption,
     CamerasOption,
     ImagesOption,
     OutOption,
     RobotPosesOption,
-    SquareOption,
+    with_board,
 )
+from measureapp.cli.calibrate.pose_options import GuidePositionsOption
 from measureapp.cli.reply import JsonOption, TerminalProgress, jsonable, reply
 from measureapp.errors import InputError, MeasureError
 
@@ -30,15 +32,15 @@ def register(group: typer.Typer) -> None:
     """Add the command."""
 
     @group.command()
+    @with_board
     def guide(
         robot_poses: RobotPosesOption,
-        guide_positions: Annotated[Path, typer.Option(help="Slide positions: name,position_mm.")],
+        guide_positions: GuidePositionsOption,
         hand_eye: Annotated[Path, typer.Option(help="What `calibrate hand-eye --out` wrote, or a pose table of one pose.")],
         board_poses: BoardPosesOption = None,
         images: ImagesOption = None,
         cameras: CamerasOption = None,
-        board: BoardOption = None,
-        square_mm: SquareOption = None,
+        board: BoardChoice = NO_BOARD,
         out: OutOption = None,
         as_json: JsonOption = False,
     ) -> None:
@@ -50,7 +52,7 @@ def register(group: typer.Typer) -> None:
 
         robot, slide = read_robot_poses(robot_poses), read_guide(guide_positions)
         same_names(guide_positions, tuple(robot), tuple(slide))
-        boards, rejected = named_board_poses(tuple(robot), board_poses, images, cameras, board, square_mm, (1.0, 1.0), TerminalProgress())
+        boards, rejected = named_board_poses(tuple(robot), board_poses, images, cameras, board, (1.0, 1.0), TerminalProgress())
         names = [name for name in robot if name in boards]
         observations = tuple(GuideObservation(robot[name], slide[name], boards[name].camera_from_board) for name in names)
         solution = solve(GuideProblem(observations, read_hand_eye(hand_eye)))
@@ -94,8 +96,16 @@ def guide_answer(solution: GuideSolution, names: list[str]) -> dict[str, Any]:
         "standard_deviations": {"direction_deg": math.degrees(fitted.direction_sigma_rad), "scale": fitted.scale_sigma},
         "straightness_mm": {"rms": fitted.straightness_mm, "max": float(solution.straightness_mm.max())},
         "positions": [
-            {"name": name, "straightness_mm": float(aside), "along_mm": float(along), "turn_deg": math.degrees(turn)}
-            for name, aside, along, turn in zip(names, solution.straightness_mm, solution.along_mm, solution.turn_rad, strict=True)
+            {
+                "name": name,
+                "straightness_mm": float(aside),
+                "along_mm": float(along),
+                "turn_deg": math.degrees(turn),
+                "paper_error_mm": float(paper),
+            }
+            for name, aside, along, turn, paper in zip(
+                names, solution.straightness_mm, solution.along_mm, solution.turn_rad, solution.paper_mm, strict=True
+            )
         ],
         "turn_deg": math.degrees(float(solution.turn_rad.max())),
         "stroke_mm": solution.stroke_mm,

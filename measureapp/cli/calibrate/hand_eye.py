@@ -8,14 +8,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from measureapp.cli.calibrate.options import (
-    BoardOption,
+    NO_BOARD,
+    BoardChoice,
     BoardPosesOption,
     CamerasOption,
     ImagesOption,
     OutOption,
     RobotPosesOption,
-    SquareOption,
+    with_board,
 )
+from measureapp.cli.calibrate.pose_options import RobotAlikeMm, RobotRepeatMm, RobotSigmaDeg, RobotSigmaMm
 from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.cli.reply import JsonOption, TerminalProgress, jsonable, reply
 
@@ -27,32 +29,34 @@ def register(group: typer.Typer) -> None:
     """Add the command."""
 
     @group.command("hand-eye")
+    @with_board
     def hand_eye(
         robot_poses: RobotPosesOption,
         board_poses: BoardPosesOption = None,
         images: ImagesOption = None,
         cameras: CamerasOption = None,
-        board: BoardOption = None,
-        square_mm: SquareOption = None,
-        robot_sigma_mm: Annotated[float, typer.Option(min=1e-6, help="Standard deviation of robot positions, mm.")] = 0.3,
-        robot_sigma_deg: Annotated[float, typer.Option(min=1e-6, help="Standard deviation of robot rotations, degrees.")] = 0.02,
+        board: BoardChoice = NO_BOARD,
+        robot_sigma_mm: RobotSigmaMm = 0.2,
+        robot_sigma_deg: RobotSigmaDeg = 0.012,
+        robot_repeat_mm: RobotRepeatMm = 0.01,
+        robot_alike_mm: RobotAlikeMm = 300.0,
         board_sigma_mm: Annotated[float, typer.Option(min=1e-6, help="The same of the board poses of a table, mm.")] = 0.05,
         board_sigma_deg: Annotated[float, typer.Option(min=1e-6, help="The same of the board poses of a table, degrees.")] = 0.01,
         out: OutOption = None,
         as_json: JsonOption = False,
     ) -> None:
-        """Find flange_from_camera by five methods, then refine it jointly."""
-        from measureapp.calibrate.chain import AxisNoise
+        """Find flange_from_camera by seven methods, then refine it jointly."""
         from measureapp.calibrate.hand_eye import HandEyeProblem, solve
+        from measureapp.cli.calibrate.pose_options import axis_noise
         from measureapp.cli.calibrate.sightings import named_board_poses, read_robot_poses
         from measureapp.project.atomic import write_json
 
         robot = read_robot_poses(robot_poses)
         noise = (board_sigma_mm, board_sigma_deg)
-        boards, rejected = named_board_poses(tuple(robot), board_poses, images, cameras, board, square_mm, noise, TerminalProgress())
+        boards, rejected = named_board_poses(tuple(robot), board_poses, images, cameras, board, noise, TerminalProgress())
         names = [name for name in robot if name in boards]
-        axis_noise = AxisNoise(robot_sigma_mm, math.radians(robot_sigma_deg))
-        solution = solve(HandEyeProblem(tuple(robot[name] for name in names), tuple(boards[name] for name in names), axis_noise))
+        expected = axis_noise(robot_sigma_mm, robot_sigma_deg, robot_repeat_mm, robot_alike_mm)
+        solution = solve(HandEyeProblem(tuple(robot[name] for name in names), tuple(boards[name] for name in names), expected))
         document = hand_eye_answer(solution, names) | {"rejected": rejected}
         if out is not None:
             write_json(
@@ -73,10 +77,12 @@ def hand_eye_answer(solution: HandEyeSolution, names: list[str]) -> dict[str, An
         "refined": _estimate(refined) | {"standard_deviations": dict(solution.standard_deviations)},
         "base_from_board": solution.base_from_board.matrix,
         "poses": [
-            {"name": name, "residual_mm": float(length), "residual_deg": math.degrees(angle)}
-            for name, length, angle in zip(names, refined.residual_mm, refined.residual_rad, strict=True)
+            {"name": name, "residual_mm": float(length), "residual_deg": math.degrees(angle), "influence_mm": float(influence)}
+            for name, length, angle, influence in zip(names, refined.residual_mm, refined.residual_rad, solution.influence_mm, strict=True)
         ],
         "spread_of_methods_mm": solution.spread_mm,
+        "spread_at_part_mm": solution.spread_at_part_mm,
+        "part_in_camera_mm": solution.part_in_camera_mm,
         "degeneracy": {
             "axis_spread_deg": degeneracy.axis_spread_deg,
             "largest_angle_deg": degeneracy.largest_angle_deg,
@@ -106,6 +112,11 @@ def _lines(document: dict[str, Any]) -> list[str]:
         )
     deviations = document["refined"]["standard_deviations"]
     lines.append("  ± " + " ".join(f"{deviations[f'{axis}_mm']:.3f}" for axis in "xyz") + " mm (refined)")
+    strongest = max(document["poses"], key=lambda pose: pose["influence_mm"])
+    lines.append(
+        f"  methods differ by {document['spread_at_part_mm']:.3f} mm at the part; leaving out {strongest['name']} "
+        f"would move it by {strongest['influence_mm']:.3f} mm, every other pose less"
+    )
     lines += [f"  {name}: {reason}" for name, reason in document["refused"].items()]
     lines += [f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
     return [*lines, f"  motions: {document['degeneracy']['verdict']}, {document['degeneracy']['axis_spread_deg']:.1f}° from parallel"]

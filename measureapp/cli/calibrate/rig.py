@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
-import math
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.calibrate.options import BoardOption, CamerasOption, ImagesOption, OutOption, RobotPosesOption, SquareOption
+from measureapp.cli.calibrate.options import NO_BOARD, BoardChoice, CamerasOption, ImagesOption, OutOption, RobotPosesOption, with_board
+from measureapp.cli.calibrate.pose_options import (
+    AnglesOption,
+    GuidePositionsOption,
+    RobotAlikeMm,
+    RobotRepeatMm,
+    RobotSigmaDeg,
+    RobotSigmaMm,
+)
 from measureapp.cli.reply import JsonOption, TerminalProgress, jsonable, reply
-from measureapp.errors import InputError
 
 if TYPE_CHECKING:
-    from measureapp.calibrate.joint import RigSolution
+    from measureapp.calibrate.joint_solution import RigSolution
     from measureapp.calibrate.rig import RigStages
 
 
@@ -21,40 +26,30 @@ def register(group: typer.Typer) -> None:
     """Add the command."""
 
     @group.command()
+    @with_board
     def rig(
         robot_poses: RobotPosesOption,
-        guide_positions: Annotated[Path, typer.Option(help="Slide positions: name,position_mm.")],
-        angles: Annotated[Path, typer.Option(help="Table angles: position,angle_deg, in the order of the sorted robot pose names.")],
+        guide_positions: GuidePositionsOption,
+        angles: AnglesOption,
         images: ImagesOption = None,
         cameras: CamerasOption = None,
-        board: BoardOption = None,
-        square_mm: SquareOption = None,
-        robot_sigma_mm: Annotated[float, typer.Option(min=1e-6, help="Standard deviation of robot positions, mm.")] = 0.3,
-        robot_sigma_deg: Annotated[float, typer.Option(min=1e-6, help="Standard deviation of robot rotations, degrees.")] = 0.02,
+        board: BoardChoice = NO_BOARD,
+        robot_sigma_mm: RobotSigmaMm = 0.2,
+        robot_sigma_deg: RobotSigmaDeg = 0.012,
+        robot_repeat_mm: RobotRepeatMm = 0.01,
+        robot_alike_mm: RobotAlikeMm = 300.0,
         table_sigma_arcsec: Annotated[float, typer.Option(min=1e-6, help="Standard deviation of table angles, seconds of arc.")] = 10.0,
         out: OutOption = None,
         as_json: JsonOption = False,
     ) -> None:
         """Find hand-eye transform, guide and rotation axis together from images of one board fixed on the table."""
-        from measureapp.calibrate.chain import AxisNoise
-        from measureapp.calibrate.joint import RigObservation, solve_rig
-        from measureapp.cli.calibrate.sightings import poses_from_images, read_robot_poses, same_names
-        from measureapp.data.fringe import AxisReadback
+        from measureapp.calibrate.joint import solve_rig
+        from measureapp.cli.calibrate.pose_options import axis_noise, rig_sightings
         from measureapp.project.atomic import write_json
-        from measureapp.project.tables import read_angles, read_guide
 
-        robot, slide, table = read_robot_poses(robot_poses), read_guide(guide_positions), list(read_angles(angles).values())
-        names = tuple(robot)
-        same_names(guide_positions, names, tuple(slide))
-        seen = poses_from_images(images, cameras, board, square_mm, "the calibration of the rig", TerminalProgress())
-        for what, count in (("images per camera", seen.positions), ("table angles", len(table))):
-            if count != len(names):
-                raise InputError(f"{count} {what} do not belong to {len(names)} robot poses.", "Give one of each per robot pose.")
-        observations = [
-            RigObservation(names[position], AxisReadback(robot[names[position]], slide[names[position]], table[position]), pose)
-            for position, pose in seen.poses.items()
-        ]
-        noise = AxisNoise(robot_sigma_mm, math.radians(robot_sigma_deg), math.radians(table_sigma_arcsec / 3600))
+        tables = (robot_poses, guide_positions, angles)
+        observations, seen = rig_sightings(tables, images, cameras, board, "the calibration of the rig", TerminalProgress())
+        noise = axis_noise(robot_sigma_mm, robot_sigma_deg, robot_repeat_mm, robot_alike_mm, table_sigma_arcsec)
         solution = solve_rig(observations, seen.cameras, noise=noise, progress=TerminalProgress())
         document = rig_answer(solution) | {"images_rejected": seen.rejected}
         if out is not None:
@@ -71,7 +66,14 @@ def rig_answer(solution: RigSolution) -> dict[str, Any]:
         "parameters": list(solution.parameters),
         "covariance": solution.covariance,
         "sigma_ratio": solution.sigma_ratio,
+        "paper_cost_mm": solution.paper_cost_mm,
         "not_observable": list(solution.not_observable),
+        "warnings": list(solution.warnings),
+        "weak_directions": [
+            {"sentence": one.sentence, "sigma_mm": one.sigma_mm, "parameters": dict(zip(one.parameters, one.shares, strict=True))}
+            for one in solution.weak_directions
+        ],
+        "stations": [{"read": one.read.matrix, "true": one.true.matrix} for one in solution.calibration.stations],
         "sightings": [
             {
                 "name": one.name,
@@ -97,6 +99,11 @@ def _parts(solved: Any | RigStages) -> dict[str, Any]:
 def _lines(document: dict[str, Any]) -> list[str]:
     lines = [f"Rig from {len(document['sightings'])} sightings; residuals {document['sigma_ratio']:.2f} times what was expected."]
     lines += [f"  {name:<28} ± {value:.3g}" for name, value in document["standard_deviations"].items()]
+    lines.append(
+        f"  a guide taken to run along +Y with scale 1 would have cost {document['paper_cost_mm']:.3f} mm over the travel of these views"
+    )
+    lines += [f"  {one['sentence']}" for one in document["weak_directions"]]
+    lines += [f"  {warning}" for warning in document["warnings"]]
     lines += [f"  cannot be seen: {what}" for what in document["not_observable"]]
     lines += [f"  left out: {name}: {reason}" for name, reason in document["rejected"].items()]
     return lines + [f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["images_rejected"]]

@@ -10,10 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from measureapp.calibrate.board import detect, require_unambiguous
+from measureapp.calibrate.board import find_board, require_unambiguous
 from measureapp.calibrate.board_pose import BoardPose, board_pose, stated_pose
-from measureapp.cli.calibrate.options import board_of
-from measureapp.data.board import CheckerboardDescription
+from measureapp.calibrate.sightings import FoundBoard
+from measureapp.cli.calibrate.options import BoardChoice
+from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.errors import CalibrationError, InputError
 from measureapp.geometry.transform import RigidTransform
@@ -29,7 +30,7 @@ LEAST_CORNER_SIGMA_PX = 0.02
 class PosesFromImages:
     """Board poses by position; a position without a board is missing."""
 
-    board: CheckerboardDescription
+    board: BoardDescription
     cameras: CameraArrayCalibration
     positions: int
     poses: dict[int, BoardPose]
@@ -37,7 +38,7 @@ class PosesFromImages:
 
 
 def poses_from_images(
-    images: Sequence[str] | None, cameras: Path | None, board: str | None, square_mm: float | None, purpose: str, progress: Progress
+    images: Sequence[str] | None, cameras: Path | None, board: BoardChoice, purpose: str, progress: Progress
 ) -> PosesFromImages:
     """Find the board in all images and its pose at every position; the noise of the corners is that of all residuals.
 
@@ -50,7 +51,7 @@ def poses_from_images(
     """
     if cameras is None:
         raise InputError("--images need --cameras.", "Calibrate the cameras first: `measureapp calibrate cameras`.")
-    description = board_of(board, square_mm)
+    description = board.description()
     require_unambiguous(description, purpose)
     array = read_cameras(cameras)
     files = find_board_images(images or ())
@@ -58,14 +59,14 @@ def poses_from_images(
     if unknown:
         raise InputError(f"{cameras} has no camera {unknown[0]!r}.", "It has: " + ", ".join(array.cameras) + ".")
     found, rejected = _corners(files, array, description, progress)
-    poses = {position: board_pose(corners, array, description) for position, corners in sorted(found.items())}
+    poses = {position: _pose(seen, array, description) for position, seen in sorted(found.items())}
     return PosesFromImages(description, array, files.positions, _with_seen_noise(poses), rejected)
 
 
 def _corners(
-    files: BoardImages, array: CameraArrayCalibration, board: CheckerboardDescription, progress: Progress
-) -> tuple[dict[int, dict[str, Any]], list[dict[str, Any]]]:
-    found: dict[int, dict[str, Any]] = {}
+    files: BoardImages, array: CameraArrayCalibration, board: BoardDescription, progress: Progress
+) -> tuple[dict[int, dict[str, FoundBoard]], list[dict[str, Any]]]:
+    found: dict[int, dict[str, FoundBoard]] = {}
     rejected = []
     total = len(files.cameras) * files.positions
     for done, (camera, position, image) in enumerate(files.each()):
@@ -78,11 +79,16 @@ def _corners(
                 "Use the calibration of the camera that took the images.",
             )
         try:
-            found.setdefault(position, {})[camera] = detect(image, board)
+            found.setdefault(position, {})[camera] = find_board(image, board)
         except CalibrationError as error:
             rejected.append({"camera": camera, "position": position, "image": path, "reason": error.message})
     progress.report(total, total)
     return {position: corners for position, corners in found.items() if corners}, rejected
+
+
+def _pose(seen: dict[str, FoundBoard], array: CameraArrayCalibration, board: BoardDescription) -> BoardPose:
+    corners = {camera: found.corners_px for camera, found in seen.items()}
+    return board_pose(corners, array, board, ids={camera: found.ids for camera, found in seen.items()})
 
 
 def _with_seen_noise(poses: dict[int, BoardPose]) -> dict[int, BoardPose]:
@@ -98,8 +104,7 @@ def named_board_poses(
     board_poses: Path | None,
     images: Sequence[str] | None,
     cameras: Path | None,
-    board: str | None,
-    square_mm: float | None,
+    board: BoardChoice,
     noise: tuple[float, float],
     progress: Progress,
 ) -> tuple[dict[str, BoardPose], list[dict[str, Any]]]:
@@ -119,7 +124,7 @@ def named_board_poses(
         require_millimetres(board_poses, table)
         same_names(board_poses, names, tuple(table))
         return {name: stated_pose(table[name], math.radians(noise[1]), noise[0]) for name in names}, []
-    seen = poses_from_images(images, cameras, board, square_mm, "this calibration", progress)
+    seen = poses_from_images(images, cameras, board, "this calibration", progress)
     if seen.positions != len(names):
         raise InputError(f"{seen.positions} images do not belong to {len(names)} robot poses.", "Give one image per camera and robot pose.")
     return {names[position]: pose for position, pose in seen.poses.items()}, seen.rejected

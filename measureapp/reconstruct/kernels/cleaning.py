@@ -1,96 +1,306 @@
-"""Compiled loops over a depth map: local planes and islands."""
+"""Compiled loops over a depth map: local planes, islands, and the points that are left.
+
+Inverse depths are used, on a plane they are linear in the image; ``inverse`` (H + 2r, W + 2r) has a border of zeros, and zeros where
+there is no point. Loops over arithmetic alone run on one scratch array at constant offsets, in SIMD instructions.
+"""
 # One loop over pixels cannot be cut into functions without leaving SIMD code.
-# ruff: noqa: PLR0915
+# ruff: noqa: PLR0912, PLR0915
 
 from __future__ import annotations
 
 from typing import Any
 
 import numpy as np
-from numba import njit
+from numba import carray, njit
+
+from measureapp.data.point_state import PointState
+from measureapp.reconstruct.kernels.scratch import stack_float32
+
+CHUNK = 128
+(INV, Z, FAR_H, FAR_R, WORST, N, SX, SY, SXX, SXY, SYY, SW, SWX, SWY) = (k * CHUNK for k in range(14))
+(NX, NY, NZ, COSINE, OFF, FITTED, ROW_X, ROW_Y, OWN, CODE, FITS, WU, WV) = (k * CHUNK for k in range(14, 27))
+SCRATCH = 27 * CHUNK
+ZERO, HALF, ONE, FOUR = np.float32(0), np.float32(0.5), np.float32(1), np.float32(4)
+THIN = np.float32(1e-6)
+SIGMAS = np.float32(8.0)
+WHOLE = np.float32(25)  # places of a window
+TINY = np.float32(1e-12)
+UNCERTAIN, FLYING, OUTLIER, GRAZING, PARTNER_GRAZING, ISLAND = (
+    np.uint8(state)
+    for state in (
+        PointState.UNCERTAIN,
+        PointState.FLYING,
+        PointState.OUTLIER,
+        PointState.GRAZING,
+        PointState.PARTNER_GRAZING,
+        PointState.ISLAND,
+    )
+)
+ALONE, BY_PLANE, BY_CAMERA, BY_PARTNER = (np.float32(state) for state in (FLYING, OUTLIER, GRAZING, PARTNER_GRAZING))
 
 
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
-def fit_planes(
-    rays: Any,
-    depth: Any,  # (H, W) float32, 0 for none
+def invert(depth: Any, sigma: Any, max_sigma: Any, border: int, row_start: int, row_stop: int, inverse: Any, fate: Any) -> None:
+    """Fill ``inverse`` with the points that are certain enough."""
+    width = depth.shape[1]
+    for y in range(row_start, row_stop):
+        z_row, s_row, fate_row = depth[y], sigma[y], fate[y]
+        out = inverse[y + border, border : border + width]
+        for x in range(width):
+            out[x] = ONE / z_row[x] if (z_row[x] > ZERO) & (s_row[x] <= max_sigma) else ZERO
+        for x in range(width):
+            fate_row[x] = UNCERTAIN if (z_row[x] > ZERO) & (s_row[x] > max_sigma) else fate_row[x]
+
+
+@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
+def cubic(c: Any, s: Any, t: Any) -> Any:
+    """Return the value of a cubic polynomial of two variables."""
+    return c[0] + s * (c[1] + s * (c[3] + s * c[6])) + t * (c[2] + s * (c[4] + s * c[7]) + t * (c[5] + s * c[8] + t * c[9]))
+
+
+@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
+def five(inverse: Any, row: int, start: int, half: int, border: int, n: int) -> Any:
+    """Return n pixels of a row from ``start`` on, and those ±half and ±border beside them."""
+    a, b, e, f = start - border, start - half, start + half, start + border
+    return (
+        inverse[row, a : a + n],
+        inverse[row, b : b + n],
+        inverse[row, start : start + n],
+        inverse[row, e : e + n],
+        inverse[row, f : f + n],
+    )
+
+
+@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
+def sum_whole(s: Any, inverse: Any, row: int, start: int, half: int, border: int, n: int) -> None:
+    """Sum the windows of n pixels as if all their places lay on one surface, and note in WORST by how much one does not."""
+    h, r = np.float32(half), np.float32(border)
+    for k in range(5):
+        dv = (k - 2) // 2 * border if k in (0, 4) else (k - 2) * half
+        d = np.float32(dv)
+        outer = k in (0, 4)
+        la, lb, lc, le, lf = five(inverse, row + dv, start, half, border, n)
+        for i in range(n):
+            inv, far_r = s[INV + i], s[FAR_R + i]
+            far_h = far_r if outer else s[FAR_H + i]
+            a, b, c, e, f = la[i] - inv, lb[i] - inv, lc[i] - inv, le[i] - inv, lf[i] - inv
+            wide = max(abs(a), abs(f))
+            near = max(max(abs(b), abs(c)), abs(e))  # noqa: PLW3301
+            s[WORST + i] = max(max(wide - far_r, near - far_h), s[WORST + i])  # noqa: PLW3301
+            w = a + b + c + e + f
+            s[SW + i] += w
+            s[SWX + i] += r * (f - a) + h * (e - b)
+            s[SWY + i] += d * w
+
+
+@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
+def sum_torn(s: Any, inverse: Any, row: int, start: int, half: int, border: int, n: int) -> None:
+    """Sum the windows of n pixels over those places that lie on the surface of the pixel."""
+    h, r = np.float32(half), np.float32(border)
+    for i in range(n):
+        s[N + i], s[SX + i], s[SY + i] = ZERO, ZERO, ZERO
+        s[SXX + i], s[SXY + i], s[SYY + i] = ZERO, ZERO, ZERO
+        s[SW + i], s[SWX + i], s[SWY + i] = ZERO, ZERO, ZERO
+    for k in range(5):
+        dv = (k - 2) // 2 * border if k in (0, 4) else (k - 2) * half
+        d = np.float32(dv)
+        outer = k in (0, 4)
+        la, lb, lc, le, lf = five(inverse, row + dv, start, half, border, n)
+        for i in range(n):
+            inv, far_r = s[INV + i], s[FAR_R + i]
+            far_h = far_r if outer else s[FAR_H + i]
+            a, b, c, e, f = la[i] - inv, lb[i] - inv, lc[i] - inv, le[i] - inv, lf[i] - inv
+            ma = ONE if abs(a) <= far_r else ZERO
+            mb = ONE if abs(b) <= far_h else ZERO
+            mc = ONE if abs(c) <= far_h else ZERO
+            me = ONE if abs(e) <= far_h else ZERO
+            mf = ONE if abs(f) <= far_r else ZERO
+            a, b, c, e, f = ma * a, mb * b, mc * c, me * e, mf * f
+            count = ma + mb + mc + me + mf
+            x = r * (mf - ma) + h * (me - mb)
+            w = a + b + c + e + f
+            s[N + i] += count
+            s[SX + i] += x
+            s[SY + i] += d * count
+            s[SXX + i] += r * r * (mf + ma) + h * h * (me + mb)
+            s[SXY + i] += d * x
+            s[SYY + i] += d * d * count
+            s[SW + i] += w
+            s[SWX + i] += r * (f - a) + h * (e - b)
+            s[SWY + i] += d * w
+
+
+@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
+def planes_of_chunk(
+    s: Any, inverse: Any, sigma: Any, rays: Any, to_rays: Any, to_unit: Any, per_px: Any, border: Any, y: int, first: int, n: int
+) -> bool:
+    """Fit planes to the windows of n pixels of a row: leaves the normal, its cosine to the ray, the distance to the plane in ``s``.
+
+    Windows that no border and no depth step crosses, most of all, have the same places: only their values are summed. False: no points.
+    """
+    half = max(1, border // 2)
+    h, r = np.float32(half), np.float32(border)
+    u0, per_u, v0, per_v = to_unit
+    x_u, x_v, y_u, y_v = to_rays
+    start = border + first
+    middle = inverse[y + border, start : start + n]
+    noise = sigma[y, first : first + n]
+    highest = ZERO
+    for i in range(n):
+        highest = max(highest, middle[i])
+    if highest == ZERO:
+        return False
+    whole_xx = np.float32(5) * (r * r + r * r + h * h + h * h)
+    for i in range(n):
+        inv = middle[i]
+        slack = SIGMAS * noise[i] * inv * inv
+        s[INV + i] = inv
+        s[OWN + i] = noise[i]
+        s[Z + i] = ONE / max(inv, TINY)
+        s[FAR_H + i] = min(h * per_px * inv + slack, HALF * inv)
+        s[FAR_R + i] = min(r * per_px * inv + slack, HALF * inv)
+        s[WORST + i] = ZERO
+        s[N + i], s[SX + i], s[SY + i] = WHOLE, ZERO, ZERO
+        s[SXX + i], s[SXY + i], s[SYY + i] = whole_xx, ZERO, whole_xx
+        s[SW + i], s[SWX + i], s[SWY + i] = ZERO, ZERO, ZERO
+    sum_whole(s, inverse, y + border, start, half, border, n)
+    worst = ZERO
+    for i in range(n):
+        worst = max(worst, s[WORST + i])
+    if worst > ZERO:
+        sum_torn(s, inverse, y + border, start, half, border, n)
+    ray = rays[y].ravel()[2 * first : 2 * (first + n)]
+    t = (np.float32(y) - v0) * per_v
+    for i in range(n):
+        z = s[Z + i]
+        count = max(s[N + i], ONE)
+        share = ONE / count
+        sx, sy, sw = s[SX + i], s[SY + i], s[SW + i] * z
+        cxx, cxy, cyy = s[SXX + i] - sx * sx * share, s[SXY + i] - sx * sy * share, s[SYY + i] - sy * sy * share
+        cwx, cwy = s[SWX + i] * z - sw * sx * share, s[SWY + i] * z - sw * sy * share
+        determinant = cxx * cyy - cxy * cxy
+        enough = ONE if s[N + i] >= FOUR else ZERO
+        spans = ONE if determinant > THIN * (cxx + cyy) * (cxx + cyy) else ZERO
+        fits = enough * spans
+        over = fits / max(determinant, TINY)
+        wu, wv = (cwx * cyy - cwy * cxy) * over, (cwy * cxx - cwx * cxy) * over
+        s[FITS + i], s[WU + i], s[WV + i] = fits, wu, wv
+        s[OFF + i] = fits * (sw - wu * sx - wv * sy) * share
+        s[FITTED + i] = (s[N + i] - ONE) * max(fits, ONE - enough)
+    for i in range(n):
+        us = (np.float32(np.int32(first + i)) - u0) * per_u
+        a, b, c, d = cubic(x_u, us, t), cubic(x_v, us, t), cubic(y_u, us, t), cubic(y_v, us, t)
+        wu, wv, off, fits = s[WU + i], s[WV + i], s[OFF + i], s[FITS + i]
+        per_area = ONE / (a * d - b * c)
+        p, q = (wu * d - wv * c) * per_area, (wv * a - wu * b) * per_area
+        x, y0 = ray[2 * i], ray[2 * i + 1]
+        ahead = ONE + off
+        w = ahead - p * x - q * y0
+        length = ONE / np.sqrt(p * p + q * q + w * w)
+        towards = ONE / np.sqrt(ONE + x * x + y0 * y0)
+        sign = (-length if ahead > ZERO else length) * fits
+        own = (ONE - fits) * towards
+        s[ROW_X + i], s[ROW_Y + i] = x, y0
+        s[NX + i] = sign * p - own * x
+        s[NY + i] = sign * q - own * y0
+        s[NZ + i] = sign * w - own
+        s[COSINE + i] = fits * abs(ahead) * length * towards + ONE - fits
+        s[OFF + i] = off * s[Z + i]
+    return True
+
+
+@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+def judge(
+    inverse: Any,
     sigma: Any,  # (H, W) float32, of the depth
-    spacing: Any,  # pixel spacing on the plane z = 1
-    steepest: Any,  # tangent of the largest incidence
-    radius: int,
-    stride: int,
+    rays: Any,
+    to_rays: Any,  # four cubic polynomials: ∂x/∂u, ∂x/∂v, ∂y/∂u, ∂y/∂v of `rays`
+    to_unit: Any,
+    per_px: Any,  # float32, largest depth step between neighbours of one surface, as a share of the depth
+    border: int,  # radius of the window
+    limits: Any,  # (least neighbours, outlier sigmas, outlier share of the depth, least cosine, least cosine for a partner), float32
+    centres: Any,  # (M, 3) float32, of the other cameras
+    bits: Any,  # (H, W) uint8, which of them take part
     row_start: int,
     row_stop: int,
-    normals: Any,  # out (H, W, 3) float32, unit, towards the camera
-    residual: Any,  # out (H, W) float32, depth minus that of the local plane
-    neighbours: Any,  # out (H, W) uint8
+    fate: Any,  # in and out (H, W) uint8 of PointState
 ) -> None:
-    """Fit a plane to the window of every point; on a plane the inverse depth is linear in the normalised coordinates."""
-    height, width = depth.shape
+    """Give points that cannot be trusted the first reason that applies, from the plane through the window of each."""
+    width = sigma.shape[1]
+    least, sigmas, edge, cosine, partner_cosine = limits
+    partner2 = partner_cosine * partner_cosine
+    s = carray(stack_float32(SCRATCH), SCRATCH)
     for y in range(row_start, row_stop):
+        for first in range(0, width, CHUNK):
+            n = min(CHUNK, width - first)
+            if not planes_of_chunk(s, inverse, sigma, rays, to_rays, to_unit, per_px, border, y, first, n):
+                continue
+            taking, verdict = bits[y, first : first + n], fate[y, first : first + n]
+            for i in range(n):
+                s[CODE + i] = ZERO
+            for c in range(len(centres)):
+                c0, c1, c2 = centres[c, 0], centres[c, 1], centres[c, 2]
+                for i in range(n):
+                    z = s[Z + i]
+                    dx, dy, dz = c0 - s[ROW_X + i] * z, c1 - s[ROW_Y + i] * z, c2 - z
+                    along = s[NX + i] * dx + s[NY + i] * dy + s[NZ + i] * dz
+                    grazes = (along < ZERO) | (along * along < partner2 * (dx * dx + dy * dy + dz * dz))
+                    part = ((np.int32(taking[i]) >> np.int32(c)) & np.int32(1)) != 0
+                    s[CODE + i] = BY_PARTNER if grazes & part else s[CODE + i]
+            for i in range(n):
+                code = BY_CAMERA if s[COSINE + i] < cosine else s[CODE + i]
+                code = BY_PLANE if abs(s[OFF + i]) * s[COSINE + i] > sigmas * s[OWN + i] + edge * s[Z + i] else code
+                code = ALONE if s[FITTED + i] < least else code
+                s[CODE + i] = code if s[INV + i] > ZERO else ZERO
+            for i in range(n):
+                code = np.int32(s[CODE + i])
+                verdict[i] = np.uint8(code) if code != 0 else verdict[i]
+
+
+@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+def find_runs(
+    inverse: Any,
+    sigma: Any,
+    fate: Any,
+    per_px: Any,
+    border: int,
+    row_start: int,
+    row_stop: int,
+    starts: Any,  # out (H, W) int16
+    stops: Any,  # out
+    counts: Any,  # out (H,) int32
+) -> None:
+    """Take rejected points out of ``inverse`` and find the runs of points of every row without a depth step."""
+    width = sigma.shape[1]
+    linked = np.zeros(width + 1, np.uint8)
+    for y in range(row_start, row_stop):
+        inv, noise, judged = inverse[y + border, border : border + width], sigma[y], fate[y]
         for x in range(width):
-            neighbours[y, x] = 0
-            residual[y, x] = 0
-            normals[y, x, 0] = 0
-            normals[y, x, 1] = 0
-            normals[y, x, 2] = -1
-            z = depth[y, x]
-            if z <= 0:
+            inv[x] = inv[x] if judged[x] == 0 else ZERO
+        before = inv[0 : width - 1]
+        here, s_here = inv[1:width], noise[1:width]
+        flags = linked[1:width]
+        for x in range(width - 1):
+            a, b = before[x], here[x]
+            flags[x] = (abs(a - b) <= per_px * b + SIGMAS * s_here[x] * b * b) & (a > ZERO) & (b > ZERO)
+        count = 0
+        for x in range(width):
+            if linked[x]:
                 continue
-            x0 = rays[y, x, 0]
-            y0 = rays[y, x, 1]
-            n = 0.0
-            sx = sy = sxx = sxy = syy = sw = swx = swy = 0.0
-            for v in range(y - radius, y + radius + 1, stride):
-                if v < 0 or v >= height:
-                    continue
-                for u in range(x - radius, x + radius + 1, stride):
-                    if u < 0 or u >= width or depth[v, u] <= 0:
-                        continue
-                    reach = max(abs(u - x), abs(v - y))
-                    if abs(depth[v, u] - z) > reach * spacing * z * steepest + 4.0 * (sigma[v, u] + sigma[y, x]):
-                        continue
-                    dx = (rays[v, u, 0] - x0) / spacing
-                    dy = (rays[v, u, 1] - y0) / spacing
-                    w = z / depth[v, u] - 1.0
-                    n += 1.0
-                    sx += dx
-                    sy += dy
-                    sxx += dx * dx
-                    sxy += dx * dy
-                    syy += dy * dy
-                    sw += w
-                    swx += w * dx
-                    swy += w * dy
-            neighbours[y, x] = max(0, int(n) - 1)
-            if n < 4:
-                continue
-            cxx = sxx - sx * sx / n
-            cxy = sxy - sx * sy / n
-            cyy = syy - sy * sy / n
-            determinant = cxx * cyy - cxy * cxy
-            if determinant <= 1e-6 * (cxx + cyy) * (cxx + cyy):
-                neighbours[y, x] = 0
-                continue
-            cwx = swx - sw * sx / n
-            cwy = swy - sw * sy / n
-            p = (cwx * cyy - cwy * cxy) / determinant
-            q = (cwy * cxx - cwx * cxy) / determinant
-            middle = (sw - p * sx - q * sy) / n
-            residual[y, x] = z * middle
-            p /= spacing
-            q /= spacing
-            c = 1.0 + middle - p * x0 - q * y0
-            length = np.sqrt(p * p + q * q + c * c)
-            sign = -1.0 if p * x0 + q * y0 + c > 0 else 1.0
-            normals[y, x, 0] = sign * p / length
-            normals[y, x, 1] = sign * q / length
-            normals[y, x, 2] = sign * c / length
+            if x > 0 and inv[x - 1] > ZERO:
+                stops[y, count] = x
+                count += 1
+            if inv[x] > ZERO:
+                starts[y, count] = x
+        if inv[width - 1] > ZERO:
+            stops[y, count] = width
+            count += 1
+        counts[y] = count
 
 
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
 def root_of(parent: Any, index: int) -> int:
-    """Return the representative of a pixel's island, shortening the way to it."""
+    """Return the representative of a run's island, shortening the way to it."""
     while parent[index] != index:
         parent[index] = parent[parent[index]]
         index = parent[index]
@@ -98,30 +308,126 @@ def root_of(parent: Any, index: int) -> int:
 
 
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
-def island_sizes(depth: Any, sigma: Any, spacing: Any, steepest: Any, size: Any) -> None:
-    """Write into ``size`` (H, W) int32 how many points hang together with each, over neighbours without a depth step."""
-    height, width = depth.shape
-    parent = np.arange(height * width).astype(np.int32)
+def drop_islands(inverse: Any, sigma: Any, per_px: Any, border: int, least: int, starts: Any, stops: Any, counts: Any, fate: Any) -> None:
+    """Join the runs of neighbouring rows where no depth step parts them, and remove what stays smaller than ``least`` pixels."""
+    height = len(counts)
+    total = 0
     for y in range(height):
-        for x in range(width):
-            z = depth[y, x]
-            if z <= 0:
+        total += counts[y]
+    parent = np.arange(total).astype(np.int32)
+    above = 0
+    for y in range(1, height):
+        here = above + counts[y - 1]
+        i, j = 0, 0
+        while i < counts[y - 1] and j < counts[y]:
+            low, high = max(starts[y - 1, i], starts[y, j]), min(stops[y - 1, i], stops[y, j])
+            for x in range(low, high):
+                a, b = inverse[y - 1 + border, x + border], inverse[y + border, x + border]
+                if abs(a - b) <= per_px * b + SIGMAS * sigma[y, x] * b * b:
+                    p, q = root_of(parent, above + i), root_of(parent, here + j)
+                    parent[max(p, q)] = min(p, q)
+                    break
+            if stops[y - 1, i] < stops[y, j]:
+                i += 1
+            else:
+                j += 1
+        above = here
+    size = np.zeros(total, np.int32)
+    index = 0
+    for y in range(height):
+        for k in range(counts[y]):
+            size[root_of(parent, index)] += stops[y, k] - starts[y, k]
+            index += 1
+    index = 0
+    for y in range(height):
+        for k in range(counts[y]):
+            if size[root_of(parent, index)] < least:
+                for x in range(starts[y, k], stops[y, k]):
+                    fate[y, x] = ISLAND
+                    inverse[y + border, x + border] = ZERO
+            index += 1
+
+
+@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+def count_points(inverse: Any, border: int, row_start: int, row_stop: int, counts: Any) -> None:
+    """Write into ``counts`` (H,) how many points every row has."""
+    for y in range(row_start, row_stop):
+        row = inverse[y + border]
+        n = 0
+        for x in range(len(row)):
+            n += row[x] > ZERO
+        counts[y] = n
+
+
+@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+def gather_points(
+    inverse: Any,
+    depth: Any,
+    sigma: Any,
+    rays: Any,
+    to_rays: Any,
+    to_unit: Any,
+    per_px: Any,
+    border: int,
+    grey: Any,
+    per_grey: Any,  # float32
+    bits: Any,
+    own_bit: Any,  # of this camera in the order of the calibration
+    other_bits: Any,  # (M,) uint8, the same for the others
+    pose: Any,  # (3, 4) float64, reference from camera
+    begins: Any,  # (H,) int64, index of the first point of every row
+    row_start: int,
+    row_stop: int,
+    points: Any,  # out (N, 3) float64
+    normals: Any,  # out (N, 3) float32
+    along: Any,  # out (N,) float32, standard deviation along the viewing ray
+    light: Any,  # out (N,) float32
+    pixel: Any,  # out (N, 2) int32
+    cameras: Any,  # out (N,) uint8
+) -> None:
+    """Write the points that are left, with the normals of the planes through them."""
+    width = sigma.shape[1]
+    s = carray(stack_float32(SCRATCH), SCRATCH)
+    turn = pose.astype(np.float32)
+    t00, t01, t02 = turn[0, 0], turn[0, 1], turn[0, 2]
+    t10, t11, t12 = turn[1, 0], turn[1, 1], turn[1, 2]
+    t20, t21, t22 = turn[2, 0], turn[2, 1], turn[2, 2]
+    p00, p01, p02, p03 = pose[0, 0], pose[0, 1], pose[0, 2], pose[0, 3]
+    p10, p11, p12, p13 = pose[1, 0], pose[1, 1], pose[1, 2], pose[1, 3]
+    p20, p21, p22, p23 = pose[2, 0], pose[2, 1], pose[2, 2], pose[2, 3]
+    masks = np.zeros(256, np.uint8)
+    for k in range(1 << len(other_bits)):
+        masks[k] = own_bit
+        for c in range(len(other_bits)):
+            if (k >> c) & 1:
+                masks[k] |= other_bits[c]
+    for y in range(row_start, row_stop):
+        at = begins[y]
+        for first in range(0, width, CHUNK):
+            n = min(CHUNK, width - first)
+            if not planes_of_chunk(s, inverse, sigma, rays, to_rays, to_unit, per_px, border, y, first, n):
                 continue
-            for side in range(2):
-                v = y - 1 if side else y
-                u = x if side else x - 1
-                if v < 0 or u < 0 or depth[v, u] <= 0:
+            for i in range(n):
+                p, q, w = s[NX + i], s[NY + i], s[NZ + i]
+                x, y0 = s[ROW_X + i], s[ROW_Y + i]
+                s[NX + i], s[NY + i], s[NZ + i] = t00 * p + t01 * q + t02 * w, t10 * p + t11 * q + t12 * w, t20 * p + t21 * q + t22 * w
+                s[OWN + i] *= np.sqrt(ONE + x * x + y0 * y0)
+            level = grey[y, first : first + n]
+            for i in range(n):
+                s[OFF + i] = min(np.float32(level[i]) * per_grey, ONE)
+            z_row, taking = depth[y, first : first + n], bits[y, first : first + n]
+            for i in range(n):
+                if s[INV + i] == ZERO:
                     continue
-                if abs(depth[v, u] - z) <= spacing * z * steepest + 4.0 * (sigma[v, u] + sigma[y, x]):
-                    a = root_of(parent, y * width + x)
-                    b = root_of(parent, v * width + u)
-                    if a != b:
-                        parent[max(a, b)] = min(a, b)
-    tally = np.zeros(height * width, np.int32)
-    for y in range(height):
-        for x in range(width):
-            if depth[y, x] > 0:
-                tally[root_of(parent, y * width + x)] += 1
-    for y in range(height):
-        for x in range(width):
-            size[y, x] = tally[root_of(parent, y * width + x)] if depth[y, x] > 0 else 0
+                z = float(z_row[i])
+                a, b = float(s[ROW_X + i]) * z, float(s[ROW_Y + i]) * z
+                points[at, 0] = p00 * a + p01 * b + p02 * z + p03
+                points[at, 1] = p10 * a + p11 * b + p12 * z + p13
+                points[at, 2] = p20 * a + p21 * b + p22 * z + p23
+                normals[at, 0], normals[at, 1], normals[at, 2] = s[NX + i], s[NY + i], s[NZ + i]
+                along[at] = s[OWN + i]
+                light[at] = s[OFF + i]
+                pixel[at, 0] = y
+                pixel[at, 1] = first + i
+                cameras[at] = masks[taking[i]]
+                at += 1

@@ -1,11 +1,10 @@
-"""Compiled loops that look phases up in another image: sampling, tables of rectified rows, matching, checking, resampling.
+"""Compiled loop that finds the pixels of one camera in another: same epipolar line, same phase.
 
-A rectified pair is described to the kernels by ``turn`` (3, 3), rectified axes from the camera's, and ``frame``
-(focal, x0, y0) with x_px = focal · x − x0, y_px = focal · y − y0; a ``grid`` (rows, columns, 2) of native pixels (x, y) at every
-``stride``-th rectified pixel leads back to the image. Rows of both images of a pair are the same epipolar lines.
+``lines`` (H, W, 2) are the rectified coordinates (x, y) of every pixel of a pair; equal y is the same epipolar line. The loop works on
+chunks of pixels: places are looked up one by one, arithmetic runs on a scratch array at constant offsets in SIMD instructions.
 """
 # One loop over pixels cannot be cut into functions without leaving SIMD code.
-# ruff: noqa: PLR0912, PLR0915, PLR1714, PLW3301
+# ruff: noqa: PLR0912, PLR0915
 
 from __future__ import annotations
 
@@ -14,329 +13,243 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.reconstruct.kernels.seen import BLANK, BORROWED, PARTLY, SEEN
+from measureapp.reconstruct.kernels.binning import REPEATED
+from measureapp.reconstruct.kernels.seen import MATCHED, REPEATS, WITHOUT_PARTNER
+from measureapp.reconstruct.kernels.slopes import BESIDE, REACH
 
-ITERATIONS = 8
-SLOPE_REACH = 3.0  # rectified pixels to either side over which the phase slope is taken
-SLOPE_SIGMAS = 4.0  # a slope below this many of its standard deviations is no slope: the phase does not tell where the point is
-CONVERGED_PX = 0.02
+CHUNK = 512
+ZERO, ONE, HALF = np.float32(0), np.float32(1), np.float32(0.5)
+STEEP = np.float32(4.0 / (REACH * np.sqrt(2.0)))  # a slope below four of its standard deviations does not tell where the point is
+FLAT = np.float32(1e-6)
+FARTHEST_PX = np.float32(12.0)  # from a cell's pixel to the match
+ITERATIONS = 6
+ON_EDGE = np.float32(BESIDE)
+QUARTER = np.float32(0.25)
+BEYOND = np.float32(0.1)  # so far out of its four pixels a place may lie, in px
+EDGE = np.float32(1.001)
+LOST = np.float32(100.0)
+HELD, TWICE = np.float32(MATCHED), np.float32(REPEATS)
 
-
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
-def native_pixel(grid: Any, stride: Any, x: Any, y: Any) -> Any:
-    """Return the image point (x, y) of a rectified one, bilinear between the grid's nodes; (-1, -1) outside."""
-    gx = x / stride
-    gy = y / stride
-    i = int(np.floor(gy))
-    j = int(np.floor(gx))
-    if i < 0 or j < 0 or i + 1 >= grid.shape[0] or j + 1 >= grid.shape[1]:
-        return -1.0, -1.0
-    a = gx - j
-    b = gy - i
-    u = (1 - b) * ((1 - a) * grid[i, j, 0] + a * grid[i, j + 1, 0]) + b * ((1 - a) * grid[i + 1, j, 0] + a * grid[i + 1, j + 1, 0])
-    v = (1 - b) * ((1 - a) * grid[i, j, 1] + a * grid[i, j + 1, 1]) + b * ((1 - a) * grid[i + 1, j, 1] + a * grid[i + 1, j + 1, 1])
-    return u, v
-
-
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
-def look(phase: Any, state: Any, step: Any, u: Any, v: Any) -> Any:
-    """Return (BLANK | SEEN | PARTLY, phase), bilinear between four pixels within ``step`` of each other.
-
-    The nearest pixel must be valid, the others at least borrowed.
-    """
-    if u < 0.0 or v < 0.0 or v >= phase.shape[0] - 1 or u >= phase.shape[1] - 1:
-        return BLANK, 0.0
-    i = int(v)
-    j = int(u)
-    if (state[i, j] | state[i, j + 1]) | (state[i + 1, j] | state[i + 1, j + 1]) != 0:
-        holes = 0
-        blanks = 0
-        for k in range(4):
-            here = state[i + k // 2, j + k % 2]
-            blanks += here != 0
-            holes += here != 0 and here != BORROWED
-        if holes or state[int(v + 0.5), int(u + 0.5)] != 0:
-            return (BLANK if blanks == 4 else PARTLY), 0.0
-    p, q, r, s = phase[i, j], phase[i, j + 1], phase[i + 1, j], phase[i + 1, j + 1]
-    if max(max(p, q), max(r, s)) - min(min(p, q), min(r, s)) > step:
-        return PARTLY, 0.0
-    a = u - j
-    b = v - i
-    above = p + a * (q - p)
-    return SEEN, above + b * (r + a * (s - r) - above)
+(PHASE, X, Y, DEPTH_SCALE, START_PHASE, START_X, START_Y, START_GX, START_GY, START_U, START_V) = (k * CHUNK for k in range(11))
+(U, V, P00, P01, P10, P11, NEAR, NEAR_SIGMA, NEAR_GX, NEAR_GY, NEAR_X, NEAR_Y, TEAR) = (k * CHUNK for k in range(11, 24))
+(LEFT, SLOPE, NOISE, Z, GAIN, NEXT_U, NEXT_V, CODE) = (k * CHUNK for k in range(24, 32))
+SCRATCH = 32 * CHUNK
 
 
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
-def variance_at(sigma: Any, u: Any, v: Any) -> Any:
-    """Return the variance of a phase that `look` has SEEN."""
-    i = int(v)
-    j = int(u)
-    a = u - j
-    b = v - i
-    wp, wq, wr, ws = (1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b
-    return (wp * sigma[i, j]) ** 2 + (wq * sigma[i, j + 1]) ** 2 + (wr * sigma[i + 1, j]) ** 2 + (ws * sigma[i + 1, j + 1]) ** 2
-
-
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
-def fill_table(
-    grid: Any,
-    stride: Any,
-    width: int,
-    phase: Any,
-    state: Any,
-    step: Any,  # largest phase step between neighbours
-    lowest: Any,  # phase of bin 0
-    per_rad: Any,  # bins per radian
-    row_start: int,
-    row_stop: int,
-    first: Any,  # out (rows, bins) int16, first rectified column whose segment holds the bin's phase, -1 for none
-    last: Any,  # out (rows, bins) int16, last one
-) -> None:
-    """Sort the segments between neighbours of every rectified row into bins of the phase; linear in the width."""
-    bins = first.shape[1]
-    for row in range(row_start, row_stop):
-        for k in range(bins):
-            first[row, k] = -1
-            last[row, k] = -1
-        before = 0.0
-        known = False
-        for x in range(width):
-            u, v = native_pixel(grid, stride, float(x), float(row))
-            seen, value = look(phase, state, step, u, v)
-            if seen == SEEN and known and abs(value - before) < step:
-                low = max(0, int((min(value, before) - lowest) * per_rad))
-                high = min(bins - 1, int((max(value, before) - lowest) * per_rad))
-                for k in range(low, high + 1):
-                    if first[row, k] < 0:
-                        first[row, k] = x
-                    last[row, k] = x
-            known = seen == SEEN
-            before = value
-
-
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
-def direction_at(grid: Any, stride: Any, x: Any, y: Any) -> Any:
-    """Return the image point of a rectified one and how it moves per rectified pixel along the row: (u, v, du, dv)."""
-    u, v = native_pixel(grid, stride, x, y)
-    right, below = native_pixel(grid, stride, x + 1.0, y)
-    return u, v, right - u, below - v
-
-
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
-def slope_along(phase: Any, state: Any, step: Any, u: Any, v: Any, du: Any, dv: Any, here: Any, middle: Any) -> Any:
-    """Return (known, radians per rectified pixel) along the row: the central difference over the widest reach that is one surface.
-
-    A wide one is less noisy; near a border it is taken over single pixels, at the border one-sided. ``here`` and ``middle`` are
-    what `look` says of (u, v).
-    """
-    wide_right, high = look(phase, state, step, u + SLOPE_REACH * du, v + SLOPE_REACH * dv)
-    wide_left, low = look(phase, state, step, u - SLOPE_REACH * du, v - SLOPE_REACH * dv)
-    if wide_right == SEEN and wide_left == SEEN and here == SEEN and abs(high + low - 2.0 * middle) < 0.2 * abs(high - low):
-        return True, (high - low) / (2.0 * SLOPE_REACH)
-    right, high = look(phase, state, step, u + du, v + dv)
-    left, low = look(phase, state, step, u - du, v - dv)
-    if right == SEEN and left == SEEN:
-        return True, (high - low) / 2.0
-    if here == SEEN and right == SEEN:
-        return True, high - middle
-    if here == SEEN and left == SEEN:
-        return True, middle - low
-    return False, 0.0
-
-
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
-def solve_row(grid: Any, stride: Any, phase: Any, sigma: Any, state: Any, step: Any, wanted: Any, x: Any, y: Any) -> Any:
-    """Find where the row has the phase ``wanted``, from ``x`` on; returns (found, x, slope, variance)."""
-    u, v, du, dv = direction_at(grid, stride, x, y)
-    if u < 0:
-        return False, x, 0.0, 0.0
-    seen, value = look(phase, state, step, u, v)
-    known, slope = slope_along(phase, state, step, u, v, du, dv, seen, value)
-    if not known or abs(slope) < 1e-6:
-        return False, x, 0.0, 0.0
-    gone = 0.0
-    for _ in range(ITERATIONS):
-        if seen != SEEN:
-            return False, x, 0.0, 0.0
-        move = (wanted - value) / slope
-        if abs(move) < CONVERGED_PX:
-            return True, x + gone + move, slope, variance_at(sigma, u + gone * du, v + gone * dv)
-        gone += min(2.0, max(-2.0, move))
-        seen, value = look(phase, state, step, u + gone * du, v + gone * dv)
-    return False, x, 0.0, 0.0
+def cubic(c: Any, s: Any, t: Any) -> Any:
+    """Return the value of a cubic polynomial of two variables."""
+    return c[0] + s * (c[1] + s * (c[3] + s * c[6])) + t * (c[2] + s * (c[4] + s * c[7]) + t * (c[5] + s * c[8] + t * c[9]))
 
 
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
 def match(
     rays: Any,  # (H, W, 2) float32, normalised image coordinates of the camera
     phase: Any,
-    state: Any,
-    turn: Any,
-    frame: Any,  # of this camera
-    first_here: Any,
-    last_here: Any,
-    other_frame: Any,
-    grid: Any,  # of the other camera
-    stride: Any,
+    skip: Any,  # (H, W) uint8, 0 for pixels to match
+    lines: Any,
+    turn: Any,  # (3,) float32, third row: the rectified depth of the ray
     other_phase: Any,
     other_sigma: Any,
-    other_state: Any,
-    first: Any,
-    last: Any,
+    other_slope: Any,
+    other_quad: Any,
+    other_lines: Any,
+    to_rows: Any,  # four cubic polynomials: ∂x/∂u, ∂x/∂v, ∂y/∂u, ∂y/∂v of the other camera's `other_lines`
+    to_unit: Any,  # (u0, per u, v0, per v): their variables are (u − u0) · per u, (v − v0) · per v
+    table: Any,  # of the other camera, with what is repeated in this one
     lowest: Any,
     per_rad: Any,
-    step: Any,
-    baseline: Any,
+    numbers: Any,  # (focal, x0 here − x0 there, baseline), float32
     row_start: int,
     row_stop: int,
     depth: Any,  # out (rows, W) float32, z in the camera's frame, 0 for none
     gain: Any,  # out (rows, W) float32, change of the other camera's phase with z, rad/mm
     variance: Any,  # out (rows, W) float32, of the other camera's phase
-) -> Any:
-    """Match pixels by their phase along the epipolar line; returns how many were matched, unmatched and ambiguous.
+    there: Any,  # out (rows, W) int32, index of the other camera's pixel
+    reason: Any,  # out (rows, W) uint8, MATCHED | WITHOUT_PARTNER | REPEATS
+) -> int:
+    """Match pixels by their phase along the epipolar line; returns how many.
 
-    Ambiguous: the phase occurs at more than one place of the epipolar line, in either camera.
+    From a pixel with nearly that phase on nearly that line a step of Newton's method in both leads to the place where phase and line
+    are right; the phase is read there between four pixels, so that its variance is known, and the small rest follows the slope over
+    several pixels. Pixels whose phase occurs at more than one place of the epipolar line, in either camera, are not matched.
     """
+    height, width = other_phase.shape
+    u_max, v_max = np.float32(width) - EDGE, np.float32(height) - EDGE
+    last_row, last_bin = np.float32(table.shape[0] - 1), np.float32(table.shape[1] - 1)
+    focal, offset, baseline = numbers
+    x_u, x_v, y_u, y_v = to_rows
+    u0, per_u, v0, per_v = to_unit
+    t0, t1, t2 = turn
+    flat_phase, flat_sigma, flat_quad = other_phase.ravel(), other_sigma.ravel(), other_quad.ravel()
+    flat_slope, flat_lines = other_slope.ravel(), other_lines.ravel()
+    flat_table = table.ravel()
+    to_right, to_below = np.uint32(1), np.uint32(width)
+    row_length, bins = np.int32(width), np.int32(table.shape[1])
+    s = np.zeros(SCRATCH, np.float32)
+    column = np.zeros(CHUNK, np.int32)
+    at = np.zeros(2 * CHUNK, np.int32)
     matched = 0
-    unmatched = 0
-    ambiguous = 0
-    bins = first.shape[1]
     for y in range(row_start, row_stop):
-        for x in range(phase.shape[1]):
-            out = y - row_start
-            depth[out, x] = 0
-            gain[out, x] = 0
-            variance[out, x] = 0
-            if state[y, x] != 0:
+        out = y - row_start
+        depth[out] = 0
+        reason[out] = WITHOUT_PARTNER
+        for first in range(0, phase.shape[1], CHUNK):
+            n = min(CHUNK, phase.shape[1] - first)
+            skip_row, phase_row = skip[y, first : first + n], phase[y, first : first + n]
+            lines_row, rays_row = lines[y].ravel()[2 * first : 2 * (first + n)], rays[y].ravel()[2 * first : 2 * (first + n)]
+            wanted = 0
+            for i in range(n):
+                wanted += skip_row[i] == 0
+            if wanted == 0:
                 continue
-            nx = rays[y, x, 0]
-            ny = rays[y, x, 1]
-            rz = turn[2, 0] * nx + turn[2, 1] * ny + turn[2, 2]
-            here = (turn[0, 0] * nx + turn[0, 1] * ny + turn[0, 2]) / rz
-            row = frame[0] * (turn[1, 0] * nx + turn[1, 1] * ny + turn[1, 2]) / rz - frame[2]
-            k = int((phase[y, x] - lowest) * per_rad)
-            r = int(np.floor(row + 0.5))
-            if r < 0 or r >= first.shape[0] or k < 0 or k >= bins:
-                unmatched += 1
-                continue
-            if first[r, k] < 0:
-                if k + 1 < bins and first[r, k + 1] >= 0:
-                    k += 1
-                elif k > 0 and first[r, k - 1] >= 0:
-                    k -= 1
+            for i in range(n):
+                s[PHASE + i] = phase_row[i]
+            for i in range(n):
+                s[X + i] = lines_row[2 * i]
+                s[Y + i] = lines_row[2 * i + 1]
+            for i in range(n):
+                s[DEPTH_SCALE + i] = t0 * rays_row[2 * i] + t1 * rays_row[2 * i + 1] + t2
+            for i in range(n):
+                line = np.int32(min(max(s[Y + i] * HALF + ONE, ZERO), last_row))
+                at[i] = line * bins + np.int32(min(max((s[PHASE + i] - lowest) * per_rad + ONE, ZERO), last_bin))
+            for i in range(n):
+                cell = np.uint32(at[i])
+                held = flat_table[cell]
+                repeated = (held & REPEATED) != 0
+                usable = (skip_row[i] == 0) & (held >= 0) & (not repeated)
+                s[CODE + i] = HELD if usable else (TWICE if (held >= 0) & repeated else ZERO)
+                held = held if usable else np.int32(0)
+                v = held >> 16
+                u = held & 0xFFFF
+                place = np.uint32(v * row_length + u)
+                s[START_U + i] = u
+                s[START_V + i] = v
+                s[START_PHASE + i] = flat_phase[place]
+                s[START_X + i] = flat_lines[place + place]
+                s[START_Y + i] = flat_lines[place + place + to_right]
+                s[START_GX + i] = flat_slope[place + place]
+                s[START_GY + i] = flat_slope[place + place + to_right]
+            for i in range(n):
+                us = (s[START_U + i] - u0) * per_u
+                vs = (s[START_V + i] - v0) * per_v
+                a, b, c, d = cubic(x_u, us, vs), cubic(x_v, us, vs), cubic(y_u, us, vs), cubic(y_v, us, vs)
+                gx, gy = s[START_GX + i], s[START_GY + i]
+                down = s[Y + i] - s[START_Y + i]
+                rise = s[PHASE + i] - s[START_PHASE + i]
+                scale = ONE / (gx * d - gy * c)
+                du = (d * rise - gy * down) * scale
+                dv = (gx * down - c * rise) * scale
+                near = (abs(du) < FARTHEST_PX) & (abs(dv) < FARTHEST_PX)
+                s[U + i] = min(max(s[START_U + i] + (du if near else ZERO), ZERO), u_max)
+                s[V + i] = min(max(s[START_V + i] + (dv if near else ZERO), ZERO), v_max)
+            for turn_number in range(ITERATIONS):
+                for i in range(n):
+                    u, v = s[U + i], s[V + i]
+                    at[i] = np.int32(v) * row_length + np.int32(u)
+                    at[CHUNK + i] = np.int32(v + HALF) * row_length + np.int32(u + HALF)
+                for i in range(n):
+                    corner = np.uint32(at[i])
+                    s[P00 + i] = flat_phase[corner]
+                    s[P01 + i] = flat_phase[corner + to_right]
+                    s[P10 + i] = flat_phase[corner + to_below]
+                    s[P11 + i] = flat_phase[corner + to_below + to_right]
+                    s[TEAR + i] = flat_quad[corner]
+                for i in range(n):
+                    place = np.uint32(at[CHUNK + i])
+                    s[NEAR + i] = flat_phase[place]
+                    s[NEAR_SIGMA + i] = flat_sigma[place]
+                    s[NEAR_GX + i] = flat_slope[place + place]
+                    s[NEAR_GY + i] = flat_slope[place + place + to_right]
+                    s[NEAR_X + i] = flat_lines[place + place]
+                    s[NEAR_Y + i] = flat_lines[place + place + to_right]
+                for i in range(n):
+                    u, v = s[U + i], s[V + i]
+                    fu, fv = np.float32(np.int32(u)), np.float32(np.int32(v))
+                    nu, nv = np.float32(np.int32(u + HALF)), np.float32(np.int32(v + HALF))
+                    us, vs = (u - u0) * per_u, (v - v0) * per_v
+                    a, b, c, d = cubic(x_u, us, vs), cubic(x_v, us, vs), cubic(y_u, us, vs), cubic(y_v, us, vs)
+                    gx, gy = s[NEAR_GX + i], s[NEAR_GY + i]
+                    p, q = u - fu, v - fv
+                    du, dv = u - nu, v - nv
+                    above = s[P00 + i] + p * (s[P01 + i] - s[P00 + i])
+                    below = s[P10 + i] + p * (s[P11 + i] - s[P10 + i])
+                    whole = s[TEAR + i] == ONE
+                    value = above + q * (below - above) if whole else s[NEAR + i] + gx * du + gy * dv
+                    determinant = a * d - b * c
+                    slope = (gx * d - gy * c) / determinant
+                    right, under = s[P01 + i] - s[P00 + i], s[P10 + i] - s[P00 + i]
+                    twist = s[P11 + i] - s[P00 + i] - right - under
+                    lx, ly = right + q * twist, under + p * twist
+                    local = (lx * d - ly * c) / determinant
+                    inner = whole & (local * slope > QUARTER * slope * slope)
+                    along = local if inner else slope
+                    across = ((ly if inner else gy) * a - (lx if inner else gx) * b) / determinant
+                    down = s[Y + i] - (s[NEAR_Y + i] + c * du + d * dv)
+                    move = (s[PHASE + i] - value - down * across) / along
+                    move = min(max(move, -FARTHEST_PX), FARTHEST_PX)
+                    to_u, to_v = (d * move - b * down) / determinant, (a * down - c * move) / determinant
+                    pn, qn = p + to_u, q + to_v
+                    within = (pn >= -BEYOND) & (pn <= ONE + BEYOND) & (qn >= -BEYOND) & (qn <= ONE + BEYOND)
+                    close = within if inner else (abs(du + to_u) <= HALF + BEYOND) & (abs(dv + to_v) <= HALF + BEYOND)
+                    settles = close | ((turn_number == ITERATIONS - 1) & (abs(to_u) + abs(to_v) < HALF))
+                    pn, qn = min(max(pn, ZERO), ONE), min(max(qn, ZERO), ONE)
+                    reach = abs(du + to_u) + abs(dv + to_v)
+                    outward = (ONE + reach) * (ONE + reach) + reach * reach
+                    share = (pn * pn + (ONE - pn) * (ONE - pn)) * (qn * qn + (ONE - qn) * (ONE - qn)) if whole else outward
+                    bad = ((s[TEAR + i] != ONE) & (s[TEAR + i] != ON_EDGE)) | (abs(slope) < FLAT)
+                    parallax = s[X + i] - s[NEAR_X + i] + offset - (a * du + b * dv + move)
+                    z = baseline * focal / (parallax * s[DEPTH_SCALE + i])
+                    s[LEFT + i] = LOST if bad else (ZERO if settles else ONE)
+                    s[SLOPE + i] = slope
+                    s[NOISE + i] = s[NEAR_SIGMA + i] * s[NEAR_SIGMA + i] * share
+                    s[Z + i] = z if parallax > ZERO else ZERO
+                    s[GAIN + i] = slope * parallax / z
+                    s[NEXT_U + i] = min(max(u + to_u, ZERO), u_max)
+                    s[NEXT_V + i] = min(max(v + to_v, ZERO), v_max)
+                for i in range(n):
+                    z, slope = s[Z + i], s[SLOPE + i]
+                    steep = slope * slope >= STEEP * STEEP * s[NOISE + i]
+                    there_at = s[CODE + i] == HELD
+                    found = there_at & (s[LEFT + i] < ONE) & (z > ZERO)
+                    s[Z + i] = z if found & steep else ZERO
+                    s[LEFT + i] = s[LEFT + i] if there_at else LOST
+                    other = ZERO if there_at else s[CODE + i]
+                    s[CODE + i] = (HELD if steep else TWICE) if found else other
+                if turn_number == 0:
+                    depth_out, gain_out = depth[out, first : first + n], gain[out, first : first + n]
+                    noise_out, there_out = variance[out, first : first + n], there[out, first : first + n]
+                    reason_out = reason[out, first : first + n]
+                    for i in range(n):
+                        depth_out[i] = s[Z + i]
+                    for i in range(n):
+                        gain_out[i] = s[GAIN + i]
+                    for i in range(n):
+                        noise_out[i] = s[NOISE + i]
+                    for i in range(n):
+                        there_out[i] = at[CHUNK + i]
+                    for i in range(n):
+                        reason_out[i] = np.uint8(np.int32(s[CODE + i]))
+                    for i in range(n):
+                        column[i] = i
                 else:
-                    unmatched += 1
-                    continue
-            a = first[r, k]
-            b = last[r, k]
-            start = (a + b) / 2.0 - 0.5 if b - a <= 2 else a - 0.5
-            found, there, slope, noise = solve_row(grid, stride, other_phase, other_sigma, other_state, step, phase[y, x], start, row)
-            if not found:
-                unmatched += 1
-                continue
-            if abs(slope) * SLOPE_REACH * np.sqrt(2.0) < SLOPE_SIGMAS * np.sqrt(noise):
-                ambiguous += 1
-                continue
-            slack = 4.0 + 2.0 / (per_rad * abs(slope))
-            own = frame[0] * here - frame[1]
-            repeated = b - a > slack
-            if first_here[r, k] >= 0:
-                repeated |= abs(first_here[r, k] - own) > slack or abs(last_here[r, k] - own) > slack
-            if repeated:
-                ambiguous += 1
-                continue
-            parallax = here - (there + other_frame[1]) / other_frame[0]
-            if parallax <= 0:
-                unmatched += 1
-                continue
-            z = baseline / parallax / rz
-            depth[out, x] = z
-            gain[out, x] = slope * other_frame[0] * baseline / (rz * z * z)
-            variance[out, x] = noise
-            matched += 1
-    return matched, unmatched, ambiguous
-
-
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
-def observe(
-    rays: Any,
-    phase: Any,
-    turn: Any,
-    frame: Any,
-    other_frame: Any,
-    grid: Any,
-    stride: Any,
-    other_phase: Any,
-    other_sigma: Any,
-    other_state: Any,
-    step: Any,
-    baseline: Any,
-    depth: Any,  # (rows, W) float32
-    row_start: int,
-    row_stop: int,
-    seen: Any,  # out (rows, W) uint8
-    excess: Any,  # out (rows, W) float32, phase of the other camera at the point minus the pixel's own
-    shift: Any,  # out (rows, W) float32, the same as a shift along the epipolar line in rectified pixels
-    gain: Any,  # out (rows, W) float32
-    variance: Any,  # out (rows, W) float32
-) -> None:
-    """Look at points of this camera with another one."""
-    for y in range(row_start, row_stop):
+                    for i in range(n):
+                        x = first + column[i]
+                        depth[out, x], gain[out, x], variance[out, x] = s[Z + i], s[GAIN + i], s[NOISE + i]
+                        there[out, x] = at[CHUNK + i]
+                        reason[out, x] = np.uint8(np.int32(s[CODE + i]))
+                left = 0
+                for i in range(n):
+                    if s[LEFT + i] >= ONE and s[LEFT + i] < LOST:
+                        column[left] = column[i]
+                        s[PHASE + left], s[X + left], s[Y + left] = s[PHASE + i], s[X + i], s[Y + i]
+                        s[DEPTH_SCALE + left] = s[DEPTH_SCALE + i]
+                        s[U + left], s[V + left] = s[NEXT_U + i], s[NEXT_V + i]
+                        s[CODE + left] = HELD
+                        left += 1
+                n = left
+                if n == 0:
+                    break
         for x in range(phase.shape[1]):
-            out = y - row_start
-            seen[out, x] = BLANK
-            excess[out, x] = 0
-            shift[out, x] = 0
-            gain[out, x] = 0
-            variance[out, x] = 0
-            z = depth[out, x]
-            if z <= 0:
-                continue
-            nx = rays[y, x, 0]
-            ny = rays[y, x, 1]
-            rz = turn[2, 0] * nx + turn[2, 1] * ny + turn[2, 2]
-            here = (turn[0, 0] * nx + turn[0, 1] * ny + turn[0, 2]) / rz
-            row = frame[0] * (turn[1, 0] * nx + turn[1, 1] * ny + turn[1, 2]) / rz - frame[2]
-            there = other_frame[0] * (here - baseline / (rz * z)) - other_frame[1]
-            u, v, du, dv = direction_at(grid, stride, there, row)
-            sight, value = look(other_phase, other_state, step, u, v)
-            if sight == SEEN:
-                known, slope = slope_along(other_phase, other_state, step, u, v, du, dv, sight, value)
-                if not known or abs(slope) < 1e-6:
-                    sight = PARTLY
-                else:
-                    excess[out, x] = value - phase[y, x]
-                    shift[out, x] = excess[out, x] / slope
-                    gain[out, x] = slope * other_frame[0] * baseline / (rz * z * z)
-                    variance[out, x] = variance_at(other_sigma, u, v)
-            seen[out, x] = sight
-
-
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
-def resample(
-    phase: Any,
-    sigma: Any,
-    state: Any,
-    step: Any,
-    native: Any,  # (rows, columns, 2) float32, where to take the pixels from, (x, y)
-    row_start: int,
-    row_stop: int,
-    new_phase: Any,  # out (rows, columns) float32
-    new_sigma: Any,  # out (rows, columns) float32
-    new_state: Any,  # out (rows, columns) uint8, that of the nearest pixel, or `hole`
-    hole: int,
-) -> None:
-    """Take a phase map to another grid, bilinear where all four pixels are valid and of one surface."""
-    for y in range(row_start, row_stop):
-        for x in range(new_phase.shape[1]):
-            u = native[y, x, 0]
-            v = native[y, x, 1]
-            seen, value = look(phase, state, step, u, v)
-            new_phase[y, x] = value
-            new_sigma[y, x] = np.sqrt(variance_at(sigma, u, v)) if seen == SEEN else 0.0
-            new_state[y, x] = 0
-            if seen != SEEN:  # the reason of the nearest pixel
-                i = int(np.floor(v + 0.5))
-                j = int(np.floor(u + 0.5))
-                inside = 0 <= i < state.shape[0] and 0 <= j < state.shape[1]
-                new_state[y, x] = state[i, j] if inside and state[i, j] != 0 and state[i, j] != BORROWED else hole
+            matched += reason[out, x] == MATCHED
+    return matched

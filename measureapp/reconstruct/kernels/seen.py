@@ -1,8 +1,8 @@
-"""What the kernels call what they see at a place of an image."""
+"""What the kernels call what they see at a place of an image, and what became of a match."""
 
 from __future__ import annotations
 
 import numpy as np
 
 BLANK, SEEN, PARTLY = 0, 1, 2
-BORROWED = np.uint8(255)  # state of a hole beside valid pixels whose phase continues theirs
+WITHOUT_PARTNER, MATCHED, REPEATS = np.uint8(0), np.uint8(1), np.uint8(2)

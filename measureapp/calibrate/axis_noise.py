@@ -1,0 +1,74 @@
+"""What is expected of the axes before anything is seen: how large the robot's pose errors are, and how alike at neighbouring poses."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from measureapp.arrays import FloatArray, IntArray
+
+SAME_POSE = 1e-4  # robot poses closer than this (mm, rotation matrix) are one pose with one error
+LEAST_SHARE = 1e-6  # of the variance that is a pose's own, so that neighbouring poses never coincide exactly
+ALIKE_MM, ALIKE_TURN = 300.0, 0.6  # of an articulated robot with a reach of about 0.7 m
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AxisNoise:
+    """Standard deviations the chain expects of the axes.
+
+    A robot's error follows from its link lengths, joint offsets and the bending of its arm. It changes over the reach, not from
+    pose to pose: `robot_alike_mm` and `robot_alike_turn` (0: every pose has an error of its own) are the distances of the flange,
+    and of the tips of its unit axes x and z, over which the correlation falls to exp(-1/2).
+    """
+
+    robot_mm: float = 0.3  # repeatable pose error of the robot, per coordinate
+    robot_rad: float = float(np.deg2rad(0.02))
+    table_rad: float = float(np.deg2rad(10 / 3600))
+    robot_repeat_mm: float = 0.0  # scatter at every approach of a pose, per coordinate
+    robot_repeat_rad: float = 0.0
+    robot_alike_mm: float = 0.0
+    robot_alike_turn: float = 0.0
+    guide_mm: float = 0.0  # departure of the slide from its straight line and scale, at every approach, per coordinate
+
+    def alike(self, first: FloatArray, second: FloatArray) -> FloatArray:
+        """Return the correlation (A, B) of the repeatable errors at poses base_from_flange (A, 4, 4) and (B, 4, 4)."""
+        there, here = (_pose_vectors(poses) for poses in (first, second))
+        away = there[:, None] - here[None]
+        if self.robot_alike_mm <= 0 or self.robot_alike_turn <= 0:
+            return np.asarray(np.all(np.abs(away) <= SAME_POSE, axis=2), float)
+        square = np.sum(away[..., :3] ** 2, axis=2) / self.robot_alike_mm**2 + np.sum(away[..., 3:] ** 2, axis=2) / self.robot_alike_turn**2
+        return np.exp(-0.5 * square)
+
+    def robot_covariances(self, poses: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return the covariances (G, G) of one rotation and one translation component of the errors at approached poses (G, 4, 4)."""
+        alike, own = self.alike(poses, poses), np.eye(len(poses))
+        spread = ((self.robot_rad, self.robot_repeat_rad), (self.robot_mm, self.robot_repeat_mm))
+        turn, shift = (large**2 * (alike + LEAST_SHARE * own) + small**2 * own for large, small in spread)
+        return turn, shift
+
+
+def articulated_robot(accuracy_mm: float, accuracy_rad: float, repeatability_mm: float, table_rad: float, guide_mm: float) -> AxisNoise:
+    """Return the noise of a six-axis robot whose data sheet states the rms length of its absolute error and its repeatability."""
+    share = repeatability_mm / accuracy_mm if accuracy_mm > 0 else 0.0
+    per_coordinate = 1 / np.sqrt(3.0)
+    return AxisNoise(
+        robot_mm=accuracy_mm * per_coordinate,
+        robot_rad=accuracy_rad * per_coordinate,
+        table_rad=table_rad,
+        robot_repeat_mm=repeatability_mm * per_coordinate,
+        robot_repeat_rad=accuracy_rad * share * per_coordinate,
+        robot_alike_mm=ALIKE_MM,
+        robot_alike_turn=ALIKE_TURN,
+        guide_mm=guide_mm,
+    )
+
+
+def approaches_of(groups: IntArray) -> IntArray:
+    """Number the runs of equal neighbours in ``groups`` (N,): sightings in the order they were taken, between which the robot stood still."""
+    changed = np.concatenate([[False], np.diff(groups) != 0])
+    return np.cumsum(changed).astype(np.intp)
+
+
+def _pose_vectors(poses: FloatArray) -> FloatArray:
+    return np.concatenate([poses[:, :3, 3], poses[:, :3, 2], poses[:, :3, 0]], axis=1)

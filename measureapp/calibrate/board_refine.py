@@ -1,0 +1,112 @@
+"""Corners to sub-pixel, and how well each is known."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from measureapp.arrays import BoolArray, FloatArray, ImageArray, IntArray
+from measureapp.data.board import BoardDescription
+from measureapp.errors import CalibrationError
+
+WINDOW_SHARE = 0.35  # half the refining window over the distance of neighbouring corners: its diagonal ends at the next edge
+WINDOW_LIMITS_PX = (2, 12)
+LARGEST_SHIFT = 0.75  # a corner that wanders further than this share of the window has found another edge
+REFINE_UNTIL = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 60, 1e-4)
+LEAST_MARKS_FOR_CUBIC = 40
+FAR_FACTOR, FAR_PX = 8.0, 0.4  # standard deviations and pixels beyond which a mark is not where the grid has it
+MEDIAN_TO_SIGMA = 1.4826
+LEAST_SIGMA_PX = 0.005
+WEAK_CORNER = 5.0  # a mark said to be this many times worse than the median one counts as no worse than that
+
+
+def window_of(spacing_px: float, free_px: float = np.inf) -> int:
+    """Return half the side of the refining window for corners ``spacing_px`` apart with nothing else within ``free_px``."""
+    return int(np.clip(min(WINDOW_SHARE * spacing_px, free_px), *WINDOW_LIMITS_PX))
+
+
+def refined(grey: ImageArray, corners: FloatArray, spacing_px: float, window: int) -> FloatArray:
+    """Refine corners (N, 2) to sub-pixel [1]_.
+
+    Raises
+    ------
+    CalibrationError
+        The squares are too small in the image, or a corner moved to another edge.
+
+    References
+    ----------
+    .. [1] W. Förstner, E. Gülch, Proc. ISPRS Intercommission Conference, 281-305, 1987.
+    """
+    start = np.ascontiguousarray(corners, np.float32).reshape(-1, 1, 2)
+    better = np.asarray(cv2.cornerSubPix(grey, start.copy(), (window, window), (-1, -1), REFINE_UNTIL), np.float64).reshape(-1, 2)
+    shift = np.linalg.norm(better - corners, axis=1)
+    if spacing_px < 2 * WINDOW_LIMITS_PX[0] or not np.all(shift <= LARGEST_SHIFT * max(window, 4)):
+        raise CalibrationError(
+            "The corners of the board cannot be refined.", "Take a sharper image, or move closer so that the squares appear larger."
+        )
+    return better
+
+
+def homography(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> FloatArray:
+    """Return the plane-to-image homography (3, 3) through the marks ``ids``. Raises CalibrationError where they do not determine it."""
+    found = cv2.findHomography(board.flat_corners_mm[ids, :2], corners_px)[0] if len(ids) >= 4 else None
+    if found is None or not np.all(np.isfinite(found)):
+        raise CalibrationError("The marks of the board that are visible are too few, or lie on one line.", "Show more of the board.")
+    return np.asarray(found, np.float64)
+
+
+def mapped(matrix: FloatArray, points: FloatArray) -> FloatArray:
+    """Map points (N, 2) by a homography."""
+    high = np.column_stack([points, np.ones(len(points))]) @ matrix.T
+    return np.asarray(high[:, :2] / high[:, 2:])
+
+
+def local_axes(matrix: FloatArray, points_mm: FloatArray) -> FloatArray:
+    """Return what 1 mm along x and along y of the board is in the image, in px, at points (N, 2): (N, 2 axes, 2)."""
+    high = np.column_stack([points_mm, np.ones(len(points_mm))]) @ matrix.T
+    flat = high[:, :2] / high[:, 2:]
+    return np.stack([(matrix[:2, a] - flat * matrix[2, a]) / high[:, 2:] for a in (0, 1)], axis=1)
+
+
+def mark_sigmas(grey: ImageArray, board: BoardDescription, ids: IntArray, corners_px: FloatArray, reach_px: FloatArray) -> FloatArray:
+    """Estimate the standard deviation (N,) px of one coordinate of each mark.
+
+    What gradients within ``reach_px`` (N,) say of each mark's place gives the ratios (inverse of the summed products of gradients,
+    Förstner 1987); the smoothness of the grid gives the level: what a homography and a cubic distortion leave is noise.
+    """
+    shape = np.array([_precision(grey, corner, reach) for corner, reach in zip(corners_px, reach_px, strict=True)])
+    shape = np.minimum(shape / np.median(shape), WEAK_CORNER)
+    return np.asarray(np.maximum(_level(board, ids, corners_px) * shape, LEAST_SIGMA_PX))
+
+
+def _precision(grey: ImageArray, corner: FloatArray, reach_px: float) -> float:
+    half = max(2, round(reach_px)) + 1
+    column, row = np.clip(np.round(corner).astype(int), half, np.array(grey.shape[::-1]) - half - 1)
+    patch = grey[row - half : row + half + 1, column - half : column + half + 1].astype(np.float64)
+    gx, gy = (patch[1:-1, 2:] - patch[1:-1, :-2]) / 2, (patch[2:, 1:-1] - patch[:-2, 1:-1]) / 2
+    xx, yy, xy = (gx * gx).sum(), (gy * gy).sum(), (gx * gy).sum()
+    return float(np.sqrt((xx + yy) / 2 / max(xx * yy - xy * xy, 1e-9)))
+
+
+def off_the_grid(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> BoolArray:
+    """Say which marks (N,) lie where a smooth grid does not have them: refined onto something else, such as a marker's corner."""
+    rest, _ = _left_over(board, ids, corners_px)
+    away = np.linalg.norm(rest, axis=1)
+    return np.asarray(away > max(FAR_FACTOR * MEDIAN_TO_SIGMA * float(np.median(np.abs(rest))), FAR_PX))
+
+
+def _level(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> float:
+    rest, terms = _left_over(board, ids, corners_px)
+    freedom = max(len(ids) - max(terms, 4), 1)
+    return MEDIAN_TO_SIGMA * float(np.median(np.abs(rest))) * float(np.sqrt(len(ids) / freedom))
+
+
+def _left_over(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> tuple[FloatArray, int]:
+    """What is left of the marks (N, 2) after a homography and a distortion that is cubic in the image; number of the latter's terms."""
+    flat = mapped(homography(board, ids, corners_px), board.flat_corners_mm[ids, :2])
+    centred = flat - flat.mean(axis=0)
+    x, y = (centred / np.abs(centred).max()).T
+    order = 3 if len(ids) >= LEAST_MARKS_FOR_CUBIC else 1
+    terms = np.column_stack([x**a * y**b for a in range(order + 1) for b in range(order + 1 - a)])
+    rest = corners_px - flat
+    return rest - terms @ np.linalg.lstsq(terms, rest, rcond=None)[0], terms.shape[1]

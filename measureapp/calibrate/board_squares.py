@@ -1,0 +1,160 @@
+"""The corners of a checkerboard: found, ordered, and what else a grid of squares in the image may be."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from measureapp.arrays import BoolArray, FloatArray, ImageArray
+from measureapp.calibrate.board_refine import refined, window_of
+from measureapp.data.board import BoardDescription
+
+SEARCH_PX = 1000  # longer side of the image the board is searched in
+SEED = (3, 3)  # corners of the smallest grid that tells of another or a hidden board
+PROBE_SHARE = 0.28  # of a square: where the four squares round a corner are sampled
+LEAST_CONTRAST = 0.35  # of the seed's corners
+LEAST_ROW_SHARE = 0.5  # of the corners of a further row must be there
+GROW_UNTIL = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 20, 1e-2)
+
+
+def find_squares(grey: ImageArray, board: BoardDescription) -> tuple[FloatArray, float] | None:
+    """Find all inner corners (N, 2) of ``board`` to sub-pixel and the smallest distance of neighbours, px; None without a board.
+
+    Corner 0 is the same physical corner in every image and camera where the board allows it: the squares on both sides of it
+    along the board's diagonal are black. On a symmetric board (`is_symmetric`) either end may come first.
+
+    Raises
+    ------
+    CalibrationError
+        The corners cannot be refined.
+    """
+    small, scale = shrunk(grey, SEARCH_PX)
+    coarse = _search(small, board)
+    if coarse is None:
+        return None
+    spacing = _least_spacing(full_size(coarse, scale), board)
+    corners = refined(grey, full_size(coarse, scale), spacing, window_of(spacing))
+    return _from_black_corner(grey, _right_handed(corners, board), board), spacing
+
+
+def shrunk(grey: ImageArray, longest_px: int) -> tuple[ImageArray, float]:
+    """Return the image with its longer side at most ``longest_px``, and by what it was scaled."""
+    scale = min(1.0, longest_px / max(grey.shape))
+    if scale == 1.0:
+        return grey, 1.0
+    return np.asarray(cv2.resize(grey, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA), np.uint8), scale
+
+
+def full_size(points: FloatArray, scale: float) -> FloatArray:
+    """Return points of a shrunk image in the pixels of the full one."""
+    return (points + 0.5) / scale - 0.5
+
+
+def squares_in_sight(grey: ImageArray) -> tuple[tuple[int, int], int, bool] | None:
+    """Look for any grid of squares: its corners (longer side, shorter side), how many of them are there, and whether it ends in white.
+
+    A grid that ends in a white margin all round is a board that is seen whole.
+    """
+    small, _ = shrunk(grey, SEARCH_PX)
+    found, seed, meta = cv2.findChessboardCornersSBWithMeta(small, SEED, cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_LARGER)
+    if not found or len(seed) != meta.size:
+        return None
+    grid: FloatArray = np.asarray(seed, np.float64).reshape(*meta.shape, 2)
+    contrast = float(np.median(np.abs(_contrasts(small, grid))))
+    there = np.ones(grid.shape[:2], bool)
+    for _ in range(4):  # each side in turn is the last row
+        grid, there = _grown(small, np.rot90(grid), np.rot90(there), contrast)
+    size = there.shape
+    return (max(size), min(size)), int(there.sum()), _ends_in_white(small, grid)
+
+
+def _search(picture: ImageArray, board: BoardDescription) -> FloatArray | None:
+    size = (board.columns, board.rows)
+    found, corners = cv2.findChessboardCornersSB(picture, size, flags=cv2.CALIB_CB_NORMALIZE_IMAGE)  # `refined` does better than ACCURACY
+    if not found:
+        flags = cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_FAST_CHECK
+        found, corners = cv2.findChessboardCorners(picture, size, flags=flags)
+    return np.asarray(corners, np.float64).reshape(-1, 2) if found else None
+
+
+def _least_spacing(corners: FloatArray, board: BoardDescription) -> float:
+    grid = corners.reshape(board.rows, board.columns, 2)
+    return float(min(np.linalg.norm(np.diff(grid, axis=axis), axis=2).min() for axis in (0, 1)))
+
+
+def _right_handed(corners: FloatArray, board: BoardDescription) -> FloatArray:
+    """Order the corners so that x, y of the board turn as x, y of the image do: the board is seen from its printed side."""
+    grid = corners.reshape(board.rows, board.columns, 2)
+    along_x, along_y = grid[0, -1] - grid[0, 0], grid[-1, 0] - grid[0, 0]
+    if along_x[0] * along_y[1] - along_x[1] * along_y[0] < 0:
+        grid = grid[::-1]
+    return grid.reshape(-1, 2)
+
+
+def _from_black_corner(grey: ImageArray, corners: FloatArray, board: BoardDescription) -> FloatArray:
+    if board.is_symmetric:
+        return corners
+    grid = corners.reshape(board.rows, board.columns, 2)
+    centres = (grid[:-1, :-1] + grid[1:, :-1] + grid[:-1, 1:] + grid[1:, 1:]) / 4
+    levels = levels_at(blurred(grey), centres)
+    like_first = np.indices(levels.shape).sum(axis=0) % 2 == 0
+    if levels[like_first].mean() > levels[~like_first].mean():
+        return corners[::-1]
+    return corners
+
+
+def blurred(picture: ImageArray) -> ImageArray:
+    """Return the image averaged over 3 × 3 pixels."""
+    return np.asarray(cv2.blur(picture, (3, 3)), np.uint8)
+
+
+def levels_at(picture: ImageArray, places: FloatArray) -> FloatArray:
+    """Return the grey levels (…) of the pixels nearest to places (…, 2)."""
+    column, row = np.moveaxis(np.round(places).astype(int), -1, 0)
+    return picture[np.clip(row, 0, picture.shape[0] - 1), np.clip(column, 0, picture.shape[1] - 1)].astype(float)
+
+
+def _contrasts(picture: ImageArray, grid: FloatArray) -> FloatArray:
+    """How much brighter one diagonal pair of squares round each corner is than the other; its sign alternates over a board."""
+    down, right = np.gradient(grid, axis=0), np.gradient(grid, axis=1)
+    smooth = blurred(picture)
+    at = [[levels_at(smooth, grid + PROBE_SHARE * (a * down + b * right)) for b in (-1, 1)] for a in (-1, 1)]
+    sign = np.where(np.indices(grid.shape[:2]).sum(axis=0) % 2 == 0, 1.0, -1.0)
+    even = np.minimum(at[0][0], at[1][1]) - np.maximum(at[0][1], at[1][0])
+    odd = np.minimum(at[0][1], at[1][0]) - np.maximum(at[0][0], at[1][1])
+    return np.asarray(sign * np.where(even > odd, np.maximum(even, 0), -np.maximum(odd, 0)))
+
+
+def _grown(picture: ImageArray, grid: FloatArray, there: BoolArray, contrast: float) -> tuple[FloatArray, BoolArray]:
+    """Add rows behind the last one as long as most of their corners are in the image."""
+    while True:
+        guess = 2.5 * grid[-1] - 2 * grid[-2] + 0.5 * grid[-3]  # the quadratic through the last three, half trusted
+        reach = max(2, round(0.25 * float(np.linalg.norm(grid[-1] - grid[-2], axis=1).min())))
+        inside = np.all((guess > reach + 2) & (guess < np.array(picture.shape[::-1]) - reach - 3), axis=1)
+        if not inside.any():
+            return grid, there
+        better = guess.copy()
+        start = guess[inside].astype(np.float32).reshape(-1, 1, 2)
+        better[inside] = cv2.cornerSubPix(picture, start, (reach, reach), (-1, -1), GROW_UNTIL).reshape(-1, 2)
+        longer = np.concatenate([grid, better[None]])
+        signs = _contrasts(picture, longer)
+        same = np.sign(np.median(signs[:-1][there]))
+        corner = inside & (signs[-1] * same > LEAST_CONTRAST * contrast) & (np.linalg.norm(better - guess, axis=1) < reach)
+        if corner.mean() < LEAST_ROW_SHARE:
+            return grid, there
+        longer[-1] = np.where(corner[:, None], better, guess)
+        grid, there = longer, np.concatenate([there, corner[None]])
+
+
+def _ends_in_white(picture: ImageArray, grid: FloatArray) -> bool:
+    """Whether beyond the ring of squares outside the corners everything is as bright as white squares are."""
+    smooth = blurred(picture)
+    inner = (grid[:-1, :-1] + grid[1:, :-1] + grid[:-1, 1:] + grid[1:, 1:]) / 4
+    limit = (np.percentile(levels_at(smooth, inner), 10) + np.percentile(levels_at(smooth, inner), 90)) / 2
+    for _ in range(4):
+        grid = np.rot90(grid)
+        beyond = grid[-1] + 1.5 * (grid[-1] - grid[-2])
+        beyond = beyond[np.all((beyond > 0) & (beyond < np.array(picture.shape[::-1]) - 1), axis=1)]
+        if 2 * len(beyond) < grid.shape[1] or (levels_at(smooth, beyond) < limit).mean() > 0.2:
+            return False
+    return True

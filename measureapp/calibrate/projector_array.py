@@ -1,0 +1,94 @@
+"""The projector as one more camera of the head, calibrated in the same bundle adjustment."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from measureapp.calibrate.camera_array import CameraArrayProblem, CameraArraySolution, solve
+from measureapp.calibrate.projector_sightings import PROJECTOR, projector_sighting
+from measureapp.calibrate.sightings import Rejection, Sighting
+from measureapp.data.calibration import CameraArrayCalibration, ProjectorCalibration, Provenance
+from measureapp.data.phase import PhaseMap
+from measureapp.errors import CalibrationError
+from measureapp.geometry.transform import RigidTransform
+from measureapp.progress import Progress
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class HeadSolution:
+    """Cameras and projector of one head."""
+
+    calibration: CameraArrayCalibration  # with its `projector`
+    solution: CameraArraySolution  # of the bundle, in which the projector is a camera called `PROJECTOR`
+
+
+def with_projector(problem: CameraArrayProblem, phases: Mapping[tuple[str, str], PhaseMap], size_px: tuple[int, int]) -> CameraArrayProblem:
+    """Return the problem with the projector as one more camera.
+
+    Parameters
+    ----------
+    phases : (camera, view) -> phase of the vertical fringes with that of the horizontal ones in its ``across``. Where several
+        cameras have phases of a view, the one with most marks speaks for the projector.
+    size_px : width and height of the projector's image
+
+    Raises
+    ------
+    CalibrationError
+        A camera is called like the projector.
+    """
+    if PROJECTOR in problem.sizes_px:
+        raise CalibrationError(f"A camera is called {PROJECTOR!r}.", "Give the camera another name.")
+    seen: dict[str, list[Sighting]] = {}
+    missed: dict[str, Rejection] = {}
+    for sighting in problem.sightings:
+        if (sighting.camera, sighting.view) not in phases:
+            continue
+        found = projector_sighting(sighting, phases[sighting.camera, sighting.view])
+        if isinstance(found, Rejection):
+            missed[sighting.view] = found
+        else:
+            seen.setdefault(sighting.view, []).append(found)
+    best = [max(found, key=lambda one: len(one.corners_px)) for found in seen.values()]
+    return replace(
+        problem,
+        sizes_px={**problem.sizes_px, PROJECTOR: size_px},
+        sightings=(*problem.sightings, *best),
+        rejected=(*problem.rejected, *(missed[view] for view in missed if view not in seen)),
+    )
+
+
+def solve_head(
+    problem: CameraArrayProblem,
+    phases: Mapping[tuple[str, str], PhaseMap],
+    size_px: tuple[int, int],
+    progress: Progress | None = None,
+) -> HeadSolution:
+    """Calibrate cameras and projector together.
+
+    Raises
+    ------
+    CalibrationError
+        As `camera_array.solve`; for the projector as for any camera.
+    """
+    solution = solve(with_projector(problem, phases, size_px), progress)
+    return HeadSolution(as_head(solution.calibration), solution)
+
+
+def as_head(calibration: CameraArrayCalibration, name: str = PROJECTOR) -> CameraArrayCalibration:
+    """Return the calibration with its camera ``name`` made the projector."""
+    seen = calibration.cameras[name]
+    projector = ProjectorCalibration(
+        seen.pinhole,
+        RigidTransform(seen.reference_from_camera.matrix, "camera", name),
+        name,
+        seen.standard_deviations,
+        Provenance(calibration.provenance.created, "inverse camera in the bundle adjustment of all cameras", calibration.provenance.inputs),
+    )
+    cameras = {camera: value for camera, value in calibration.cameras.items() if camera != name}
+    pairs = {pair: value for pair, value in calibration.pair_rms_px.items() if not _names(pair, name, cameras)}
+    return replace(calibration, cameras=cameras, pair_rms_px=pairs, projector=projector)
+
+
+def _names(pair: str, name: str, cameras: Sequence[str] | Mapping[str, object]) -> bool:
+    return any(pair in (f"{camera}-{name}", f"{name}-{camera}") for camera in cameras)

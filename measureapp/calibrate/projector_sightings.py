@@ -1,0 +1,122 @@
+"""Where the projector 'sees' the marks of a board: its column and row at every mark, from the phases around it.
+
+A projector sees nothing, but the phases of vertical and horizontal fringes say which projector pixel lights a camera pixel [1]_.
+Around a mark both phases are smooth functions of the camera's pixel, so each is fitted by a quadratic polynomial over the pixels
+nearer to it than its neighbours are, weighted by their own standard deviations, and read at the mark. Dark squares weigh little by
+themselves; the mixing of light and dark pixels at edges is symmetric about a corner or a circle's centre and cancels.
+
+References
+----------
+.. [1] S. Zhang, P. S. Huang, Optical Engineering 45(8), 083601, 2006.
+"""
+
+from __future__ import annotations
+
+from math import tau
+
+import numpy as np
+
+from measureapp.arrays import BoolArray, FloatArray
+from measureapp.calibrate.sightings import Rejection, Sighting
+from measureapp.data.phase import PhaseMap
+
+WINDOW_SHARE = 0.8  # radius of the window over the distance of the nearest mark
+LEAST_RADIUS_PX = 3.0
+LEAST_PIXELS = 24  # four times the coefficients
+FAR_FACTOR = 4.0  # pixels farther from the polynomial, in robust standard deviations, do not count
+LEAST_CORNERS = 8
+PROJECTOR = "projector"
+
+
+def projector_sighting(sighting: Sighting, vertical: PhaseMap, projector: str = PROJECTOR) -> Sighting | Rejection:
+    """Return the projector's sighting of the marks one camera saw, or why it has none.
+
+    Parameters
+    ----------
+    sighting : the marks in the camera that the phases belong to
+    vertical : phase of the vertical fringes; its ``across`` is that of the horizontal fringes
+
+    Returns
+    -------
+    Sighting or Rejection : projector pixels (column, row) of the marks around which both phases are known, with their
+        standard deviations
+    """
+    if vertical.across is None:
+        return Rejection(projector, sighting.view, "the fringes run in one direction only; vertical and horizontal ones are needed")
+    radii = _radii(sighting.corners_px)
+    readings = []
+    for phase in (vertical, vertical.across):
+        scale = phase.pitch_px / tau
+        valid = phase.valid & (phase.sigma_rad > 0)
+        readings.append(read_around(phase.phase_rad * scale, phase.sigma_rad * scale, valid, sighting.corners_px, radii))
+    known = np.isfinite(readings[0][0]) & np.isfinite(readings[1][0])
+    if np.count_nonzero(known) < LEAST_CORNERS:
+        return Rejection(
+            projector, sighting.view, f"the phases around {np.count_nonzero(known)} marks are known; {LEAST_CORNERS} are needed"
+        )
+    pixels = np.column_stack([values for values, _ in readings])[known]
+    sigma = np.sqrt(np.mean([deviations[known] ** 2 for _, deviations in readings], axis=0))
+    return Sighting(projector, sighting.view, pixels, sighting.known_ids[known], sigma)
+
+
+def read_around(
+    values: FloatArray, sigma: FloatArray, valid: BoolArray, places_px: FloatArray, radii_px: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Read a map at places between its pixels, by a weighted quadratic fit around each.
+
+    Parameters
+    ----------
+    values, sigma, valid : (H, W)
+    places_px : (N, 2), x and y
+    radii_px : (N,)
+
+    Returns
+    -------
+    read : (N,), NaN where fewer than 24 pixels around a place are valid or they lie on one side of it; the caller drops these
+    deviations : (N,), the standard deviation of what was read
+    """
+    pairs = [_read_one(values, sigma, valid, place, radius) for place, radius in zip(places_px, radii_px, strict=True)]
+    read, deviations = np.array(pairs).reshape(-1, 2).T
+    return read, deviations
+
+
+def _read_one(values: FloatArray, sigma: FloatArray, valid: BoolArray, place: FloatArray, radius: float) -> tuple[float, float]:
+    nothing = (np.nan, np.nan)
+    height, width = values.shape
+    left, top = np.maximum(np.ceil(place - radius).astype(int), 0)
+    right, bottom = np.minimum(np.floor(place + radius).astype(int) + 1, [width, height])
+    if right <= left or bottom <= top:
+        return nothing
+    window = np.s_[top:bottom, left:right]
+    y, x = np.mgrid[window].astype(float)
+    x, y = (x - place[0]) / radius, (y - place[1]) / radius
+    use = valid[window] & (x * x + y * y <= 1)
+    if not _surrounded(x[use], y[use]):
+        return nothing
+    terms = np.column_stack([np.ones(use.sum()), x[use], y[use], x[use] ** 2, x[use] * y[use], y[use] ** 2])
+    weight, seen = 1.0 / np.asarray(sigma[window][use], float), np.asarray(values[window][use], float)
+    for _ in range(2):  # without the pixels far off, once
+        found = np.linalg.lstsq(terms * weight[:, None], seen * weight, rcond=None)[0]
+        off = (seen - terms @ found) * weight
+        spread = max(1.4826 * float(np.median(np.abs(off))), 1.0)
+        near = np.abs(off) <= FAR_FACTOR * spread
+        if near.all():
+            break
+        terms, weight, seen = terms[near], weight[near], seen[near]
+        if len(seen) < LEAST_PIXELS:
+            return nothing
+    inverse = np.linalg.pinv((terms * weight[:, None]).T @ (terms * weight[:, None]))
+    return float(found[0]), spread * float(np.sqrt(inverse[0, 0]))
+
+
+def _surrounded(x: FloatArray, y: FloatArray) -> bool:
+    """Whether there are pixels enough, and on all four sides."""
+    least = max(LEAST_PIXELS // 4, len(x) // 5)
+    return len(x) >= LEAST_PIXELS and all(np.count_nonzero(side) >= least for side in (x > 0, x < 0, y > 0, y < 0))
+
+
+def _radii(corners_px: FloatArray) -> FloatArray:
+    """A share of the distance to the nearest other mark, (N,)."""
+    apart = np.linalg.norm(corners_px[:, None] - corners_px[None], axis=2)
+    np.fill_diagonal(apart, np.inf)
+    return np.asarray(np.maximum(WINDOW_SHARE * apart.min(axis=1), LEAST_RADIUS_PX))

@@ -1,0 +1,37 @@
+"""`board export`: a calibration board to print."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from measureapp.cli.calibrate.options import NO_BOARD, BoardChoice, with_board
+from measureapp.cli.reply import JsonOption, reply
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command group."""
+    group = typer.Typer(help="Calibration boards.", no_args_is_help=True)
+
+    @group.callback()
+    def boards() -> None:
+        """Calibration boards."""
+
+    @group.command()
+    @with_board
+    def export(
+        out: Annotated[Path, typer.Option("--out", help="SVG file to write; print it at 100 % and check its line of 100 mm.")],
+        board: BoardChoice = NO_BOARD,
+        as_json: JsonOption = False,
+    ) -> None:
+        """Draw a board to print at true scale."""
+        from measureapp.project.board_drawing import write_board
+
+        description = board.description()
+        write_board(out, description)
+        document = {"board": description.model_dump(), "files": {"board": out}}
+        reply(document, f"Written: {out} ({description.label}). Print it at 100 % and measure its line of 100 mm.", as_json)
+
+    app.add_typer(group, name="board")

@@ -1,0 +1,108 @@
+"""What the decoding kernels are given and fill: plain tuples of arrays and numbers, which compiled code can take."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+CHUNK = 2048  # pixels whose images of all exposures pass through the processor's nearest cache together
+STRIPE = 32 * CHUNK  # pixels whose sums stay in the second cache until they are solved
+BLOCK = 1024  # of a chunk, for the arithmetic after the sums
+RESIDUAL_SCALE = 120.0  # a rounding residual of ±1 cycle in eight bits
+
+
+class Layout(NamedTuple):
+    """Which images belong together, and how they are weighted. G groups of sinusoids, P images, B Gray planes."""
+
+    first_image: Any  # (G,) int64
+    steps: Any  # (G,) int64
+    sines: Any  # (P,) float32
+    cosines: Any  # (P,) float32
+    planes: Any  # (B,) int64, images of the Gray code, most significant first
+
+
+class Sums(NamedTuple):
+    """What is summed over the exposures taken; W pixels, M = 1 where all groups take the same exposures, otherwise G."""
+
+    sine: Any  # (G, W) int16 or float32, Σ I sin
+    cosine: Any  # (G, W) int16 or float32, Σ I cos
+    total: Any  # (M, W) int16 or float32, Σ I of each group; where all take the same exposures only of the finest
+    planes: Any  # (B, W) int16 or float32, Σ of every Gray plane
+    taken: Any  # (M, W) uint16, bit e: exposure e is taken
+    zero: Any  # (W,) uint8, 1: an image of the first exposure taken is 0
+    bloomed: Any  # (W,) uint8, 1: an exposure was left out for a saturated neighbour only
+    alike: Any  # (chunks,) int64, the exposures that all pixels of a chunk took, as bits; -1 where they differ: see `taken`
+
+
+class Rule(NamedTuple):
+    """Which exposures a pixel takes."""
+
+    finest: Any  # int, group of the finest pitch
+    limit: Any  # of the images' type: largest grey level that is not saturated
+    first_only: Any  # bool, the brightest exposure instead of all
+
+
+class Scratch(NamedTuple):
+    """Arrays of one chunk for summing."""
+
+    high: Any  # (M, CHUNK) of the images' type: brightest image of the groups that decide together
+    peak: Any  # (CHUNK,) of the images' type: brightest of all
+    low: Any  # (CHUNK,) of the images' type: darkest of all
+    take: Any  # (CHUNK,) uint8, 1: the pixel takes the exposure
+
+
+class Model(NamedTuple):
+    """What turns sums into absolute phase and reason."""
+
+    sine_sign: Any  # float32, 1 where image n is A + B cos(phase - 2πn/N), -1 for the other sign
+    origin: Any  # float32, phase at column 0 in cycles, 0 or -0.5
+    combinations: Any  # (K, G) float32 integers; K = 0: numbered by Gray code
+    ratios: Any  # (K,) float32, frequency of a combination over that of the one before
+    watched: Any  # int, the decision whose rounding residual is kept; -1: the largest of all
+    guard: Any  # float32, share of the coarsest period kept below 0
+    complementary: Any  # bool, the last Gray plane changes in the middle of the periods
+    finest: Any  # int, group of the finest pitch
+    scales: Any  # (G,) float32, frequency of a group over the finest
+    correction: Any  # (G, L + 1) float32, cycles to add to the wrapped phase at -0.5 … 0.5; (G, 0): none
+    gain: Any  # float32, variance in grey levels squared per grey level
+    floor: Any  # float32, variance in the dark in grey levels squared
+    black: Any  # float32, grey level of no light
+    count: Any  # (2^E,) float32, how many exposures a set of them has
+    to_longest: Any  # (2^E,) float32, the longest exposure over the sum of a set
+    to_brightest: Any  # (2^E,) float32, the longest exposure of a set over its sum
+    first: Any  # (2^E,) int8, the longest exposure of a set, -1 for none
+    beyond: Any  # float32, grey of a pixel saturated in all exposures, scaled to the longest
+    least_modulation: Any  # float32, grey levels
+    most_sigma: Any  # float32, rad
+    dark_sigma: Any  # float32, rad: above it nothing can be told from noise
+    zero_is_dark: Any  # bool, a pixel that is 0 in the exposure taken is not valid
+    lowest: Any  # float32, cycles: smallest phase on the projector
+    highest: Any  # float32, cycles
+    gate: Any  # float32, cycles: largest rounding residual of an order that needs no support
+    undecided: Any  # bool, doubtful orders keep their phase for the vote
+
+
+class Maps(NamedTuple):
+    """What comes out, flat arrays of N pixels."""
+
+    phase: Any  # float32, rad
+    sigma: Any  # float32, rad
+    modulation: Any  # of the images' type
+    grey: Any  # uint16
+    state: Any  # uint8 of PixelState
+    exposure: Any  # int8
+    residual: Any  # int8, cycles × RESIDUAL_SCALE
+
+
+class Work(NamedTuple):
+    """Arrays of one block for solving."""
+
+    phase: Any  # (G, BLOCK) float32, cycles from column 0
+    power: Any  # (G, BLOCK) float32
+    value: Any  # (BLOCK,) float32, absolute phase in cycles
+    wrapped: Any  # (BLOCK,) float32
+    residual: Any  # (BLOCK,) float32
+    modulation: Any  # (BLOCK,) float32
+    noise: Any  # (BLOCK,) float32
+    weight: Any  # (BLOCK,) float32
+    count: Any  # (BLOCK,) float32
+    code: Any  # (3, BLOCK) int32

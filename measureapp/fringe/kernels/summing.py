@@ -1,0 +1,258 @@
+"""Compiled loops that sum the images of one pixel over the exposures it takes, chunk by chunk.
+
+Sums live in a stripe that stays in cache when all exposures are at hand, or in arrays of the whole image while exposures arrive
+one by one; the same code works on both, so that both give the same. The readable statement stands in `phase_shift.py` and the tests.
+Kernels release the interpreter, so that bands run on threads; those that call each other share one file, because only a change of
+its own file makes numba compile a kernel anew. Inner functions are forced inline: a call would count the references of every array.
+"""
+# The innermost loops become SIMD code only when they are plain loops over one index.
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numba import njit
+
+from measureapp.fringe.kernels.records import CHUNK
+
+# With the error model of Python a division is a branch, and the loop around it stays scalar.
+ENTRY: dict[str, Any] = {"nogil": True, "_nrt": False, "cache": True, "error_model": "numpy", "fastmath": True}
+INNER: dict[str, Any] = {**ENTRY, "forceinline": True}
+
+
+@njit(**INNER)
+def clear(sums: Any, off: int, n: int) -> None:
+    """Set the sums of ``n`` pixels to nothing."""
+    sums.sine[:, off : off + n] = 0
+    sums.cosine[:, off : off + n] = 0
+    sums.total[:, off : off + n] = 0
+    sums.planes[:, off : off + n] = 0
+    sums.alike[off // CHUNK] = 0
+
+
+@njit(**INNER)
+def bounds(images: Any, layout: Any, begin: int, n: int) -> Any:
+    """Return the brightest and the darkest grey level of all sinusoids of a chunk."""
+    top = images[layout.first_image[0], begin]
+    bottom = top
+    for g in range(layout.steps.shape[0]):
+        for p in range(layout.first_image[g], layout.first_image[g] + layout.steps[g]):
+            row = images[p, begin : begin + n]
+            for j in range(n):
+                top = max(top, row[j])
+                bottom = min(bottom, row[j])
+    return top, bottom
+
+
+@njit(**INNER)
+def extremes(images: Any, layout: Any, begin: int, n: int, scratch: Any) -> None:
+    """Find the brightest image of the groups that decide together, the brightest and the darkest of all, per pixel."""
+    low, peak = scratch.low, scratch.peak
+    apart = scratch.high.shape[0] > 1
+    for g in range(layout.steps.shape[0]):
+        first = layout.first_image[g]
+        row = images[first, begin : begin + n]
+        high = scratch.high[g if apart else 0]
+        if apart or g == 0:
+            for j in range(n):
+                high[j] = row[j]
+        if g == 0:
+            for j in range(n):
+                low[j] = row[j]
+        for p in range(first, first + layout.steps[g]):
+            row = images[p, begin : begin + n]
+            for j in range(n):
+                high[j] = max(high[j], row[j])
+            for j in range(n):
+                low[j] = min(low[j], row[j])
+    high = scratch.high[0]
+    for j in range(n):
+        peak[j] = high[j]
+    for m in range(1, scratch.high.shape[0]):
+        high = scratch.high[m]
+        for j in range(n):
+            peak[j] = max(peak[j], high[j])
+
+
+@njit(**INNER)
+def add_group(images: Any, layout: Any, g: int, begin: int, n: int, sums: Any, off: int, take: Any, everywhere: bool) -> None:
+    """Add the sine and cosine sums of one group of one exposure, of all pixels or of those taken."""
+    p = layout.first_image[g]
+    sine = sums.sine[g, off : off + n]
+    cosine = sums.cosine[g, off : off + n]
+    kind = sine.dtype.type
+    if layout.steps[g] == 4:
+        a = images[p, begin : begin + n]
+        b = images[p + 1, begin : begin + n]
+        c = images[p + 2, begin : begin + n]
+        d = images[p + 3, begin : begin + n]
+        if everywhere:
+            for j in range(n):
+                sine[j] += kind(b[j]) - kind(d[j])
+                cosine[j] += kind(a[j]) - kind(c[j])
+        else:
+            for j in range(n):
+                sine[j] += kind(take[j]) * (kind(b[j]) - kind(d[j]))
+                cosine[j] += kind(take[j]) * (kind(a[j]) - kind(c[j]))
+        return
+    for q in range(p, p + layout.steps[g]):
+        row = images[q, begin : begin + n]
+        weight_s = layout.sines[q]
+        weight_c = layout.cosines[q]
+        for j in range(n):
+            value = np.float32(row[j]) if everywhere else np.float32(row[j]) * np.float32(take[j])
+            sine[j] += kind(weight_s * value)
+            cosine[j] += kind(weight_c * value)
+
+
+@njit(**INNER)
+def add_images(images: Any, first: int, count: int, begin: int, n: int, total: Any, take: Any, everywhere: bool) -> None:
+    """Add consecutive images to one sum, of all pixels or of those taken."""
+    kind = total.dtype.type
+    q = first
+    while q < first + count:
+        if first + count - q >= 4:
+            a = images[q, begin : begin + n]
+            b = images[q + 1, begin : begin + n]
+            c = images[q + 2, begin : begin + n]
+            d = images[q + 3, begin : begin + n]
+            if everywhere:
+                for j in range(n):
+                    total[j] += (kind(a[j]) + kind(b[j])) + (kind(c[j]) + kind(d[j]))
+            else:
+                for j in range(n):
+                    total[j] += kind(take[j]) * ((kind(a[j]) + kind(b[j])) + (kind(c[j]) + kind(d[j])))
+            q += 4
+            continue
+        row = images[q, begin : begin + n]
+        if everywhere:
+            for j in range(n):
+                total[j] += kind(row[j])
+        else:
+            for j in range(n):
+                total[j] += kind(row[j]) * kind(take[j])
+        q += 1
+
+
+@njit(**INNER)
+def add_taken(images: Any, layout: Any, rule: Any, m: int, begin: int, n: int, sums: Any, off: int, take: Any, everywhere: bool) -> None:
+    """Add all that one decision about an exposure covers: every group, or group ``m`` where each decides for itself."""
+    joint = sums.total.shape[0] == 1
+    for g in range(layout.steps.shape[0]):
+        if joint or g == m:
+            add_group(images, layout, g, begin, n, sums, off, take, everywhere)
+    g = rule.finest if joint else m
+    add_images(images, layout.first_image[g], layout.steps[g], begin, n, sums.total[m, off : off + n], take, everywhere)
+    if joint or m == rule.finest:
+        for b in range(layout.planes.shape[0]):
+            add_images(images, layout.planes[b], 1, begin, n, sums.planes[b, off : off + n], take, everywhere)
+
+
+@njit(**INNER)
+def take_some(
+    images: Any, exposure: int, blocked: Any, layout: Any, rule: Any, m: int, begin: int, n: int, scratch: Any, sums: Any, off: int
+) -> None:
+    """Add one exposure where pixels decide differently."""
+    take, low, high = scratch.take, scratch.low, scratch.high[m]
+    taken = sums.taken[m, off : off + n]
+    zero = sums.zero[off : off + n]
+    limit = rule.limit
+    for j in range(n):
+        take[j] = np.uint8(high[j] <= limit)
+    if rule.first_only:
+        for j in range(n):
+            take[j] &= np.uint8(taken[j] == 0)
+    if blocked.shape[0] > 0:
+        near = blocked[begin : begin + n]
+        bloomed = sums.bloomed[off : off + n]
+        for j in range(n):
+            bloomed[j] |= take[j] & np.uint8(near[j] != 0)
+            take[j] &= np.uint8(near[j] == 0)
+    add_taken(images, layout, rule, m, begin, n, sums, off, take, False)
+    for j in range(n):
+        zero[j] |= take[j] & np.uint8(taken[j] == 0) & np.uint8(low[j] == 0)
+    bit = np.uint16(1 << exposure)
+    for j in range(n):
+        taken[j] |= bit * np.uint16(take[j])
+
+
+@njit(**INNER)
+def accumulate(
+    images: Any,  # (P, N) of one exposure
+    exposure: int,
+    blocked: Any,  # (N,) uint8, not 0: beside a saturated pixel; empty: no guard
+    layout: Any,
+    rule: Any,
+    begin: int,
+    n: int,
+    scratch: Any,
+    sums: Any,
+    off: int,
+) -> Any:
+    """Add one exposure of ``n`` pixels to their sums; returns how many of them are above zero and unsaturated in it."""
+    chunk = off // CHUNK
+    alike = sums.alike[chunk]
+    done = rule.first_only and alike > 0
+    top, bottom = bounds(images, layout, begin, n)
+    clean = top <= rule.limit
+    together = clean and alike >= 0 and not done and blocked.shape[0] == 0 and (alike > 0 or bottom > 0)
+    if together:
+        for m in range(sums.total.shape[0]):
+            add_taken(images, layout, rule, m, begin, n, sums, off, scratch.take, True)
+        sums.alike[chunk] = alike | (1 << exposure)
+    if clean and bottom > 0 and (together or done):
+        return n
+    extremes(images, layout, begin, n, scratch)
+    low, peak, limit = scratch.low, scratch.peak, rule.limit
+    good = np.int32(0)
+    for j in range(n):
+        good += np.int32((peak[j] <= limit) & (low[j] > 0))
+    if together or done:
+        return good
+    if alike >= 0:
+        sums.taken[:, off : off + n] = np.uint16(alike)
+        sums.zero[off : off + n] = 0
+        sums.bloomed[off : off + n] = 0
+        sums.alike[chunk] = -1
+    for m in range(sums.total.shape[0]):
+        take_some(images, exposure, blocked, layout, rule, m, begin, n, scratch, sums, off)
+    return good
+
+
+@njit(**ENTRY)
+def add_exposures(
+    images: Any,  # (E, P, N) consecutive exposures
+    exposure: int,  # number of the first of them
+    blocked: Any,
+    layout: Any,
+    rule: Any,
+    scratch: Any,
+    sums: Any,
+    base: int,  # pixel that the sums begin with
+    start: int,
+    stop: int,
+    good: Any,  # (all exposures,) int64, gains the pixels above zero and unsaturated
+) -> None:
+    """Add exposures of pixels ``start … stop``, whole chunks, to their sums; the first exposure begins them anew."""
+    for begin in range(start, stop, CHUNK):
+        n = min(CHUNK, stop - begin)
+        if exposure == 0:
+            clear(sums, begin - base, n)
+        for e in range(images.shape[0]):
+            good[exposure + e] += accumulate(images[e], exposure + e, blocked, layout, rule, begin, n, scratch, sums, begin - base)
+
+
+@njit(**ENTRY)
+def mark_saturated(images: Any, layout: Any, limit: Any, start: int, stop: int, saturated: Any) -> None:
+    """Mark pixels ``start … stop`` of one exposure (P, N) of which a sinusoid is above ``limit``."""
+    for begin in range(start, stop, CHUNK):
+        n = min(CHUNK, stop - begin)
+        out = saturated[begin : begin + n]
+        for j in range(n):
+            out[j] = 0
+        for g in range(layout.steps.shape[0]):
+            for p in range(layout.first_image[g], layout.first_image[g] + layout.steps[g]):
+                row = images[p, begin : begin + n]
+                for j in range(n):
+                    out[j] |= np.uint8(row[j] > limit)

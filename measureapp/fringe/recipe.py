@@ -1,0 +1,124 @@
+"""What the kernels must know about a pattern set and a bracket to sum the images of one direction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from measureapp.data.fringe import Direction, GrayCodeGroup, PatternSet, PhaseShiftGroup
+from measureapp.errors import DecodeError
+from measureapp.fringe.kernels.records import CHUNK, Layout, Rule, Scratch, Sums
+from measureapp.fringe.noise import CameraNoise
+from measureapp.fringe.phase_shift import shift_weights
+from measureapp.fringe.settings import DecodeSettings
+
+MOST_EXPOSURES = 16
+LARGEST_SHORT = 32767
+
+
+@dataclass(frozen=True, slots=True)
+class Recipe:
+    """How the images of one camera and one direction are summed.
+
+    Attributes
+    ----------
+    patterns : the groups of this direction alone
+    first : which image of the whole set is the first of them
+    exposures_us : from long to short
+    saturation : grey level from which a pixel counts as saturated
+    """
+
+    patterns: PatternSet
+    direction: Direction
+    first: int
+    exposures_us: tuple[int, ...]
+    saturation: float
+    settings: DecodeSettings
+    noise: CameraNoise
+
+    @classmethod
+    def of(
+        cls,
+        patterns: PatternSet,
+        direction: Direction,
+        bracket: tuple[tuple[int, ...], float],
+        settings: DecodeSettings,
+        camera: str,
+    ) -> Recipe:
+        """Return the recipe of one direction of a set; ``bracket`` is the exposures and the saturation. Raises DecodeError."""
+        exposures_us, saturation = bracket
+        if len(exposures_us) > MOST_EXPOSURES:
+            raise DecodeError(f"{len(exposures_us)} exposures are more than {MOST_EXPOSURES}.", "Leave exposures out of the bracket.")
+        if list(exposures_us) != sorted(exposures_us, reverse=True):
+            raise DecodeError("The exposures are not in order from long to short.", "Sort the exposures of the stack.")
+        alone, where = patterns.along(direction)
+        return cls(alone, direction, where.start, exposures_us, saturation, settings, settings.noise_of(camera))
+
+    @property
+    def groups(self) -> list[PhaseShiftGroup]:
+        """The sinusoids, in order."""
+        return [group for group in self.patterns.groups if isinstance(group, PhaseShiftGroup)]
+
+    @property
+    def gray_code(self) -> GrayCodeGroup | None:
+        """The Gray code, if there is one."""
+        return next((group for group in self.patterns.groups if isinstance(group, GrayCodeGroup)), None)
+
+    @property
+    def finest(self) -> int:
+        """Which group has the finest pitch."""
+        return int(np.argmin([group.pitch_px for group in self.groups]))
+
+    def layout(self) -> Layout:
+        """Return which images of the whole set belong together."""
+        firsts: list[int] = []
+        planes: list[int] = []
+        at = self.first
+        sines, cosines = np.zeros(self.first + self.patterns.count), np.zeros(self.first + self.patterns.count)
+        for group in self.patterns.groups:
+            if isinstance(group, PhaseShiftGroup):
+                firsts.append(at)
+                sines[at : at + group.steps], cosines[at : at + group.steps] = shift_weights(group.steps, -1)
+            else:
+                planes += range(at, at + group.count)
+            at += group.count
+        return Layout(
+            np.array(firsts, np.int64),
+            np.array([group.steps for group in self.groups], np.int64),
+            sines.astype(np.float32),
+            cosines.astype(np.float32),
+            np.array(planes, np.int64),
+        )
+
+    def rule(self, dtype: np.dtype[np.unsignedinteger]) -> Rule:
+        """Return which exposures a pixel of images of this type takes."""
+        top = min(int(np.ceil(self.saturation)) - 1, int(np.iinfo(dtype).max))
+        return Rule(self.finest, dtype.type(top), self.settings.rule == "paper")
+
+    def sums(self, dtype: np.dtype[np.unsignedinteger], pixels: int) -> Sums:
+        """Return room for the sums of so many pixels: whole numbers where these are exact and cannot overflow."""
+        steps = [group.steps for group in self.groups]
+        short = dtype == np.uint8 and set(steps) == {4} and 255 * 4 * len(self.exposures_us) <= LARGEST_SHORT
+        kind, groups, apart = np.int16 if short else np.float32, len(steps), 1 if self.settings.joint else len(steps)
+        planes = self.gray_code.planes if self.gray_code else 0
+        chunks = -(-pixels // CHUNK)
+        return Sums(
+            sine=np.empty((groups, pixels), kind),
+            cosine=np.empty((groups, pixels), kind),
+            total=np.empty((apart, pixels), kind),
+            planes=np.empty((planes, pixels), kind),
+            taken=np.empty((apart, pixels), np.uint16),
+            zero=np.empty(pixels, np.uint8),
+            bloomed=np.empty(pixels, np.uint8),
+            alike=np.empty(chunks, np.int64),
+        )
+
+    def scratch(self, dtype: np.dtype[np.unsignedinteger]) -> Scratch:
+        """Return the arrays of one chunk."""
+        return Scratch(
+            high=np.empty((1 if self.settings.joint else len(self.groups), CHUNK), dtype),
+            peak=np.empty(CHUNK, dtype),
+            low=np.empty(CHUNK, dtype),
+            take=np.empty(CHUNK, np.uint8),
+        )

@@ -1,0 +1,73 @@
+"""Decoding on a thread of its own while a scan still takes images."""
+
+from __future__ import annotations
+
+import time
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass, field
+from types import TracebackType
+
+from measureapp.acquire.capture import ExposureTaken
+from measureapp.data.fringe import FringeStack
+from measureapp.data.phase import PhaseMap
+from measureapp.fringe.settings import DecodeSettings
+from measureapp.fringe.stack_checks import check_stack
+from measureapp.fringe.streaming import StreamingDecoder
+
+
+@dataclass(slots=True)
+class _Viewpoint:
+    decoder: StreamingDecoder
+    sums: list[Future[None]] = field(default_factory=list)
+    maps: Future[dict[str, PhaseMap]] | None = None
+    last_image_s: float = 0.0  # of the monotonic clock
+
+
+class LiveDecoding:
+    """Sums every exposure as soon as it is complete, and takes the phase after the last; a context that ends its thread."""
+
+    def __init__(self, settings: DecodeSettings | None = None) -> None:
+        self._settings = settings
+        self._pool = ThreadPoolExecutor(1, "live-decoding")
+        self._viewpoints: dict[str, _Viewpoint] = {}
+
+    def __enter__(self) -> LiveDecoding:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        self._pool.shutdown(wait=True, cancel_futures=True)
+
+    def exposure_taken(self, taken: ExposureTaken) -> None:
+        """Begin to sum an exposure; returns at once. The first one of a viewpoint begins it anew. Raises DecodeError."""
+        if taken.level == 0:
+            decoder = StreamingDecoder(taken.patterns, taken.exposures_us, taken.saturation, self._settings, taken.viewpoint_id)
+            self._viewpoints[taken.viewpoint_id] = _Viewpoint(decoder)
+        viewpoint = self._viewpoints[taken.viewpoint_id]
+        for camera, images in taken.images.items():
+            viewpoint.sums.append(self._pool.submit(viewpoint.decoder.add, camera, taken.level, images))
+        if taken.level == len(taken.exposures_us) - 1:
+            viewpoint.last_image_s = time.monotonic()
+            viewpoint.maps = self._pool.submit(viewpoint.decoder.finish)
+
+    def drop(self, viewpoint_id: str) -> None:
+        """Forget what was summed of a viewpoint that failed."""
+        dropped = self._viewpoints.pop(viewpoint_id, None)
+        if dropped is not None:
+            for future in dropped.sums:
+                future.cancel()
+
+    def maps(self, stack: FringeStack) -> tuple[dict[str, PhaseMap], float] | None:
+        """Return the maps of a stack whose exposures all passed here, and when its last image came; None for other stacks.
+
+        Raises
+        ------
+        DecodeError
+            The images contradict the pattern set.
+        """
+        viewpoint = self._viewpoints.pop(stack.viewpoint_id, None)
+        if viewpoint is None or viewpoint.maps is None:
+            return None
+        check_stack(stack)
+        for future in viewpoint.sums:
+            future.result()
+        return viewpoint.maps.result(), viewpoint.last_image_s

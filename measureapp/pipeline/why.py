@@ -1,0 +1,214 @@
+"""Why a view has holes: computed again from its images whenever somebody asks, and told for a pixel, a box or the whole view."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from measureapp.arrays import IntArray
+from measureapp.data.calibration import CameraArrayCalibration
+from measureapp.data.fringe import FringeStack
+from measureapp.data.phase import PhaseMap, PixelState
+from measureapp.data.point_state import PointState
+from measureapp.errors import CalibrationError, InputError, ReconstructError
+from measureapp.fringe.decode import decode
+from measureapp.fringe.settings import DecodeSettings
+from measureapp.progress import NoProgress, PartOf, Progress
+from measureapp.project.folder import ProjectFolder
+from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
+from measureapp.reconstruct.settings import ReconstructSettings
+from measureapp.reconstruct.why import POINT, HoleReason, shares_of_region, shares_of_view, why
+
+SEEN_BY_ANOTHER = "seen by another"
+NO_HOLES = (POINT, SEEN_BY_ANOTHER)  # the surface of such a pixel is measured
+
+
+def _word(state: PixelState | PointState) -> str:
+    return state.name.lower().replace("_", " ")
+
+
+OF_DECODING = tuple(_word(state) for state in PixelState if state != PixelState.VALID)
+OF_RECONSTRUCTION = tuple(_word(state) for state in PointState if state not in (PointState.VALID, PointState.NO_PHASE))
+REASONS = (POINT, *OF_DECODING, *OF_RECONSTRUCTION)  # a code of `ExplainedView.codes` is a place in here
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A value that decided about a pixel, beside its limits; None where there is no such limit."""
+
+    what: str
+    value: float
+    unit: str
+    least: float | None = None
+    most: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class PixelAnswer:
+    """What became of one pixel."""
+
+    camera: str
+    row: int
+    column: int
+    found: HoleReason
+    numbers: tuple[Number, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class RegionAnswer:
+    """What became of the pixels of a box, its end not included."""
+
+    camera: str
+    box: tuple[int, int, int, int]  # row, column, row, column
+    pixels: int
+    shares: Mapping[str, float]  # of every reason that occurs, the largest first; they sum to 1
+    example: PixelAnswer | None  # a pixel of the most frequent loss; None where nothing is lost
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ExplainedView:
+    """A view as it was decoded and reconstructed, to ask about."""
+
+    viewpoint_id: str
+    exposures_us: tuple[int, ...]  # from long to short
+    phase_maps: Mapping[str, PhaseMap]
+    made: Reconstruction
+    calibrated: tuple[str, ...]  # all cameras of the calibration, in the order of the cloud's camera bits
+    decode_settings: DecodeSettings = field(default_factory=DecodeSettings)
+    reconstruct_settings: ReconstructSettings = field(default_factory=ReconstructSettings)
+
+    @property
+    def cameras(self) -> tuple[str, ...]:
+        """The cameras that can be asked about, the reference camera first."""
+        return tuple(self.made.fates)
+
+    def shares(self) -> dict[str, dict[str, float]]:
+        """Return the share of every reason for every camera; those of a camera sum to 1."""
+        return shares_of_view(self.phase_maps, self.made)
+
+    def pixel(self, camera: str, row: int, column: int) -> PixelAnswer:
+        """Say what became of a pixel. Raises ReconstructError where the view has no such camera or pixel."""
+        found = why(self.phase_maps, self.made, camera, row, column, self.reconstruct_settings)
+        numbers = self._numbers(self.phase_maps[camera], row, column)
+        return PixelAnswer(camera, row, column, found, numbers + (self._of_point(camera, row, column) if found.stage == POINT else ()))
+
+    def region(self, camera: str, box: tuple[int, int, int, int]) -> RegionAnswer:
+        """Say what became of the pixels of a box (row, column, row, column), its end not included.
+
+        Raises
+        ------
+        ReconstructError
+            No such camera, or a box that is empty or reaches beyond its image.
+        """
+        codes = self.codes(camera)
+        top, left, bottom, right = box
+        if not (0 <= top < bottom <= codes.shape[0] and 0 <= left < right <= codes.shape[1]):
+            raise ReconstructError(
+                f"The region {top},{left},{bottom},{right} does not lie in the images of camera {camera!r}.",
+                f"Give ROW,COLUMN,ROW,COLUMN of two corners within {codes.shape[0]} rows and {codes.shape[1]} columns.",
+            )
+        shares = shares_of_region(self.phase_maps, self.made, camera, box)
+        lost = next((reason for reason in shares if reason not in NO_HOLES), None)
+        example = None if lost is None else self.pixel(camera, *_middle(codes, REASONS.index(lost), box))
+        return RegionAnswer(camera, box, (bottom - top) * (right - left), shares, example)
+
+    def example(self, camera: str, reason: str) -> tuple[int, int]:
+        """Return row and column of a pixel with this reason, which must occur: the one in the middle of all, in reading order."""
+        codes = self.codes(camera)
+        return _middle(codes, REASONS.index(reason), (0, 0, codes.shape[0], codes.shape[1]))
+
+    def codes(self, camera: str) -> IntArray:
+        """Return what became of every pixel, (H, W) uint8, as a place in `REASONS`. Raises ReconstructError for another camera."""
+        if camera not in self.made.fates:
+            raise ReconstructError(f"The view has no camera {camera!r}.", "Name one of: " + ", ".join(self.cameras) + ".")
+        of_phase, of_point = _tables()
+        fate = self.made.fates[camera]
+        return np.where(fate == PointState.NO_PHASE, of_phase[self.phase_maps[camera].state], of_point[fate])
+
+    def _of_point(self, camera: str, row: int, column: int) -> tuple[Number, ...]:
+        """Return how certain the point of a pixel is; a point stands in the image of the first of its cameras."""
+        cloud, bit = self.made.cloud, 1 << self.calibrated.index(camera)
+        (places,) = np.nonzero((cloud.pixel == (row, column)).all(axis=1) & (cloud.cameras & (2 * bit - 1) == bit))
+        if len(places) == 0:
+            return ()
+        sigma, seen = float(cloud.sigma_mm[places[0]]), int(cloud.cameras[places[0]]).bit_count()
+        return (Number("σ of the point", sigma, "mm", most=self.reconstruct_settings.max_sigma_mm), Number("cameras", float(seen), ""))
+
+    def _numbers(self, phase_map: PhaseMap, row: int, column: int) -> tuple[Number, ...]:
+        """Return what decoding found, beside the limits it used."""
+        settings = self.decode_settings
+        numbers = [Number("grey level", float(phase_map.grey[row, column]), "")]
+        taken = int(phase_map.exposure_index[row, column])
+        if taken >= 0:
+            numbers.append(Number("exposure", float(self.exposures_us[taken]), "µs"))
+        least = settings.min_modulation_grey(phase_map.saturation)
+        numbers.append(Number("modulation", float(phase_map.modulation[row, column]), "grey levels", least=least))
+        if phase_map.state[row, column] == PixelState.VALID:
+            numbers.append(Number("phase noise", float(phase_map.sigma_rad[row, column]), "rad", most=settings.max_sigma_rad))
+            numbers.append(Number("signal to noise", float(phase_map.snr[row, column]), ""))
+            place = float(phase_map.phase_rad[row, column]) * phase_map.pitch_px / (2 * np.pi)
+            numbers.append(Number("projector column", place, "px"))
+        return tuple(numbers)
+
+
+def explain_stack(
+    stack: FringeStack,
+    cameras: CameraArrayCalibration,
+    decode_settings: DecodeSettings | None = None,
+    progress: Progress | None = None,
+) -> ExplainedView:
+    """Decode and reconstruct recorded images, and keep what became of every pixel.
+
+    Raises
+    ------
+    DecodeError, ReconstructError
+        The images do not determine the phase, or are of other cameras than calibrated.
+    """
+    progress, settings = progress or NoProgress(), decode_settings or DecodeSettings()
+    maps = decode(stack, settings, PartOf(progress, 0.0, 0.5))
+    made = reconstruct(maps, cameras, None, PartOf(progress, 0.5, 1.0))
+    return ExplainedView(stack.viewpoint_id, stack.exposures_us, maps, made, cameras.names, settings)
+
+
+def explain_view(project: ProjectFolder, viewpoint_id: str, progress: Progress | None = None) -> ExplainedView:
+    """Compute a stored view of a project again, as it was measured.
+
+    Raises
+    ------
+    InputError
+        The images of no such view are stored.
+    CalibrationError
+        The project is not calibrated.
+    DecodeError, ReconstructError, StorageError
+        From the stages, or images that are damaged.
+    """
+    stored = project.stored_viewpoints()
+    if viewpoint_id not in stored:
+        hint = f"Name one of: {', '.join(stored)}." if stored else "Scan the part first: measureapp scan."
+        raise InputError(f"{project.path} holds no images of a view {viewpoint_id!r}.", hint)
+    calibration = project.calibration()
+    if calibration is None:
+        raise CalibrationError(
+            f"{project.path} has no calibration, so its images cannot become points.", "Calibrate first: measureapp process PROJECT."
+        )
+    return explain_stack(project.frames.load(viewpoint_id), calibration.cameras, None, progress)
+
+
+def _tables() -> tuple[IntArray, IntArray]:
+    """Return the places in `REASONS` of every PixelState and every PointState."""
+    of_phase = np.array([REASONS.index(POINT if state == PixelState.VALID else _word(state)) for state in PixelState], np.uint8)
+    of_point = np.zeros(len(PointState), np.uint8)
+    for state in PointState:
+        if state not in (PointState.VALID, PointState.NO_PHASE):
+            of_point[state] = REASONS.index(_word(state))
+    return of_phase, of_point
+
+
+def _middle(codes: IntArray, code: int, box: tuple[int, int, int, int]) -> tuple[int, int]:
+    """Return the pixel of this code in the box that lies in the middle of them in reading order."""
+    top, left, bottom, right = box
+    rows, columns = np.nonzero(codes[top:bottom, left:right] == code)
+    place = len(rows) // 2
+    return top + int(rows[place]), left + int(columns[place])

@@ -1,0 +1,76 @@
+"""The corners a camera calibration was made from, kept so that it can be solved again without the images."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pydantic import TypeAdapter
+
+from measureapp.calibrate.camera_array import CameraArrayProblem
+from measureapp.calibrate.sightings import Rejection, Sighting
+from measureapp.data.board import AnyBoard
+from measureapp.errors import InputError
+from measureapp.project.atomic import write_json
+
+SCHEMA_VERSION = 1
+BOARD: TypeAdapter[Any] = TypeAdapter(AnyBoard)
+
+
+def write_camera_inputs(path: Path, problem: CameraArrayProblem) -> None:
+    """Write everything the solution depends on; numbers are kept to the last bit."""
+    document = {
+        "schema_version": SCHEMA_VERSION,
+        "board": problem.board.model_dump(mode="json") | {"kind": getattr(problem.board, "kind", "checkerboard")},
+        "reference": problem.reference,
+        "sizes_px": {name: list(size) for name, size in problem.sizes_px.items()},
+        "distortion_count": problem.distortion_count,
+        "free_bow": problem.free_bow,
+        "sightings": [
+            {"camera": one.camera, "view": one.view, "corners_px": one.corners_px.tolist()}
+            | ({} if one.ids is None else {"ids": one.ids.tolist()})
+            | ({} if one.sigma_px is None else {"sigma_px": one.sigma_px.tolist()})
+            for one in problem.sightings
+        ],
+        "rejected": [{"camera": one.camera, "view": one.view, "reason": one.reason} for one in problem.rejected],
+    }
+    write_json(Path(path), document)
+
+
+def read_camera_inputs(path: Path) -> CameraArrayProblem:
+    """Read what `write_camera_inputs` wrote.
+
+    Raises
+    ------
+    InputError
+        The file cannot be read, or a field is missing or cannot be right.
+    """
+    path = Path(path)
+    try:
+        document = json.loads(path.read_text(encoding="utf-8"))
+        if document["schema_version"] != SCHEMA_VERSION:
+            raise ValueError(f"schema_version is {document['schema_version']!r}, not {SCHEMA_VERSION}")
+        return CameraArrayProblem(
+            board=BOARD.validate_python(document["board"]),
+            reference=str(document["reference"]),
+            sizes_px={str(name): (int(width), int(height)) for name, (width, height) in document["sizes_px"].items()},
+            sightings=tuple(_sighting(entry) for entry in document["sightings"]),
+            rejected=tuple(Rejection(**entry) for entry in document["rejected"]),
+            distortion_count=int(document["distortion_count"]),
+            free_bow=bool(document["free_bow"]),
+        )
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give a file that `calibrate cameras` wrote.") from error
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise InputError(f"{path} does not hold the corners of a camera calibration: {error}.", "Detect the corners again.") from error
+
+
+def _sighting(entry: dict[str, Any]) -> Sighting:
+    corners = np.array(entry["corners_px"], float)
+    if not np.all(np.isfinite(corners)):
+        raise ValueError(f"corners of {entry['camera']} in view {entry['view']} are not numbers")
+    ids = np.array(entry["ids"], np.int64) if "ids" in entry else None
+    sigma = np.array(entry["sigma_px"], float) if "sigma_px" in entry else None
+    return Sighting(str(entry["camera"]), str(entry["view"]), corners, ids, sigma)

@@ -1,0 +1,106 @@
+"""Compiled loop over a phase map: how the phase changes from pixel to pixel, and between which pixels it can be interpolated.
+
+Loops over arithmetic alone run on one scratch array at constant offsets: only then does the compiler know that nothing overlaps,
+and uses SIMD instructions.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numba import carray, njit
+
+from measureapp.reconstruct.kernels.scratch import stack_float32
+
+CHUNK, PAD = 1024, 4
+LENGTH = CHUNK + 2 * PAD
+REACH = 3  # pixels to either side over which a slope is taken
+ROWS = (-3, -1, 0, 1, 3)
+P_UP3, P_UP, P, P_DOWN, P_DOWN3 = (k * LENGTH + PAD for k in range(5))
+M_UP3, M_UP, M, M_DOWN, M_DOWN3 = (k * LENGTH + PAD for k in range(5, 10))
+SIGMA, GX, GY, QUAD = (k * LENGTH + PAD for k in range(10, 14))
+SCRATCH = 14 * LENGTH
+ZERO, ONE, TWO, THREE = np.float32(0), np.float32(1), np.float32(2), np.float32(3)
+PER_WIDE = np.float32(1 / (2 * REACH))
+BENT = np.float32(0.2)  # curvature, as a share of the rise over the window, beyond which a wide slope says nothing about its middle
+BENT_SIGMAS = np.float32(4.0)
+
+# four valid pixels of one surface; four valid pixels with a step between them; two or three valid ones beside a hole
+WHOLE, TORN, BESIDE = np.uint8(1), np.uint8(2), np.uint8(3)
+
+
+@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+def slopes(
+    phase: Any,  # (H, W) float32
+    sigma: Any,  # (H, W) float32
+    state: Any,  # (H, W) uint8, 0 valid
+    step: Any,  # float32, largest phase step between neighbours of one surface
+    row_start: int,
+    row_stop: int,
+    slope: Any,  # out (H, W, 2) float32, rad/px along x and y; (0, 0) where unknown
+    quad: Any,  # out (H, W) uint8, of the pixel with its right, lower and lower right neighbour: WHOLE, TORN, BESIDE or 0
+) -> None:
+    """Take slopes as central differences over the widest reach that is one smooth surface: three pixels, one, one to one side.
+
+    A wide reach lowers the noise of a slope; near borders and bends a narrow one keeps it true.
+    """
+    height, width = phase.shape
+    s = carray(stack_float32(SCRATCH), SCRATCH)
+    s[:] = ZERO
+    for y in range(row_start, row_stop):
+        for first in range(0, width, CHUNK):
+            n = min(CHUNK, width - first)
+            low = min(PAD, first)
+            high = min(PAD, width - first - n)
+            for k in range(5):
+                v = y + ROWS[k]
+                p_row = k * LENGTH + PAD
+                m_row = p_row + 5 * LENGTH
+                mask = s[m_row - PAD : m_row + n + PAD]
+                for i in range(n + 2 * PAD):
+                    mask[i] = ZERO
+                if 0 <= v < height:
+                    length = low + n + high
+                    p_in, m_in = phase[v, first - low : first + n + high], state[v, first - low : first + n + high]
+                    p_out, m_out = s[p_row - low : p_row + n + high], s[m_row - low : m_row + n + high]
+                    for i in range(length):
+                        p_out[i] = p_in[i]
+                    for i in range(length):
+                        m_out[i] = ONE if m_in[i] == 0 else ZERO
+            noise = sigma[y, first : first + n]
+            for i in range(n):
+                s[SIGMA + i] = noise[i]
+            for i in range(n):
+                p = s[P + i]
+                right, left, down, up = s[P + i + 3], s[P + i - 3], s[P_DOWN3 + i], s[P_UP3 + i]
+                rise_x, rise_y = right - left, down - up
+                limit = BENT * (abs(rise_x) + abs(rise_y)) + BENT_SIGMAS * s[SIGMA + i]
+                all_valid = s[M + i] * s[M + i + 3] * s[M + i - 3] * s[M_DOWN3 + i] * s[M_UP3 + i] > ZERO
+                smooth = (abs(right + left - TWO * p) <= limit) & (abs(down + up - TWO * p) <= limit)
+                r = s[P + i + 1] - p
+                q = p - s[P + i - 1]
+                d = s[P_DOWN + i] - p
+                u = p - s[P_UP + i]
+                wr = s[M + i + 1] if abs(r) < step else ZERO
+                wq = s[M + i - 1] if abs(q) < step else ZERO
+                wd = s[M_DOWN + i] if abs(d) < step else ZERO
+                wu = s[M_UP + i] if abs(u) < step else ZERO
+                narrow_x = (wr * r + wq * q) / max(wr + wq, ONE)
+                narrow_y = (wd * d + wu * u) / max(wd + wu, ONE)
+                wide = all_valid & smooth
+                s[GX + i] = s[M + i] * (rise_x * PER_WIDE if wide else narrow_x)
+                s[GY + i] = s[M + i] * (rise_y * PER_WIDE if wide else narrow_y)
+            for i in range(n):
+                a, b, c, d = s[P + i], s[P + i + 1], s[P_DOWN + i], s[P_DOWN + i + 1]
+                whole = s[M + i] * s[M + i + 1] * s[M_DOWN + i] * s[M_DOWN + i + 1]
+                spread = max(max(a, b), max(c, d)) - min(min(a, b), min(c, d))  # noqa: PLW3301
+                valid = s[M + i] + s[M + i + 1] + s[M_DOWN + i] + s[M_DOWN + i + 1]
+                beside = THREE if valid >= TWO else ZERO
+                s[QUAD + i] = (ONE if spread <= step else TWO) if whole > ZERO else beside
+            slope_out, quad_out = slope[y].ravel()[2 * first : 2 * (first + n)], quad[y, first : first + n]
+            for i in range(n):
+                slope_out[2 * i] = s[GX + i]
+                slope_out[2 * i + 1] = s[GY + i]
+            for i in range(n):
+                quad_out[i] = np.uint8(np.int32(s[QUAD + i]))

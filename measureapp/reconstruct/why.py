@@ -1,0 +1,161 @@
+"""Why is there a hole here? The stage and the reason, for a pixel, a region and a whole view."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from measureapp.arrays import BoolArray
+from measureapp.data.phase import PhaseMap, PixelState
+from measureapp.data.point_state import PointState
+from measureapp.errors import ReconstructError
+from measureapp.reconstruct.reconstruct import Reconstruction
+from measureapp.reconstruct.settings import ReconstructSettings
+
+POINT = "point"
+OF_PHASE = {
+    PixelState.SATURATED: "Saturated in every exposure: {grey:.0f} of {saturation:.0f} grey levels. Add a shorter exposure.",
+    PixelState.WEAK_MODULATION: "Too little of the light follows the pattern: modulation {modulation:.1f} at {grey:.0f} grey levels. "
+    "Add a longer exposure, shade other light, or dull a shiny surface.",
+    PixelState.SHADOW: "No light of the projector arrives: modulation {modulation:.1f} grey levels. Turn the part or add a viewpoint.",
+    PixelState.ORDER_CONFLICT: "The fringe orders of the pitches contradict each other, at modulation {modulation:.1f} grey levels. "
+    "Use patterns with more pitches, or a longer exposure.",
+    PixelState.OUT_OF_RANGE: "The phase lies outside the projector's image: light comes by a reflection, or the order is wrong.",
+    PixelState.EDGE: "At a depth step, where the pixel sees two surfaces at once. Another viewpoint sees it undivided.",
+    PixelState.BLOOMING: "Beside a saturated pixel that spills over. Add a shorter exposure.",
+}
+OF_POINT = {
+    PointState.UNMATCHED: "No other camera has the projector column {column:.2f} on the epipolar line: it is hidden from them, or out of their "
+    "images. Add a viewpoint.",
+    PointState.AMBIGUOUS: "The projector column {column:.2f} occurs at several places of an epipolar line, or hardly changes along it: a wrong "
+    "fringe order, or fringes along the line.",
+    PointState.CONTRADICTED: "Another camera sees another projector column than {column:.2f} there (agreement_sigmas {sigmas:g}, "
+    "agreement_px {px:g}): reflections, or a camera that moved. Look at the epipolar residual of the view.",
+    PointState.UNCERTAIN: "The predicted standard deviation exceeds {max_sigma:g} mm: phase noise {sigma:.4f} rad. Add a longer exposure.",
+    PointState.FLYING: "Fewer than {neighbours} of 24 places around it lie on the same surface: it is at a border or alone.",
+    PointState.OUTLIER: "Further from the plane through its neighbours than {outlier:g} standard deviations.",
+    PointState.GRAZING: "The surface is seen more than {incidence:g}° off its normal. Turn the part towards the sensor.",
+    PointState.PARTNER_GRAZING: "Another camera that takes part sees the surface more than {partner:g}° off its normal.",
+    PointState.ISLAND: "Its group has fewer than {island} pixels without a neighbour.",
+    PointState.SEEN_BY_ANOTHER: "A camera before this one has the surface: its point stands in that camera's image.",
+    PointState.VALID: "It has a point.",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class HoleReason:
+    """What became of a pixel."""
+
+    stage: str  # "decode", "match", "clean", or "point"
+    reason: str  # in lower case, as in the shares
+    sentence: str  # with the numbers that decided, and what to do about it
+
+
+def why(
+    phase_maps: Mapping[str, PhaseMap],
+    made: Reconstruction,
+    camera: str,
+    row: int,
+    column: int,
+    settings: ReconstructSettings | None = None,
+) -> HoleReason:
+    """Say why a pixel has no point.
+
+    Parameters
+    ----------
+    settings : that the reconstruction was made with; None for the defaults
+
+    Raises
+    ------
+    ReconstructError
+        The view has no such camera or pixel.
+    """
+    fate, phase_map = _images(phase_maps, made, camera)
+    height, width = fate.shape
+    if not (0 <= row < height and 0 <= column < width):
+        raise ReconstructError(
+            f"Camera {camera!r} has no pixel in row {row}, column {column}.", f"Its images have {height} rows and {width} columns."
+        )
+    values = _values(phase_map, row, column, settings or ReconstructSettings())
+    point = PointState(int(fate[row, column]))
+    if point == PointState.NO_PHASE:
+        state = PixelState(int(phase_map.state[row, column]))
+        return HoleReason("decode", _word(state), OF_PHASE[state].format(**values))
+    return HoleReason(_stage(point), _word(point), OF_POINT[point].format(**values))
+
+
+def shares_of_region(
+    phase_maps: Mapping[str, PhaseMap], made: Reconstruction, camera: str, region: BoolArray | tuple[int, int, int, int]
+) -> dict[str, float]:
+    """Return the share of every reason in a region of a camera's image, the largest first; they sum to 1. "point" are no holes.
+
+    Parameters
+    ----------
+    region : (H, W) bool, or (row, column, row, column) of a box, its end not included
+
+    Raises
+    ------
+    ReconstructError
+        No such camera, or a region without pixels.
+    """
+    fate, phase_map = _images(phase_maps, made, camera)
+    if isinstance(region, tuple):
+        top, left, bottom, right = region
+        chosen = np.zeros(fate.shape, np.bool_)
+        chosen[max(0, top) : max(0, bottom), max(0, left) : max(0, right)] = True
+    else:
+        chosen = region
+    if chosen.shape != fate.shape or not chosen.any():
+        raise ReconstructError(
+            f"The region has no pixel of camera {camera!r}.", f"Its images have {fate.shape[0]} rows and {fate.shape[1]} columns."
+        )
+    points = np.bincount(fate[chosen], minlength=len(PointState))
+    without = chosen & (fate == PointState.NO_PHASE)
+    phases = np.bincount(phase_map.state[without], minlength=len(PixelState))
+    counts = {_word(state): int(points[state]) for state in PointState if state != PointState.NO_PHASE}
+    counts |= {_word(state): int(phases[state]) for state in PixelState if state != PixelState.VALID}
+    total = int(chosen.sum())
+    return {reason: count / total for reason, count in sorted(counts.items(), key=lambda item: -item[1]) if count}
+
+
+def shares_of_view(phase_maps: Mapping[str, PhaseMap], made: Reconstruction) -> dict[str, dict[str, float]]:
+    """Return the shares of all reasons for every camera of a view."""
+    return {camera: shares_of_region(phase_maps, made, camera, np.ones(fate.shape, np.bool_)) for camera, fate in made.fates.items()}
+
+
+def _images(phase_maps: Mapping[str, PhaseMap], made: Reconstruction, camera: str) -> tuple[np.ndarray, PhaseMap]:
+    if camera not in made.fates or camera not in phase_maps:
+        raise ReconstructError(f"The view has no camera {camera!r}.", "Name one of: " + ", ".join(made.fates) + ".")
+    return np.asarray(made.fates[camera]), phase_maps[camera]
+
+
+def _values(phase_map: PhaseMap, row: int, column: int, settings: ReconstructSettings) -> dict[str, float]:
+    return {
+        "grey": float(phase_map.grey[row, column]),
+        "saturation": phase_map.saturation,
+        "modulation": float(phase_map.modulation[row, column]),
+        "sigma": float(phase_map.sigma_rad[row, column]),
+        "column": float(phase_map.phase_rad[row, column]) * phase_map.pitch_px / (2 * np.pi),
+        "sigmas": settings.agreement_sigmas,
+        "px": settings.agreement_px,
+        "max_sigma": settings.max_sigma_mm,
+        "neighbours": settings.min_neighbours,
+        "outlier": settings.outlier_sigmas,
+        "incidence": settings.max_incidence_deg,
+        "partner": settings.max_partner_incidence_deg,
+        "island": settings.min_island_px,
+    }
+
+
+def _stage(point: PointState) -> str:
+    if point == PointState.VALID:
+        return POINT
+    return (
+        "match" if point in (PointState.UNMATCHED, PointState.AMBIGUOUS, PointState.CONTRADICTED, PointState.SEEN_BY_ANOTHER) else "clean"
+    )
+
+
+def _word(state: PointState | PixelState) -> str:
+    return POINT if state is PointState.VALID else state.name.lower().replace("_", " ")

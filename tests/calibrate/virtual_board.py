@@ -1,0 +1,65 @@
+"""Images of boards by the virtual rig's optics, with the truth of every mark; the camera is the paper's, 550 mm away."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+
+from measureapp.arrays import FloatArray, ImageArray, read_only
+from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
+from measureapp.geometry.pinhole import PinholeCamera
+from measureapp.geometry.transform import RigidTransform, rotation_about
+from measureapp.simulate.optics import Lights, PrintedBoard, exposed
+from measureapp.simulate.options import LightSettings
+from measureapp.simulate.sensor import SensorSettings, read_out
+
+CHECKER = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
+CHARUCO = CharucoDescription(kind="charuco", columns=14, rows=11, square_mm=15.0, marker_mm=11.0)
+CIRCLES = CirclesDescription(kind="circles", columns=7, rows=15, spacing_mm=12.0, diameter_mm=11.0)
+BOARDS = {"checkerboard": CHECKER, "charuco": CHARUCO, "circles": CIRCLES}
+FULL, HALF = (2592, 1944, 4090.0), (1296, 972, 2045.0)
+LENS = (-0.1, 0.05, 3e-4, -2e-4, 0.0)
+EXPOSURE_US = 100_000
+
+
+@dataclass(frozen=True, eq=False)
+class Shot:
+    """An image and where the marks truly are in it."""
+
+    image: ImageArray
+    marks_px: FloatArray
+    camera: PinholeCamera
+    camera_from_board: RigidTransform
+
+
+@cache
+def shot(
+    board: BoardDescription,
+    tilt_deg: float = 30.0,
+    towards_deg: float = 100.0,
+    roll_deg: float = 40.0,
+    size: tuple[int, int, float] = HALF,
+    exposure_us: int = EXPOSURE_US,
+    aside_mm: tuple[float, float] = (0.0, 0.0),
+    noise: bool = True,
+    lens: tuple[float, ...] = LENS,
+) -> Shot:
+    """Photograph a board tilted about an axis in the image plane, turned about its normal and moved aside."""
+    width, height, focal = size
+    camera = PinholeCamera(
+        width, height, np.array([[focal, 0, width / 2 + 7], [0, focal * 1.001, height / 2 - 5], [0, 0, 1]]), np.array(lens)
+    )
+    tilt, towards, roll = np.deg2rad([tilt_deg, towards_deg, roll_deg])
+    turn = rotation_about([np.cos(towards), np.sin(towards), 0], tilt) @ rotation_about([0, 0, 1], roll)
+    centre = np.array([*aside_mm, 550.0])
+    pose = RigidTransform.from_parts(turn, centre - turn @ board.middle_mm, "camera", "board")
+    printed = PrintedBoard(board, 0.0)
+    lamp = RigidTransform.from_parts(np.eye(3), np.array([-60.0, 0, 0]), "camera", "projector")
+    light = np.empty((height, width, 4), np.float32)
+    printed.lit(camera, pose.inverse(), Lights(camera, pose.inverse() @ lamp, 550.0), light)
+    mean = exposed(light, None, exposure_us, LightSettings())
+    key = int(1000 * tilt_deg + 10 * towards_deg + roll_deg)
+    image = read_out(mean, 8, SensorSettings(noise=noise), key)
+    return Shot(read_only(image), camera.project(pose.apply(printed.corners_mm())), camera, pose)

@@ -1,0 +1,57 @@
+"""`calibrate cameras` says how far its result can be trusted."""
+
+from __future__ import annotations
+
+import json
+
+import cv2
+import numpy as np
+import pytest
+from recorded import recorded
+
+from measureapp.cli import main
+from measureapp.project.camera_file import read_cameras
+from measureapp.project.camera_inputs import read_camera_inputs
+
+
+def run(capsys, *arguments):
+    """Return exit code and JSON document of `calibrate cameras` on the recorded pairs."""
+    folder = recorded("opencv_stereo")
+    images = ("--images", f"left={folder}/left[0-9]*.jpg", "--images", f"right={folder}/right[0-9]*.jpg")
+    code = main(["calibrate", "cameras", *images, "--board", "9x6", "--square-mm", "25", *map(str, arguments), "--json"])
+    return code, json.loads(capsys.readouterr().out)
+
+
+def test_recorded_pairs_are_cross_validated_and_mapped(capsys, tmp_path):
+    code, answer = run(
+        capsys,
+        *("--out", tmp_path / "cameras.json", "--uncertainty-map", tmp_path / "map.npz", "--corners-out", tmp_path / "corners.json"),
+        *("--serial", "left=L-1", "--serial", "right=R-2", "--temperature-c", 21.5, "--valid-days", 30, "--standoff-mm", 350),
+    )
+    assert code == 0, answer
+    validation = answer["cross_validation"]
+    assert validation["observed_px"] == pytest.approx(validation["predicted_px"], rel=0.25)
+    assert {half["camera"] for half in validation["halves"]} == {"left", "right"}
+    assert "to a length of 300 mm in this volume" in answer["uncertainty"]["sentence"]
+    assert answer["uncertainty"]["projection"]["left"]["least_px"] < 0.2
+    stored = np.load(tmp_path / "map.npz")
+    assert stored["left_sigma_px"].shape == (18, 24)
+    assert len(stored["points_mm"]) == answer["uncertainty"]["volume"]["points"]
+    assert cv2.imread(str(tmp_path / "map.png")).shape[1] == 2 * 484
+    calibration = read_cameras(tmp_path / "cameras.json")
+    assert (calibration.cameras["left"].serial, calibration.cameras["right"].serial) == ("L-1", "R-2")
+    assert (calibration.provenance.temperature_c, calibration.provenance.valid_days) == (21.5, 30.0)
+    assert all(len(digest) == 64 for digest in calibration.provenance.inputs.values())
+    assert len(read_camera_inputs(tmp_path / "corners.json").sightings) == 26
+
+
+def test_a_serial_number_of_no_camera_is_refused(capsys):
+    code, answer = run(capsys, "--serial", "middle=7")
+    assert code == 2
+    assert "'middle=7' names no camera" in answer["error"]["message"]
+
+
+def test_a_map_that_its_picture_would_overwrite_is_refused(capsys, tmp_path):
+    code, answer = run(capsys, "--uncertainty-map", tmp_path / "map.png")
+    assert code == 2
+    assert "--uncertainty-map" in answer["error"]["message"]

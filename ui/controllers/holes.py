@@ -1,0 +1,141 @@
+"""Why a view has holes: computed again from its stored images, on a thread of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal, Slot
+
+from ui.controllers.jobs import JobRunner
+from ui.session import Session
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from measureapp.errors import MeasureError
+    from measureapp.pipeline.why import ExplainedView
+    from measureapp.pipeline.why_pictures import LegendEntry
+    from ui.workers.job import Job
+
+Kind = Literal["grey", "reasons", "exposure", "snr"]
+
+
+@dataclass(frozen=True, eq=False)
+class Explanation:
+    """A view to ask about, and the shares of all reasons by camera."""
+
+    view: ExplainedView
+    shares: Mapping[str, Mapping[str, float]]
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnImage:
+    """The image of one camera in the colours asked for."""
+
+    view: ExplainedView
+    camera: str
+    kind: Kind
+    pixels: np.ndarray  # (H, W, 3) uint8
+    legend: tuple[LegendEntry, ...]
+
+
+class HolesController(QObject):
+    """Explains views of the open project; the last one is kept."""
+
+    progressed = Signal(float, str)
+    explained = Signal(object)  # Explanation
+    drawn = Signal(object)  # DrawnImage
+    stopped = Signal(str)  # why there is no explanation, in words; empty when it was cancelled
+
+    def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session, self._runner = session, runner
+        self._last: Explanation | None = None
+        self._job: Job | None = None
+        runner.progressed.connect(self.progressed)
+        for changed in (session.projectChanged, session.calibrationChanged):
+            changed.connect(self._forget)
+
+    @property
+    def can_explain(self) -> bool:
+        """Whether a project with images lies on disk."""
+        folder = self._session.folder
+        return folder is not None and (folder / "project.json").exists()
+
+    @Slot(str)
+    def explain(self, viewpoint_id: str) -> None:
+        """Compute a view again, or take the one that was explained last."""
+        folder = self._session.folder
+        self.cancel()
+        if self._last is not None and self._last.view.viewpoint_id == viewpoint_id:
+            self.explained.emit(self._last)
+        elif folder is not None and self.can_explain:
+            self._job = self._runner.run(
+                f"Explaining {viewpoint_id}", lambda job: explanation(folder, viewpoint_id, job), self._keep, quiet=True
+            )
+            self._job.failed.connect(self._tell_failure)
+            self._job.cancelled.connect(self._tell_cancelled)
+        else:
+            self.stopped.emit("The images of this view are not on disk. Open the project that holds them.")
+
+    @Slot(str, str)
+    def draw(self, camera: str, kind: Kind) -> None:
+        """Draw one camera of the view that was explained last."""
+        last = self._last
+        if last is not None:
+            self._runner.run("Drawing", lambda _job: drawn_image(last.view, camera, kind), self._tell_drawn, quiet=True)
+
+    @Slot()
+    def cancel(self) -> None:
+        """Stop explaining and drawing."""
+        self._runner.cancel()
+
+    @Slot()
+    def _forget(self) -> None:
+        self.cancel()
+        self._last = None
+
+    @Slot(object)
+    def _keep(self, found: Explanation) -> None:
+        self._last, self._job = found, None
+        self.explained.emit(found)
+
+    @Slot(object)
+    def _tell_drawn(self, image: DrawnImage) -> None:
+        if self._last is not None and image.view is self._last.view:
+            self.drawn.emit(image)
+
+    @Slot(object)
+    def _tell_failure(self, error: MeasureError) -> None:
+        if self.sender() is self._job:
+            self.stopped.emit(str(error))
+
+    @Slot()
+    def _tell_cancelled(self) -> None:
+        if self.sender() is self._job:  # another view may be asked for meanwhile
+            self.stopped.emit("")
+
+
+def explanation(folder: Path, viewpoint_id: str, job: Job) -> Explanation:
+    """Decode and reconstruct one stored view; runs on a job's thread."""
+    job.report(0, 1, f"Reading the images of {viewpoint_id}")
+    from measureapp.pipeline.why import explain_view
+    from measureapp.project.folder import ProjectFolder
+
+    view = explain_view(ProjectFolder.open(folder), viewpoint_id, job)
+    job.check()
+    return Explanation(view, view.shares())
+
+
+def drawn_image(view: ExplainedView, camera: str, kind: Kind) -> DrawnImage:
+    """Return one camera's image in its colours; runs on a job's thread."""
+    from measureapp.pipeline.why_pictures import grey_picture, picture
+
+    if kind == "grey":
+        grey = grey_picture(view.phase_maps[camera])
+        return DrawnImage(view, camera, kind, np.repeat(grey[..., None], 3, axis=2), ())
+    drawn = picture(view, camera, kind)
+    return DrawnImage(view, camera, kind, drawn.pixels, drawn.legend)

@@ -1,0 +1,249 @@
+"""Images and holes: the images of one view, what became of every pixel, and why."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt, Slot
+from PySide6.QtGui import QCloseEvent, QColor
+from PySide6.QtWidgets import QDialog, QHeaderView, QProgressBar, QWidget
+
+from ui.controllers.holes import DrawnImage, Explanation, HolesController
+from ui.look.look import Look
+from ui.look.wording import counted, exposure, percent, quantity, sentence_case
+from ui.widgets.basic import Button, card, column, label, row
+from ui.widgets.data_table import Cell, DataTable, number
+from ui.widgets.pixel_picture import PixelPicture, coloured_image
+from ui.widgets.segments import Segments
+
+if TYPE_CHECKING:
+    from measureapp.pipeline.why import Number, PixelAnswer
+
+KINDS = {"grey": "Grey", "reasons": "Reasons", "exposure": "Exposure", "snr": "Signal to noise"}
+HEADINGS = {
+    "grey": "What became of the pixels",
+    "reasons": "What became of the pixels",
+    "exposure": "Longest exposure that is not saturated",
+    "snr": "Modulation over noise",
+}
+STAGES = {"point": "Measured", "decode": "Lost in decoding", "match": "Lost in matching the cameras", "clean": "Left out by cleaning"}
+REASON_WORDS = {"point": "Has a point", "seen by another": "Another camera has it"}
+DIGITS = {"grey level": 0, "phase noise": 4, "projector column": 2, "σ of the point": 3, "cameras": 0}
+ASK = "Click a pixel in the picture, or a reason in the list, to read why."
+WAITING = "The view is computed again from its stored images."
+PATIENCE = "As soon as it is complete, every pixel can be asked about."
+
+
+class HolesDialog(QDialog):
+    """A window beside the main window; it does not stop the work."""
+
+    def __init__(self, look: Look, holes: HolesController, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.look, self.holes = look, holes
+        self.setMinimumSize(960, 560)
+        self.resize(1240, 680)
+        self.viewpoint_id = ""
+        self._explanation: Explanation | None = None
+        self._wanted: tuple[str, int, int] | None = None
+        self._reasons: list[str] = []
+        self._make_parts()
+        self._lay_out()
+        holes.explained.connect(self._show)
+        holes.drawn.connect(self._show_image)
+        holes.progressed.connect(self._show_progress)
+        holes.stopped.connect(self._show_stopped)
+
+    def _make_parts(self) -> None:
+        look = self.look
+        self.title, self.state = label("", "title"), label("", "soft")
+        self.kind = Segments(KINDS)
+        self.kind.valueChanged.connect(self._draw)
+        self.cameras = Segments({"": "Camera"})
+        self._camera_place = row(self.cameras)
+        self.cameras.hide()  # until the cameras of the view are known
+        self.picture = PixelPicture(look)
+        self.picture.pixelChosen.connect(self._ask)
+        self.place, self.stage = label("", "caption"), label("", "heading", wrap=True)
+        self.answer, self.figures = label(ASK, "body", wrap=True), label("", "small", wrap=True)
+        self.answer.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.heading = label(HEADINGS["reasons"], "caption")
+        self.table = DataTable(look, ["Colour", "Share"], numeric=(1,), stretch=0)
+        self.table.horizontalHeader().setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
+        self.table.cellClicked.connect(self._ask_for_reason)
+        self.progress, self.note = QProgressBar(), label("", "soft")
+        self.progress.setTextVisible(False)
+        self.progress.setRange(0, 1000)
+        self.cancel = Button("Cancel", look, "cancel")
+        self.cancel.clicked.connect(self.holes.cancel)
+        self.again = Button("Compute again", look, "again", "primary")
+        self.again.clicked.connect(self._explain)
+
+    def _lay_out(self) -> None:
+        names = column(self.title, self.state, spacing=0)
+        top = row(names, 0, self.note, self.progress, self.cancel, self.again, spacing=12)
+        self.progress.setFixedWidth(160)
+        tools = row(self.kind, 0, self._camera_place)
+        said = card(self.place, self.stage, self.answer, self.figures, 0, margin=12, spacing=4)
+        said.setMinimumHeight(176)
+        side = column(said, self.heading, self.table, spacing=8)
+        side.setStretch(2, 1)
+        right = QWidget()
+        right.setObjectName("clear")
+        right.setLayout(side)
+        right.setFixedWidth(360)
+        middle = row(column(tools, self.picture, spacing=8), right, spacing=16)
+        middle.setStretch(0, 1)
+        layout = column(top, middle, margin=16, spacing=12)
+        layout.setStretch(1, 1)
+        self.setLayout(layout)
+
+    def open_view(self, viewpoint_id: str, camera: str = "", pixel: tuple[int, int] | None = None) -> None:
+        """Show a view, and ask about a pixel of one of its cameras where one is given."""
+        self._wanted = None if pixel is None else (camera, *pixel)
+        if viewpoint_id != self.viewpoint_id:
+            self.viewpoint_id, self._explanation = viewpoint_id, None
+            self.picture.clear()
+            self.table.set_rows([])
+        self.setWindowTitle(f"Images and holes – {viewpoint_id}")
+        self.title.setText(f"Images and holes: {viewpoint_id}")
+        self.show()
+        self.raise_()
+        self._explain()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Stop what is computed for this window only."""
+        self.holes.cancel()
+        super().closeEvent(event)
+
+    def _explain(self) -> None:
+        self._tell("", "", ASK if self._explanation is not None else PATIENCE, "")
+        self._show_running(True)
+        self.state.setText(WAITING)
+        self.holes.explain(self.viewpoint_id)
+
+    def _show_running(self, running: bool) -> None:
+        for part in (self.progress, self.note, self.cancel):
+            part.setVisible(running)
+        self.again.setVisible(not running and self._explanation is None)
+        for part in (self.kind, self.cameras):
+            part.setEnabled(self._explanation is not None)
+
+    @Slot(float, str)
+    def _show_progress(self, share: float, note: str) -> None:
+        self.progress.setValue(round(1000 * share))
+        self.note.setText(sentence_case(note))
+
+    @Slot(str)
+    def _show_stopped(self, why: str) -> None:
+        self._show_running(False)
+        self.state.setText("This view is not explained yet.")
+        self._tell("", "Cannot be explained" if why else "Cancelled", why or "Nothing was changed. Compute again to go on.", "")
+
+    @Slot(object)
+    def _show(self, explanation: Explanation) -> None:
+        if explanation.view.viewpoint_id != self.viewpoint_id:
+            return
+        new = explanation is not self._explanation
+        self._explanation = explanation
+        if new:
+            self._make_cameras(explanation.view.cameras)
+        self._show_running(False)
+        self.state.setText(summary(explanation))
+        if self._wanted is not None and self._wanted[0] in explanation.view.cameras:
+            camera, line, across = self._wanted
+            self.cameras.setValue(camera)
+            self._ask(line, across)
+        else:
+            self._tell("", "", ASK, "")
+        if new and self.kind.value() == "grey":
+            self.kind.setValue("reasons")  # draws
+        else:
+            self._draw()
+
+    def _make_cameras(self, names: tuple[str, ...]) -> None:
+        self._camera_place.removeWidget(self.cameras)
+        self.cameras.deleteLater()
+        self.cameras = Segments({name: sentence_case(name) for name in names})
+        self.cameras.valueChanged.connect(self._change_camera)
+        self._camera_place.addWidget(self.cameras)
+
+    def _change_camera(self) -> None:
+        self.picture.choose(None)
+        self._tell("", "", ASK, "")
+        self._draw()
+
+    def _draw(self) -> None:
+        if self._explanation is not None:
+            self.holes.draw(self.cameras.value(), self.kind.value())
+
+    @Slot(object)
+    def _show_image(self, image: DrawnImage) -> None:
+        if (image.camera, image.kind) != (self.cameras.value(), self.kind.value()):
+            return
+        self.picture.show_image(coloured_image(image.pixels))
+        self.picture.choose(self.picture.chosen)
+        self.heading.setText(HEADINGS[image.kind])
+        self._reasons = []
+        if image.kind in ("exposure", "snr"):
+            self.table.set_rows([_legend_cells(entry.words, entry.colour, entry.share) for entry in image.legend])
+        else:
+            self._show_shares(image.camera)
+
+    def _show_shares(self, camera: str) -> None:
+        from measureapp.pipeline.why_pictures import REASON_COLOURS
+
+        shares = {} if self._explanation is None else self._explanation.shares[camera]
+        self._reasons = list(shares)
+        self.table.set_rows([_legend_cells(reason, REASON_COLOURS[reason], share) for reason, share in shares.items()])
+
+    @Slot(int, int)
+    def _ask(self, line: int, across: int) -> None:
+        """Read why a pixel is what it is."""
+        if self._explanation is None:
+            return
+        answer = self._explanation.view.pixel(self.cameras.value(), line, across)
+        self.picture.choose((line, across))
+        reason = answer.found.reason
+        stage = REASON_WORDS.get(reason) or f"{STAGES[answer.found.stage]}: {reason}"
+        sentence = "" if reason == "point" else answer.found.sentence
+        self._tell(f"Row {line}, column {across}", stage, sentence, figures(answer))
+
+    @Slot(int, int)
+    def _ask_for_reason(self, place: int, _column: int) -> None:
+        """Show a pixel in the middle of those with this reason."""
+        if self._explanation is not None and place < len(self._reasons):
+            self._ask(*self._explanation.view.example(self.cameras.value(), self._reasons[place]))
+
+    def _tell(self, place: str, stage: str, answer: str, numbers: str) -> None:
+        for shown, words in ((self.place, place), (self.stage, stage), (self.answer, answer), (self.figures, numbers)):
+            shown.setText(words)
+            shown.setVisible(bool(words))
+
+
+def summary(explanation: Explanation) -> str:
+    """Return how much of the view was measured, in a sentence."""
+    from measureapp.pipeline.why import NO_HOLES
+
+    measured = {name: sum(shares.get(reason, 0.0) for reason in NO_HOLES) for name, shares in explanation.shares.items()}
+    said = ", ".join(f"{name} {percent(share)}" for name, share in measured.items())
+    return f"{counted(len(explanation.view.made.cloud))} points. Pixels whose surface is measured: {said}."
+
+
+def figures(answer: PixelAnswer) -> str:
+    """Return the numbers of a pixel beside their limits, one on a line."""
+    return "\n".join(f"{sentence_case(one.what)} {_number(one)}" for one in answer.numbers)
+
+
+def _number(one: Number) -> str:
+    if one.unit == "µs":
+        return exposure(round(one.value))
+    digits = DIGITS.get(one.what, 1)
+    limit = "" if one.least is None else f", at least {one.least:g}"
+    limit += "" if one.most is None else f", at most {one.most:g}"
+    return quantity(one.value, one.unit, digits) + limit
+
+
+def _legend_cells(words: str, colour: tuple[int, int, int] | None, share: float | None) -> list[Cell]:
+    sign = "eye" if colour is None else QColor(*colour).name()
+    told = "" if share is None else "< 0.1\u00a0%" if 0 < share < 0.0005 else percent(share)
+    return [Cell(REASON_WORDS.get(words) or sentence_case(words), sign=sign), number(told)]

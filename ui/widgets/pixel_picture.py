@@ -1,0 +1,159 @@
+"""A picture in which one looks for pixels: the wheel enlarges, dragging moves, a click chooses."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt, Signal
+from PySide6.QtGui import QColor, QImage, QKeyEvent, QMouseEvent, QPainter, QPainterPath, QPaintEvent, QPen, QWheelEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from ui.look.look import Look
+
+LARGEST = 64.0  # screen pixels of one image pixel, about
+STEP, CLICK_PX, SMOOTH_BELOW = 1.25, 4.0, 2.0
+ARROWS = {Qt.Key.Key_Up: (-1, 0), Qt.Key.Key_Down: (1, 0), Qt.Key.Key_Left: (0, -1), Qt.Key.Key_Right: (0, 1)}
+
+
+def coloured_image(pixels: np.ndarray) -> QImage:
+    """Return the picture of an array (H, W, 3) uint8, red green blue."""
+    pixels = np.ascontiguousarray(pixels)
+    return QImage(pixels.data, pixels.shape[1], pixels.shape[0], pixels.strides[0], QImage.Format.Format_RGB888).copy()
+
+
+class PixelPicture(QWidget):
+    """Shows an image as large as there is room; the chosen pixel is marked."""
+
+    pixelChosen = Signal(int, int)  # row, column
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self._look, self._image = look, QImage()
+        self._zoom, self._centre = 1.0, QPointF()
+        self._pressed: QPointF | None = None
+        self._dragged = False
+        self.chosen: tuple[int, int] | None = None
+        self.setMinimumSize(320, 240)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setCursor(Qt.CursorShape.CrossCursor)
+        self.setToolTip("Click a pixel to ask about it. The wheel enlarges, dragging moves, the arrow keys go on by one pixel.")
+        look.changed.connect(self.update)
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether there is no image."""
+        return self._image.isNull()
+
+    def show_image(self, image: QImage) -> None:
+        """Show an image; one of the same size keeps the part that is looked at."""
+        if image.size() != self._image.size():
+            self._zoom, self._centre = 1.0, QPointF(image.width() / 2, image.height() / 2)
+        self._image = image
+        self.update()
+
+    def clear(self) -> None:
+        """Show nothing."""
+        self._image, self.chosen = QImage(), None
+        self.update()
+
+    def choose(self, pixel: tuple[int, int] | None) -> None:
+        """Mark a pixel (row, column), and bring it into sight."""
+        self.chosen = pixel
+        if pixel is not None and not self.rect().adjusted(8, 8, -8, -8).contains(self.place_of(*pixel).toPoint()):
+            self._centre = QPointF(pixel[1] + 0.5, pixel[0] + 0.5)
+            self._keep_inside()
+        self.update()
+
+    def place_of(self, row: int, column: int) -> QPointF:
+        """Return where the centre of a pixel is drawn."""
+        return (QPointF(column + 0.5, row + 0.5) - self._centre) * self._scale() + QRectF(self.rect()).center()
+
+    def pixel_at(self, place: QPointF) -> tuple[int, int] | None:
+        """Return the pixel (row, column) that is drawn there, or None beside the image."""
+        if self.is_empty:
+            return None
+        at = self._centre + (place - QRectF(self.rect()).center()) / self._scale()
+        row, column = int(np.floor(at.y())), int(np.floor(at.x()))
+        return (row, column) if 0 <= row < self._image.height() and 0 <= column < self._image.width() else None
+
+    def _scale(self) -> float:
+        width, height = max(1, self._image.width()), max(1, self._image.height())
+        return self._zoom * min(self.width() / width, self.height() / height)
+
+    def _keep_inside(self) -> None:
+        """Keep the image filling the room it could fill."""
+        scale = self._scale()
+        for size, room, set_to, now in (
+            (self._image.width(), self.width(), self._centre.setX, self._centre.x()),
+            (self._image.height(), self.height(), self._centre.setY, self._centre.y()),
+        ):
+            half = min(size / 2, room / scale / 2)
+            set_to(min(max(now, half), size - half))
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Enlarge around the mouse."""
+        if self.is_empty or not event.angleDelta().y():
+            return
+        middle = QRectF(self.rect()).center()
+        under = self._centre + (event.position() - middle) / self._scale()
+        most = LARGEST * self._zoom / self._scale()
+        self._zoom = min(max(1.0, self._zoom * STEP ** (event.angleDelta().y() / 120)), max(1.0, most))
+        self._centre = under - (event.position() - middle) / self._scale()
+        self._keep_inside()
+        self.update()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Begin a click, or to move the image."""
+        self._pressed, self._dragged = event.position(), False
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Move the image."""
+        if self._pressed is None or self.is_empty:
+            return
+        moved = event.position() - self._pressed
+        if self._dragged or moved.manhattanLength() > CLICK_PX:
+            self._dragged = True
+            self._centre -= moved / self._scale()
+            self._pressed = event.position()
+            self._keep_inside()
+            self.update()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """Choose the pixel under the mouse, unless the image was moved."""
+        pixel = None if self._dragged or self._pressed is None else self.pixel_at(event.position())
+        self._pressed = None
+        if pixel is not None:
+            self.choose(pixel)
+            self.pixelChosen.emit(*pixel)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Go on by one pixel."""
+        step = ARROWS.get(Qt.Key(event.key()))
+        if step is None or self.chosen is None:
+            super().keyPressEvent(event)
+            return
+        row = min(max(0, self.chosen[0] + step[0]), self._image.height() - 1)
+        column = min(max(0, self.chosen[1] + step[1]), self._image.width() - 1)
+        self.choose((row, column))
+        self.pixelChosen.emit(row, column)
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw the image, and a ring around the chosen pixel."""
+        theme = self._look.theme
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        frame = QPainterPath()
+        frame.addRoundedRect(QRectF(self.rect()), theme.sizes["corner"], theme.sizes["corner"])
+        painter.setClipPath(frame)
+        painter.fillRect(self.rect(), theme.colour("sunken"))
+        if self.is_empty:
+            return
+        scale = self._scale()
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, scale < SMOOTH_BELOW)
+        corner = QRectF(self.rect()).center() - self._centre * scale
+        painter.drawImage(QRectF(corner, QSizeF(self._image.size()) * scale), self._image)
+        if self.chosen is not None:
+            place, radius = self.place_of(*self.chosen), max(9.0, scale)
+            for colour, width in ((QColor(0, 0, 0), 4.0), (QColor(255, 255, 255), 2.0)):
+                painter.setPen(QPen(colour, width))
+                painter.drawEllipse(place, radius, radius)
