@@ -57,6 +57,7 @@ class DemoRequest:
     viewpoints: int | None = None  # None: what the part needs
     seed: int = 1  # draws the rig's hidden errors and all noise
     patterns: str = DEFAULT_NAME
+    bracket_s: float | None = None  # time for the images of a viewpoint, in which a probe chooses the exposures; None: the usual ones
 
 
 def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Outcome:
@@ -95,7 +96,7 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
     watch = Stopwatch()
     with watch.stage("total"):
         calibrated = calibrate_rig(rig, project, on_event, PartOf(progress, 0.0, 0.3), watch)
-        views = scan(rig, project, calibrated.rig.calibration, on_event, PartOf(progress, 0.3, 0.8), watch)
+        views = scan(rig, project, calibrated.rig.calibration, on_event, PartOf(progress, 0.3, 0.8), watch, request.bracket_s)
         measurement = assemble(project, calibrated.rig.calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch)
     outcome = finished(project, measurement, watch)
     return _with_truth(outcome, world, project)

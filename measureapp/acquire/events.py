@@ -20,6 +20,16 @@ class RunStarted:
 
 
 @dataclass(frozen=True, slots=True)
+class ExposuresChosen:
+    """A probe of the scene has chosen the exposures."""
+
+    exposures_us: tuple[int, ...]
+    decodable_share: float  # predicted, of the lit pixels
+    planned_share: float  # predicted for the exposures of the plan
+    note: str
+
+
+@dataclass(frozen=True, slots=True)
 class ViewpointStarted:
     """The axes move to a viewpoint."""
 
@@ -90,6 +100,7 @@ class RunEnded:
 
 Event = (
     RunStarted
+    | ExposuresChosen
     | ViewpointStarted
     | ImageTaken
     | ViewpointStored

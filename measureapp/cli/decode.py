@@ -10,6 +10,7 @@ import typer
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 if TYPE_CHECKING:
+    from measureapp.data.fringe import FringeStack
     from measureapp.data.phase import PhaseMap
     from measureapp.fringe.settings import DecodeSettings
 
@@ -17,6 +18,11 @@ RuleOption = Annotated[
     str, typer.Option("--rule", help="combined: all unsaturated exposures; paper: the brightest unsaturated one of each pixel.")
 ]
 PerFrequencyOption = Annotated[bool, typer.Option("--per-frequency", help="Choose exposures for each pitch by itself.")]
+NoiseOption = Annotated[Path | None, typer.Option("--noise", help="Noise of the cameras, written by `measureapp noise`.")]
+ResponseOption = Annotated[Path | None, typer.Option("--response", help="Projector response, written by `measureapp response`.")]
+BloomingOption = Annotated[
+    int, typer.Option("--blooming-px", min=0, max=16, help="Do not use an exposure so close to a pixel that it saturates.")
+]
 
 
 def register(app: typer.Typer) -> None:
@@ -28,6 +34,9 @@ def register(app: typer.Typer) -> None:
         out: Annotated[Path, typer.Option("--out", help="Folder of the phase maps, one .npz per camera.")],
         rule: RuleOption = "combined",
         per_frequency: PerFrequencyOption = False,
+        noise: NoiseOption = None,
+        response: ResponseOption = None,
+        blooming_px: BloomingOption = 0,
         as_json: JsonOption = False,
     ) -> None:
         """Decode fringe images: exposure synthesis, wrapped phase, absolute phase.
@@ -35,7 +44,9 @@ def register(app: typer.Typer) -> None:
         MANIFEST.toml has shift_sign (image n is A + B cos(phase + shift_sign · 2πn/N)), saturation, projector_px, and from long to
         short [[exposure]] tables with exposure_us and [[exposure.group]] tables: kind = "phase-shift" with pitch_px or periods, or
         kind = "gray-code" (most significant bit first; complementary = true when a shifted last plane follows); each with
-        images = { camera = ["file", …] }.
+        images = { camera = ["file", …] }. Groups may have direction = "horizontal" (then projector_rows is the height, and periods
+        fill it), and steps or planes, which the number of images must match; both directions may stand in one file.
+        `measureapp patterns export` writes a manifest to fill.
 
         A phase map holds phase_rad, sigma_rad, modulation, grey, snr (modulation over noise), exposure_index and mask: 0 valid,
         1 saturated, 2 weak modulation, 3 shadow, 4 order conflict, 5 out of range, 6 edge, 7 blooming. Sets with fringes of both
@@ -45,9 +56,9 @@ def register(app: typer.Typer) -> None:
         from measureapp.project.fringe_manifest import read_manifest
         from measureapp.project.phase_file import write_phase_map
 
-        settings = decode_settings(rule, per_frequency)
-        progress = TerminalProgress()
-        maps = decode_stack(read_manifest(manifest), settings, progress)
+        stack = read_manifest(manifest)
+        settings = decode_settings(stack, rule, per_frequency, noise, response, blooming_px)
+        maps = decode_stack(stack, settings, TerminalProgress())
         cameras = {}
         for name, phase_map in maps.items():
             file = out / f"{name}.npz"
@@ -57,14 +68,28 @@ def register(app: typer.Typer) -> None:
         reply({"cameras": cameras, "settings": settings.model_dump()}, "\n".join(lines), as_json)
 
 
-def decode_settings(rule: str, per_frequency: bool) -> DecodeSettings:
-    """Return the settings of the options; raises InputError for a rule that is not known."""
+def decode_settings(
+    stack: FringeStack, rule: str, per_frequency: bool, noise: Path | None, response: Path | None, blooming_px: int = 0
+) -> DecodeSettings:
+    """Return the settings of the options; raises InputError for a rule that is not known, or a file that does not fit the images."""
     from measureapp.errors import InputError
     from measureapp.fringe.settings import DecodeSettings
+    from measureapp.project.noise_file import read_noise
+    from measureapp.project.response_file import read_response
 
     if rule not in ("combined", "paper"):
         raise InputError(f"--rule {rule} is not known.", "Give combined or paper.")
-    return DecodeSettings.model_validate({"rule": rule, "joint": not per_frequency})
+    known = read_noise(noise) if noise else {}
+    missing = sorted(set(stack.images) - set(known)) if noise else []
+    if missing:
+        raise InputError(f"{noise} has no camera {missing[0]!r}.", "Measure the noise of every camera, or leave --noise out.")
+    return DecodeSettings(
+        rule="paper" if rule == "paper" else "combined",
+        joint=not per_frequency,
+        blooming_radius_px=blooming_px,
+        camera_noise=known,
+        phase_correction=read_response(response).phase_correction(stack.patterns) if response else (),
+    )
 
 
 def figures(phase_map: PhaseMap) -> dict[str, Any]:

@@ -23,13 +23,16 @@ def register(app: typer.Typer) -> None:
         resolution: Annotated[Literal["full", "half", "quarter"], typer.Option(help="Of the cameras.")] = "half",
         seed: Annotated[int, typer.Option(min=0, help="Draws the virtual rig's hidden errors and noise.")] = 1,
         patterns: Annotated[str, typer.Option(help="Pattern set of `patterns list`; paper: 4 steps at 32 and 33 px.")] = "three-close",
+        auto_bracket: Annotated[
+            float | None, typer.Option("--auto-bracket", min=0.1, help="Let a probe choose the exposures, for so many seconds a viewpoint.")
+        ] = None,
         as_json: JsonOption = False,
     ) -> None:
         """Calibrate, scan, stitch, measure and report on the virtual rig, and compare with its hidden truth."""
         from measureapp.demo import DemoRequest, run_demo
 
         folder = out or Path(f"demo-{Path(part).stem}-{resolution}")
-        request = DemoRequest(folder, part, resolution, viewpoints, seed, patterns)
+        request = DemoRequest(folder, part, resolution, viewpoints, seed, patterns, auto_bracket)
         outcome = run_demo(request, tell_failures, TerminalProgress())
         deviation = outcome.document["truth_deviation"]
         lines = [

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from measureapp.acquire.events import Event, ViewpointFailed
+from measureapp.acquire.events import Event, ExposuresChosen, ViewpointFailed
 from measureapp.cli.reply import say
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.measurement import Measurement
@@ -11,9 +11,21 @@ MARK = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdi
 
 
 def tell_failures(event: Event) -> None:
-    """Say on standard error which view gave nothing, and why."""
+    """Say on standard error which view gave nothing, and why; and which exposures a probe chose."""
     if isinstance(event, ViewpointFailed):
         say(f"{event.viewpoint_id}: {event.reason}")
+    elif isinstance(event, ExposuresChosen):
+        say(exposures_line(event))
+
+
+def exposures_line(event: ExposuresChosen) -> str:
+    """Return which exposures a probe chose, and what they are worth."""
+    times = ", ".join(f"{exposure / 1000:g}" for exposure in event.exposures_us)
+    note = f"; {event.note}" if event.note else ""
+    return (
+        f"Exposures chosen: {times} ms, {event.decodable_share:.1%} of the lit pixels decodable "
+        f"(with those of the plan {event.planned_share:.1%}){note}."
+    )
 
 
 def passed(measurement: Measurement) -> bool:

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.decode import PerFrequencyOption, RuleOption, decode_settings
-from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+from measureapp.cli.decode import BloomingOption, NoiseOption, PerFrequencyOption, ResponseOption, RuleOption, decode_settings
+from measureapp.cli.reply import JsonOption, TerminalProgress, reply, say
 
 if TYPE_CHECKING:
     from measureapp.data.calibration import CameraArrayCalibration
     from measureapp.data.fringe import FringeStack
+    from measureapp.data.phase import PhaseMap
+    from measureapp.progress import Progress
+    from measureapp.reconstruct.diagnose import Finding
     from measureapp.reconstruct.reconstruct import Reconstruction
 
 
@@ -26,32 +31,68 @@ def register(app: typer.Typer) -> None:
         out: Annotated[Path, typer.Option("--out", help="Cloud to write: .ply or .xyz.")],
         rule: RuleOption = "combined",
         per_frequency: PerFrequencyOption = False,
+        noise: NoiseOption = None,
+        response: ResponseOption = None,
+        blooming_px: BloomingOption = 0,
+        projector: Annotated[
+            bool, typer.Option("--projector", help="Let the calibrated projector of cameras.json fill what only one camera sees.")
+        ] = False,
         as_json: JsonOption = False,
     ) -> None:
-        """Decode fringe images, match the cameras by phase and triangulate."""
+        """Decode fringe images, match the cameras by phase and triangulate; a single camera needs a calibrated projector.
+
+        Points in which the projector took part have bit 128 of `cameras` set. Mistakes that decode smoothly (wrong shift sign,
+        exchanged cameras, a camera that moved since its calibration) are named.
+        """
         from measureapp.errors import ReconstructError
         from measureapp.fringe.decode import decode
         from measureapp.progress import PartOf
         from measureapp.project.camera_file import read_cameras
         from measureapp.project.fringe_manifest import read_manifest
         from measureapp.project.geometry_files import write_cloud
-        from measureapp.reconstruct.reconstruct import reconstruct as reconstruct_maps
 
         calibration = read_cameras(cameras)
-        settings = decode_settings(rule, per_frequency)
         stack = read_manifest(manifest)
+        settings = decode_settings(stack, rule, per_frequency, noise, response, blooming_px)
         _check_fits(stack, calibration, cameras)
         progress = TerminalProgress()
         maps = decode(stack, settings, PartOf(progress, 0.0, 0.5))
-        made = reconstruct_maps(maps, calibration, None, PartOf(progress, 0.5, 1.0))
+        findings = diagnosed(maps, calibration)
+        made, agreement = _made(maps, calibration, projector or len(maps) == 1, PartOf(progress, 0.5, 1.0))
         if len(made.cloud) == 0:
             raise ReconstructError(
                 f"{manifest} gives no points: no phase occurs in two cameras on one epipolar line.",
                 f"Check that {cameras} belongs to these images, and the pitches and shift_sign in the manifest.",
             )
         write_cloud(out, made.cloud)
-        document = _document(made, out)
+        document = {**_document(made, out), "findings": [asdict(finding) for finding in findings], "projector": agreement}
         reply(document, _lines(document), as_json)
+
+
+def diagnosed(maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration) -> tuple[Finding, ...]:
+    """Return what looks suspicious, also said aloud; raises ReconstructError where points would be wrong."""
+    from measureapp.reconstruct.diagnose import diagnose
+
+    findings = diagnose(maps, calibration)
+    for finding in findings:
+        if finding.severity == "error":
+            raise finding.error()
+        say(f"Note: {finding.message} {finding.remedy}")
+    return findings
+
+
+def _made(
+    maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration, with_projector: bool, progress: Progress
+) -> tuple[Reconstruction, dict[str, Any]]:
+    """Return the reconstruction, and how well the projector agrees where it takes part."""
+    from measureapp.reconstruct.reconstruct import reconstruct as reconstruct_maps
+    from measureapp.reconstruct.with_projector import reconstruct_view_with_projector
+
+    if not with_projector:
+        return reconstruct_maps(maps, calibration, None, progress), {}
+    view = reconstruct_view_with_projector(maps, calibration, None, progress)
+    agreement = {name: asdict(each) for name, each in view.agreement.items()}
+    return view.reconstruction, {"points": view.points, "agreement": agreement}
 
 
 def _check_fits(stack: FringeStack, calibration: CameraArrayCalibration, file: Path) -> None:

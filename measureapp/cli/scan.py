@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.acquire.events import Event, RunEnded, RunStarted, ViewpointFailed, ViewpointStarted, ViewpointStored
+from measureapp.acquire.events import Event, ExposuresChosen, RunEnded, RunStarted, ViewpointFailed, ViewpointStarted, ViewpointStored
 from measureapp.cli.main import DEVICE_FAILED, OUT_OF_TOLERANCE
-from measureapp.cli.outcome import measurement_lines, passed
+from measureapp.cli.outcome import exposures_line, measurement_lines, passed
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply, say
 
 if TYPE_CHECKING:
@@ -30,6 +30,9 @@ def register(app: typer.Typer) -> None:
             Path | None, typer.Option("--calibration", help="Another project of this rig whose calibration a new project takes over.")
         ] = None,
         resume: Annotated[bool, typer.Option("--resume", help="Keep the viewpoints that are stored already.")] = False,
+        auto_bracket: Annotated[
+            float | None, typer.Option("--auto-bracket", min=0.1, help="Let a probe choose the exposures, for so many seconds a viewpoint.")
+        ] = None,
         as_json: JsonOption = False,
     ) -> None:
         """Move, project, capture and store every viewpoint of a plan, then process the images."""
@@ -37,7 +40,7 @@ def register(app: typer.Typer) -> None:
         from measureapp.project.plan_file import read_plan
         from measureapp.project.rig_file import read_rig
 
-        request = ScanRequest(read_plan(plan), read_rig(rig), project, resume, calibration)
+        request = ScanRequest(read_plan(plan), read_rig(rig), project, resume, calibration, auto_bracket)
         log = ScanLog(request.plan)
         outcome = scan_into_project(request, log.note, TerminalProgress())
         document = {} if outcome is None else outcome.document
@@ -61,7 +64,9 @@ class ScanLog:
 
     def note(self, event: Event) -> None:
         """Hear one event of the run."""
-        if isinstance(event, RunStarted):
+        if isinstance(event, ExposuresChosen):
+            say(exposures_line(event))
+        elif isinstance(event, RunStarted):
             for viewpoint_id in event.viewpoint_ids:
                 self.states[viewpoint_id] = {"state": "missing"}
         elif isinstance(event, ViewpointStarted):

@@ -113,8 +113,8 @@ def _explained(source: Path, view: str | None, cameras: Path | None, rule: str, 
         raise InputError(f"{source} is not a project, so it has no view {view!r}.", "Leave --view out, or name a project folder.")
     if cameras is None:
         raise InputError(f"Recorded images ({source}) need the calibration of their cameras.", "Add --cameras cameras.json.")
-    settings = decode_settings(rule, per_frequency)
-    return explain_stack(read_manifest(source), read_cameras(cameras), settings, TerminalProgress())
+    calibration, stack = read_cameras(cameras), read_manifest(source)
+    return explain_stack(stack, calibration, decode_settings(stack, rule, per_frequency, None, None), TerminalProgress())
 
 
 def _known(explained: ExplainedView, camera: str | None) -> str | None:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
@@ -59,6 +60,17 @@ class PointCloud:
             pixel=self.pixel[keep],
             cameras=self.cameras[keep],
         )
+
+
+def joined(clouds: Sequence[PointCloud]) -> PointCloud:
+    """Return the points of several clouds of one view and frame, in order; raises FrameMismatch where the frames differ."""
+    first = clouds[0]
+    for cloud in clouds:
+        if cloud.frame != first.frame:
+            raise FrameMismatch(f"Clouds in frames {first.frame!r} and {cloud.frame!r} cannot be joined.", "Place them in one frame first.")
+    names = ("points_mm", "normals", "sigma_mm", "grey", "pixel", "cameras")
+    arrays: dict[str, Any] = {name: np.concatenate([getattr(cloud, name) for cloud in clouds]) for name in names}
+    return replace(first, **arrays)
 
 
 @dataclass(frozen=True, slots=True)

@@ -28,6 +28,7 @@ class ViewResult:
     rejected: Mapping[str, int]  # reason -> count
     readback: AxisReadback
     timings_s: Mapping[str, float] = field(default_factory=dict)  # of a view made during the scan: "last image to cloud"
+    findings: tuple[str, ...] = ()  # what looks wrong with the images or the calibration, in words
 
 
 @dataclass(frozen=True, slots=True, eq=False)

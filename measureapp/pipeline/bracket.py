@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -30,6 +30,7 @@ def propose_bracket(
     viewpoint: Viewpoint | None = None,
     noise: Mapping[str, CameraNoise] | None = None,
     limits: BracketLimits | None = None,
+    compare: Mapping[str, Sequence[int]] | None = None,
     progress: Progress | None = None,
 ) -> BracketProposal:
     """Take one pattern group at two exposures and propose the bracket of the scene in sight.
@@ -43,6 +44,7 @@ def propose_bracket(
     viewpoint : where to look from; None for where the axes stand
     noise : of the cameras that were measured; the default model for others
     limits : of readout, exposures and their multiples; its budget and most are not looked at
+    compare : further brackets to predict, by name
 
     Raises
     ------
@@ -56,7 +58,7 @@ def propose_bracket(
         move_to(rig, viewpoint)
     probe = probed(probe_stack(rig, patterns, progress), noise or {})
     allowed = replace(limits or BracketLimits(budget_s), budget_s=budget_s, most=most)
-    return bracket.propose_bracket(probe, patterns, allowed, compare={"rig": rig.description.exposures_us})
+    return bracket.propose_bracket(probe, patterns, allowed, compare={"rig": rig.description.exposures_us, **(compare or {})})
 
 
 def probe_stack(rig: Rig, patterns: PatternSet, progress: Progress) -> FringeStack:

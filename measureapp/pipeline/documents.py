@@ -58,4 +58,6 @@ def view_figures(view: ViewResult) -> dict[str, Any]:
         "pairs": list(view.pairs),
         "rejected": dict(view.rejected),
         "density": view.quality.density_per_mm2,
+        "timings": dict(view.timings_s),
+        "findings": list(view.findings),
     }

@@ -13,7 +13,7 @@ import numpy as np
 
 from measureapp.acquire.capture import ExposureTaken
 from measureapp.acquire.engine import Engine
-from measureapp.acquire.events import Event, InspectionReady, StitchReady, ViewpointFailed, ViewReady
+from measureapp.acquire.events import Event, ExposuresChosen, InspectionReady, StitchReady, ViewpointFailed, ViewReady
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
 from measureapp.data.fringe import FringeStack
@@ -22,17 +22,20 @@ from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.devices.rig import Rig
-from measureapp.errors import CalibrationError, ReconstructError, RegistrationError
+from measureapp.errors import CalibrationError, DecodeError, ReconstructError, RegistrationError
+from measureapp.fringe.bracket import BracketLimits
 from measureapp.fringe.decode import decode
 from measureapp.fringe.patterns import pattern_images
 from measureapp.fringe.stack_checks import check_stack
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
+from measureapp.pipeline.bracket import propose_bracket
 from measureapp.pipeline.live_decoding import LiveDecoding
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.reach import check_reach
 from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.project.folder import ProjectFolder
-from measureapp.reconstruct.reconstruct import reconstruct
+from measureapp.reconstruct.diagnose import diagnose
+from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
 from measureapp.reconstruct.rectifier import Rectifier
 from measureapp.register.cloud_quality import judge
 from measureapp.register.place import stations
@@ -43,6 +46,7 @@ from measureapp.register.surface import surface
 OnEvent = Callable[[Event], None]
 LAST_IMAGE_TO_CLOUD = "last image to cloud"  # storing goes on meanwhile and is not waited for
 TYPICAL_RADIUS_MM = 100.0  # of points about the table's axis
+LEAST_POINTS_SHARE, MOST_EPIPOLAR_PX = 0.3, 0.3  # of the phases; beside them a view is looked at for mistakes
 KNOWN_STATION_MM, KNOWN_STATION_DEG = 0.03, 0.004  # repeatability of the robot and what the board leaves unknown
 
 
@@ -96,7 +100,7 @@ class _Processing:
                 decoded = None if self._live is None else self._live.maps(stack)
                 maps, last_image_s = decoded or (None, 0.0)
                 view = cloud_of_view(stack, self._calibration, progress, self._rectifier, maps)
-            except ReconstructError as error:
+            except (DecodeError, ReconstructError) as error:
                 self._on_event(ViewpointFailed(stack.viewpoint_id, str(error)))
                 return
         if decoded is not None:
@@ -106,11 +110,18 @@ class _Processing:
 
 
 def scan(
-    rig: Rig, project: ProjectFolder, calibration: RigCalibration | None, on_event: OnEvent, progress: Progress, watch: Stopwatch
+    rig: Rig,
+    project: ProjectFolder,
+    calibration: RigCalibration | None,
+    on_event: OnEvent,
+    progress: Progress,
+    watch: Stopwatch,
+    bracket_s: float | None = None,
 ) -> tuple[ViewResult, ...]:
     """Run the project's plan on the rig and process every stack as it comes; stored viewpoints are not taken again.
 
-    Without a calibration the images are stored and no view comes back.
+    Without a calibration the images are stored and no view comes back. With ``bracket_s``, the time for the images of one viewpoint,
+    a probe at the first viewpoint chooses the exposures, unless some viewpoints are stored already.
 
     Raises
     ------
@@ -135,9 +146,23 @@ def scan(
             sink.process(project.frames.load(viewpoint_id), NoProgress())
         images = pattern_images(plan.patterns, rig.projector.width_px, rig.projector.height_px)
         rig.place_on_table("part")
+        if bracket_s is not None and not stored:
+            plan = _with_chosen_exposures(rig, project, plan, bracket_s, on_event)
         with watch.stage("scan with storing and clouds"):
             Engine(rig, sink).run(plan, images, on_event, progress, stored)
     return tuple(sink.views[viewpoint.id] for viewpoint in plan if viewpoint.id in sink.views)
+
+
+def _with_chosen_exposures(rig: Rig, project: ProjectFolder, plan: ScanPlan, bracket_s: float, on_event: OnEvent) -> ScanPlan:
+    """Let a probe at the first viewpoint choose the exposures, and keep the plan with them."""
+    planned = plan.bracket.exposures_us
+    limits = BracketLimits(bracket_s, longest_us=max(rig.description.exposures_us))
+    proposal = propose_bracket(rig, plan.patterns, bracket_s, len(planned), plan.viewpoints[0], limits=limits, compare={"plan": planned})
+    chosen = plan.model_copy(update={"bracket": proposal.bracket})
+    project.save_plan(chosen)
+    planned_share = proposal.compared["plan"].decodable_share
+    on_event(ExposuresChosen(proposal.exposures_us, proposal.figures.decodable_share, planned_share, proposal.note))
+    return chosen
 
 
 def clouds_from_disk(
@@ -166,6 +191,10 @@ def cloud_of_view(
         check_stack(stack)
         maps = decode(stack, None, PartOf(progress, 0.0, 0.5))
     result = reconstruct(maps, calibration.cameras, progress=PartOf(progress, 0.5, 1.0), rectifier=rectifier)
+    findings = diagnose(maps, calibration.cameras) if _looks_wrong(result, maps) else ()
+    for finding in findings:
+        if finding.severity == "error":
+            raise finding.error()
     quality = judge(result.cloud, completeness=_completeness(maps, result.cloud.pixel))
     return ViewResult(
         viewpoint_id=stack.viewpoint_id,
@@ -176,7 +205,15 @@ def cloud_of_view(
         pairs=tuple(asdict(pair) for pair in result.pairs),
         rejected=dict(result.rejected),
         readback=stack.readback,
+        findings=tuple(f"{finding.message} {finding.remedy}" for finding in findings),
     )
+
+
+def _looks_wrong(result: Reconstruction, maps: Mapping[str, PhaseMap]) -> bool:
+    """Whether few phases became points, or another camera sees the points elsewhere: then it is worth to look for the reason."""
+    decoded = max(int(np.count_nonzero(phase_map.valid)) for phase_map in maps.values())
+    off = max((pair.epipolar_px or 0.0 for pair in result.pairs), default=0.0)
+    return len(result.cloud) < LEAST_POINTS_SHARE * decoded or off > MOST_EPIPOLAR_PX
 
 
 def decode_figures(phase_map: PhaseMap) -> dict[str, Any]:

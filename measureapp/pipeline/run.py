@@ -47,6 +47,7 @@ class ScanRequest:
     folder: Path
     resume: bool = False  # keep the viewpoints that are stored already
     calibrated: Path | None = None  # another project whose calibration a new one takes over
+    bracket_s: float | None = None  # time for the images of a viewpoint, in which a probe chooses the exposures; None: as planned
 
 
 def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> CalibratedRig:
@@ -99,7 +100,7 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
         if calibration is not None and project.calibration() is None:
             project.save_calibration(calibration)
         project.save_plan(request.plan)
-        views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch)
+        views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch, request.bracket_s)
     finally:
         rig.close()
     if calibration is None:

@@ -90,6 +90,7 @@ def _view_document(view: ViewResult) -> dict[str, Any]:
         "rejected": dict(view.rejected),
         "readback": readback_document(view.readback),
         "timings_s": dict(view.timings_s),
+        "findings": list(view.findings),
     }
 
 
@@ -104,4 +105,5 @@ def _view_from(folder: Path, document: Mapping[str, Any]) -> ViewResult:
         rejected=document["rejected"],
         readback=readback_from(document["readback"]),
         timings_s=document.get("timings_s", {}),
+        findings=tuple(document.get("findings", ())),
     )

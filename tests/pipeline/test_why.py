@@ -33,7 +33,7 @@ def test_the_pixels_with_a_point_are_those_of_the_stored_cloud(demo: Demo, expla
         row, column = (int(value) for value in cloud.pixel[place])
         owner = explained.calibrated[(int(cloud.cameras[place]) & -int(cloud.cameras[place])).bit_length() - 1]
         numbers = {number.what: number.value for number in explained.pixel(owner, row, column).numbers}
-        assert numbers["σ of the point"] == pytest.approx(float(cloud.sigma_mm[place]), rel=1e-3)
+        assert numbers["point σ"] == pytest.approx(float(cloud.sigma_mm[place]), rel=1e-3)
         assert numbers["cameras"] == int(cloud.cameras[place]).bit_count()
     reference = explained.codes(explained.cameras[0])
     rows, columns = cloud.pixel[: int((reference == REASONS.index("point")).sum())].T

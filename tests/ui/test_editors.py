@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFileDialog
 from measureapp.data.pattern_sets import DEFAULT_NAME, PATTERN_SETS
 from ui.look.demo_settings import DemoSettings
 from ui.look.paths import demo_folder
-from ui.look.pattern_words import pattern_line, pattern_titles
+from ui.look.pattern_words import PATTERN_WORDS, RECOMMENDED
 from ui.widgets.demo_form import OWN_MESH, PARTS, DemoForm
 from ui.widgets.segments import Segments
 
@@ -40,18 +40,26 @@ def test_a_change_by_the_user_is_told(qtbot):
     assert told.args[0].viewpoints == 12
 
 
-def test_every_pattern_set_has_a_name_and_a_line_of_its_own_with_the_recommended_one_first(qtbot):
+def test_every_pattern_set_is_offered_with_a_name_of_its_own_and_what_it_consists_of():
+    assert set(PATTERN_WORDS) == set(PATTERN_SETS)
+    assert len({words.title for words in PATTERN_WORDS.values()}) == len(PATTERN_WORDS)
+    assert next(iter(PATTERN_WORDS)) == RECOMMENDED == DEFAULT_NAME
+    for name, patterns in PATTERN_SETS.items():
+        consists = patterns.name.partition(": ")[2] or patterns.name
+        advice = "Recommended. " if name == DEFAULT_NAME else ""
+        assert PATTERN_WORDS[name].line == f"{advice}{patterns.count} images: {consists}."
+
+
+def test_the_patterns_of_the_demo_can_be_chosen(qtbot):
     form = DemoForm()
     qtbot.addWidget(form)
-    titles = pattern_titles()
-    assert set(titles) == set(PATTERN_SETS) and len(set(titles.values())) == len(titles)
-    assert next(iter(titles)) == DEFAULT_NAME == form.value().patterns
+    assert form.value().patterns == DEFAULT_NAME
     assert form._pattern_line.text().startswith("Recommended. 12 images: 4 steps")
     with qtbot.waitSignal(form.valueChanged) as told:
         form._patterns.setCurrentIndex(form._patterns.findData("paper"))
     assert told.args[0].patterns == "paper"
     assert form._patterns.currentText() == "Paper: 32 and 33 px"
-    assert form._pattern_line.text() == pattern_line("paper") == "8 images: 4 steps at 32 and 33 px."
+    assert form._pattern_line.text() == "8 images: 4 steps at 32 and 33 px."
 
 
 def test_demos_with_other_patterns_lie_in_other_folders():

@@ -69,8 +69,8 @@ def test_the_demo_runs_from_its_button_and_ends_with_dimensions_shown(started, w
     assert [row[5] for row in window.pages["inspection"].table.texts()] == ["Pass", "Fail", "Not proven", "Not measured"]
     assert "demo is complete" in window.strip.words
     assert not window.strip.cancel.isVisible()
-    folder, part, resolution, viewpoints, seed = demo.requests[0].values
-    assert (part, resolution, viewpoints, seed) == ("gypsum", "half", 8, 1)
+    folder, part, resolution, viewpoints, seed, patterns = demo.requests[0].values
+    assert (part, resolution, viewpoints, seed, patterns) == ("gypsum", "half", 8, 1, "three-close")
     assert "gypsum" in folder.name
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from measureapp.data.pattern_sets import DEFAULT_NAME
+from ui.look.pattern_words import RECOMMENDED
 
 Resolution = Literal["full", "half", "quarter"]
 
@@ -18,4 +18,4 @@ class DemoSettings:
     resolution: Resolution = "half"
     viewpoints: int = 8
     seed: int = 1
-    patterns: str = DEFAULT_NAME
+    patterns: str = RECOMMENDED

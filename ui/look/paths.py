@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from measureapp.data.pattern_sets import DEFAULT_NAME
 from ui.look.demo_settings import DemoSettings
+from ui.look.pattern_words import RECOMMENDED
 
 
 def demo_folder(settings: DemoSettings) -> Path:
     """Return where the demo project with these settings is kept."""
     name = f"demo-{Path(settings.part).stem}-{settings.resolution}-{settings.viewpoints}-views-rig-{settings.seed}"
-    if settings.patterns != DEFAULT_NAME:
+    if settings.patterns != RECOMMENDED:
         name += f"-{settings.patterns}"
     return Path.home() / "MeasureApp" / name
 

@@ -1,42 +1,35 @@
-"""What the pattern sets are called, and one line about each."""
+"""What the pattern sets are called, and one line about each; in words only, so that the window stands before they are computed."""
 
 from __future__ import annotations
 
-from measureapp.data.pattern_sets import DEFAULT_NAME, PATTERN_SETS
-from ui.look.wording import sentence_case, several
+from typing import NamedTuple
 
-TITLES = {
-    "paper": "Paper: 32 and 33 px",
-    "paper-8-step": "Paper's pitches, 8 steps",
-    "three-close": "Three close pitches",
-    "three-close-3-step": "Three close, 3 steps",
-    "three-close-8-step": "Three close, 8 steps",
-    "three-wide": "Three wide pitches",
-    "three-wide-8-step": "Three wide, 8 steps",
-    "three-wide-32": "Three wide, from 32 px",
-    "hierarchical": "Each half of the last",
-    "gray": "Gray code",
-    "complementary-gray": "Complementary Gray code",
-    "complementary-gray-8-step": "Complementary Gray, 8 steps",
+RECOMMENDED = "three-close"
+
+
+class PatternWords(NamedTuple):
+    """A set's name for people, and what it consists of."""
+
+    title: str
+    line: str
+
+
+CLOSE, WIDE = "at 16, 17.84 and 18.14 px", "at 16, 131.9 and 1088 px"
+BOTH = ", both directions"
+PATTERN_WORDS = {
+    "three-close": PatternWords("Three close pitches", f"Recommended. 12 images: 4 steps {CLOSE}."),
+    "paper": PatternWords("Paper: 32 and 33 px", "8 images: 4 steps at 32 and 33 px."),
+    "three-close-3-step": PatternWords("Three close, 3 steps", f"9 images: 3 steps {CLOSE}."),
+    "three-close-8-step": PatternWords("Three close, 8 steps", f"24 images: 8 steps {CLOSE}."),
+    "paper-8-step": PatternWords("Paper's pitches, 8 steps", "16 images: 8 steps at 32 and 33 px."),
+    "three-wide": PatternWords("Three wide pitches", f"12 images: 4 steps {WIDE}."),
+    "three-wide-8-step": PatternWords("Three wide, 8 steps", f"16 images: 8, 4 and 4 steps {WIDE}."),
+    "three-wide-32": PatternWords("Three wide, from 32 px", "12 images: 4 steps at 32, 186.6 and 1088 px."),
+    "hierarchical": PatternWords("Each half of the last", "28 images: 4 steps, each pitch half of the one before, from 17 px."),
+    "gray": PatternWords("Gray code", "10 images: 4 steps at 16 px."),
+    "complementary-gray": PatternWords("Complementary Gray", "11 images: 4 steps at 16 px."),
+    "complementary-gray-8-step": PatternWords("Complem. Gray, 8 steps", "15 images: 8 steps at 16 px."),
+    "three-close-both": PatternWords("Three close, both ways", f"24 images: 4 steps {CLOSE}{BOTH}."),
+    "paper-both": PatternWords("Paper, both ways", f"16 images: 4 steps at 32 and 33 px{BOTH}."),
+    "complementary-gray-both": PatternWords("Complem. Gray, both ways", f"22 images: 4 steps at 16 px{BOTH}."),
 }
-BOTH = "-both"
-
-
-def pattern_title(name: str) -> str:
-    """Return what the set of this name is called."""
-    plain = name.removesuffix(BOTH)
-    title = TITLES.get(plain) or sentence_case(plain.replace("-", " "))
-    return title + (", both ways" if name != plain else "")
-
-
-def pattern_line(name: str) -> str:
-    """Return one line about the set of this name: ``Recommended. 12 images: 4 steps at 16, 17.84 and 18.14 px.``"""
-    patterns = PATTERN_SETS[name]
-    advice = "Recommended. " if name == DEFAULT_NAME else ""
-    return f"{advice}{several(patterns.count, 'image')}: {patterns.name.partition(': ')[2]}."
-
-
-def pattern_titles() -> dict[str, str]:
-    """Return the titles of all sets by name, the recommended one and the paper's first."""
-    first = (DEFAULT_NAME, "paper")
-    return {name: pattern_title(name) for name in (*first, *(name for name in PATTERN_SETS if name not in first))}

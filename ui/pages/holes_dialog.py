@@ -28,7 +28,7 @@ HEADINGS = {
 }
 STAGES = {"point": "Measured", "decode": "Lost in decoding", "match": "Lost in matching the cameras", "clean": "Left out by cleaning"}
 REASON_WORDS = {"point": "Has a point", "seen by another": "Another camera has it"}
-DIGITS = {"grey level": 0, "phase noise": 4, "projector column": 2, "σ of the point": 3, "cameras": 0}
+DIGITS = {"grey level": 0, "phase noise": 4, "projector column": 2, "point σ": 3, "cameras": 0}
 ASK = "Click a pixel in the picture, or a reason in the list, to read why."
 WAITING = "The view is computed again from its stored images."
 PATIENCE = "As soon as it is complete, every pixel can be asked about."

@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QFileDialog, QFormLayout, QSpinBox, QWidget
 
 from ui.look.demo_settings import DemoSettings, Resolution
-from ui.look.pattern_words import pattern_line, pattern_titles
+from ui.look.pattern_words import PATTERN_WORDS
 from ui.widgets.basic import label
 from ui.widgets.segments import Segments
 
@@ -35,9 +35,9 @@ class DemoForm(QWidget):
         self._chosen = 0
         self._resolution = Segments({"quarter": "Quarter", "half": "Half", "full": "Full"})
         self._patterns, self._pattern_line = QComboBox(), label("", "small", wrap=True)
-        for name, words in pattern_titles().items():
-            self._patterns.addItem(words, name)
-            self._patterns.setItemData(self._patterns.count() - 1, pattern_line(name), Qt.ItemDataRole.ToolTipRole)
+        for name, (title, line) in PATTERN_WORDS.items():
+            self._patterns.addItem(title, name)
+            self._patterns.setItemData(self._patterns.count() - 1, line, Qt.ItemDataRole.ToolTipRole)
         self._patterns.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self._patterns.setMinimumContentsLength(16)
         self._viewpoints, self._seed = QSpinBox(), QSpinBox()
@@ -108,7 +108,7 @@ class DemoForm(QWidget):
         self._tell()
 
     def _say_patterns(self) -> None:
-        self._pattern_line.setText(pattern_line(self._patterns.currentData()))
+        self._pattern_line.setText(PATTERN_WORDS[self._patterns.currentData()].line)
 
     def _tell(self) -> None:
         if not self._part.currentData():  # the user is about to choose a file

@@ -1,0 +1,90 @@
+"""A view with a calibrated projector as one more eye: alone with a single camera, or filling what only one camera sees."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from measureapp.arrays import FloatArray, read_only
+from measureapp.data.calibration import CameraArrayCalibration
+from measureapp.data.cloud import PROJECTOR_BIT, PointCloud, joined
+from measureapp.data.phase import PhaseMap
+from measureapp.data.point_state import PointState
+from measureapp.progress import NoProgress, PartOf, Progress
+from measureapp.reconstruct.projector import reconstruct_with_projector
+from measureapp.reconstruct.projector_fill import FillSettings, ProjectorAgreement, fill_with_projector
+from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
+from measureapp.reconstruct.rectifier import Rectifier
+from measureapp.reconstruct.settings import ReconstructSettings
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ProjectorView:
+    """A reconstruction in which the projector took part."""
+
+    reconstruction: Reconstruction
+    agreement: Mapping[str, ProjectorAgreement]  # camera -> how far the projector's depths lie from those of the cameras
+    points: int  # of the projector, marked by PROJECTOR_BIT
+
+
+def reconstruct_view_with_projector(
+    phase_maps: Mapping[str, PhaseMap],
+    cameras: CameraArrayCalibration,
+    settings: ReconstructSettings | None = None,
+    progress: Progress | None = None,
+    rectifier: Rectifier | None = None,
+    fill: FillSettings | None = None,
+) -> ProjectorView:
+    """Reconstruct the cameras' pairs, then let the projector fill pixels whose phase no other camera has; or one camera with it alone.
+
+    Parameters
+    ----------
+    phase_maps, cameras, settings, progress, rectifier : as for `reconstruct`
+    fill : when the projector may fill; None for the defaults
+
+    Raises
+    ------
+    ReconstructError
+        The projector is not calibrated, or from `reconstruct` and `reconstruct_with_projector`.
+    """
+    settings, progress = settings or ReconstructSettings(), progress or NoProgress()
+    rectifier = rectifier or Rectifier(cameras)
+    seen = [name for name in cameras.names if name in phase_maps]
+    if len(seen) == 1:
+        return _alone(phase_maps[seen[0]], cameras, settings, rectifier)
+    made = reconstruct(phase_maps, cameras, settings, PartOf(progress, 0.0, 0.8), rectifier)
+    clouds, fates, rejected = [made.cloud], dict(made.fates), dict(made.rejected)
+    agreement, added = {}, 0
+    for name, fate in made.fates.items():
+        progress.report(4, 5, f"filling {name}")
+        depth, sigma = _depth_of(name, made.cloud, cameras, fate.shape)
+        filled = fill_with_projector(depth, sigma, phase_maps[name], cameras, settings, rectifier, fate == PointState.UNMATCHED, fill)
+        agreement[name] = filled.agreement
+        clouds.append(filled.cloud)
+        fates[name] = read_only(np.where(filled.filled, np.uint8(PointState.VALID), fate))
+        rejected["unmatched"] = rejected.get("unmatched", 0) - len(filled.cloud)
+        added += len(filled.cloud)
+    return ProjectorView(replace(made, cloud=joined(clouds), fates=fates, rejected=rejected), agreement, added)
+
+
+def _alone(phase_map: PhaseMap, cameras: CameraArrayCalibration, settings: ReconstructSettings, rectifier: Rectifier) -> ProjectorView:
+    made = reconstruct_with_projector(phase_map, cameras, settings, rectifier, phase_map.direction)
+    fate = np.where(phase_map.valid, np.uint8(PointState.UNMATCHED), np.uint8(PointState.NO_PHASE))
+    fate[made.cloud.pixel[:, 0], made.cloud.pixel[:, 1]] = PointState.VALID
+    reconstruction = Reconstruction(made.cloud, (), made.rejected, {phase_map.camera: read_only(fate)})
+    return ProjectorView(reconstruction, {}, len(made.cloud))
+
+
+def _depth_of(name: str, cloud: PointCloud, cameras: CameraArrayCalibration, shape: tuple[int, ...]) -> tuple[FloatArray, FloatArray]:
+    """Return depth and its standard deviation (H, W) of the points that stand on the grid of one camera; 0 for none."""
+    bit = 1 << cameras.names.index(name)
+    first = cloud.cameras & ~np.uint8(PROJECTOR_BIT)
+    own = (first & -first.astype(np.int16)) == bit  # the lowest bit is the camera that saw the point first
+    points = cameras.cameras[name].reference_from_camera.inverse().apply(cloud.points_mm[own])
+    rows, columns = cloud.pixel[own, 0], cloud.pixel[own, 1]
+    depth, sigma = np.zeros(shape, np.float32), np.zeros(shape, np.float32)
+    depth[rows, columns] = points[:, 2]
+    sigma[rows, columns] = cloud.sigma_mm[own] * points[:, 2] / np.maximum(np.linalg.norm(points, axis=1), 1e-9)
+    return depth, sigma
