@@ -128,6 +128,7 @@ def _document(made: Reconstruction, out: Path) -> dict[str, Any]:
                 "matched": pair.matched,
                 "epipolar_rms_px": pair.epipolar_rms_px,
                 "epipolar_px": pair.epipolar_px,
+                "across_px": pair.across_px,
                 "skipped": pair.skipped,
             }
             for pair in made.pairs
@@ -146,6 +147,7 @@ def _lines(document: dict[str, Any]) -> str:
     for pair in document["pairs"]:
         rms = pair["epipolar_rms_px"]
         seen = "" if rms is None else f", {rms:.3f} px in the third camera, {pair['epipolar_px']:.3f} px without the phase noise"
+        seen += "" if pair["across_px"] is None else f", {pair['across_px']:.3f} px across the epipolar lines"
         said = f"not matched, {pair['skipped']}" if pair["skipped"] else f"{pair['matched']} matched{seen}"
         lines.append(f"  {'–'.join(pair['cameras'])}: {said}")
     lines.append("  rejected: " + ", ".join(f"{count} {reason}" for reason, count in document["rejected"].items() if count))

@@ -1,1 +1,9 @@
 """From phase maps to points."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from measureapp.kernel_cache import drop_stale
+
+drop_stale(Path(__file__).parent / "kernels")

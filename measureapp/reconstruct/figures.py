@@ -11,6 +11,9 @@ from measureapp.arrays import FloatArray
 
 TRIMMED_PX = 3.0
 MEDIAN_OF_CHI2 = 0.4549364  # of one degree of freedom
+MEDIAN_ERROR = 1.2533141  # standard error of the median of normal values, in standard deviations over √N
+CHI2_MEDIAN_ERROR = 1.0611  # standard error of the median of χ² of one degree of freedom, times √N
+SIGNIFICANT = 2.0  # standard errors
 LARGEST_PX = 10.0
 
 
@@ -20,35 +23,51 @@ class PairFigures:
 
     The points of this pair alone are seen by the other cameras: the distance, along the epipolar line, between the point's image and
     the place with the point's phase tells how well the calibration fits the cameras as they stand. With two cameras vertical fringes
-    say nothing across the epipolar lines: then both figures are None.
+    say nothing across the epipolar lines: then both figures are None. With fringes of both directions each pair is tested by itself,
+    across its epipolar lines.
     """
 
     names: tuple[str, str]
     matched: int
     epipolar_rms_px: float | None  # rms of the distances below 3 px, phase noise included
-    epipolar_px: float | None = None  # robust standard deviation of what the phase noise does not explain: the calibration's errors
+    epipolar_px: float | None = None  # robust size of what the phase noise does not explain: the calibration's errors
+    across_px: float | None = None  # the same across the epipolar lines, from horizontal fringes; None without them
     skipped: str = ""  # why the pair was not matched
 
 
-def pair_figures(names: tuple[str, str], matched: int, shifts: Sequence[FloatArray]) -> PairFigures:
-    """Judge a pair by samples (…, 2) of the distance in px and its variance; (0, 0) where there is none."""
-    samples = np.concatenate([np.zeros((0, 2)), *(each.reshape(-1, 2) for each in shifts)]).astype(np.float64)
-    off, variance = samples[samples[:, 1] > 0].T
+def pair_figures(names: tuple[str, str], matched: int, shifts: Sequence[FloatArray], across: FloatArray | None = None) -> PairFigures:
+    """Judge a pair by samples (…, 2) of the distance in px and its variance, along and across the epipolar lines; (0, 0) for none."""
+    off, variance = _samples(shifts)
+    off_across, variance_across = _samples([] if across is None else [across])
+    across_px = unexplained_px(off_across, variance_across) if len(off_across) else None
     near = np.abs(off) < TRIMMED_PX
     if not near.any():
-        return PairFigures(names, matched, None)
-    return PairFigures(names, matched, float(np.sqrt(np.mean(off[near] ** 2))), unexplained_px(off, variance))
+        return PairFigures(names, matched, None, across_px=across_px)
+    return PairFigures(names, matched, float(np.sqrt(np.mean(off[near] ** 2))), unexplained_px(off, variance), across_px)
+
+
+def _samples(shifts: Sequence[FloatArray]) -> tuple[FloatArray, FloatArray]:
+    joined = np.concatenate([np.zeros((0, 2)), *(each.reshape(-1, 2) for each in shifts)]).astype(np.float64)
+    off, variance = joined[joined[:, 1] > 0].T
+    return off, variance
 
 
 def unexplained_px(off_px: FloatArray, variance_px2: FloatArray) -> float:
-    """Return the s for which half of the squares off² / (variance + s²) lie below the median of χ²; 0 where noise alone explains them."""
+    """Return how large the distances are beyond their noise: their median and their scatter about it, each 0 where noise explains it.
+
+    The scatter is the s for which half of the squares off² / (variance + s²) lie below the median of χ².
+    """
+    middle_off, count = float(np.median(off_px)), len(off_px)
+    if abs(middle_off) <= SIGNIFICANT * MEDIAN_ERROR * float(np.sqrt(np.median(variance_px2) / count)):
+        middle_off = 0.0
+    squares = (off_px - middle_off) ** 2
+    if np.median(squares / variance_px2) <= MEDIAN_OF_CHI2 + SIGNIFICANT * CHI2_MEDIAN_ERROR / np.sqrt(count):
+        return abs(middle_off)
     low, high = 0.0, LARGEST_PX
-    if np.median(off_px**2 / variance_px2) <= MEDIAN_OF_CHI2:
-        return 0.0
     while high - low > 1e-4:
         middle = (low + high) / 2
-        if np.median(off_px**2 / (variance_px2 + middle**2)) > MEDIAN_OF_CHI2:
+        if np.median(squares / (variance_px2 + middle**2)) > MEDIAN_OF_CHI2:
             low = middle
         else:
             high = middle
-    return (low + high) / 2
+    return float(np.hypot(middle_off, (low + high) / 2))

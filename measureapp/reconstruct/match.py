@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -27,6 +27,7 @@ class DepthMap:
     sigma_mm: FloatArray  # (H, W) float32, standard deviation of it
     others: IntArray  # (H, W) uint8, bit i: the i-th other camera takes part
     fate: IntArray  # (H, W) uint8 of PointState
+    pair_gain: FloatArray  # (H, W) float32, change of the phase of the only other camera with z, rad/mm; (0, 0) with more cameras
     matched: tuple[int, ...]  # pixels matched with each other camera
     shifts: FloatArray  # (M, rows, columns, 2) float32, places where points of one pair are in the other cameras: px off, variance
 
@@ -63,6 +64,7 @@ def match_view(
         np.empty(shape, np.float32),
         np.empty(shape, np.uint8),
         np.empty(shape, np.uint8),
+        np.zeros(shape if len(others) == 1 else (0, 0), np.float32),
         (),
         np.zeros((len(others), *(-(-length // every) for length in shape), 2), np.float32),
     )
@@ -71,7 +73,7 @@ def match_view(
     )
     bands = in_bands(work.rows, shape[0], max(8, shape[0] // ROWS_PER_BAND))
     totals = np.sum(bands, axis=0)
-    return DepthMap(made.depth_mm, made.sigma_mm, made.others, made.fate, tuple(int(count) for count in totals), made.shifts)
+    return replace(made, matched=tuple(int(count) for count in totals))
 
 
 def sight_of(name: str, other: str, views: Mapping[str, PhaseView], rectifier: Rectifier) -> tuple[Any, ...]:
@@ -146,6 +148,7 @@ class _Work:
             )
             for k, other in enumerate(self.others)
         ]
+        self._fuse_both(found, start, stop)
         arguments: tuple[Any, ...] = (
             self.rectifier.rays(self.name),
             view.phase,
@@ -163,11 +166,34 @@ class _Work:
             self.made.sigma_mm,
             self.made.others,
             self.made.fate,
+            self.made.pair_gain,
             self.covered,
             self.made.shifts,
         )
         kernels.fuse(*arguments)
         return np.array(matched)
+
+    def _fuse_both(self, found: Sequence[Any], start: int, stop: int) -> None:
+        """Fuse the pixels that two other cameras match alike; all others are left to the general way."""
+        if len(self.others) != 2:
+            self.made.depth_mm[start:stop] = 0
+            self.made.sigma_mm[start:stop] = 0
+            return
+        pair = self.rectifier.pair(self.name, self.others[1])
+        step = tuple(np.float32(value / (pair.there.frame[0] * pair.baseline_mm)) for value in pair.here.rectified_from_camera[2])
+        limits = (np.float32(self.settings.agreement_sigmas), np.float32(self.settings.agreement_px))
+        out = (self.made.depth_mm, self.made.sigma_mm)
+        arguments: tuple[Any, ...] = (
+            self.rectifier.rays(self.name),
+            self.views[self.name].sigma,
+            *found[:3],
+            step,
+            limits,
+            start,
+            stop,
+            *out,
+        )
+        kernels.fuse_both(*arguments)
 
     def _table_of(self, other: str) -> tuple[Any, ...]:
         tables, pair = self.tables[other], self.rectifier.pair(self.name, other)

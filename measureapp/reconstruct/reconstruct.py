@@ -18,7 +18,7 @@ from measureapp.data.point_state import PointState
 from measureapp.errors import ReconstructError
 from measureapp.progress import NoProgress, Progress
 from measureapp.reconstruct.clean import DepthGrid, Lens, PointArrays, cleaned, gather, points_per_row, rejections
-from measureapp.reconstruct.coverage import keep_new
+from measureapp.reconstruct.coverage import check_across, keep_new
 from measureapp.reconstruct.figures import PairFigures, pair_figures
 from measureapp.reconstruct.match import DepthMap, match_view, sample_step
 from measureapp.reconstruct.phase_view import PhaseView
@@ -126,6 +126,9 @@ class _Work:
     ) -> None:
         self.names, self.phase_maps, self.rectifier, self.settings = names, phase_maps, rectifier, settings
         self.views = {name: PhaseView.of(phase_maps[name], settings.max_phase_step_rad) for name in names}
+        maps_across = {name: each for name in names if (each := phase_maps[name].across) is not None}
+        self.views_across = {name: PhaseView.of(each, settings.max_phase_step_rad) for name, each in maps_across.items()}
+        self.across: dict[tuple[str, str], FloatArray] = {}
         self.skipped = self._pairs_along_the_fringes()
         self.covered = {name: np.zeros(self.views[name].phase.shape, np.uint8) for name in names[1:]}
         self.fates: dict[str, IntArray] = {}
@@ -161,6 +164,8 @@ class _Work:
         for place, other in enumerate(others):
             self.matched[name, other] = view.matched[place]
             self.shifts[name, other] = [view.shifts[place]]
+        found = check_across(name, others, view, self.views_across, self.rectifier, self.settings)
+        self.across |= {(name, other): shifts for other, shifts in found.items()}
         self._drop_seen_before(number, others, view)
         cameras = self.rectifier.cameras.cameras
         camera_from_reference = cameras[name].reference_from_camera.inverse()
@@ -229,7 +234,7 @@ class _Work:
             if pair in self.skipped:
                 figures.append(PairFigures(pair, 0, None, skipped=self.skipped[pair]))
             else:
-                figures.append(pair_figures(pair, self.matched.get(pair, 0), self.shifts.get(pair, [])))
+                figures.append(pair_figures(pair, self.matched.get(pair, 0), self.shifts.get(pair, []), self.across.get(pair)))
         return tuple(figures)
 
 

@@ -18,7 +18,7 @@ BIN_PX = 4.0  # width of a bin at the usual slope
 EVERY_PIXEL_BELOW = 1_000_000  # images with fewer pixels are sorted completely, larger ones every second row and column
 RANGE_MARGIN_RAD = 2 * np.pi
 MOST_BINS = 4096
-LEAST_SINE = 0.17  # of the angle between fringes and epipolar lines
+LEAST_SINE = kernels.LEAST_SINE
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from measureapp.data.phase import PixelState
+from measureapp.data.calibration import CameraArrayCalibration
+from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.point_state import PointState
 from measureapp.errors import ReconstructError
 from measureapp.geometry.transform import RigidTransform
@@ -14,7 +15,7 @@ from measureapp.progress import CallbackProgress, Cancelled
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
 from measureapp.reconstruct.rectifier import Rectifier
 from measureapp.reconstruct.settings import ReconstructSettings
-from tests.reconstruct.conftest import Head, make_head, nearest, plane, sphere
+from tests.reconstruct.conftest import Head, Surface, make_head, nearest, plane, sphere
 
 SIGMA_RAD = 0.012
 NORMAL = np.array([-0.2, -0.1, 1.0]) / np.linalg.norm([-0.2, -0.1, 1.0])
@@ -188,10 +189,7 @@ def test_horizontal_fringes_match_the_pairs_whose_epipolar_lines_cross_them_and_
 def test_phase_noise_is_not_taken_for_a_shifted_camera_but_a_shifted_camera_is(head: Head, rectifier: Rectifier) -> None:
     maps = head.phase_maps(plane(550, 0.2, 0.1), SIGMA_RAD, 4)
     quiet = reconstruct(maps, head.cameras, rectifier=rectifier)
-    upper = head.cameras.cameras["upper"]
-    turned = RigidTransform.from_parts(Rotation.from_rotvec([0, 0.3 / 511, 0]).as_matrix(), np.zeros(3), "upper", "upper")
-    moved = replace(upper, reference_from_camera=upper.reference_from_camera @ turned)  # 0.3 px
-    shaken = reconstruct(maps, replace(head.cameras, cameras={**head.cameras.cameras, "upper": moved}))
+    shaken = reconstruct(maps, turned(head, "upper", (0, 0.3 / 511, 0)))  # 0.3 px
     for before, after in zip(quiet.pairs, shaken.pairs, strict=True):
         assert before.epipolar_px is not None and before.epipolar_rms_px is not None and after.epipolar_px is not None
         assert before.epipolar_px < before.epipolar_rms_px
@@ -241,3 +239,54 @@ def test_every_pixel_of_every_camera_has_a_fate_and_the_points_are_the_valid_one
     assert (made.fates["left"][tuple(made.cloud.pixel[first].T)] == PointState.VALID).all()
     assert made.rejected["flying"] == sum(int((made.fates[name] == PointState.FLYING).sum()) for name in ("left", "right"))
     assert (made.fates["right"] == PointState.SEEN_BY_ANOTHER).mean() > 0.5
+
+
+def test_a_perfect_head_has_no_epipolar_residual_in_any_pair_and_a_turned_camera_its_true_one(head: Head, rectifier: Rectifier) -> None:
+    surface = plane(550, 0.2, 0.1)
+    for sigma_rad in (1e-4, SIGMA_RAD, 0.04):
+        made = reconstruct(head.phase_maps(surface, sigma_rad, 11), head.cameras, rectifier=rectifier)
+        assert all(pair.epipolar_px is not None and pair.epipolar_px < 0.03 for pair in made.pairs)
+    quiet = reconstruct(head.phase_maps(surface, 1e-4, 11), turned(head, "right", (0, 0.3 / 511, 0)))
+    noisy = reconstruct(head.phase_maps(surface, SIGMA_RAD, 11), turned(head, "right", (0, 0.3 / 511, 0)))
+    for true, seen in zip(quiet.pairs, noisy.pairs, strict=True):
+        assert true.epipolar_rms_px is not None and true.epipolar_rms_px > 0.2  # without noise the rms is the residual itself
+        assert seen.epipolar_px == pytest.approx(true.epipolar_rms_px, rel=0.1)
+
+
+def turned(head: Head, name: str, by_rad: tuple[float, float, float]) -> CameraArrayCalibration:
+    """Return the head's calibration with one camera turned about its own axes."""
+    camera = head.cameras.cameras[name]
+    turn = RigidTransform.from_parts(Rotation.from_rotvec(by_rad).as_matrix(), np.zeros(3), name, name)
+    moved = replace(camera, reference_from_camera=camera.reference_from_camera @ turn)
+    return replace(head.cameras, cameras={**head.cameras.cameras, name: moved})
+
+
+def both_directions(head: Head, surface: Surface) -> dict[str, PhaseMap]:
+    across = head.phase_maps(surface, SIGMA_RAD, 12, horizontal=True)
+    return {name: replace(each, across=across[name]) for name, each in head.phase_maps(surface, SIGMA_RAD, 13).items()}
+
+
+def test_horizontal_fringes_see_across_the_epipolar_lines_what_vertical_ones_cannot(head: Head, rectifier: Rectifier) -> None:
+    maps = both_directions(head, plane(550, 0.2, 0.1))
+    straight = reconstruct(maps, head.cameras, rectifier=rectifier)
+    assert all(pair.across_px is not None and pair.across_px < 0.03 for pair in straight.pairs)
+    assert straight.rejected["contradicted"] == 0
+    shaken = reconstruct(maps, turned(head, "right", (0.3 / 511, 0, 0)))  # 0.3 px across the lines of left and right
+    pair = shaken.pairs[0]
+    assert pair.epipolar_px is not None and pair.epipolar_px < 0.03
+    assert pair.across_px == pytest.approx(0.3, abs=0.05)
+    two = reconstruct({name: maps[name] for name in ("left", "right")}, head.cameras, rectifier=rectifier)
+    assert two.pairs[0].across_px is not None and two.pairs[0].across_px < 0.03
+
+
+def test_points_whose_horizontal_phases_differ_are_contradicted(head: Head, rectifier: Rectifier) -> None:
+    maps = both_directions(head, plane(550, 0.2, 0.1))
+    across = maps["left"].across
+    assert across is not None
+    wrong = across.phase_rad.copy()
+    wrong[100:120, 100:140] += np.float32(0.8)
+    maps["left"] = replace(maps["left"], across=replace(across, phase_rad=wrong))
+    made = reconstruct(maps, head.cameras, rectifier=rectifier)
+    fate = made.fates["left"]
+    assert (fate[100:120, 100:140] == PointState.CONTRADICTED).mean() > 0.95
+    assert made.rejected["contradicted"] <= 20 * 40

@@ -15,7 +15,10 @@ from numba import njit
 REPEATED = np.int32(1 << 30)
 PLACE = np.int32((1 << 30) - 1)
 LINES_PER_CELL = 2
-NEAR_PX = np.float32(10.0)  # pixels of one cell and surface lie this near to each other, beyond what the bin's width explains
+LEAST_SINE = 0.17  # of the angle between fringes and epipolar lines; pairs below are not matched
+# Pixels of one cell and surface lie this near to each other, beyond what the bin's width explains: so long is a fringe between the first
+# and the last line of a cell where it crosses them at the smallest angle.
+NEAR_PX = np.float32(LINES_PER_CELL / LEAST_SINE)
 
 
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy")

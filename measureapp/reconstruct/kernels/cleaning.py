@@ -1,17 +1,18 @@
-"""Compiled loops over a depth map: local planes, islands, and the points that are left.
+"""Compiled loops over a depth map: local planes, and the points that are left.
 
 Inverse depths are used, on a plane they are linear in the image; ``inverse`` (H + 2r, W + 2r) has a border of zeros, and zeros where
 there is no point. Loops over arithmetic alone run on one scratch array at constant offsets, in SIMD instructions.
 """
 # One loop over pixels cannot be cut into functions without leaving SIMD code.
-# ruff: noqa: PLR0912, PLR0915
+# ruff: noqa: PLR0915
 
 from __future__ import annotations
 
 from typing import Any
 
 import numpy as np
-from numba import carray, njit
+from numba import njit
+from numba.np.numpy_support import carray
 
 from measureapp.data.point_state import PointState
 from measureapp.reconstruct.kernels.scratch import stack_float32
@@ -25,7 +26,7 @@ THIN = np.float32(1e-6)
 SIGMAS = np.float32(8.0)
 WHOLE = np.float32(25)  # places of a window
 TINY = np.float32(1e-12)
-UNCERTAIN, FLYING, OUTLIER, GRAZING, PARTNER_GRAZING, ISLAND = (
+UNCERTAIN, FLYING, OUTLIER, GRAZING, PARTNER_GRAZING = (
     np.uint8(state)
     for state in (
         PointState.UNCERTAIN,
@@ -33,7 +34,6 @@ UNCERTAIN, FLYING, OUTLIER, GRAZING, PARTNER_GRAZING, ISLAND = (
         PointState.OUTLIER,
         PointState.GRAZING,
         PointState.PARTNER_GRAZING,
-        PointState.ISLAND,
     )
 )
 ALONE, BY_PLANE, BY_CAMERA, BY_PARTNER = (np.float32(state) for state in (FLYING, OUTLIER, GRAZING, PARTNER_GRAZING))
@@ -255,97 +255,6 @@ def judge(
             for i in range(n):
                 code = np.int32(s[CODE + i])
                 verdict[i] = np.uint8(code) if code != 0 else verdict[i]
-
-
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
-def find_runs(
-    inverse: Any,
-    sigma: Any,
-    fate: Any,
-    per_px: Any,
-    border: int,
-    row_start: int,
-    row_stop: int,
-    starts: Any,  # out (H, W) int16
-    stops: Any,  # out
-    counts: Any,  # out (H,) int32
-) -> None:
-    """Take rejected points out of ``inverse`` and find the runs of points of every row without a depth step."""
-    width = sigma.shape[1]
-    linked = np.zeros(width + 1, np.uint8)
-    for y in range(row_start, row_stop):
-        inv, noise, judged = inverse[y + border, border : border + width], sigma[y], fate[y]
-        for x in range(width):
-            inv[x] = inv[x] if judged[x] == 0 else ZERO
-        before = inv[0 : width - 1]
-        here, s_here = inv[1:width], noise[1:width]
-        flags = linked[1:width]
-        for x in range(width - 1):
-            a, b = before[x], here[x]
-            flags[x] = (abs(a - b) <= per_px * b + SIGMAS * s_here[x] * b * b) & (a > ZERO) & (b > ZERO)
-        count = 0
-        for x in range(width):
-            if linked[x]:
-                continue
-            if x > 0 and inv[x - 1] > ZERO:
-                stops[y, count] = x
-                count += 1
-            if inv[x] > ZERO:
-                starts[y, count] = x
-        if inv[width - 1] > ZERO:
-            stops[y, count] = width
-            count += 1
-        counts[y] = count
-
-
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
-def root_of(parent: Any, index: int) -> int:
-    """Return the representative of a run's island, shortening the way to it."""
-    while parent[index] != index:
-        parent[index] = parent[parent[index]]
-        index = parent[index]
-    return index
-
-
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
-def drop_islands(inverse: Any, sigma: Any, per_px: Any, border: int, least: int, starts: Any, stops: Any, counts: Any, fate: Any) -> None:
-    """Join the runs of neighbouring rows where no depth step parts them, and remove what stays smaller than ``least`` pixels."""
-    height = len(counts)
-    total = 0
-    for y in range(height):
-        total += counts[y]
-    parent = np.arange(total).astype(np.int32)
-    above = 0
-    for y in range(1, height):
-        here = above + counts[y - 1]
-        i, j = 0, 0
-        while i < counts[y - 1] and j < counts[y]:
-            low, high = max(starts[y - 1, i], starts[y, j]), min(stops[y - 1, i], stops[y, j])
-            for x in range(low, high):
-                a, b = inverse[y - 1 + border, x + border], inverse[y + border, x + border]
-                if abs(a - b) <= per_px * b + SIGMAS * sigma[y, x] * b * b:
-                    p, q = root_of(parent, above + i), root_of(parent, here + j)
-                    parent[max(p, q)] = min(p, q)
-                    break
-            if stops[y - 1, i] < stops[y, j]:
-                i += 1
-            else:
-                j += 1
-        above = here
-    size = np.zeros(total, np.int32)
-    index = 0
-    for y in range(height):
-        for k in range(counts[y]):
-            size[root_of(parent, index)] += stops[y, k] - starts[y, k]
-            index += 1
-    index = 0
-    for y in range(height):
-        for k in range(counts[y]):
-            if size[root_of(parent, index)] < least:
-                for x in range(starts[y, k], stops[y, k]):
-                    fate[y, x] = ISLAND
-                    inverse[y + border, x + border] = ZERO
-            index += 1
 
 
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy")

@@ -23,27 +23,28 @@ VALID, NO_PHASE, UNMATCHED, AMBIGUOUS, CONTRADICTED = (
     np.uint8(state)
     for state in (PointState.VALID, PointState.NO_PHASE, PointState.UNMATCHED, PointState.AMBIGUOUS, PointState.CONTRADICTED)
 )
-CHUNK = 512
-(Z0, G0, V0, Z1, G1, V1, STEP, OWN, FUSED, SPREAD) = (k * CHUNK for k in range(10))
-SCRATCH = 10 * CHUNK
-ZERO, ONE, TINY = np.float32(0), np.float32(1), np.float32(1e-20)
+BOTH, NONE = np.uint8(3), np.uint8(0)
+ZERO = np.float32(0)
 OCCLUDES_PX = 16.0  # nearer by so much disparity, a surface seen instead of a point hides it
 
 
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
 def native_pixel(grid: Any, stride: Any, x: Any, y: Any) -> Any:
-    """Return the image point (x, y) of a rectified one, bilinear between the grid's nodes; (-1, -1) outside."""
-    gx = x / stride
-    gy = y / stride
-    i = int(np.floor(gy))
-    j = int(np.floor(gx))
-    if i < 0 or j < 0 or i + 1 >= grid.shape[0] or j + 1 >= grid.shape[1]:
-        return -1.0, -1.0
+    """Return the image point (u, v) of a rectified one and its change with x, bilinear between the grid's nodes; (-1, -1) outside."""
+    per_stride = 1.0 / stride
+    gx = x * per_stride
+    gy = y * per_stride
+    if not (gx >= 0.0 and gy >= 0.0 and gy < grid.shape[0] - 1 and gx < grid.shape[1] - 1):
+        return -1.0, -1.0, 0.0, 0.0
+    i = int(gy)
+    j = int(gx)
     a = gx - j
     b = gy - i
-    u = (1 - b) * ((1 - a) * grid[i, j, 0] + a * grid[i, j + 1, 0]) + b * ((1 - a) * grid[i + 1, j, 0] + a * grid[i + 1, j + 1, 0])
-    v = (1 - b) * ((1 - a) * grid[i, j, 1] + a * grid[i, j + 1, 1]) + b * ((1 - a) * grid[i + 1, j, 1] + a * grid[i + 1, j + 1, 1])
-    return u, v
+    u0 = (1 - b) * grid[i, j, 0] + b * grid[i + 1, j, 0]
+    v0 = (1 - b) * grid[i, j, 1] + b * grid[i + 1, j, 1]
+    du = (1 - b) * grid[i, j + 1, 0] + b * grid[i + 1, j + 1, 0] - u0
+    dv = (1 - b) * grid[i, j + 1, 1] + b * grid[i + 1, j + 1, 1] - v0
+    return u0 + a * du, v0 + a * dv, du * per_stride, dv * per_stride
 
 
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
@@ -85,19 +86,20 @@ def see(own: Any, nx: Any, ny: Any, z: Any, other: Any) -> Any:
     """
     phase, sigma, state, slope, quad, turn, frame, there_frame, grid, stride, baseline = other
     rz = turn[2, 0] * nx + turn[2, 1] * ny + turn[2, 2]
-    here = (turn[0, 0] * nx + turn[0, 1] * ny + turn[0, 2]) / rz
-    row = frame[0] * (turn[1, 0] * nx + turn[1, 1] * ny + turn[1, 2]) / rz - frame[2]
-    there = there_frame[0] * (here - baseline / (rz * z)) - there_frame[1]
-    u, v = native_pixel(grid, stride, there, row)
+    per_rz, per_z = 1.0 / rz, 1.0 / z
+    here = (turn[0, 0] * nx + turn[0, 1] * ny + turn[0, 2]) * per_rz
+    row = frame[0] * (turn[1, 0] * nx + turn[1, 1] * ny + turn[1, 2]) * per_rz - frame[2]
+    shift = baseline * per_rz * per_z
+    there = there_frame[0] * (here - shift) - there_frame[1]
+    u, v, to_u, to_v = native_pixel(grid, stride, there, row)
     sight, value, noise = look(phase, sigma, state, slope, quad, u, v)
     along = 0.0
     if sight == SEEN:
-        right, below = native_pixel(grid, stride, there + 1.0, row)
         j, k = int(u + 0.5), int(v + 0.5)
-        along = slope[k, j, 0] * (right - u) + slope[k, j, 1] * (below - v)
+        along = slope[k, j, 0] * to_u + slope[k, j, 1] * to_v
         if abs(along) < 1e-6:
             sight = PARTLY
-    gain = along * there_frame[0] * baseline / (rz * z * z)
+    gain = along * there_frame[0] * shift * per_z
     return sight, value - own, along, gain, noise, here * frame[0], there, row
 
 
@@ -113,59 +115,6 @@ def hidden(wanted: Any, here: Any, row: Any, repeats: Any, lines: Any, frame: An
         return False
     nearer = lines[(held & PLACE) >> 16, held & 0xFFFF, 0] + frame[1] - here
     return bool(nearer > OCCLUDES_PX)
-
-
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
-def other_step(other: Any) -> Any:
-    """Return (c0, c1, c2): (c0 · nx + c1 · ny + c2) · z is the share of the depth z that shifts a point by a pixel in the other camera."""
-    turn, there_frame, baseline = other[5], other[7], other[10]
-    scale = 1.0 / (there_frame[0] * baseline)
-    return np.float32(turn[2, 0] * scale), np.float32(turn[2, 1] * scale), np.float32(turn[2, 2] * scale)
-
-
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
-def fuse_both(
-    s: Any, step: Any, sigmas: Any, tolerance_px: Any, rays: Any, sigma: Any, depth: Any, gain: Any, variance: Any, z: Any, z_sigma: Any
-) -> None:
-    """Fuse the pixels of a row that two other cameras matched, where the depths agree; z stays 0 elsewhere."""
-    c0, c1, c2 = step
-    sigmas2, tolerance = np.float32(sigmas * sigmas), np.float32(tolerance_px)
-    for first in range(0, len(sigma), CHUNK):
-        n = min(CHUNK, len(sigma) - first)
-        ray, own_row = rays[2 * first : 2 * (first + n)], sigma[first : first + n]
-        for i in range(n):
-            s[STEP + i] = c0 * ray[2 * i] + c1 * ray[2 * i + 1] + c2
-        for i in range(n):
-            s[OWN + i] = own_row[i]
-        for k in range(2):
-            z_row, g_row, v_row = depth[k, first : first + n], gain[k, first : first + n], variance[k, first : first + n]
-            lane = s[k * 3 * CHUNK : (k * 3 + 3) * CHUNK]
-            for i in range(n):
-                lane[i] = z_row[i]
-            for i in range(n):
-                lane[CHUNK + i] = g_row[i]
-            for i in range(n):
-                lane[2 * CHUNK + i] = v_row[i]
-        for i in range(n):
-            z0, z1, g0, g1, v0, v1 = s[Z0 + i], s[Z1 + i], s[G0 + i], s[G1 + i], s[V0 + i], s[V1 + i]
-            own = s[OWN + i] * s[OWN + i]
-            excess = g1 * (z0 - z1)
-            ratio = g1 / g0
-            spread = v1 + own * (ratio - ONE) * (ratio - ONE) + v0 * ratio * ratio
-            limit = np.sqrt(sigmas2 * spread) + tolerance * abs(g1) * z1 * z1 * s[STEP + i]
-            w0, w1, w = ONE / (v0 + TINY), ONE / (v1 + TINY), ONE / (own + TINY)
-            dd = w + w0 + w1
-            zz = w0 * g0 * g0 + w1 * g1 * g1
-            zd = w0 * g0 + w1 * g1
-            per = ONE / (zz * dd - zd * zd)
-            agree = (z0 > ZERO) & (z1 > ZERO) & (abs(excess) <= limit) & (per > ZERO)
-            s[FUSED + i] = z0 - w1 * excess * (g1 * dd - zd) * per if agree else ZERO
-            s[SPREAD + i] = np.sqrt(dd * per) if agree else ZERO
-        z_out, sigma_out = z[first : first + n], z_sigma[first : first + n]
-        for i in range(n):
-            z_out[i] = s[FUSED + i]
-        for i in range(n):
-            sigma_out[i] = s[SPREAD + i]
 
 
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
@@ -186,10 +135,11 @@ def fuse(
     sample: int,  # every so many pixels the shifts between the cameras are noted
     row_start: int,
     row_stop: int,
-    z: Any,  # out (H, W) float32
-    z_sigma: Any,  # out (H, W) float32
+    z: Any,  # in and out (H, W) float32, what `fuse_both` made, else 0
+    z_sigma: Any,  # in and out (H, W) float32
     bits: Any,  # out (H, W) uint8, bit i: camera i of the others takes part
     fate: Any,  # out (H, W) uint8 of PointState
+    pair_gain: Any,  # out (H, W) float32 with one other camera: change of its phase with z, rad/mm; (0, 0) with more
     covered: Any,  # out per other camera (H · W,) uint8, 1 for its pixels that take part
     shifts: Any,  # out (M, rows of samples, columns of samples, 2) float32, shift in the others in px and its variance; 0, 0 for none
 ) -> None:
@@ -199,62 +149,72 @@ def fuse(
     """
     count = len(others)
     width = phase.shape[1]
-    g = np.zeros((count, count))
-    noise = np.zeros((count, count))
-    e = np.zeros((count, count))
     agrees = np.zeros((count, count), np.bool_)
-    s = np.zeros(SCRATCH, np.float32)
-    step = other_step(others[count - 1])
+    singly = np.zeros(width, np.int32)
+    sights = np.zeros((count, count, width), np.uint8)
+    e, along, g = np.zeros((count, count, width)), np.zeros((count, count, width)), np.zeros((count, count, width))
+    noise, here, line = np.zeros((count, count, width)), np.zeros((count, count, width)), np.zeros((count, count, width))
     for y in range(row_start, row_stop):
         row = y - row_start
-        if count == 2:
-            fuse_both(s, step, sigmas, tolerance_px, rays[y].ravel(), sigma[y], depth[:, row], gain[:, row], variance[:, row], z[y], z_sigma[y])
-        else:
-            z[y] = 0
-        fate_row, skip_row, bits_row = fate[y], skip[y], bits[y]
+        fate_row, skip_row, bits_row, z_row = fate[y], skip[y], bits[y], z[y]
         for x in range(width):
             fate_row[x] = skip_row[x]
         for x in range(width):
-            bits_row[x] = 3
+            bits_row[x] = BOTH if z_row[x] > ZERO else NONE
+        sampled = y % sample == 0
+        first_there, last_there = there[0, row], there[count - 1, row]
+        first_covered, last_covered = covered[0], covered[count - 1]
         for x in range(width):
-            noted = y % sample == 0 and x % sample == 0
-            if z[y, x] > 0 and not noted:
-                covered[0][there[0, row, x]] = 1
-                covered[count - 1][there[count - 1, row, x]] = 1
-                continue
-            z[y, x] = 0
-            z_sigma[y, x] = 0
-            bits[y, x] = 0
-            if skip[y, x] != 0:
-                continue
+            if z_row[x] > ZERO:
+                first_covered[first_there[x]] = 1
+                last_covered[last_there[x]] = 1
+        left = 0
+        for x in range(width):
+            if skip_row[x] == 0 and (z_row[x] == ZERO or (sampled and x % sample == 0)):
+                singly[left] = x
+                left += 1
+                z[y, x] = 0
+                z_sigma[y, x] = 0
+                bits[y, x] = 0
+        for c in range(count):
+            other = others[c]
+            for k in range(count):
+                for i in range(left):
+                    x = singly[i]
+                    sights[k, c, i] = BLANK
+                    if depth[k, row, x] <= 0:
+                        continue
+                    if c == k:
+                        sights[k, c, i], e[k, c, i] = SEEN, 0.0
+                        g[k, c, i], noise[k, c, i] = gain[k, row, x], variance[k, row, x]
+                    else:
+                        seen = see(phase[y, x], rays[y, x, 0], rays[y, x, 1], depth[k, row, x], other)
+                        sights[k, c, i], e[k, c, i], along[k, c, i], g[k, c, i], noise[k, c, i], here[k, c, i], _xt, line[k, c, i] = seen
+        for i in range(left):
+            x = singly[i]
+            noted = sampled and x % sample == 0
             own = sigma[y, x] * sigma[y, x]
             best, best_support, tried = -1, 0, False
             for k in range(count):
                 if depth[k, row, x] <= 0:
                     continue
                 tried = True
-                support = 1
-                g[k, k], noise[k, k], e[k, k] = gain[k, row, x], variance[k, row, x], 0.0
-                agrees[k, k] = True
+                support = 0
                 for c in range(count):
-                    if c == k:
+                    agrees[k, c] = c == k
+                    support += c == k
+                    if c == k or sights[k, c, i] != SEEN:
                         continue
-                    agrees[k, c] = False
-                    sight, excess, along, g[k, c], noise[k, c], here, _xt, yt = see(
-                        phase[y, x], rays[y, x, 0], rays[y, x, 1], depth[k, row, x], others[c]
-                    )
-                    if sight != SEEN:
-                        continue
-                    e[k, c] = excess
-                    ratio = g[k, c] / g[k, k]
-                    spread = noise[k, c] + own * (ratio - 1) ** 2 + noise[k, k] * ratio**2
+                    excess, slope = e[k, c, i], along[k, c, i]
+                    ratio = g[k, c, i] / g[k, k, i]
+                    spread = noise[k, c, i] + own * (ratio - 1) ** 2 + noise[k, k, i] * ratio**2
                     if noted:
-                        shifts[k, y // sample, x // sample, 0] = excess / along
-                        shifts[k, y // sample, x // sample, 1] = spread / along**2
-                    if abs(excess) <= sigmas * np.sqrt(spread) + tolerance_px * abs(along):
+                        shifts[k, y // sample, x // sample, 0] = excess / slope
+                        shifts[k, y // sample, x // sample, 1] = spread / slope**2
+                    if abs(excess) <= sigmas * np.sqrt(spread) + tolerance_px * abs(slope):
                         support += 1
                         agrees[k, c] = True
-                    elif not hidden(phase[y, x] + excess, here, yt, *tables[c]):
+                    elif not hidden(phase[y, x] + excess, here[k, c, i], line[k, c, i], *tables[c]):
                         support = -100
                 if support > best_support:
                     best_support = support
@@ -273,12 +233,12 @@ def fuse(
             for c in range(count):
                 if not agrees[best, c]:
                     continue
-                weight = 1.0 / (noise[best, c] + 1e-20)
-                zz += weight * g[best, c] * g[best, c]
-                zd -= weight * g[best, c]
+                weight = 1.0 / (noise[best, c, i] + 1e-20)
+                zz += weight * g[best, c, i] * g[best, c, i]
+                zd -= weight * g[best, c, i]
                 dd += weight
-                rz -= weight * g[best, c] * e[best, c]
-                rd += weight * e[best, c]
+                rz -= weight * g[best, c, i] * e[best, c, i]
+                rd += weight * e[best, c, i]
                 taking |= 1 << c
                 if depth[c, row, x] > 0:
                     covered[c][there[c, row, x]] = 1
@@ -290,34 +250,109 @@ def fuse(
             z_sigma[y, x] = np.sqrt(dd / determinant)
             bits[y, x] = taking
             fate[y, x] = VALID
+            if count == 1:
+                pair_gain[y, x] = g[0, 0, i]
 
 
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
 def observe(
     rays: Any,
     phase: Any,
+    sigma: Any,
     depth: Any,  # (H, W) float32, 0 for none
+    z_sigma: Any,
+    pair_gain: Any,  # (H, W) float32, of the points, see `fuse`; (0, 0) for points of more than two cameras
     other: Any,  # what `see` needs of the other camera
     row_start: int,
     row_stop: int,
     seen: Any,  # out (rows, W) uint8
     excess: Any,  # out (rows, W) float32, phase of the other camera at the point minus the pixel's own
     shift: Any,  # out (rows, W) float32, the same as a shift along the epipolar line in rectified pixels
-    variance: Any,  # out (rows, W) float32, of the other camera's phase
+    variance: Any,  # out (rows, W) float32, of the excess
 ) -> None:
-    """Look at points of this camera with another one."""
+    """Look at points of this camera with another one that took no part in them.
+
+    The depth of a point has the noise of the pixel's own phase in it, as the excess has: they are not independent. Of a point of two
+    cameras it is known by how much.
+    """
+    known = len(pair_gain) > 0
     for y in range(row_start, row_stop):
         for x in range(phase.shape[1]):
             out = y - row_start
             seen[out, x] = BLANK
             if depth[y, x] <= 0:
                 continue
-            sight, over, along, _gain, noise, _here, _xt, _yt = see(phase[y, x], rays[y, x, 0], rays[y, x, 1], depth[y, x], other)
+            sight, over, along, gain, noise, _here, _xt, _yt = see(phase[y, x], rays[y, x, 0], rays[y, x, 1], depth[y, x], other)
             seen[out, x] = sight
             if sight == SEEN:
+                own = float(sigma[y, x]) ** 2
+                of_depth = (gain * z_sigma[y, x]) ** 2
+                common = 2 * own * gain / pair_gain[y, x] if known else 0.0
                 excess[out, x] = over
                 shift[out, x] = over / along
-                variance[out, x] = noise
+                variance[out, x] = noise + own + of_depth - common
+
+
+@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+def check_across(
+    rays: Any,
+    phase: Any,  # (H, W) float32, of the fringes of the other direction
+    sigma: Any,
+    state: Any,
+    depth: Any,  # in and out (H, W) float32, 0 for none
+    z_sigma: Any,
+    bits: Any,
+    bit: int,  # of the other camera in `bits`
+    other: Any,  # what `see` needs of the other camera, with its phase of the other direction
+    sigmas: Any,
+    tolerance_px: Any,
+    sample: int,
+    row_start: int,
+    row_stop: int,
+    fate: Any,  # in and out (H, W) uint8
+    shifts: Any,  # out (rows of samples, columns of samples, 2) float32, px across the epipolar line and variance
+) -> None:
+    """Compare the phases that two cameras see, across the epipolar lines, at their common points: where they differ, there is none."""
+    there_phase, there_slope, turn, frame, there_frame, grid, stride, baseline = (
+        other[0],
+        other[3],
+        other[5],
+        other[6],
+        other[7],
+        other[8],
+        other[9],
+        other[10],
+    )
+    for y in range(row_start, row_stop):
+        for x in range(phase.shape[1]):
+            z = float(depth[y, x])
+            if z <= 0 or (bits[y, x] >> bit) & 1 == 0 or state[y, x] != 0:
+                continue
+            nx, ny = rays[y, x, 0], rays[y, x, 1]
+            rz = turn[2, 0] * nx + turn[2, 1] * ny + turn[2, 2]
+            here = (turn[0, 0] * nx + turn[0, 1] * ny + turn[0, 2]) / rz
+            row = frame[0] * (turn[1, 0] * nx + turn[1, 1] * ny + turn[1, 2]) / rz - frame[2]
+            place = there_frame[0] * (here - baseline / (rz * z)) - there_frame[1]
+            u, v, to_u, to_v = native_pixel(grid, stride, place, row)
+            sight, value, noise = look(there_phase, other[1], other[2], there_slope, other[4], u, v)
+            if sight != SEEN:
+                continue
+            below_u, below_v, _u, _v = native_pixel(grid, stride, place, row + 1.0)
+            j, k = int(u + 0.5), int(v + 0.5)
+            gx, gy = there_slope[k, j, 0], there_slope[k, j, 1]
+            along = gx * to_u + gy * to_v
+            across = gx * (below_u - u) + gy * (below_v - v)
+            if abs(across) < 1e-6:
+                continue
+            excess = value - phase[y, x]
+            spread = noise + float(sigma[y, x]) ** 2 + (along * there_frame[0] * baseline * z_sigma[y, x] / (rz * z * z)) ** 2
+            if y % sample == 0 and x % sample == 0:
+                shifts[y // sample, x // sample, 0] = excess / across
+                shifts[y // sample, x // sample, 1] = spread / across**2
+            if abs(excess) > sigmas * np.sqrt(spread) + tolerance_px * np.hypot(along, across):
+                depth[y, x] = 0
+                z_sigma[y, x] = 0
+                fate[y, x] = CONTRADICTED
 
 
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy")

@@ -8,15 +8,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from llvmlite import ir
+from llvmlite import ir  # type: ignore[import-untyped]
 from numba import types
 from numba.extending import intrinsic
 
 ALIGNMENT = 64
 
 
-@intrinsic  # type: ignore[untyped-decorator]
-def stack_float32(_typing: Any, count: Any) -> Any:
+def _on_stack(_typing: Any, count: Any) -> Any:
     """Return a pointer to ``count`` (a constant) float32, for `numba.carray`; it ends with the function."""
     if not isinstance(count, types.IntegerLiteral):
         return None
@@ -27,4 +26,8 @@ def stack_float32(_typing: Any, count: Any) -> Any:
             pointer.align = ALIGNMENT
         return pointer
 
-    return types.CPointer(types.float32)(count), generate
+    pointer_type: Any = types.CPointer(types.float32)  # type: ignore[no-untyped-call]
+    return pointer_type(count), generate
+
+
+stack_float32: Any = intrinsic(_on_stack)

@@ -1,0 +1,97 @@
+"""The compiled loops beside their readable NumPy statements."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from measureapp.reconstruct import kernels
+from measureapp.reconstruct.clean import Lens, cleaned, gathered_normals
+from measureapp.reconstruct.cubics import PixelSteps
+from measureapp.reconstruct.match import match_rows
+from measureapp.reconstruct.phase_view import PhaseView
+from measureapp.reconstruct.rectifier import Rectifier
+from measureapp.reconstruct.settings import ReconstructSettings
+from measureapp.reconstruct.tables import pair_tables
+from tests.reconstruct.conftest import Head, sphere
+
+FLOAT32 = 2e-3  # rounding of float32 sums, relative
+
+
+def test_a_row_is_matched_where_phase_and_epipolar_line_are_right(head: Head) -> None:
+    """Every matched pixel's point, seen by the other camera, has the pixel's phase: stated with the exact pinhole model."""
+    maps = head.phase_maps(sphere((0, 0, 560), 60))
+    views = {name: PhaseView.of(maps[name], 3.0) for name in ("left", "right")}
+    rectifier = Rectifier(head.cameras)
+    skip = (views["left"].state != 0).view(np.uint8)
+    tables = pair_tables("left", ("right",), views, maps["left"], rectifier)["right"]
+    row, width = 120, skip.shape[1]
+    out = [np.zeros((1, width), dtype) for dtype in (np.float32, np.float32, np.float32, np.int32, np.uint8)]
+    count = match_rows("left", "right", views, tables, skip, rectifier, (row, row + 1), out)
+    depth = out[0][0]
+    found = np.flatnonzero(depth > 0)
+    assert count == len(found) > 0.6 * (skip[row] == 0).sum()
+    left, right = head.cameras.cameras["left"], head.cameras.cameras["right"]
+    rays = left.pinhole.normalise(np.column_stack([found, np.full(len(found), row)]).astype(float))
+    points = np.column_stack([rays, np.ones(len(found))]) * depth[found, None]
+    seen = right.pinhole.project(right.reference_from_camera.inverse().apply(points))
+    u, v = seen.T
+    j, i = np.floor(u).astype(int), np.floor(v).astype(int)
+    a, b, phase = u - j, v - i, maps["right"].phase_rad.astype(float)
+    bilinear = (1 - a) * (1 - b) * phase[i, j] + a * (1 - b) * phase[i, j + 1] + (1 - a) * b * phase[i + 1, j] + a * b * phase[i + 1, j + 1]
+    valid = (maps["right"].state == 0).astype(int)
+    whole = (valid[i, j] + valid[i, j + 1] + valid[i + 1, j] + valid[i + 1, j + 1]) == 4
+    off = np.abs(bilinear - maps["left"].phase_rad[row, found])[whole]
+    assert whole.mean() > 0.9
+    assert off.max() < 0.02  # of 0.7 rad per px: a place may lie 0.1 px out of its four pixels, and the sphere bends at its border
+    assert np.median(off) < 2e-4
+
+
+def test_two_candidates_are_fused_by_least_squares() -> None:
+    random = np.random.default_rng(3)
+    width = 200
+    sigma = random.uniform(0.005, 0.02, (1, width)).astype(np.float32)
+    variance = random.uniform(2e-5, 4e-4, (2, 1, width)).astype(np.float32)
+    gain = (random.uniform(0.05, 0.2, (2, 1, width)) * np.array([1, -1])[:, None, None]).astype(np.float32)
+    depth = (550 + random.normal(0, 0.02, (2, 1, width))).astype(np.float32)
+    z, z_sigma = np.zeros((1, width), np.float32), np.zeros((1, width), np.float32)
+    step, limits = tuple(np.float32(c) for c in (0, 0, 1e-6)), (np.float32(100), np.float32(0.5))
+    kernels.fuse_both(np.zeros((1, width, 2), np.float32), sigma, depth, gain, variance, step, limits, 0, 1, z, z_sigma)
+    for x in range(width):
+        # unknowns: z and the projector's phase less the pixel's; equations: phase − own = 0 ± σ and gain · (z − depth) − (phase − own) = 0 ± σ
+        model = np.array([[0, 1], [gain[0, 0, x], -1], [gain[1, 0, x], -1]], float)
+        right = np.array([0, gain[0, 0, x] * (float(depth[0, 0, x]) - 550), gain[1, 0, x] * (float(depth[1, 0, x]) - 550)])
+        weights = 1 / np.array([sigma[0, x] ** 2, variance[0, 0, x], variance[1, 0, x]], float)
+        normal = model.T @ (weights[:, None] * model)
+        solved = np.linalg.solve(normal, model.T @ (weights * right))
+        assert z[0, x] - 550 == pytest.approx(solved[0], abs=1e-4)  # a float32 near 550 mm
+        assert z_sigma[0, x] == pytest.approx(np.sqrt(np.linalg.inv(normal)[0, 0]), rel=FLOAT32)
+
+
+@pytest.mark.parametrize("holes", [False, True])
+def test_normals_are_those_of_planes_through_the_window(holes: bool) -> None:
+    random = np.random.default_rng(4)
+    height, width, focal = 40, 150, 511.0
+    u, v = np.meshgrid(np.arange(width) - 75.0, np.arange(height) - 20.0)
+    rays = np.stack([u / focal, v / focal], axis=-1).astype(np.float32)
+    depth = (550 / (1 - 0.3 * rays[..., 0] - 0.2 * rays[..., 1]) + random.normal(0, 0.02, u.shape)).astype(np.float32)
+    if holes:
+        depth[random.random(depth.shape) < 0.2] = 0
+    sigma = np.full(depth.shape, 0.02, np.float32)
+    fate = np.where(depth > 0, 0, 1).astype(np.uint8)
+    settings = ReconstructSettings(min_island_px=1)
+    lens = Lens(rays, PixelSteps.of(rays), 1 / focal)
+    grid = cleaned(depth, sigma, np.zeros(depth.shape, np.uint8), fate, lens, [], settings)
+    pixel, normals = gathered_normals(grid)
+    left = np.where(grid.fate == 0, depth, 0).astype(float)
+    places = (-4, -2, 0, 2, 4)
+    for k in range(0, len(pixel), 37):
+        row, column = pixel[k]
+        near = [(row + i, column + j) for i in places for j in places if 0 <= row + i < height and 0 <= column + j < width]
+        near = [place for place in near if left[place] > 0]
+        assert len(near) > 6
+        # 1 / z is linear on a plane: (a, b, c) · (x, y, 1) = 1 / z with the plane's normal along (a, b, c)
+        model = np.array([[*rays[place], 1] for place in near], float)
+        a, b, c = np.linalg.lstsq(model, np.array([1 / left[place] for place in near]), rcond=None)[0]
+        expected = -np.array([a, b, c]) / np.linalg.norm([a, b, c])
+        assert np.degrees(np.arccos(np.clip(expected @ normals[k], -1, 1))) < 0.1
