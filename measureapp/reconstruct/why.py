@@ -31,8 +31,8 @@ OF_POINT = {
     "images. Add a viewpoint.",
     PointState.AMBIGUOUS: "The projector column {column:.2f} occurs at several places of an epipolar line, or hardly changes along it: a wrong "
     "fringe order, or fringes along the line.",
-    PointState.CONTRADICTED: "Another camera sees another projector column than {column:.2f} there (agreement_sigmas {sigmas:g}, "
-    "agreement_px {px:g}): reflections, or a camera that moved. Look at the epipolar residual of the view.",
+    PointState.CONTRADICTED: "Another camera sees a projector column there that differs from {column:.2f} by more than {sigmas:g} standard "
+    "deviations plus {px:g} px: reflections, or a camera that moved. Look at the epipolar residual of the view.",
     PointState.UNCERTAIN: "The predicted standard deviation exceeds {max_sigma:g} mm: phase noise {sigma:.4f} rad. Add a longer exposure.",
     PointState.FLYING: "Fewer than {neighbours} of 24 places around it lie on the same surface: it is at a border or alone.",
     PointState.OUTLIER: "Further from the plane through its neighbours than {outlier:g} standard deviations.",
