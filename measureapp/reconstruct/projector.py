@@ -21,6 +21,7 @@ from measureapp.reconstruct.kernels import projector as kernel
 from measureapp.reconstruct.rectifier import Rectifier
 from measureapp.reconstruct.settings import ReconstructSettings
 
+UNUSUAL = 3.0  # times the median standard deviation
 LEAST_SINE = 0.02  # between the ray and the lit surface: there a depth error is 50 times that of a crosswise look
 MARGIN_PX = 3.0  # beyond the projector's image in the direction that the phase measures: blur of its outermost pixels
 MARGIN_SHARE = 0.1  # of the image in the other one, which only the calibration tells: its error there does not touch the depth
@@ -232,7 +233,13 @@ def clean_with_projector(
     rays: FloatArray,
     settings: ReconstructSettings,
 ) -> CleanDepth:
-    """Clean a depth map whose pixels ``of_projector`` the projector took part in."""
+    """Clean a depth map whose pixels ``of_projector`` the projector took part in.
+
+    A projector beside its camera knows depth less well than two cameras far apart: a point is too uncertain beyond three times the
+    median of the view, where that is more than the settings allow.
+    """
+    usual = float(np.median(sigma_mm[depth_mm > 0])) if (depth_mm > 0).any() else 0.0
+    settings = settings.model_copy(update={"max_sigma_mm": max(settings.max_sigma_mm, UNUSUAL * usual)})
     camera, projector = devices
     camera_from_reference = camera.reference_from_camera.inverse()
     centre = camera_from_reference.apply(np.array(projector.reference_from_projector.translation_mm))
