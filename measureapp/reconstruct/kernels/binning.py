@@ -12,6 +12,8 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from measureapp.reconstruct.kernels.options import LOOP
+
 REPEATED = np.int32(1 << 30)
 PLACE = np.int32((1 << 30) - 1)
 LINES_PER_CELL = 2
@@ -21,7 +23,7 @@ LEAST_SINE = 0.17  # of the angle between fringes and epipolar lines; pairs belo
 NEAR_PX = np.float32(LINES_PER_CELL / LEAST_SINE)
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**LOOP)
 def fill_table(
     phase: Any,  # (H, W) float32
     slope: Any,  # (H, W, 2) float32; pixels without one are left out: no surface hangs together there
@@ -61,7 +63,7 @@ def fill_table(
                 table[row, k] = place | repeated
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**LOOP)
 def spread_table(table: Any, here: Any, row_start: int, row_stop: int, wider: Any) -> None:
     """Write into ``wider`` the table with empty cells filled from a neighbour, first in the phase, then across the lines.
 
@@ -80,7 +82,7 @@ def spread_table(table: Any, here: Any, row_start: int, row_stop: int, wider: An
             wider[row, k] = held | (own & REPEATED) if held >= 0 and own >= 0 else held
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**LOOP)
 def rectified_lines(rays: Any, turn: Any, frame: Any, row_start: int, row_stop: int, lines: Any) -> None:
     """Write the rectified (x, y) of every pixel, from its normalised coordinates (H, W, 2)."""
     for v in range(row_start, row_stop):

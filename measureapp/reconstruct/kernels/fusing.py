@@ -16,6 +16,7 @@ from numba import njit
 
 from measureapp.data.point_state import PointState
 from measureapp.reconstruct.kernels.binning import PLACE, REPEATED
+from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.seen import BLANK, PARTLY, REPEATS, SEEN
 from measureapp.reconstruct.kernels.slopes import BESIDE, TORN, WHOLE
 
@@ -28,7 +29,7 @@ ZERO = np.float32(0)
 OCCLUDES_PX = 16.0  # nearer by so much disparity, a surface seen instead of a point hides it
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
+@njit(**INLINE)
 def native_pixel(grid: Any, stride: Any, x: Any, y: Any) -> Any:
     """Return the image point (u, v) of a rectified one and its change with x, bilinear between the grid's nodes; (-1, -1) outside."""
     per_stride = 1.0 / stride
@@ -47,7 +48,7 @@ def native_pixel(grid: Any, stride: Any, x: Any, y: Any) -> Any:
     return u0 + a * du, v0 + a * dv, du * per_stride, dv * per_stride
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
+@njit(**INLINE)
 def look(phase: Any, sigma: Any, state: Any, slope: Any, quad: Any, u: Any, v: Any) -> Any:
     """Return (BLANK | SEEN | PARTLY, phase, its variance): bilinear between four pixels of one surface; beside a hole, in the half of
     a border pixel, along the slope of that pixel.
@@ -77,7 +78,7 @@ def look(phase: Any, sigma: Any, state: Any, slope: Any, quad: Any, u: Any, v: A
     return PARTLY, 0.0, 0.0
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
+@njit(**INLINE)
 def see(own: Any, nx: Any, ny: Any, z: Any, other: Any) -> Any:
     """Look with another camera at the point at depth ``z`` of the ray (nx, ny) whose phase is ``own``.
 
@@ -103,7 +104,7 @@ def see(own: Any, nx: Any, ny: Any, z: Any, other: Any) -> Any:
     return sight, value - own, along, gain, noise, here * frame[0], there, row
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
+@njit(**INLINE)
 def hidden(wanted: Any, here: Any, row: Any, repeats: Any, lines: Any, frame: Any, lowest: Any, per_rad: Any) -> bool:
     """Whether the phase ``wanted``, seen by another camera instead of a point, belongs to a surface that this camera sees before it."""
     r = int(row * 0.5) + 1
@@ -254,7 +255,7 @@ def fuse(
                 pair_gain[y, x] = g[0, 0, i]
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**LOOP)
 def observe(
     rays: Any,
     phase: Any,
@@ -293,7 +294,7 @@ def observe(
                 variance[out, x] = noise + own + of_depth - common
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**LOOP)
 def check_across(
     rays: Any,
     phase: Any,  # (H, W) float32, of the fringes of the other direction
@@ -355,7 +356,7 @@ def check_across(
                 fate[y, x] = CONTRADICTED
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**LOOP)
 def resample(
     phase: Any,
     sigma: Any,

@@ -10,6 +10,7 @@ import numpy as np
 from numba import njit
 
 from measureapp.data.point_state import PointState
+from measureapp.reconstruct.kernels.options import LOOP
 
 ZERO, SIGMAS = np.float32(0), np.float32(8.0)
 ISLAND = np.uint8(PointState.ISLAND)
@@ -56,7 +57,7 @@ def find_runs(
         counts[y] = count
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**LOOP)
 def root_of(parent: Any, index: int) -> int:
     """Return the representative of a run's island, shortening the way to it."""
     while parent[index] != index:

@@ -14,6 +14,7 @@ import numpy as np
 from numba import njit
 
 from measureapp.reconstruct.kernels.binning import REPEATED
+from measureapp.reconstruct.kernels.options import INLINE
 from measureapp.reconstruct.kernels.seen import MATCHED, REPEATS, WITHOUT_PARTNER
 from measureapp.reconstruct.kernels.slopes import BESIDE, REACH
 
@@ -36,7 +37,7 @@ HELD, TWICE = np.float32(MATCHED), np.float32(REPEATS)
 SCRATCH = 32 * CHUNK
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
+@njit(**INLINE)
 def cubic(c: Any, s: Any, t: Any) -> Any:
     """Return the value of a cubic polynomial of two variables."""
     return c[0] + s * (c[1] + s * (c[3] + s * c[6])) + t * (c[2] + s * (c[4] + s * c[7]) + t * (c[5] + s * c[8] + t * c[9]))
