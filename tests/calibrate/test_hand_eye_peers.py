@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import subprocess
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,9 +13,10 @@ from scipy.spatial.transform import Rotation
 from measureapp.calibrate.board_pose import stated_pose
 from measureapp.calibrate.hand_eye import HandEyeProblem, solve
 from measureapp.geometry.transform import RigidTransform
-from tests.calibrate.peers.environment import HERE, peer_python
+from tests.peer_environment import peer_python
 
 pytestmark = pytest.mark.slow
+PEERS = Path(__file__).parent / "peers"
 SETS, POSES = 12, 10
 
 
@@ -32,10 +34,10 @@ def noise_free(generator: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
 
 
 def test_every_method_agrees_with_opencv_to_a_millionth(tmp_path):
-    python = peer_python()
+    python = peer_python("opencv4", PEERS / "requirements.lock")
     sets = [noise_free(np.random.default_rng(seed)) for seed in range(SETS)]
     np.savez(tmp_path / "sets.npz", robot=np.array([robot for robot, _ in sets]), board=np.array([board for _, board in sets]))
-    command = [str(python), str(HERE / "run_hand_eye.py"), str(tmp_path / "sets.npz")]
+    command = [str(python), str(PEERS / "run_hand_eye.py"), str(tmp_path / "sets.npz")]
     answer = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
     assert answer["version"].startswith("4.")
     for (robot, board), peers in zip(sets, answer["sets"], strict=True):
