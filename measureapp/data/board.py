@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal
@@ -36,24 +37,24 @@ class BoardDescription(Model):
     bow_mm: tuple[float, float, float] = Field(default=(0.0, 0.0, 0.0), description="departure from flat: factors of the `bow_terms`")
 
     @property
+    @abstractmethod
     def flat_corners_mm(self) -> FloatArray:
         """The marks (columns·rows, 3) of a perfectly flat board, row by row."""
-        raise NotImplementedError
 
     @property
+    @abstractmethod
     def neighbour_mm(self) -> float:
         """The distance of a mark to the nearest others."""
-        raise NotImplementedError
 
     @property
+    @abstractmethod
     def label(self) -> str:
         """What it is, as part of a sentence."""
-        raise NotImplementedError
 
     @property
+    @abstractmethod
     def is_symmetric(self) -> bool:
         """Whether the board looks the same after half a turn, so that its pose has two answers."""
-        raise NotImplementedError
 
     @property
     def shows_parts(self) -> bool:

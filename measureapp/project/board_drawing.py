@@ -52,10 +52,9 @@ def _shapes(board: BoardDescription) -> list[str]:
         return [f'<circle cx="{x:g}" cy="{y:g}" r="{radius:g}" shape-rendering="auto"/>' for x, y, _ in board.flat_corners_mm]
     if isinstance(board, CharucoDescription):
         return _marked(board)
-    if isinstance(board, CheckerboardDescription):
-        squares = np.argwhere(np.indices((board.rows + 1, board.columns + 1)).sum(axis=0) % 2 == 0)
-        return [_square((column - 1) * board.square_mm, (row - 1) * board.square_mm, board.square_mm) for row, column in squares]
-    raise NotImplementedError(f"no drawing of a {type(board).__name__}")
+    assert isinstance(board, CheckerboardDescription)
+    squares = np.argwhere(np.indices((board.rows + 1, board.columns + 1)).sum(axis=0) % 2 == 0)
+    return [_square((column - 1) * board.square_mm, (row - 1) * board.square_mm, board.square_mm) for row, column in squares]
 
 
 def _marked(board: CharucoDescription) -> list[str]:

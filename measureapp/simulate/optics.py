@@ -167,9 +167,8 @@ def _print_of(board: BoardDescription) -> tuple[FloatArray, ImageArray]:
     if isinstance(board, CharucoDescription):
         cells = marker_cells(board.columns, board.rows, board.dictionary, board.legacy_pattern)
         return np.array([0.0, board.square_mm, board.columns, board.rows, board.marker_mm], float), cells
-    if isinstance(board, CheckerboardDescription):
-        return np.array([0.0, board.square_mm, board.columns, board.rows, 0.0], float), none
-    raise NotImplementedError(f"no print of a {type(board).__name__}")
+    assert isinstance(board, CheckerboardDescription)
+    return np.array([0.0, board.square_mm, board.columns, board.rows, 0.0], float), none
 
 
 def image_box(camera: PinholeCamera, camera_from_scene: RigidTransform, outline_mm: FloatArray) -> IntArray | None:
