@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 import cv2
@@ -18,6 +20,7 @@ from measureapp.geometry.transform import RigidTransform
 LEAST_VIEWS = 3
 BAD_VIEW_FACTOR = 3.0  # a view whose rms exceeds the median this many times was refined wrongly or shows something else
 BAD_VIEW_FLOOR_PX = 0.1
+_ALONE = threading.Lock()
 FIXED_COEFFICIENTS = {4: cv2.CALIB_FIX_K3, 5: 0, 8: cv2.CALIB_RATIONAL_MODEL}
 
 
@@ -75,7 +78,8 @@ def _zhang(
     flags = FIXED_COEFFICIENTS[distortion_count]
     camera = sightings[0].camera
     try:
-        _, matrix, distortion, turns, shifts = cv2.calibrateCamera(corners, pixels, size_px, None, None, flags=flags)
+        with _summing_in_one_order():
+            _, matrix, distortion, turns, shifts = cv2.calibrateCamera(corners, pixels, size_px, None, None, flags=flags)
     except cv2.error as error:
         raise CalibrationError(
             f"The views of camera {camera!r} do not determine its lens.", "Tilt the board in several directions and fill the image."
@@ -91,6 +95,18 @@ def _zhang(
         for pose, sighting in zip(poses, sightings, strict=True)
     ]
     return pinhole, poses, np.array(errors)
+
+
+@contextmanager
+def _summing_in_one_order() -> Iterator[None]:
+    """Keep OpenCV to one thread: several add the views up in the order in which they finish, and the last digits change from run to run."""
+    with _ALONE:
+        threads = cv2.getNumThreads()
+        cv2.setNumThreads(1)
+        try:
+            yield
+        finally:
+            cv2.setNumThreads(threads)
 
 
 def _too_few(sightings: Sequence[Sighting], used: Sequence[Sighting], rejected: Sequence[Rejection]) -> CalibrationError:

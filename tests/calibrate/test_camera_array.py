@@ -69,6 +69,16 @@ def test_noise_of_the_corners_is_estimated(head, board, simulate, generator):
     assert solution.joint_rms_px == pytest.approx(0.1 * np.sqrt(2), rel=0.05)
 
 
+def test_the_same_views_give_the_same_digits_again(head, board, simulate, generator):
+    problem = problem_of(board, simulate.sightings(head, board, 20, 0.1, generator))
+    first = solve(problem)
+    for _ in range(3):
+        again = solve(problem)
+        np.testing.assert_array_equal(again.covariance, first.covariance)
+        for name, camera in first.calibration.cameras.items():
+            np.testing.assert_array_equal(again.calibration.cameras[name].pinhole.matrix, camera.pinhole.matrix)
+
+
 def test_a_camera_need_not_see_all_views(head, board, simulate, generator):
     sightings = [one for one in simulate.sightings(head, board, 12, 0.05, generator) if one.camera != "upper" or int(one.view) >= 6]
     solution = solve(problem_of(board, tuple(sightings)))

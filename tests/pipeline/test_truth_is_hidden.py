@@ -61,9 +61,9 @@ def test_a_program_without_the_simulation_measures_the_same_from_the_stored_imag
     document = json.loads(done.stdout)
     assert "truth" not in document["calibration"]
     measured = {dimension["name"]: dimension["measured"] for dimension in document["dimensions"]}
-    assert measured == pytest.approx({one["name"]: one["measured"] for one in demo.document["dimensions"]}, abs=1e-6)
+    assert measured == pytest.approx({one["name"]: one["measured"] for one in demo.document["dimensions"]}, abs=1e-9)
     assert document["calibration"]["hand_eye"]["flange_from_camera"] == pytest.approx(
-        np.array(demo.document["calibration"]["hand_eye"]["flange_from_camera"]), abs=1e-6
+        np.array(demo.document["calibration"]["hand_eye"]["flange_from_camera"]), abs=1e-9
     )
     assert (raw_copy / "calibration" / "rig.json").exists()
     assert (raw_copy / "report" / "report.pdf").read_bytes().startswith(b"%PDF")
