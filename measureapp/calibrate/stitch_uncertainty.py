@@ -16,11 +16,26 @@ from measureapp.calibrate.joint import SAME_ANGLE_RAD
 from measureapp.calibrate.joint_solution import RigSolution, repeatable_errors
 from measureapp.calibrate.poses import change_between, inverted, moved
 from measureapp.calibrate.projection import cross_matrices
-from measureapp.data.calibration import RotationAxis
+from measureapp.data.calibration import RigCalibration, RotationAxis
 from measureapp.data.fringe import AxisReadback
 from measureapp.geometry.transform import RigidTransform
 
 OWN = 7  # what each view adds of its own: the robot's error (6) and the table's (1)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RigUncertainty:
+    """What the joint calibration of a rig leaves open: enough to say how certain any view is placed, without the images it came from."""
+
+    calibration: RigCalibration
+    chain: Chain
+    state: ChainState
+    covariance: FloatArray  # (P, P) of the chain's parameters, for cameras without error
+
+
+def uncertainty_of(solution: RigSolution) -> RigUncertainty:
+    """Return what a solution leaves open."""
+    return RigUncertainty(solution.calibration, solution.chain, solution.state, solution.joint_given_cameras)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -52,6 +67,15 @@ class ViewUncertainty:
                 total += sign_a * sign_b * lever_a @ self.covariance[a, :, b, :] @ np.swapaxes(lever_b, 1, 2)
         return total
 
+    @property
+    def pose_covariance(self) -> FloatArray:
+        """The same (6 V, 6 V) as motions of each camera in its own frame: shifts x, y, z (mm), then turns about x, y, z (rad), view by view."""
+        turned = np.zeros((len(self.part_from_camera), POSE, POSE))
+        for index, pose in enumerate(self.part_from_camera):
+            turned[index, :3, 3:] = turned[index, 3:, :3] = pose.rotation.T
+        full = np.einsum("aij,ajbk,blk->aibl", turned, self.covariance, turned)
+        return np.asarray(full.reshape(POSE * len(turned), -1))
+
     def relative(self, first: int, second: int) -> FloatArray:
         """Return the covariance (6, 6) of the second view against the first: turn, and shift of the part's origin, in frame `part`."""
         carry = [self._to_origin(index) for index in (first, second)]
@@ -73,33 +97,33 @@ class ViewUncertainty:
         return np.concatenate([-cross_matrices(away), np.tile(np.eye(3), (len(points), 1, 1))], axis=2)
 
 
-def point_sigma_mm(solution: RigSolution, readback: AxisReadback, points_in_part_mm: FloatArray) -> FloatArray:
+def point_sigma_mm(rig: RigUncertainty, readback: AxisReadback, points_in_part_mm: FloatArray) -> FloatArray:
     """Return the predicted standard deviation (N,) mm, the largest over all directions, of points (N, 3) seen from ``readback``.
 
     It holds what the rig's calibration and its axes leave open. The noise of the cloud is not in it, nor what the cameras' own errors
     do: they move board and part alike, so that their rigid share cancels; what is left of them bends the cloud and belongs to it.
     """
-    covariance = view_uncertainty(solution, [readback]).point_covariance(0, points_in_part_mm)
+    covariance = view_uncertainty(rig, [readback]).point_covariance(0, points_in_part_mm)
     return np.sqrt(np.linalg.eigvalsh(covariance)[:, -1])
 
 
-def view_uncertainty(solution: RigSolution, readbacks: Sequence[AxisReadback]) -> ViewUncertainty:
+def view_uncertainty(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> ViewUncertainty:
     """Return the covariance of ``part_from_camera`` of all views together, by linear propagation of the joint covariance.
 
     Parameters shared by the views (hand-eye, guide, axis) make their errors alike; the robot's repeatable error enters as
     the calibration's sightings tell it (`repeatable_errors`), the scatter of its approach and the table's error of its own.
     Neighbouring views with equal robot poses are one approach.
     """
-    placed = tuple(solution.calibration.part_from_camera(readback) for readback in readbacks)
-    by_named, by_own = zip(*(_derivatives(solution, readback) for readback in readbacks), strict=True)
+    placed = tuple(rig.calibration.part_from_camera(readback) for readback in readbacks)
+    by_named, by_own = zip(*(_derivatives(rig, readback) for readback in readbacks), strict=True)
     gain = np.hstack([np.vstack(by_named), block_diag(*by_own)])
-    total = gain @ _sources(solution, readbacks) @ gain.T
+    total = gain @ _sources(rig, readbacks) @ gain.T
     return ViewUncertainty(placed, total.reshape(len(placed), POSE, len(placed), POSE))
 
 
-def _sources(solution: RigSolution, readbacks: Sequence[AxisReadback]) -> FloatArray:
+def _sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> FloatArray:
     """Covariance of the named parameters (without the board), then of robot and table errors of every view; estimated minus true."""
-    chain, joint = solution.chain, solution.joint_given_cameras
+    chain, joint = rig.chain, rig.covariance
     named = len(chain.labels) - POSE
     robot = np.arange(POSE * chain.robot_poses) + named + POSE
     poses = np.array([readback.base_from_flange.matrix for readback in readbacks])
@@ -108,14 +132,14 @@ def _sources(solution: RigSolution, readbacks: Sequence[AxisReadback]) -> FloatA
     rest = np.zeros((len(gain), len(gain)))
     mean = np.zeros(len(gain))
     turn, shift = repeatable_errors(chain, poses)
-    at_station = np.array([solution.calibration.station(readback) is not None for readback in readbacks])
+    at_station = np.array([rig.calibration.station(readback) is not None for readback in readbacks])
     for part in range(POSE):
         rows, columns = named + part + OWN * np.arange(len(poses)), robot[part::POSE]
         follows = turn if part < 3 else shift
         gain[np.ix_(rows, columns)] = follows
         rest[np.ix_(rows, rows)] = _unexplained(chain, poses, follows, rotation=part < 3)
-        mean[rows] = -np.where(at_station, 0.0, follows @ solution.state.robot_changes[:, part])  # known, but not undone
-    _table_sources(solution, readbacks, gain, rest, mean)
+        mean[rows] = -np.where(at_station, 0.0, follows @ rig.state.robot_changes[:, part])  # known, but not undone
+    _table_sources(rig, readbacks, gain, rest, mean)
     return np.asarray(gain @ joint @ gain.T + rest + np.outer(mean, mean))
 
 
@@ -130,9 +154,9 @@ def _unexplained(chain: Chain, poses: FloatArray, follows: FloatArray, rotation:
     return np.asarray(large**2 * (left + left.T) / 2 + small**2 * together)
 
 
-def _table_sources(solution: RigSolution, readbacks: Sequence[AxisReadback], gain: FloatArray, rest: FloatArray, mean: FloatArray) -> None:
+def _table_sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback], gain: FloatArray, rest: FloatArray, mean: FloatArray) -> None:
     """Fill in the table's errors: those of angles the calibration used are correlated with its result, equal angles share theirs."""
-    chain = solution.chain
+    chain = rig.chain
     named = len(chain.labels) - POSE
     seen = np.array([chain.table_rad[chain.table_group == number][0] for number in range(chain.table_angles)])
     angles = np.array([readback.table_rad for readback in readbacks])
@@ -142,15 +166,15 @@ def _table_sources(solution: RigSolution, readbacks: Sequence[AxisReadback], gai
         matches = np.flatnonzero(np.abs(seen - angle) <= SAME_ANGLE_RAD)
         if len(matches):
             gain[row, first + matches[0]] = 1.0
-            mean[row] = -solution.state.table_changes[matches[0]]
+            mean[row] = -rig.state.table_changes[matches[0]]
         else:
             rest[np.ix_([row], rows[np.abs(angles - angle) <= SAME_ANGLE_RAD])] = chain.noise.table_rad**2
 
 
-def _derivatives(solution: RigSolution, readback: AxisReadback) -> tuple[FloatArray, FloatArray]:
+def _derivatives(rig: RigUncertainty, readback: AxisReadback) -> tuple[FloatArray, FloatArray]:
     """Return how ``part_from_camera`` changes with the named parameters (6, P) and with the errors of robot and table (6, 7)."""
-    chain, state = solution.chain, solution.state
-    station = solution.calibration.station(readback)
+    chain, state = rig.chain, rig.state
+    station = rig.calibration.station(readback)
     flange = (readback.base_from_flange if station is None else station.true).matrix
     named = len(chain.labels) - POSE
     at = _placed(state, flange, readback, np.zeros(OWN))

@@ -33,6 +33,9 @@ def register(app: typer.Typer) -> None:
         pose_sigma_mm: Annotated[float, typer.Option(min=1e-6, help="How well the poses are known (standard deviation).")] = 0.5,
         pose_sigma_deg: Annotated[float, typer.Option(min=1e-6, help="The same for their directions.")] = 0.05,
         fine: Annotated[bool, typer.Option("--fine/--kinematic-only", help="Register finely, or place by the poses alone.")] = True,
+        accept: Annotated[
+            list[str] | None, typer.Option(help="Use this view however far it has to move; may be given several times.")
+        ] = None,
         as_json: JsonOption = False,
     ) -> None:
         """Register clouds finely, starting from their poses, and merge them."""
@@ -42,12 +45,13 @@ def register(app: typer.Typer) -> None:
         from measureapp.register.stitch import stitch
 
         _check_outputs(clouds, out, mesh)
+        _check_accepted(accept or [], clouds)
         known = read_poses(poses, "part", "camera")
         kinematic = [_pose(known, path, poses) for path in clouds]
         progress = TerminalProgress()
         read = [_read(path, PartOf(progress, 0.2 * i / len(clouds), 0.2 * (i + 1) / len(clouds))) for i, path in enumerate(clouds)]
         settings = StitchSettings(pose_sigma_mm=pose_sigma_mm, pose_sigma_deg=pose_sigma_deg, fine=fine)
-        stitched = stitch(read, kinematic, settings, PartOf(progress, 0.2, 0.8))
+        stitched = stitch(read, kinematic, settings, PartOf(progress, 0.2, 0.8), accepted=accept or ())
         triangles = _surface(stitched, PartOf(progress, 0.8, 1.0)) if mesh else None
         write_cloud(out, stitched)
         if mesh and triangles is not None:
@@ -70,6 +74,15 @@ def _check_outputs(clouds: list[Path], out: Path, mesh: Path | None) -> None:
         raise InputError(f"{out}: a cloud cannot be written as this.", "Use .ply or .xyz.")
     if mesh and mesh.suffix.lower() not in (".ply", ".stl"):
         raise InputError(f"{mesh}: a mesh cannot be written as this.", "Use .ply or .stl.")
+
+
+def _check_accepted(accepted: list[str], clouds: list[Path]) -> None:
+    from measureapp.errors import InputError
+
+    stems = [path.stem for path in clouds]
+    unknown = [name for name in accepted if name not in stems]
+    if unknown:
+        raise InputError(f"There is no view {unknown[0]!r} to accept.", "The views are called: " + ", ".join(stems) + ".")
 
 
 def _pose(known: dict[str, Any], path: Path, table: Path) -> Any:
@@ -139,6 +152,11 @@ def _view(placement: ViewPlacement) -> dict[str, Any]:
         "correction_deg": placement.correction_deg,
         "residual_mm": placement.residual_mm,
         "overlap": placement.overlap,
+        "bound_mm": placement.bound_mm,
+        "bound_deg": placement.bound_deg,
+        "sigma_mm": placement.sigma_mm,
+        "sigma_deg": placement.sigma_deg,
+        "held_by_axes": list(placement.held_by_axes),
         "verdict": placement.verdict,
         "used": placement.used,
     }
@@ -150,4 +168,6 @@ def _lines(stitched: StitchedCloud, out: Path) -> str:
         f"{p.viewpoint_id:<16} {p.correction_mm:6.3f} mm {p.correction_deg:8.3f}° {p.residual_mm:6.3f} mm {p.overlap:8.0%}  {p.verdict}"
         for p in stitched.placements
     ]
+    open_ones = sorted({motion for p in stitched.placements for motion in p.held_by_axes})
+    rows += [f"The surfaces leave {motion} open; there the poses alone hold the views." for motion in open_ones]
     return "\n".join([*rows, f"{len(stitched)} points in {out}"])

@@ -14,6 +14,8 @@ import numpy as np
 from measureapp.acquire.capture import ExposureTaken
 from measureapp.acquire.engine import Engine
 from measureapp.acquire.events import Event, ExposuresChosen, InspectionReady, StitchReady, ViewpointFailed, ViewReady
+from measureapp.arrays import FloatArray
+from measureapp.calibrate.stitch_uncertainty import view_uncertainty
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
 from measureapp.data.fringe import FringeStack
@@ -252,8 +254,8 @@ def assemble(
     with watch.stage("stitching"):
         clouds, placed = [view.cloud for view in good], [view.part_from_camera for view in good]
         standing = stations([view.readback for view in good])
-        settings = stitch_settings(calibrated, good)
-        stitched = stitch(clouds, placed, settings, PartOf(progress, 0.0, 0.5), stations=standing)
+        settings, prior = stitch_settings(calibrated, good), _placed_by_axes(project, good)
+        stitched = stitch(clouds, placed, settings, PartOf(progress, 0.0, 0.5), stations=standing, prior_covariance=prior)
     on_event(StitchReady(stitched))
     with watch.stage("surface"):
         mesh = surface(stitched, progress=PartOf(progress, 0.5, 0.7))
@@ -281,8 +283,14 @@ def assemble(
     return measurement
 
 
+def _placed_by_axes(project: ProjectFolder, views: Sequence[ViewResult]) -> FloatArray | None:
+    """Return the covariance of where the calibrated axes place the views, all together; None where the calibration did not keep it."""
+    rig = project.rig_uncertainty()
+    return None if rig is None else view_uncertainty(rig, [view.readback for view in views]).pose_covariance
+
+
 def stitch_settings(calibration: RigCalibration, views: Sequence[ViewResult]) -> StitchSettings:
-    """Return the settings of stitching: the priors are tight where the robot's error was measured at every station of the scan."""
+    """Return the settings of stitching where no covariance is known: the priors are tight where the robot's error was measured at every station of the scan."""
     known = all(calibration.station(view.readback) is not None for view in views)
     return StitchSettings(pose_sigma_mm=KNOWN_STATION_MM, pose_sigma_deg=KNOWN_STATION_DEG) if known else StitchSettings()
 

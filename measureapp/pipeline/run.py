@@ -9,6 +9,7 @@ from typing import Any
 
 from measureapp.acquire.capture import capture_board
 from measureapp.acquire.events import CalibrationReady, Event
+from measureapp.calibrate.stitch_uncertainty import uncertainty_of
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
 from measureapp.data.plan import ScanPlan
@@ -67,7 +68,7 @@ def solve_calibration(project: ProjectFolder, on_event: OnEvent, progress: Progr
     """Calibrate the rig from the stored images of the board; raises CalibrationError when they do not suffice."""
     with watch.stage("calibration"):
         calibrated = calibrate_from_views(project.board_views(), project.settings.board, project.rig(), progress)
-        project.save_calibration(calibrated.rig.calibration)
+        project.save_calibration(calibrated.rig.calibration, uncertainty_of(calibrated.rig))
     on_event(CalibrationReady(calibrated.rig.calibration))
     return calibrated
 
@@ -89,7 +90,8 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
     check_determines_phase(request.plan.patterns)
     check_reach(request.plan, request.rig)
     project = _project_of(request)
-    calibration = _calibration_for(request, project)
+    calibrated = _calibrated_for(request, project)
+    calibration = calibrated.calibration()
     check_space(project, request.rig, request.plan)
     watch = Stopwatch()
     rig = connect_rig(request.rig)
@@ -98,7 +100,7 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
             check_cameras(rig, calibration)
         project = ProjectFolder.create(request.folder, project.settings)
         if calibration is not None and project.calibration() is None:
-            project.save_calibration(calibration)
+            project.save_calibration(calibration, calibrated.rig_uncertainty())
         project.save_plan(request.plan)
         views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch, request.bracket_s)
     finally:
@@ -120,14 +122,14 @@ def _project_of(request: ScanRequest) -> ProjectFolder:
     return project
 
 
-def _calibration_for(request: ScanRequest, project: ProjectFolder) -> RigCalibration | None:
-    """Return the project's calibration; where it has none, that of another project if that is asked for."""
-    calibration = project.calibration()
-    if calibration is None and request.calibrated is not None:
-        calibration = ProjectFolder.open(request.calibrated).calibration()
-        if calibration is None:
-            raise CalibrationError(f"{request.calibrated} has no calibration.", "Calibrate the rig into it first.")
-    return calibration
+def _calibrated_for(request: ScanRequest, project: ProjectFolder) -> ProjectFolder:
+    """Return the project whose calibration to use: its own, or where it has none, that of another project if that is asked for."""
+    if project.calibration() is not None or request.calibrated is None:
+        return project
+    other = ProjectFolder.open(request.calibrated)
+    if other.calibration() is None:
+        raise CalibrationError(f"{request.calibrated} has no calibration.", "Calibrate the rig into it first.")
+    return other
 
 
 def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Outcome:

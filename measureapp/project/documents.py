@@ -77,7 +77,7 @@ def placement_document(placement: ViewPlacement) -> dict[str, Any]:
 def placement_from(document: Mapping[str, Any]) -> ViewPlacement:
     """Return the placement of a document."""
     transforms = {name: transform_from(document[name]) for name in ("part_from_camera", "kinematic")}
-    return ViewPlacement(**{**document, **transforms})
+    return ViewPlacement(**{**document, **transforms, "held_by_axes": tuple(document.get("held_by_axes", ()))})
 
 
 def inspection_document(inspection: Inspection) -> dict[str, Any]:

@@ -2,7 +2,7 @@
 
 project.json        what is measured, on which rig, with which board
 plan.json           the scan plan
-calibration/        views/ (images of the board and read-backs), cameras.json, rig.json
+calibration/        views/ (images of the board and read-backs), cameras.json, rig.json, rig_uncertainty.npz
 stacks/             raw fringe images: permanent
 inspection/         program.toml and the nominal it names
 results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`
@@ -14,7 +14,7 @@ from __future__ import annotations
 import json
 import shutil
 from pathlib import Path
-from typing import Any, Literal, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
@@ -31,8 +31,12 @@ from measureapp.project.camera_file import read_cameras, write_cameras
 from measureapp.project.documents import rig_calibration_document, rig_calibration_from
 from measureapp.project.frame_store import FrameStore
 
+if TYPE_CHECKING:
+    from measureapp.calibrate.stitch_uncertainty import RigUncertainty
+
 DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
 ModelT = TypeVar("ModelT", bound=BaseModel)
+RIG_UNCERTAINTY = "rig_uncertainty.npz"
 PROGRAM, NOMINAL = "program.toml", "nominal"
 
 
@@ -123,10 +127,16 @@ class ProjectFolder:
         """Return every stored sighting of the board, sorted by id."""
         return board_views.load_all(self.path / "calibration" / "views")
 
-    def save_calibration(self, calibration: RigCalibration) -> None:
-        """Keep the calibration of the rig."""
-        write_cameras(self.path / "calibration" / "cameras.json", calibration.cameras)
-        write_json(self.path / "calibration" / "rig.json", rig_calibration_document(calibration))
+    def save_calibration(self, calibration: RigCalibration, uncertainty: RigUncertainty | None = None) -> None:
+        """Keep the calibration of the rig, and what it leaves open where that is known; that of an earlier calibration goes."""
+        folder = self.path / "calibration"
+        (folder / RIG_UNCERTAINTY).unlink(missing_ok=True)
+        write_cameras(folder / "cameras.json", calibration.cameras)
+        write_json(folder / "rig.json", rig_calibration_document(calibration))
+        if uncertainty is not None:
+            from measureapp.project.rig_uncertainty_file import write_rig_uncertainty
+
+            write_rig_uncertainty(folder / RIG_UNCERTAINTY, uncertainty)
 
     def calibration(self) -> RigCalibration | None:
         """Return the calibration of the rig, if there is one. Raises StorageError when it is damaged."""
@@ -137,6 +147,13 @@ class ProjectFolder:
             return rig_calibration_from(_read_json(path), read_cameras(self.path / "calibration" / "cameras.json"))
         except (KeyError, TypeError, ValueError) as error:
             raise StorageError(f"{path} does not hold a calibration: {error}.", "Calibrate again.") from error
+
+    def rig_uncertainty(self) -> RigUncertainty | None:
+        """Return what the calibration leaves open, where it was kept. Raises StorageError when it is damaged."""
+        from measureapp.project.rig_uncertainty_file import read_rig_uncertainty
+
+        calibration, path = self.calibration(), self.path / "calibration" / RIG_UNCERTAINTY
+        return read_rig_uncertainty(path, calibration) if calibration is not None and path.exists() else None
 
     def save_inspection(self, program: Path | None, nominal: Path | None) -> None:
         """Copy the inspection program and the nominal into the project, which then needs nothing outside."""

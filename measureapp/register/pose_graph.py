@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,31 +19,13 @@ CHI_SQUARE_MEDIAN = 5.35  # of six degrees of freedom
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class KinematicPrior:
-    """How far the axes can be trusted: standard deviations of a station's pose, and of views of one station to each other."""
-
-    station_mm: float
-    station_rad: float
-    view_mm: float
-    view_rad: float
-
-    def information(self, stations: Sequence[Hashable]) -> FloatArray:
-        """Return the inverse covariance (6N, 6N) of all pose errors in the camera's frame; views of one station share most of theirs."""
-        count = len(stations)
-        common = np.diag([self.station_mm**2] * 3 + [self.station_rad**2] * 3)
-        own = np.diag([self.view_mm**2] * 3 + [self.view_rad**2] * 3)
-        same = np.array([[a == b for b in stations] for a in stations], float).reshape(count, count)
-        covariance = np.kron(same, common) + np.kron(np.eye(count), own)
-        return np.asarray(np.linalg.inv(covariance))
-
-
-@dataclass(frozen=True, slots=True, eq=False)
 class PoseGraphSolution:
     """The poses and how certain they are."""
 
     part_from_camera: tuple[RigidTransform, ...]
     covariances: FloatArray  # (N, 6, 6) of small motions in the part's frame about each view's centre
     edge_sigmas: FloatArray  # (E,) residual of each pair in standard deviations
+    surface_information: FloatArray  # (N, 6, 6) of the same motions by the pairs alone, were the other views certain
 
 
 def solve(
@@ -64,16 +46,16 @@ def solve(
     """
     poses = list(start)
     for _ in range(ITERATIONS):
-        matrix, right, sigmas = _normal_equations(poses, kinematic, prior_information, pairs, centres_mm)
+        matrix, right, _, _ = _normal_equations(poses, kinematic, prior_information, pairs, centres_mm)
         factor = cho_factor(matrix)
         steps = cho_solve(factor, right).reshape(-1, 6)
         poses = [stepped(pose, step, centre) for pose, step, centre in zip(poses, steps, centres_mm, strict=True)]
         if np.abs(steps[:, :3]).max() < CONVERGED_MM:
             break
-    matrix, _, sigmas = _normal_equations(poses, kinematic, prior_information, pairs, centres_mm)
+    matrix, _, sigmas, surface = _normal_equations(poses, kinematic, prior_information, pairs, centres_mm)
     inverse = np.linalg.inv(matrix)
     covariances = np.stack([inverse[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] for i in range(len(poses))])
-    return PoseGraphSolution(tuple(poses), covariances, sigmas)
+    return PoseGraphSolution(tuple(poses), covariances, sigmas, surface)
 
 
 def _normal_equations(
@@ -82,16 +64,18 @@ def _normal_equations(
     prior_information: FloatArray,
     pairs: Sequence[PairMeasurement],
     centres_mm: FloatArray,
-) -> tuple[FloatArray, FloatArray, FloatArray]:
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Return the normal matrix, its right side, every pair's residual (E,) and every view's information (N, 6, 6) by the pairs alone."""
     count = len(poses)
     errors, jacobian = np.zeros(6 * count), np.zeros((6 * count, 6 * count))
     for i, (pose, axes) in enumerate(zip(poses, kinematic, strict=True)):
         block = slice(6 * i, 6 * i + 6)
         errors[block] = _vector(axes.inverse() @ pose, np.zeros(3))
-        jacobian[block, block] = _turned(axes.rotation.T) @ _moved_to(pose.translation_mm, centres_mm[i])
+        jacobian[block, block] = turned(axes.rotation.T) @ moved_to(pose.translation_mm, centres_mm[i])
     matrix = jacobian.T @ prior_information @ jacobian
     right = -jacobian.T @ (prior_information @ errors)
-    parts = [_edge(poses, pair, centres_mm) for pair in pairs]
+    surface = np.zeros((count, 6, 6))
+    parts = [edge_error(poses, pair, centres_mm) for pair in pairs]
     squares = np.array([error @ pair.information @ error for pair, (error, _, _) in zip(pairs, parts, strict=True)])
     usual = max(1.0, float(np.median(squares)) / CHI_SQUARE_MEDIAN) if len(squares) else 1.0
     for pair, square, (error, by_target, by_source) in zip(pairs, squares, parts, strict=True):
@@ -99,20 +83,21 @@ def _normal_equations(
         blocks = ((pair.target, by_target), (pair.source, by_source))
         for a, left in blocks:
             right[6 * a : 6 * a + 6] -= left.T @ weighted @ error
+            surface[a] += left.T @ weighted @ left
             for b, other in blocks:
                 matrix[6 * a : 6 * a + 6, 6 * b : 6 * b + 6] += left.T @ weighted @ other
-    return matrix, right, np.sqrt(squares)
+    return matrix, right, np.sqrt(squares), surface
 
 
-def _edge(poses: Sequence[RigidTransform], pair: PairMeasurement, centres_mm: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+def edge_error(poses: Sequence[RigidTransform], pair: PairMeasurement, centres_mm: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return how far the pair is from its measurement (6,), in the target's frame, and its derivatives by both poses."""
     target, source = poses[pair.target], poses[pair.source]
     measured = stepped(pair.target_from_source, pair.change, pair.centre_mm)
     away = (target.inverse() @ source) @ measured.inverse()
     centre = target.apply(pair.centre_mm)
-    turn = _turned(target.rotation.T)
-    by_target = -turn @ _moved_to(centre, centres_mm[pair.target])
-    by_source = turn @ _moved_to(centre, centres_mm[pair.source])
+    turn = turned(target.rotation.T)
+    by_target = -turn @ moved_to(centre, centres_mm[pair.target])
+    by_source = turn @ moved_to(centre, centres_mm[pair.source])
     return _vector(away, pair.centre_mm), by_target, by_source
 
 
@@ -121,11 +106,12 @@ def _vector(small: RigidTransform, centre_mm: FloatArray) -> FloatArray:
     return np.concatenate([small.apply(np.asarray(centre_mm, float)) - centre_mm, small.rotation_vector])
 
 
-def _turned(rotation: FloatArray) -> FloatArray:
+def turned(rotation: FloatArray) -> FloatArray:
+    """Return the matrix (6, 6) that takes a small motion to the frame that ``rotation`` leads to."""
     return np.kron(np.eye(2), rotation)
 
 
-def _moved_to(place_mm: FloatArray, centre_mm: FloatArray) -> FloatArray:
+def moved_to(place_mm: FloatArray, centre_mm: FloatArray) -> FloatArray:
     """Return the matrix that takes a small motion about ``centre_mm`` to the same motion seen at ``place_mm``."""
     x, y, z = place_mm - centre_mm
     matrix = np.eye(6)

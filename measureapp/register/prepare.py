@@ -39,6 +39,11 @@ class PreparedCloud:
         """The mean of the thinned points, (3,); the origin when there are none."""
         return self.points_mm.mean(axis=0) if len(self) else np.zeros(3)
 
+    @property
+    def radius_mm(self) -> float:
+        """The rms distance of the thinned points from their centroid, at least 1."""
+        return max(1.0, float(np.sqrt(np.mean(np.sum((self.points_mm - self.centroid_mm) ** 2, axis=1))))) if len(self) else 1.0
+
 
 def prepare(cloud: PointCloud, voxel_mm: float) -> PreparedCloud:
     """Thin a cloud in its camera's frame; voxels over edges, with single points or seen at a grazing angle are left out."""

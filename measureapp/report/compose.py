@@ -103,6 +103,9 @@ def view_lines(measurement: Measurement) -> tuple[ViewLine, ...]:
                 correction_deg=None if placed is None else placed.correction_deg,
                 residual_mm=None if placed is None else placed.residual_mm,
                 overlap=None if placed is None else placed.overlap,
+                bound_mm=None if placed is None else placed.bound_mm,
+                sigma_mm=None if placed is None else placed.sigma_mm,
+                held_by_axes=() if placed is None else placed.held_by_axes,
                 used=placed is not None and placed.used,
                 verdict=quality.reason or "not stitched" if placed is None else placed.verdict,
             )

@@ -51,6 +51,9 @@ def view_document(view: ViewLine) -> dict[str, Any]:
         "correction_deg": view.correction_deg,
         "residual_mm": view.residual_mm,
         "overlap": view.overlap,
+        "bound_mm": view.bound_mm,
+        "sigma_mm": view.sigma_mm,
+        "held_by_axes": list(view.held_by_axes),
         "used": view.used,
         "verdict": view.verdict,
     }

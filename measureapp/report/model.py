@@ -38,6 +38,9 @@ class ViewLine:
     correction_deg: float | None
     residual_mm: float | None
     overlap: float | None
+    bound_mm: float | None
+    sigma_mm: float | None
+    held_by_axes: tuple[str, ...]
     used: bool
     verdict: str
 

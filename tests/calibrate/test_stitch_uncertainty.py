@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from measureapp.calibrate.stitch_uncertainty import point_sigma_mm, view_uncertainty
+from measureapp.calibrate.stitch_uncertainty import point_sigma_mm, uncertainty_of, view_uncertainty
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.plan import FlangePose, Viewpoint
 from tests.calibrate.paper_rig import calibrated, planned
@@ -46,7 +46,7 @@ def runs():
 def squares(run):
     """Return squared errors over predicted variance: of points in each view, and of the gaps between pairs of views."""
     chosen = views()
-    uncertainty = view_uncertainty(run.solution, [readback_of(one) for one in chosen])
+    uncertainty = view_uncertainty(uncertainty_of(run.solution), [readback_of(one) for one in chosen])
     errors = []
     for truth, found in zip(placed_truly(run, chosen), uncertainty.part_from_camera, strict=True):
         in_camera = np.linalg.inv(truth) @ np.column_stack([POINTS_MM, np.ones(len(POINTS_MM))]).T
@@ -69,22 +69,22 @@ def test_errors_of_points_and_gaps_between_views_are_as_large_as_predicted(runs)
 
 
 def test_views_at_one_station_are_known_better_against_each_other_than_beside_it(runs):
-    uncertainty = view_uncertainty(runs[0].solution, [readback_of(one) for one in views()])
+    uncertainty = view_uncertainty(uncertainty_of(runs[0].solution), [readback_of(one) for one in views()])
     turned, beside = (np.sqrt(np.trace(uncertainty.between(0, other, POINTS_MM)[0])) for other in (1, 3))
     assert turned < 0.5 * beside
 
 
 def test_the_prior_of_a_view_predicts_its_points(runs):
-    solution, read = runs[0].solution, readback_of(views()[3])
-    uncertainty = view_uncertainty(solution, [read])
+    rig, read = uncertainty_of(runs[0].solution), readback_of(views()[3])
+    uncertainty = view_uncertainty(rig, [read])
     prior, place = uncertainty.view(0), uncertainty.part_from_camera[0].translation_mm
     drawn = np.random.default_rng(0).multivariate_normal(np.zeros(6), prior, 20000)
     shifts = np.cross(drawn[:, :3], POINTS_MM[1] - place) + drawn[:, 3:]
     largest = np.sqrt(np.linalg.eigvalsh(np.cov(shifts.T))[-1])
-    assert point_sigma_mm(solution, read, POINTS_MM)[1] == pytest.approx(largest, rel=0.03)
+    assert point_sigma_mm(rig, read, POINTS_MM)[1] == pytest.approx(largest, rel=0.03)
 
 
 def test_the_relative_covariance_places_the_parts_origin(runs):
-    uncertainty = view_uncertainty(runs[0].solution, [readback_of(one) for one in views()])
+    uncertainty = view_uncertainty(uncertainty_of(runs[0].solution), [readback_of(one) for one in views()])
     origin = np.zeros((1, 3))
     np.testing.assert_allclose(uncertainty.relative(0, 2)[3:, 3:], uncertainty.between(0, 2, origin)[0], rtol=1e-6, atol=1e-12)

@@ -8,7 +8,8 @@ from measureapp.errors import FrameMismatch
 from measureapp.geometry.transform import RigidTransform
 from measureapp.register.icp import measure_pair, register_pair
 from measureapp.register.place import place, stations
-from measureapp.register.pose_graph import KinematicPrior, solve
+from measureapp.register.pose_graph import solve
+from measureapp.register.pose_prior import KinematicPrior
 from measureapp.register.prepare import prepare
 
 PRIOR = KinematicPrior(0.5, 1e-3, 0.02, 1e-4)
@@ -46,15 +47,14 @@ def test_a_plane_gives_no_information_along_itself(scanned):
 
 
 def test_views_of_one_station_share_their_error():
-    information = PRIOR.information(["a", "a", "b"])
-    covariance = np.linalg.inv(information)
+    covariance = PRIOR.covariance(["a", "a", "b"])
     assert covariance[0, 6] == pytest.approx(0.25) and covariance[0, 12] == pytest.approx(0, abs=1e-12)
     assert covariance[0, 0] == pytest.approx(0.25 + 0.02**2)
 
 
 def test_without_pairs_the_poses_are_the_axes_own():
     poses = [RigidTransform.from_vector([0.1 * i, 0, 0], [i, 2.0, 3.0], "part", "camera") for i in range(3)]
-    solution = solve(poses, poses, PRIOR.information([0, 1, 2]), [], np.zeros((3, 3)))
+    solution = solve(poses, poses, np.linalg.inv(PRIOR.covariance([0, 1, 2])), [], np.zeros((3, 3)))
     for found, given in zip(solution.part_from_camera, poses, strict=True):
         np.testing.assert_allclose(found.matrix, given.matrix, atol=1e-12)
 

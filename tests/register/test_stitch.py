@@ -8,6 +8,7 @@ import pytest
 from measureapp.data.cloud import StitchedCloud
 from measureapp.errors import RegistrationError
 from measureapp.geometry.transform import RigidTransform
+from measureapp.register.pose_prior import KinematicPrior
 from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
 from measureapp.register.surface import surface
@@ -135,3 +136,26 @@ def test_the_surface_follows_the_points_and_says_where_it_was_filled(impeller_sc
 def test_a_surface_that_does_not_fit_into_memory_is_refused_before_it_is_made(stitched_impeller):
     with pytest.raises(RegistrationError, match="GiB"):
         surface(stitched_impeller, free_bytes=lambda: 1000)
+
+
+@pytest.mark.parametrize("displaced", [1, 4])
+def test_tight_axes_do_not_hide_a_displaced_view(scanned, impeller_mesh, displaced):
+    scan = scanned(impeller_mesh, SIXTHS, [45.0], step_mm=1.0, station_mm=0.02, station_deg=0.002)
+    covariance = KinematicPrior(0.02, np.radians(0.002), 0.02, np.radians(0.002)).covariance(scan.stations)
+    clean = stitch(scan.clouds, scan.kinematic, prior_covariance=covariance)
+    assert [placement.verdict for placement in clean.placements] == ["good"] * 6
+    assert all(placement.sigma_mm < 0.05 for placement in clean.placements)
+    slipped = RigidTransform.from_parts(np.eye(3), [1.2, 1.2, 1.05], "camera", "camera")  # 2 mm
+    kinematic = [pose @ slipped if i == displaced else pose for i, pose in enumerate(scan.kinematic)]
+    stitched = stitch(scan.clouds, kinematic, prior_covariance=covariance)
+    assert [i for i, placement in enumerate(stitched.placements) if not placement.used] == [displaced]
+    assert "times as far as they allow: left out" in stitched.placements[displaced].verdict
+    accepted = stitch(scan.clouds, kinematic, prior_covariance=covariance, accepted=["v0" + str(displaced)])
+    assert all(placement.used for placement in accepted.placements)
+    assert accepted.placements[displaced].verdict.endswith("accepted by hand")
+
+
+def test_a_covariance_of_other_poses_is_refused(scanned, cross_mesh):
+    scan = scanned(cross_mesh, [10.0, 100.0], [40.0], step_mm=1.5)
+    with pytest.raises(RegistrationError, match="covariance of shape"):
+        stitch(scan.clouds, scan.kinematic, prior_covariance=np.eye(6))

@@ -293,9 +293,9 @@ def test_a_view_that_stitching_left_out_says_so_with_its_reason(measurement):
 
     view, placement = measurement.views[0], measurement.stitched.placements[0]
     assert view_verdict(view, placement)[:2] == ("pass", "Good")
-    left_out = replace(placement, used=False, verdict="would have to move 0.18 mm: left out")
-    assert view_verdict(view, left_out) == ("fail", "Left out", "Would have to move 0.18 mm.")
-    assert view_properties(view, left_out).note == "Would have to move 0.18 mm."
+    left_out = replace(placement, used=False, verdict="its surface lies 0.18 mm away: left out")
+    assert view_verdict(view, left_out) == ("fail", "Left out", "Its surface lies 0.18 mm away.")
+    assert view_properties(view, left_out).note == "Its surface lies 0.18 mm away."
 
 
 def test_the_name_of_a_dimension_is_words_but_a_letter_of_the_drawing_stays():

@@ -1,0 +1,52 @@
+"""What the calibration of a rig leaves open, as a file beside it: numbers only, no pickled objects."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, fields
+from pathlib import Path
+from typing import Any
+from zipfile import BadZipFile
+
+import numpy as np
+
+from measureapp.calibrate.axis_noise import AxisNoise
+from measureapp.calibrate.chain import Chain, ChainState, Free
+from measureapp.calibrate.stitch_uncertainty import RigUncertainty
+from measureapp.data.calibration import RigCalibration
+from measureapp.errors import StorageError
+from measureapp.project.atomic import replacing
+
+SCHEMA_VERSION = 1
+_NOT_ARRAYS = ("noise", "free")
+
+
+def write_rig_uncertainty(path: Path, rig: RigUncertainty) -> None:
+    """Write everything but the calibration itself as npz: ``chain.…``, ``state.…``, ``noise.…``, ``free.…`` and ``covariance``."""
+    arrays: dict[str, Any] = {"schema_version": SCHEMA_VERSION, "covariance": rig.covariance}
+    for part, noun in (("chain", rig.chain), ("state", rig.state)):
+        values = {field.name: getattr(noun, field.name) for field in fields(noun) if field.name not in _NOT_ARRAYS}
+        arrays |= {f"{part}.{name}": value for name, value in values.items() if value is not None}
+    for part, settings in (("noise", asdict(rig.chain.noise)), ("free", asdict(rig.chain.free))):
+        arrays |= {f"{part}.{name}": value for name, value in settings.items()}
+    with replacing(Path(path)) as temporary, temporary.open("wb") as file:
+        np.savez_compressed(file, **arrays)
+
+
+def read_rig_uncertainty(path: Path, calibration: RigCalibration) -> RigUncertainty:
+    """Read what `write_rig_uncertainty` wrote for ``calibration``. Raises StorageError when the file is damaged."""
+    try:
+        with Path(path).open("rb") as file, np.load(file, allow_pickle=False) as stored:
+            arrays = dict(stored)
+        noise = AxisNoise(**{name: float(value) for name, value in _part(arrays, "noise").items()})
+        free = Free(**{name: bool(value) for name, value in _part(arrays, "free").items()})
+        state = _part(arrays, "state")
+        state["guide_scale"] = float(state["guide_scale"])
+        return RigUncertainty(
+            calibration, Chain(**_part(arrays, "chain"), noise=noise, free=free), ChainState(**state), arrays["covariance"]
+        )
+    except (OSError, ValueError, KeyError, TypeError, EOFError, BadZipFile) as error:
+        raise StorageError(f"{path} cannot be read: {error}.", "Calibrate again, or delete this file to go on without it.") from error
+
+
+def _part(arrays: dict[str, Any], part: str) -> dict[str, Any]:
+    return {name.removeprefix(f"{part}."): value for name, value in arrays.items() if name.startswith(f"{part}.")}

@@ -1,0 +1,257 @@
+"""The joint registration of all views: which overlap, how they lie to each other, and whether the axes allow it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Hashable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.data.cloud import PointCloud, ViewPlacement
+from measureapp.geometry.transform import RigidTransform
+from measureapp.progress import Progress
+from measureapp.register.contradiction import free_correction, quantile
+from measureapp.register.icp import LEAST_MATCHES, PairMeasurement, gicp, gicp_model, measure_pair, register_pair
+from measureapp.register.observability import unheld
+from measureapp.register.pose_graph import PoseGraphSolution, solve
+from measureapp.register.pose_prior import KinematicPrior, about_centres, largest_sigmas, with_cloud_errors
+from measureapp.register.prepare import PreparedCloud, occupied_cells
+from measureapp.register.settings import StitchSettings
+
+CELL_PER_VOXEL = 5.0
+FINE_SEARCH = 2.0  # in voxels, once the views are close
+POOR = 2.0  # a pair whose residual is this many times the usual one is tried again from further away
+GOOD = "good"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class View:
+    """One view on its way through stitching."""
+
+    cloud: PointCloud
+    kinematic: RigidTransform
+    station: Hashable
+    prepared: PreparedCloud
+
+
+@dataclass(frozen=True, slots=True)
+class Contradiction:
+    """How far its pairs would move a view, beside how far the axes let expect."""
+
+    moved_mm: float
+    turned_deg: float
+    excess: float  # times as far as allowed
+
+    @property
+    def bound_mm(self) -> float:
+        """How far it might have moved in this way."""
+        return self.moved_mm / self.excess if self.excess > 0 else 0.0
+
+    @property
+    def bound_deg(self) -> float:
+        """How far it might have turned in this way."""
+        return self.turned_deg / self.excess if self.excess > 0 else 0.0
+
+    @property
+    def sentence(self) -> str:
+        """What the surfaces say against the axes."""
+        return (
+            f"its surface lies {self.moved_mm:.2f} mm and {self.turned_deg:.3f}° away from where the axes put it, "
+            f"{self.excess:.1f} times as far as they allow"
+        )
+
+
+class Registration:
+    """The joint registration of all views."""
+
+    def __init__(
+        self,
+        views: Sequence[View],
+        settings: StitchSettings,
+        progress: Progress,
+        *,
+        prior_covariance: FloatArray | None = None,
+        accepted: Collection[str] = (),
+    ) -> None:
+        self.views, self.settings, self.progress, self.accepted = views, settings, progress, accepted
+        self.kinematic = [view.kinematic for view in views]
+        self.centres = np.stack([view.kinematic.apply(view.prepared.centroid_mm) for view in views])
+        self.radii = np.array([view.prepared.radius_mm for view in views])
+        covariance = self._prior(prior_covariance)
+        self.prior = np.asarray(np.linalg.inv(covariance))
+        self.by_axes = about_centres(covariance, self.kinematic, self.centres)
+        self.calibrated = prior_covariance is not None
+        self.voxel = views[0].prepared.voxel_mm
+
+    def _prior(self, given: FloatArray | None) -> FloatArray:
+        """Return the covariance of the poses by the axes, as motions of each camera in its own frame."""
+        chosen = self.settings
+        if given is not None:
+            return with_cloud_errors(given, self.kinematic, self.centres, self.radii, chosen.cloud_sigma_mm)
+        prior = KinematicPrior(
+            chosen.pose_sigma_mm, np.radians(chosen.pose_sigma_deg), chosen.table_sigma_mm, np.radians(chosen.table_sigma_deg)
+        )
+        return prior.covariance([view.station for view in self.views])
+
+    def placements(self) -> list[ViewPlacement]:
+        """Register and judge every view."""
+        pairs = self._overlapping()
+        poses = list(self.kinematic)
+        contradictions: dict[int, Contradiction] = {}
+        if self.settings.fine and pairs:
+            poses, contradictions = self._registered(pairs)
+        refused = self._refused(contradictions)
+        measured = self._measured(poses, pairs)
+        fitted = [edge for edge in measured if self.settings.fine and not refused & {edge.target, edge.source}]
+        # where the views lie now, not where one more step would take them: what is left is far below their uncertainty
+        known = self._solve(poses, fitted)
+        return [self._judged(i, poses[i], contradictions.get(i), measured, known) for i in range(len(self.views))]
+
+    def _overlapping(self) -> list[tuple[int, int]]:
+        """Return the pairs that share enough surface by the axes alone, the best of every view."""
+        cell = CELL_PER_VOXEL * self.voxel
+        cells = []
+        for view in self.views:
+            points, normals = view.kinematic.apply(view.prepared.points_mm), view.kinematic.rotate(view.prepared.normals)
+            cells.append(occupied_cells(view.prepared, points, normals, cell))
+        shares: dict[tuple[int, int], float] = {}
+        for i, j in combinations(range(len(self.views)), 2):
+            common = len(np.intersect1d(cells[i], cells[j], assume_unique=True))
+            share = common / max(1, min(len(cells[i]), len(cells[j])))
+            if share >= self.settings.least_overlap:
+                shares[i, j] = share
+        best: set[tuple[int, int]] = set()
+        for i in range(len(self.views)):
+            own = sorted((pair for pair in shares if i in pair), key=lambda pair: (-shares[pair], pair))
+            best.update(own[: self.settings.neighbours])
+        return sorted(best)
+
+    def _registered(self, pairs: list[tuple[int, int]]) -> tuple[list[RigidTransform], dict[int, Contradiction]]:
+        """Return the joint poses, and the views that would move too far: they stay where the axes say, unless they are accepted."""
+        edges = self._pairwise(pairs)
+        contradictions = self._contradictions(edges)
+        refused = self._refused(contradictions)
+        kept = [pair for pair in pairs if not refused & set(pair)]
+        poses = list(self._solve(self.kinematic, [edge for edge in edges if not refused & {edge.target, edge.source}]).part_from_camera)
+        for step in range(self.settings.rounds):
+            self.progress.report(0.6 + 0.4 * step / self.settings.rounds, 1, "joint registration")
+            poses = list(self._solve(poses, self._measured(poses, kept)).part_from_camera)
+        return poses, contradictions
+
+    def _contradictions(self, edges: Sequence[PairMeasurement]) -> dict[int, Contradiction]:
+        """Set every view free alone and take away the one that exceeds its bound most, until none does."""
+        found: dict[int, Contradiction] = {}
+        while True:
+            left = [edge for edge in edges if not found.keys() & {edge.target, edge.source}]
+            excess = {i: one for i in range(len(self.views)) if i not in found and (one := self._freed(i, left)) and one.excess > 1}
+            if not excess:
+                return found
+            worst = max(excess, key=lambda i: (excess[i].excess, -i))
+            found[worst] = excess[worst]
+
+    def _freed(self, i: int, edges: Sequence[PairMeasurement]) -> Contradiction | None:
+        """Return how far its pairs alone would move a view, and how far it may be moved."""
+        loose_mm, loose_rad = self._by_settings()
+        free = free_correction(i, self.kinematic, edges, self.centres, self.by_axes, np.array([loose_mm] * 3 + [loose_rad] * 3))
+        if free is None:
+            return None
+        moved, turned = float(np.linalg.norm(free.change[:3])), float(np.linalg.norm(free.change[3:]))
+        sigmas = self.settings.bound_sigmas
+        if self.calibrated:
+            excess = free.distance / quantile(sigmas, len(self.views))
+        else:
+            excess = max(moved / loose_mm, turned / loose_rad) / sigmas
+        return Contradiction(moved, float(np.degrees(turned)), excess)
+
+    def _by_settings(self) -> tuple[float, float]:
+        """Return one standard deviation of a pose by the settings, mm and rad."""
+        chosen = self.settings
+        turn = np.radians(np.hypot(chosen.pose_sigma_deg, chosen.table_sigma_deg))
+        return float(np.hypot(chosen.pose_sigma_mm, chosen.table_sigma_mm)), float(turn)
+
+    def _refused(self, contradictions: Mapping[int, Contradiction]) -> set[int]:
+        return {i for i in contradictions if self.views[i].cloud.viewpoint_id not in self.accepted}
+
+    def _pairwise(self, pairs: list[tuple[int, int]]) -> list[PairMeasurement]:
+        edges = []
+        for done, (i, j) in enumerate(pairs):
+            self.progress.report(
+                0.5 * done, len(pairs), f"registering {self.views[i].cloud.viewpoint_id}, {self.views[j].cloud.viewpoint_id}"
+            )
+            start = self.kinematic[i].inverse() @ self.kinematic[j]
+            edges.append(register_pair(self.views[i].prepared, self.views[j].prepared, start, (i, j), self.settings.search_mm))
+        usual = float(np.median([edge.residual_mm for edge in edges if edge.found] or [0.0]))
+        better = [edge if edge.found and edge.residual_mm <= POOR * usual else self._from_further(edge) for edge in edges]
+        return [edge for edge in better if edge.found]
+
+    def _from_further(self, poor: PairMeasurement) -> PairMeasurement:
+        """Try again from where GICP leads; the better of the two is kept."""
+        i, j = poor.target, poor.source
+        start = self.kinematic[i].inverse() @ self.kinematic[j]
+        a, b = self.views[i].prepared, self.views[j].prepared
+        if min(len(a), len(b)) < LEAST_MATCHES:
+            return poor
+        led = gicp(gicp_model(a), gicp_model(b), start, self.settings.search_mm)
+        found = register_pair(a, b, led, (i, j), self.settings.search_mm)
+        return found if found.found and (not poor.found or found.residual_mm < poor.residual_mm) else poor
+
+    def _measured(self, poses: Sequence[RigidTransform], pairs: list[tuple[int, int]]) -> list[PairMeasurement]:
+        search = min(self.settings.search_mm, FINE_SEARCH * self.voxel)
+        edges = [
+            measure_pair(self.views[i].prepared, self.views[j].prepared, poses[i].inverse() @ poses[j], (i, j), search) for i, j in pairs
+        ]
+        return [edge for edge in edges if edge.found]
+
+    def _solve(self, start: Sequence[RigidTransform], edges: Sequence[PairMeasurement]) -> PoseGraphSolution:
+        return solve(start, self.kinematic, self.prior, edges, self.centres)
+
+    def _correction(self, i: int, pose: RigidTransform) -> tuple[float, float]:
+        """Return how far the view's centre moved (mm) and how far the view turned (degrees)."""
+        change = pose @ self.kinematic[i].inverse()
+        return float(np.linalg.norm(change.apply(self.centres[i]) - self.centres[i])), float(np.degrees(change.angle_rad))
+
+    def _judged(
+        self,
+        i: int,
+        pose: RigidTransform,
+        contradiction: Contradiction | None,
+        edges: Sequence[PairMeasurement],
+        known: PoseGraphSolution,
+    ) -> ViewPlacement:
+        view = self.views[i]
+        refused = contradiction is not None and view.cloud.viewpoint_id not in self.accepted
+        own = [edge for edge in edges if i in (edge.target, edge.source)]
+        seen = np.zeros(len(view.prepared), np.bool_)
+        for edge in own:
+            seen[edge.matched_target if edge.target == i else edge.matched_source] = True
+        counts = np.array([len(edge.matched_source) for edge in own], float)
+        residual = float(np.sqrt(np.average([edge.residual_mm**2 for edge in own], weights=counts))) if own else 0.0
+        moved, turned = self._correction(i, pose)
+        free = contradiction or self._freed(i, own)
+        sigma_mm, sigma_rad = largest_sigmas(known.covariances[i])
+        held = self.settings.fine and own and not refused
+        return ViewPlacement(
+            viewpoint_id=view.cloud.viewpoint_id,
+            part_from_camera=pose,
+            kinematic=view.kinematic,
+            correction_mm=moved,
+            correction_deg=turned,
+            residual_mm=residual,
+            overlap=float(seen.mean()) if len(seen) else 0.0,
+            verdict=self._verdict(contradiction, refused, bool(own)),
+            used=not refused,
+            bound_mm=free.bound_mm if free else 0.0,
+            bound_deg=free.bound_deg if free else 0.0,
+            sigma_mm=sigma_mm,
+            sigma_deg=float(np.degrees(sigma_rad)),
+            held_by_axes=unheld(known.surface_information[i], self.centres[i], self.radii[i], self.settings.weak_sigma_mm) if held else (),
+        )
+
+    def _verdict(self, contradiction: Contradiction | None, refused: bool, overlaps: bool) -> str:
+        if contradiction is not None:
+            return f"{contradiction.sentence}: {'left out' if refused else 'accepted by hand'}"
+        if not overlaps and len(self.views) > 1:
+            return "no overlap with another view: stays where the axes say"
+        return GOOD
