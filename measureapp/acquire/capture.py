@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from math import radians
 
 import numpy as np
@@ -11,6 +12,7 @@ import numpy as np
 from measureapp.acquire.events import Event, ImageTaken
 from measureapp.arrays import ImageArray, read_only
 from measureapp.data.board import BoardView
+from measureapp.data.conditions import Conditions
 from measureapp.data.fringe import AxisReadback, FringeStack, PatternSet
 from measureapp.data.plan import ScanPlan, Viewpoint
 from measureapp.devices.camera import Camera, GrabbedImage
@@ -118,6 +120,7 @@ def capture_stack(
         images={name: read_only(stack) for name, stack in images.items()},
         saturation=saturation,
         readback=readback,
+        conditions=conditions_now(rig),
     )
 
 
@@ -127,7 +130,12 @@ def capture_board(rig: Rig, viewpoint: Viewpoint) -> BoardView:
     rig.projector.show(PLAIN_LIGHT, timeout_s=SHOW_TIMEOUT_S)
     images = {name: _well_exposed(camera, rig) for name, camera in rig.cameras.items()}
     _confirm_still(rig, readback, viewpoint.id)
-    return BoardView(viewpoint.id, images, readback)
+    return BoardView(viewpoint.id, images, readback, conditions_now(rig))
+
+
+def conditions_now(rig: Rig) -> Conditions:
+    """Return under which conditions the rig takes images now."""
+    return rig.conditions(datetime.now(UTC).isoformat(timespec="seconds"))
 
 
 def _well_exposed(camera: Camera, rig: Rig) -> ImageArray:

@@ -9,6 +9,7 @@ from measureapp.arrays import ImageArray
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
 from measureapp.data.measurement import Inspection, ViewResult
+from measureapp.data.validity import Validity
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,6 +92,13 @@ class InspectionReady:
 
 
 @dataclass(frozen=True, slots=True)
+class ValidityKnown:
+    """What is known about the calibration's validity: before the first move its age and temperature, after the last image its drift too."""
+
+    validity: Validity
+
+
+@dataclass(frozen=True, slots=True)
 class RunEnded:
     """The last event."""
 
@@ -109,5 +117,6 @@ Event = (
     | ViewReady
     | StitchReady
     | InspectionReady
+    | ValidityKnown
     | RunEnded
 )

@@ -1,70 +1,102 @@
-"""Have the cameras moved against each other since they were calibrated? Any scan can tell, by how far its matches lie off their epipolar lines."""
+"""Has a camera turned since the calibration? Any scan tells which, by how far the phases of all cameras contradict each other."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.data.calibration import CameraArrayCalibration
-from measureapp.errors import CalibrationError
+from measureapp.data.camera_shift import ShiftEvidence, together
+from measureapp.data.validity import Drift, Standing
 
-WATCH_FACTOR, DRIFTED_FACTOR = 2.0, 4.0  # of what the calibration left
-LEAST_EXPECTED_PX = 0.05  # a calibration cannot promise less for the matches of a scan
-LEAST_MATCHES = 100
-
-
-@dataclass(frozen=True, slots=True)
-class Finding:
-    """What a check found, in a sentence with its numbers."""
-
-    verdict: str  # "good", "watch" or "drifted"
-    sentence: str
-    residual_px: float
-    expected_px: float
-    error_mm: float  # what the residual amounts to on the part, across the line of sight
+# The calibration left rms_px for one corner; a shift common to a whole image is the mean of thousands of them and, while nothing moved,
+# smaller by the square root of their number. One as large as the residual of a single corner is therefore no noise.
+WATCH_FACTOR, DRIFTED_FACTOR = 1.0, 3.0  # of the residual that the calibration left
+LEAST_EXPECTED_PX = 0.02  # what defocus and response of the projector do to phases differs a little from camera to camera
+UNKNOWN_PX = 0.1  # where the calibration does not say what it left
+TELLING = 0.05  # of the variance of the noise, per residual: the errors of a good calibration explain less
+WEAKEST_RAD = float(np.deg2rad(1.0))  # prior of a turn; only bounds what the images do not determine
 
 
-def epipolar_drift(
-    calibration_residual_px: float, scan_residuals_px: FloatArray, cameras: CameraArrayCalibration, distance_mm: float
-) -> Finding:
-    """Compare the epipolar residuals of a scan with what the calibration left.
+@dataclass(frozen=True, slots=True, eq=False)
+class _Turn:
+    """One camera alone has turned: how well that explains the scan."""
 
-    Matching along rows of equal phase cannot see a shift along the row; what is across shows that the head was knocked, warmed up,
-    or refocused. The median of the absolute residuals is taken, since wrong matches are not a drift.
+    camera: str
+    misfit: float
+    shift_px: float
+    error_mm: float
+    turn_deg: float
+
+
+def camera_drift(evidence: Sequence[ShiftEvidence], cameras: CameraArrayCalibration) -> Drift:
+    """Say whether one camera of the head turned since the calibration, and which.
+
+    Each camera in turn is supposed to have moved alone; the one whose small rotation explains the contradictions best is named, others
+    beside it where they explain them as well. A shift of a camera by d looks like a turn by d over the distance of the part. All cameras
+    together may have turned unseen: that is the hand-eye transform's matter, and a few views of the board tell.
 
     Parameters
     ----------
-    calibration_residual_px : rms reprojection residual of the calibration
-    scan_residuals_px : (N,) signed distances of matched points from their epipolar lines, or of points from their rays, px
-    distance_mm : from the cameras to the part
+    evidence : of the views of one scan; none where two cameras see fringes of one direction only
 
-    Raises
-    ------
-    CalibrationError
-        Too few matches to say anything, or residuals that are not finite.
+    Returns
+    -------
+    drift : ``unknown`` without evidence
     """
-    residuals = np.asarray(scan_residuals_px, float).ravel()
-    if len(residuals) < LEAST_MATCHES or not np.all(np.isfinite(residuals)):
-        raise CalibrationError(
-            f"{int(np.isfinite(residuals).sum())} finite epipolar residuals do not tell whether the cameras moved.",
-            f"Give those of at least {LEAST_MATCHES} matched points of one scan.",
-        )
-    offset = float(np.median(residuals))
-    spread = 1.4826 * float(np.median(np.abs(residuals - offset)))
-    size = float(np.hypot(offset, spread))
-    expected = max(calibration_residual_px, LEAST_EXPECTED_PX)
-    focal = float(np.mean([camera.pinhole.matrix[0, 0] for camera in cameras.cameras.values()]))
-    error = size * distance_mm / focal
-    verdict = "drifted" if size > DRIFTED_FACTOR * expected else "watch" if size > WATCH_FACTOR * expected else "good"
-    advice = {
-        "good": "the cameras stand as they were calibrated.",
-        "watch": "check the calibration with a few board views before the next measurement that matters.",
-        "drifted": "the cameras moved, were refocused or are at another temperature: calibrate them again.",
-    }[verdict]
-    sentence = (
-        f"Matches lie {size:.3f} px ({error:.3f} mm at {distance_mm:.0f} mm) off their epipolar lines, of which {abs(offset):.3f} px is the "
-        f"same everywhere; the calibration left {calibration_residual_px:.3f} px: {advice}"
+    if not evidence:
+        return Drift("unknown", "The images of this scan cannot tell whether the cameras moved; check them with a few views of the board.")
+    whole = together(evidence)
+    turns = [_turned_alone(whole, number) for number in range(len(whole.cameras))]
+    ranked = sorted(turns, key=lambda turn: turn.misfit)
+    best = ranked[0]
+    left = cameras.cameras[best.camera].rms_px or UNKNOWN_PX
+    expected = max(left, LEAST_EXPECTED_PX)
+    standing = _standing(best, expected, whole)
+    noise = max(1.0, best.misfit / max(whole.freedom, 1))
+    likely = tuple(turn.camera for turn in ranked if turn.misfit - best.misfit <= TELLING * noise * whole.freedom)
+    named = () if standing == "good" else likely
+    sentence = _sentence(standing, named, best, expected)
+    return Drift(standing, sentence, named, best.shift_px, expected, best.error_mm, best.turn_deg)
+
+
+def _turned_alone(whole: ShiftEvidence, number: int) -> _Turn:
+    own = slice(3 * number, 3 * number + 3)
+    information = whole.information[own, own] + np.eye(3) / WEAKEST_RAD**2
+    turn = np.linalg.solve(information, whole.gradient[own])
+    return _Turn(
+        whole.cameras[number],
+        float(whole.misfit - whole.gradient[own] @ turn),
+        _size(turn, whole.image_px2[number]),
+        _size(turn, whole.depth_mm2[number]),
+        float(np.rad2deg(np.sqrt(turn @ turn))),
     )
-    return Finding(verdict, sentence, size, expected, error)
+
+
+def _size(turn: FloatArray, square: FloatArray) -> float:
+    return float(np.sqrt(max(float(turn @ square @ turn), 0.0)))
+
+
+def _standing(best: _Turn, expected_px: float, whole: ShiftEvidence) -> Standing:
+    explained = (whole.misfit - best.misfit) / max(whole.freedom, 1)
+    if best.shift_px <= WATCH_FACTOR * expected_px or explained <= TELLING:
+        return "good"
+    return "drifted" if best.shift_px > DRIFTED_FACTOR * expected_px else "watch"
+
+
+def _sentence(standing: Standing, named: Sequence[str], best: _Turn, expected_px: float) -> str:
+    size = f"{best.shift_px:.3f} px"
+    if standing == "good":
+        return f"The cameras stand as they were calibrated: none is off by more than {size}, and the calibration left {expected_px:.3f} px."
+    who = f"Camera {named[0]} has" if len(named) == 1 else f"One of the cameras {' and '.join(named)} has"
+    advice = {
+        "watch": "check the calibration with a few views of the board before the next measurement that matters.",
+        "drifted": "it was knocked or refocused, or its mounting gave way: calibrate the cameras again.",
+    }[standing]
+    return (
+        f"{who} turned by {best.turn_deg:.3f}° since the calibration: its image is off by {size} (the calibration left {expected_px:.3f} px), "
+        f"which moves measured points by {best.error_mm:.3f} mm; {advice}"
+    )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from measureapp.acquire.events import Event, ExposuresChosen, ViewpointFailed
+from measureapp.acquire.events import Event, ExposuresChosen, ValidityKnown, ViewpointFailed
 from measureapp.cli.reply import say
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.measurement import Measurement
@@ -16,6 +16,15 @@ def tell_failures(event: Event) -> None:
         say(f"{event.viewpoint_id}: {event.reason}")
     elif isinstance(event, ExposuresChosen):
         say(exposures_line(event))
+    elif isinstance(event, ValidityKnown):
+        tell_warnings(event)
+
+
+def tell_warnings(event: ValidityKnown) -> None:
+    """Say before a scan what speaks against its calibration; what the scan itself says comes with its results."""
+    if event.validity.drift is None:
+        for warning in event.validity.warnings:
+            say(f"Calibration: {warning}")
 
 
 def exposures_line(event: ExposuresChosen) -> str:
@@ -29,7 +38,10 @@ def exposures_line(event: ExposuresChosen) -> str:
 
 
 def passed(measurement: Measurement) -> bool:
-    """Whether no dimension has a negative verdict."""
+    """Whether no dimension has a negative verdict, and no camera moved since the calibration."""
+    drift = measurement.validity.drift
+    if drift is not None and drift.standing == "drifted":
+        return False
     return measurement.inspection is None or all(dimension.verdict is Verdict.PASS for dimension in measurement.inspection.dimensions)
 
 
@@ -40,6 +52,7 @@ def measurement_lines(measurement: Measurement) -> list[str]:
     for placement in measurement.stitched.placements:
         if placement.verdict != "good":
             lines.append(f"  {placement.viewpoint_id}: {placement.verdict}")
+    lines += [f"Calibration: {sentence}" for sentence in measurement.validity.told]
     if measurement.inspection is None:
         return [*lines, "No inspection program: no dimensions."]
     return lines + [dimension_line(dimension) for dimension in measurement.inspection.dimensions]

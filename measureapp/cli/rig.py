@@ -29,23 +29,34 @@ def register(app: typer.Typer) -> None:
     def check(
         rig: Annotated[str, typer.Argument(help="Rig description: a TOML file, or a name in resources/rigs.")],
         plugins: Annotated[Path | None, typer.Option(help="Folder of the plugins; default: those that come with the program.")] = None,
+        calibration: Annotated[
+            Path | None, typer.Option("--calibration", help="Project whose calibration must be of these cameras and still hold.")
+        ] = None,
         as_json: JsonOption = False,
     ) -> None:
         """Connect every device of a rig and read its state back; nothing moves."""
         from measureapp.devices.connect import connect_rig
+        from measureapp.pipeline.validity import check_before_scan
+        from measureapp.project.folder import ProjectFolder
         from measureapp.project.rig_file import read_rig
 
         description = read_rig(rig)
+        known = None if calibration is None else ProjectFolder.open(calibration).needed_calibration()
         connected = connect_rig(description, plugins)
         try:
             devices, problems = read_all(connected)
+            validity = None if known is None or problems else check_before_scan(connected, known)
         finally:
             connected.close()
         if problems:
             raise DeviceError(f"Rig {description.name}: " + " ".join(problems), "Check the cables and the power of the devices named.")
         width = max(len(device["name"]) for device in devices)
-        lines = "\n".join(f"{device['name']:<{width}}  {device['kind']:<13} {device['state']}" for device in devices)
-        reply({"rig": description.name, "driver": description.driver, "devices": devices}, lines, as_json)
+        lines = [f"{device['name']:<{width}}  {device['kind']:<13} {device['state']}" for device in devices]
+        document: dict[str, Any] = {"rig": description.name, "driver": description.driver, "devices": devices}
+        if validity is not None:
+            document["calibration"] = {"warnings": list(validity.warnings), "temperature_c": validity.temperature_c}
+            lines += [f"Calibration: {warning}" for warning in validity.warnings or ("of these cameras, and valid.",)]
+        reply(document, "\n".join(lines), as_json)
 
 
 def read_all(rig: Rig) -> tuple[list[dict[str, Any]], list[str]]:
@@ -72,4 +83,6 @@ def read_all(rig: Rig) -> tuple[list[dict[str, Any]], list[str]]:
 
 def camera_state(camera: Any) -> str:
     """Return what a camera is set to."""
-    return f"{camera.serial}, {camera.width_px} × {camera.height_px} px, exposure {camera.exposure_us()} µs"
+    warm = camera.temperature_c()
+    warmth = "no thermometer" if warm is None else f"{warm:.1f} °C"
+    return f"{camera.serial}, {camera.width_px} × {camera.height_px} px, exposure {camera.exposure_us()} µs, {warmth}"

@@ -7,9 +7,18 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.acquire.events import Event, ExposuresChosen, RunEnded, RunStarted, ViewpointFailed, ViewpointStarted, ViewpointStored
+from measureapp.acquire.events import (
+    Event,
+    ExposuresChosen,
+    RunEnded,
+    RunStarted,
+    ValidityKnown,
+    ViewpointFailed,
+    ViewpointStarted,
+    ViewpointStored,
+)
 from measureapp.cli.main import DEVICE_FAILED, OUT_OF_TOLERANCE
-from measureapp.cli.outcome import exposures_line, measurement_lines, passed
+from measureapp.cli.outcome import exposures_line, measurement_lines, passed, tell_warnings
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply, say
 
 if TYPE_CHECKING:
@@ -66,6 +75,8 @@ class ScanLog:
         """Hear one event of the run."""
         if isinstance(event, ExposuresChosen):
             say(exposures_line(event))
+        elif isinstance(event, ValidityKnown):
+            tell_warnings(event)
         elif isinstance(event, RunStarted):
             for viewpoint_id in event.viewpoint_ids:
                 self.states[viewpoint_id] = {"state": "missing"}

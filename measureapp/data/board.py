@@ -11,6 +11,7 @@ import numpy as np
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from measureapp.arrays import FloatArray, ImageArray, IntArray
+from measureapp.data.conditions import Conditions
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.model import Model
 
@@ -224,3 +225,4 @@ class BoardView:
     viewpoint_id: str
     images: Mapping[str, ImageArray]  # camera -> (height, width)
     readback: AxisReadback
+    conditions: Conditions | None = None  # None where they were not recorded

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from measureapp.arrays import FloatArray, read_only
+from measureapp.data.conditions import LensSetting
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError
 from measureapp.geometry.pinhole import PinholeCamera
@@ -37,6 +38,7 @@ class CameraCalibration:
     standard_deviations: Mapping[str, float] = field(default_factory=dict)
     rms_px: float = 0.0
     serial: str = ""
+    lens: LensSetting = field(default_factory=LensSetting)  # as it was set, where the camera tells
 
 
 @dataclass(frozen=True, slots=True, eq=False)

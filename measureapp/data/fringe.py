@@ -10,6 +10,7 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from measureapp.arrays import ImageArray
+from measureapp.data.conditions import Conditions
 from measureapp.data.model import Model
 from measureapp.geometry.transform import RigidTransform
 
@@ -128,3 +129,4 @@ class FringeStack:
     images: Mapping[str, ImageArray]  # camera -> (exposures, patterns, height, width), read-only uint8 or uint16
     saturation: int  # grey level from which a pixel counts as saturated
     readback: AxisReadback | None = None  # None for recorded images without a rig
+    conditions: Conditions | None = None  # None where they were not recorded

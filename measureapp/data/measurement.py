@@ -7,11 +7,13 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from measureapp.data.calibration import RigCalibration
+from measureapp.data.camera_shift import ShiftEvidence
 from measureapp.data.cloud import CloudQuality, PointCloud, StitchedCloud
 from measureapp.data.dimension import Dimension
 from measureapp.data.feature import Feature
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.mesh import Mesh
+from measureapp.data.validity import Validity
 from measureapp.geometry.transform import RigidTransform
 
 
@@ -29,6 +31,7 @@ class ViewResult:
     readback: AxisReadback
     timings_s: Mapping[str, float] = field(default_factory=dict)  # of a view made during the scan: "last image to cloud"
     findings: tuple[str, ...] = ()  # what looks wrong with the images or the calibration, in words
+    shift: ShiftEvidence | None = None  # what its phases say about turned cameras; not stored, None where they say nothing
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -67,3 +70,4 @@ class Measurement:
     inspection: Inspection | None
     settings: Mapping[str, Any] = field(default_factory=dict)  # patterns, exposures, thresholds (JSON-ready)
     timings_s: Mapping[str, float] = field(default_factory=dict)
+    validity: Validity = field(default_factory=Validity)  # of the calibration, for these images

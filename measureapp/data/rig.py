@@ -93,6 +93,17 @@ class TableDescription(Model):
     centre_in_guide_mm: Vector
 
 
+class CalibrationRules(Model):
+    """How long and how far a calibration of this rig is trusted."""
+
+    valid_days: float | None = Field(
+        default=90.0, gt=0, description="after the day of the calibration; none: until something else speaks against it"
+    )
+    largest_temperature_change_k: float = Field(default=3.0, gt=0, description="of the head since the calibration")
+    head_expansion_per_k: float = Field(default=23e-6, ge=0, description="of the head's frame; aluminium by default")
+    when_exceeded: Literal["warn", "refuse"] = Field(default="warn", description="refuse: such a calibration starts no scan")
+
+
 class RigDescription(Model):
     """All devices of a cell as drawn (nominal). The guide frame is the robot base at slide position 0: x towards the table, z up."""
 
@@ -109,6 +120,7 @@ class RigDescription(Model):
     flange_from_head: NominalPose
     standoff_mm: float
     exposures_us: tuple[int, ...] = Field(description="the exposure bracket, long to short")
+    calibration_rules: CalibrationRules = CalibrationRules()
 
     def camera(self, name: str) -> CameraDescription:
         """Return the camera called ``name``; raises KeyError."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from measureapp.arrays import ImageArray
+from measureapp.data.conditions import LensSetting
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -36,6 +37,12 @@ class Camera(Protocol):
 
     def grab(self, *, timeout_s: float) -> GrabbedImage:
         """Trigger one image and wait for it. Raises DeviceTimeout, DeviceError."""
+
+    def temperature_c(self) -> float | None:
+        """Read the temperature of the camera's housing back; None where it has no thermometer."""
+
+    def lens(self) -> LensSetting:
+        """Read back how the lens is set; an empty setting where nothing tells, as with a lens that is set by hand."""
 
     def stop(self) -> None:
         """Stop now, from any thread; a waiting `grab` then raises Cancelled."""

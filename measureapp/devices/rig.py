@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from statistics import median
 from typing import Protocol
 
+from measureapp.data.conditions import Conditions, LensSetting
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.rig import RigDescription
 from measureapp.devices.camera import Camera
@@ -41,6 +43,17 @@ class Rig:
     def readback(self) -> AxisReadback:
         """Read every axis back."""
         return AxisReadback(self.robot.pose(), self.guide.position_mm(), self.table.angle_rad())
+
+    def conditions(self, taken_at: str) -> Conditions:
+        """Ask all cameras under which conditions images are taken at ``taken_at`` (ISO 8601); the head is as warm as their median."""
+        temperatures = [value for camera in self.cameras.values() if (value := camera.temperature_c()) is not None]
+        lenses = {name: setting for name, camera in self.cameras.items() if (setting := camera.lens()) != LensSetting()}
+        return Conditions(
+            taken_at,
+            median(temperatures) if temperatures else None,
+            {name: camera.serial for name, camera in self.cameras.items()},
+            lenses,
+        )
 
     def stop_all(self) -> None:
         """Stop every device now, from any thread; gathers failures and raises one DeviceError for all of them."""

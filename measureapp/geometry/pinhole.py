@@ -38,6 +38,16 @@ class PinholeCamera:
         pixels, _ = cv2.projectPoints(points, np.zeros(3), np.zeros(3), np.asarray(self.matrix), np.asarray(self.distortion))
         return np.asarray(pixels, np.float64).reshape(-1, 2)
 
+    def project_with_slopes(self, points_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Project points (N, 3) in the camera's frame to pixels (N, 2), with their derivatives by the points, (N, 2, 3) px/mm."""
+        if len(points_mm) == 0:
+            return np.empty((0, 2)), np.empty((0, 2, 3))
+        points = np.ascontiguousarray(points_mm, np.float64).reshape(-1, 1, 3)
+        matrix, distortion = np.asarray(self.matrix), np.asarray(self.distortion)
+        pixels, slopes = cv2.projectPoints(points, np.zeros(3), np.zeros(3), matrix, distortion, jacobian=np.empty(0))
+        by_shift = np.asarray(slopes, np.float64).reshape(-1, 2, slopes.shape[1])[:, :, 3:6]
+        return np.asarray(pixels, np.float64).reshape(-1, 2), by_shift
+
     def normalise(self, pixels: FloatArray) -> FloatArray:
         """Undistort pixels (N, 2) to normalised image coordinates (N, 2) on the plane z = 1."""
         if len(pixels) == 0:

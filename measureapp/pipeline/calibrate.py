@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
+from statistics import median
 
 import numpy as np
 
@@ -20,9 +21,11 @@ from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.sightings import FoundBoard, Rejection, sighting_of
 from measureapp.data.board import BoardDescription, BoardView
 from measureapp.data.calibration import CameraArrayCalibration, Provenance
+from measureapp.data.conditions import LensSetting
 from measureapp.data.rig import RigDescription
 from measureapp.errors import CalibrationError
 from measureapp.progress import PartOf, Progress
+from measureapp.project.frame_store import checksum
 
 DETECTION_THREADS = 2
 STRAIGHTNESS_MM = 0.003  # usual of a ground rail over the travel of a calibration
@@ -56,17 +59,28 @@ def calibrate_from_views(views: Sequence[BoardView], board: BoardDescription, ri
         rejected=missed,
     )
     solved = solve_cameras(problem, PartOf(progress, 0.5, 0.8))
-    cameras = _with_serials(solved.calibration, rig)
+    cameras = _with_devices(solved.calibration, rig, views)
     solved = replace(solved, calibration=cameras)
     observations = _observations(views, found, solved)
     prior = CameraPrior(solved.parameters, solved.covariance)
     solution = solve_rig(observations, cameras, noise=expected_noise(rig), camera_prior=prior, progress=PartOf(progress, 0.8, 1.0))
-    provenance = Provenance(
-        created=datetime.now(UTC).isoformat(timespec="seconds"),
-        method=solution.calibration.provenance.method,
-        inputs={camera.name: camera.serial for camera in rig.cameras} | {"board views": str(len(views))},
+    calibration = solution.calibration
+    provenance = _provenance(calibration.provenance.method, rig, views)
+    cameras = replace(calibration.cameras, provenance=replace(provenance, method=calibration.cameras.provenance.method))
+    return CalibratedRig(solved, replace(solution, calibration=replace(calibration, cameras=cameras, provenance=provenance)))
+
+
+def _provenance(method: str, rig: RigDescription, views: Sequence[BoardView]) -> Provenance:
+    """Where the calibration comes from. It is as old as its last image: solving it again does not make it younger."""
+    recorded = [view.conditions for view in views if view.conditions is not None]
+    warm = [conditions.temperature_c for conditions in recorded if conditions.temperature_c is not None]
+    return Provenance(
+        created=max((conditions.taken_at for conditions in recorded), default=datetime.now(UTC).isoformat(timespec="seconds")),
+        method=method,
+        inputs={f"{view.viewpoint_id}/{camera}": checksum(np.asarray(pixels)) for view in views for camera, pixels in view.images.items()},
+        temperature_c=median(warm) if warm else None,
+        valid_days=rig.calibration_rules.valid_days,
     )
-    return CalibratedRig(solved, replace(solution, calibration=replace(solution.calibration, provenance=provenance)))
 
 
 def expected_noise(rig: RigDescription) -> AxisNoise:
@@ -118,6 +132,12 @@ def _observations(
     return observations
 
 
-def _with_serials(calibration: CameraArrayCalibration, rig: RigDescription) -> CameraArrayCalibration:
-    cameras = {name: replace(camera, serial=rig.camera(name).serial) for name, camera in calibration.cameras.items()}
+def _with_devices(calibration: CameraArrayCalibration, rig: RigDescription, views: Sequence[BoardView]) -> CameraArrayCalibration:
+    """Note which cameras took the images, as they said themselves or else as the rig is described, and how their lenses were set."""
+    last = next((view.conditions for view in reversed(views) if view.conditions is not None), None)
+    serials, lenses = ({}, {}) if last is None else (last.serials, last.lenses)
+    cameras = {
+        name: replace(camera, serial=serials.get(name, rig.camera(name).serial), lens=lenses.get(name, LensSetting()))
+        for name, camera in calibration.cameras.items()
+    }
     return replace(calibration, cameras=cameras)

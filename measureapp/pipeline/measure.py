@@ -13,7 +13,7 @@ import numpy as np
 
 from measureapp.acquire.capture import ExposureTaken
 from measureapp.acquire.engine import Engine
-from measureapp.acquire.events import Event, ExposuresChosen, InspectionReady, StitchReady, ViewpointFailed, ViewReady
+from measureapp.acquire.events import Event, ExposuresChosen, InspectionReady, StitchReady, ValidityKnown, ViewpointFailed, ViewReady
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.stitch_uncertainty import view_uncertainty
 from measureapp.data.calibration import RigCalibration
@@ -32,10 +32,12 @@ from measureapp.fringe.stack_checks import check_stack
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 from measureapp.pipeline.bracket import propose_bracket
 from measureapp.pipeline.live_decoding import LiveDecoding
+from measureapp.pipeline.validity import check_before_scan, validity_of
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.reach import check_reach
 from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.project.folder import ProjectFolder
+from measureapp.reconstruct.camera_shift import camera_shift
 from measureapp.reconstruct.diagnose import diagnose
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
 from measureapp.reconstruct.rectifier import Rectifier
@@ -128,7 +130,8 @@ def scan(
     Raises
     ------
     CalibrationError
-        The calibration is of other cameras than the rig's.
+        The calibration is of other cameras than the rig's, or of cameras that are set otherwise; or it is too old, or was made at another
+        temperature, and the rig's rules refuse such ones.
     PlanError
         A viewpoint is out of reach; nothing was moved.
     StorageError
@@ -139,7 +142,7 @@ def scan(
         raise CalibrationError(f"{project.path} has no scan plan.", "Plan the scan first.")
     check_reach(plan, rig.description)
     if calibration is not None:
-        check_cameras(rig, calibration)
+        on_event(ValidityKnown(check_before_scan(rig, calibration)))
     stored = project.stored_viewpoints()
     check_space(project, rig.description, plan)
     with LiveDecoding() as live:
@@ -208,6 +211,7 @@ def cloud_of_view(
         rejected=dict(result.rejected),
         readback=stack.readback,
         findings=tuple(f"{finding.message} {finding.remedy}" for finding in findings),
+        shift=camera_shift(maps, calibration.cameras),
     )
 
 
@@ -263,6 +267,8 @@ def assemble(
         inspection = _inspected(project, stitched, inspection_settings(calibrated, project.rig(), good), PartOf(progress, 0.7, 0.9))
     if inspection is not None:
         on_event(InspectionReady(inspection))
+    validity = validity_of(project, calibrated, views)
+    on_event(ValidityKnown(validity))
     plan = project.plan()
     measurement = Measurement(
         project=project.name,
@@ -276,6 +282,7 @@ def assemble(
         inspection=inspection,
         settings={} if plan is None else _settings(plan),
         timings_s=dict(watch.seconds),
+        validity=validity,
     )
     with watch.stage("saving"):
         project.save_measurement(measurement)
@@ -328,22 +335,6 @@ def _settings(plan: ScanPlan) -> dict[str, Any]:
         "exposures_us": list(plan.bracket.exposures_us),
         "exposure rule": "all unsaturated exposures, weighted by inverse variance",
     }
-
-
-def check_cameras(rig: Rig, calibration: RigCalibration) -> None:
-    """Refuse a calibration of other cameras. Raises CalibrationError naming the camera."""
-    for name, camera in rig.cameras.items():
-        known = calibration.cameras.cameras.get(name)
-        if known is None:
-            raise CalibrationError(f"The calibration has no camera {name!r}.", "Calibrate this rig.")
-        if (known.pinhole.width_px, known.pinhole.height_px) != (camera.width_px, camera.height_px):
-            raise CalibrationError(
-                f"Camera {name!r} takes {camera.width_px} × {camera.height_px} px; its calibration is for "
-                f"{known.pinhole.width_px} × {known.pinhole.height_px} px.",
-                "Calibrate at this resolution.",
-            )
-        if known.serial and known.serial != camera.serial:
-            raise CalibrationError(f"Camera {name!r} is {camera.serial}; its calibration is of {known.serial}.", "Calibrate this rig.")
 
 
 def check_space(project: ProjectFolder, rig: RigDescription, plan: ScanPlan) -> None:

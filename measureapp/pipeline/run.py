@@ -20,7 +20,8 @@ from measureapp.errors import CalibrationError, InputError
 from measureapp.fringe.patterns import check_determines_phase
 from measureapp.pipeline.calibrate import CalibratedRig, calibrate_from_views
 from measureapp.pipeline.documents import outcome_document, write_reports
-from measureapp.pipeline.measure import assemble, check_cameras, check_space, clouds_from_disk, scan
+from measureapp.pipeline.measure import assemble, check_space, clouds_from_disk, scan
+from measureapp.pipeline.validity import check_before_scan, check_stored_images
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.calibration_views import calibration_viewpoints
 from measureapp.planning.reach import check_reach
@@ -97,7 +98,7 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
     rig = connect_rig(request.rig)
     try:
         if calibration is not None:
-            check_cameras(rig, calibration)
+            check_before_scan(rig, calibration)
         project = ProjectFolder.create(request.folder, project.settings)
         if calibration is not None and project.calibration() is None:
             project.save_calibration(calibration, calibrated.rig_uncertainty())
@@ -127,8 +128,7 @@ def _calibrated_for(request: ScanRequest, project: ProjectFolder) -> ProjectFold
     if project.calibration() is not None or request.calibrated is None:
         return project
     other = ProjectFolder.open(request.calibrated)
-    if other.calibration() is None:
-        raise CalibrationError(f"{request.calibrated} has no calibration.", "Calibrate the rig into it first.")
+    other.needed_calibration()
     return other
 
 
@@ -136,6 +136,7 @@ def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progres
     """Recompute everything from the stored images: the calibration (where its images are stored), clouds, part, dimensions, report."""
     watch = Stopwatch()
     calibration = _calibration_of(project, on_event, PartOf(progress, 0.0, 0.2), watch)
+    check_stored_images(project, calibration)
     views = clouds_from_disk(project, calibration, on_event, PartOf(progress, 0.2, 0.7), watch)
     return finished(project, assemble(project, calibration, views, on_event, PartOf(progress, 0.7, 1.0), watch), watch)
 

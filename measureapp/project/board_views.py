@@ -11,10 +11,11 @@ import numpy as np
 
 from measureapp.arrays import ImageArray, read_only
 from measureapp.data.board import BoardView
+from measureapp.data.conditions import Conditions
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import FrameMismatch, InputError, StorageError
 from measureapp.project.atomic import replacing, write_json
-from measureapp.project.documents import readback_document, readback_from
+from measureapp.project.documents import conditions_document, conditions_from, readback_document, readback_from
 from measureapp.project.frame_store import checksum
 from measureapp.project.images import read_image
 
@@ -35,6 +36,7 @@ def save(folder: Path, view: BoardView) -> None:
         "viewpoint_id": view.viewpoint_id,
         "cameras": list(view.images),
         "readback": readback_document(view.readback),
+        "conditions": conditions_document(view.conditions),
         "checksums": {camera: checksum(np.asarray(pixels)) for camera, pixels in view.images.items()},
     }
     write_json(place / DESCRIPTION, document)
@@ -62,6 +64,7 @@ class _Description:
     cameras: tuple[str, ...]
     readback: AxisReadback
     checksums: dict[str, str]  # camera -> of its pixels
+    conditions: Conditions | None
 
 
 def _problems(place: Path) -> tuple[str, ...]:
@@ -78,7 +81,8 @@ def _problems(place: Path) -> tuple[str, ...]:
 
 def _load(place: Path) -> BoardView:
     described = _described(place)
-    return BoardView(described.viewpoint_id, {camera: _image(place, camera) for camera in described.cameras}, described.readback)
+    images = {camera: _image(place, camera) for camera in described.cameras}
+    return BoardView(described.viewpoint_id, images, described.readback, described.conditions)
 
 
 def _described(place: Path) -> _Description:
@@ -86,7 +90,8 @@ def _described(place: Path) -> _Description:
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
         cameras, checksums = tuple(document["cameras"]), dict(document.get("checksums", {}))
-        return _Description(document["viewpoint_id"], cameras, readback_from(document["readback"]), checksums)
+        readback, conditions = readback_from(document["readback"]), conditions_from(document.get("conditions"))
+        return _Description(document["viewpoint_id"], cameras, readback, checksums, conditions)
     except (OSError, ValueError, KeyError, TypeError, FrameMismatch) as error:
         raise StorageError(f"{path} cannot be read: {error}.", "Take the view again.") from error
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, ProjectorCalibration, Provenance
+from measureapp.data.conditions import LensSetting
 from measureapp.errors import FrameMismatch, InputError
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
@@ -20,7 +21,7 @@ SCHEMA_VERSION = 1
 DISTORTION_LENGTHS = (4, 5, 8, 12, 14)
 FILE_FIELDS = {"schema_version", "reference", "cameras", "pair_rms_px", "provenance", "projector"}
 LENS_FIELDS = ("width", "height", "matrix", "distortion")
-CAMERA_FIELDS = {*LENS_FIELDS, "reference_from_camera", "standard_deviations", "rms_px", "serial"}
+CAMERA_FIELDS = {*LENS_FIELDS, "reference_from_camera", "standard_deviations", "rms_px", "serial", "focus_mm", "f_number"}
 PROJECTOR_FIELDS = {*LENS_FIELDS, "reference_from_projector", "name", "standard_deviations", "provenance"}
 PROVENANCE_FIELDS = {"created", "method", "inputs", "temperature_c", "valid_days"}
 
@@ -89,12 +90,14 @@ def _lens_document(pinhole: PinholeCamera) -> dict[str, Any]:
 
 
 def _camera_document(camera: CameraCalibration) -> dict[str, Any]:
+    settings = {"focus_mm": camera.lens.focus_mm, "f_number": camera.lens.f_number}
     return {
         **_lens_document(camera.pinhole),
         "reference_from_camera": camera.reference_from_camera.matrix.tolist(),
         "standard_deviations": {name: float(value) for name, value in camera.standard_deviations.items()},
         "rms_px": float(camera.rms_px),
         "serial": camera.serial,
+        **{name: float(value) for name, value in settings.items() if value is not None},
     }
 
 
@@ -136,7 +139,9 @@ def _camera(name: str, entry: Any, reference: str, source: str) -> CameraCalibra
     transform = _transform(pose, name, source, f"{place}.reference_from_camera")
     deviations = _numbers(entry.get("standard_deviations", {}), source, f"{place}.standard_deviations")
     rms_px = _numbers({"rms_px": entry.get("rms_px", 0.0)}, source, place)["rms_px"]
-    return CameraCalibration(name, pinhole, transform, deviations, rms_px, str(entry.get("serial", "")))
+    settings = {setting: entry[setting] for setting in ("focus_mm", "f_number") if entry.get(setting) is not None}
+    lens = LensSetting(**_numbers(settings, source, place))
+    return CameraCalibration(name, pinhole, transform, deviations, rms_px, str(entry.get("serial", "")), lens)
 
 
 def _projector(entry: Any, source: str) -> ProjectorCalibration:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 from collections.abc import Mapping
 from dataclasses import asdict, fields
 from typing import Any
@@ -10,10 +12,12 @@ import numpy as np
 
 from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, Provenance, RigCalibration, RobotStation, RotationAxis
 from measureapp.data.cloud import ViewPlacement
+from measureapp.data.conditions import Conditions, LensSetting
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.feature import Feature
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.measurement import Alignment, Inspection
+from measureapp.data.validity import Drift, Validity
 from measureapp.geometry.transform import RigidTransform
 
 
@@ -39,6 +43,34 @@ def readback_document(readback: AxisReadback) -> dict[str, Any]:
 def readback_from(document: Mapping[str, Any]) -> AxisReadback:
     """Return the read-back of a document."""
     return AxisReadback(transform_from(document["base_from_flange"]), float(document["guide_mm"]), float(document["table_rad"]))
+
+
+def conditions_document(conditions: Conditions | None) -> dict[str, Any] | None:
+    """Return the conditions of images as JSON; None where they were not recorded."""
+    return None if conditions is None else asdict(conditions)
+
+
+def conditions_from(document: Mapping[str, Any] | None) -> Conditions | None:
+    """Return the conditions of a document."""
+    if document is None:
+        return None
+    lenses = {name: LensSetting(**setting) for name, setting in document["lenses"].items()}
+    return Conditions(**{**document, "lenses": lenses})
+
+
+def calibration_id(calibration: RigCalibration) -> str:
+    """Return twelve characters that name a calibration: of the images it was made from and their day, else of all its numbers.
+
+    Solved again from the same images it keeps its name.
+    """
+    provenance = calibration.provenance
+    named = asdict(provenance) if provenance.inputs else rig_calibration_document(calibration)
+    return digest(named | {"cameras": {name: camera.serial for name, camera in calibration.cameras.cameras.items()}})[:12]
+
+
+def digest(document: Mapping[str, Any]) -> str:
+    """Return the SHA-256 of a JSON document, whatever the order of its fields."""
+    return hashlib.sha256(json.dumps(document, sort_keys=True).encode()).hexdigest()
 
 
 def rig_calibration_document(calibration: RigCalibration) -> dict[str, Any]:
@@ -101,6 +133,13 @@ def inspection_from(document: Mapping[str, Any]) -> Inspection:
         features=tuple(_feature_from(feature) for feature in document["features"]),
         dimensions=tuple(_dimension_from(dimension) for dimension in document["dimensions"]),
     )
+
+
+def validity_from(document: Mapping[str, Any]) -> Validity:
+    """Return what a document says about the validity of a calibration; an empty one says nothing."""
+    drift = document.get("drift")
+    told = None if drift is None else Drift(**{**drift, "cameras": tuple(drift["cameras"])})
+    return Validity(tuple(document.get("warnings", ())), told, document.get("temperature_c"))
 
 
 def _feature_from(document: Mapping[str, Any]) -> Feature:

@@ -2,7 +2,8 @@
 
 project.json        what is measured, on which rig, with which board
 plan.json           the scan plan
-calibration/        views/ (images of the board and read-backs), cameras.json, rig.json, rig_uncertainty.npz
+calibration/        views/ (images of the board and read-backs), cameras.json, rig.json, rig_uncertainty.npz,
+                    former/, checks/, history.jsonl
 stacks/             raw fringe images: permanent
 inspection/         program.toml and the nominal it names
 results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`
@@ -24,11 +25,11 @@ from measureapp.data.measurement import Measurement
 from measureapp.data.model import Model, first_problem
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
-from measureapp.errors import InputError, StorageError
-from measureapp.project import board_views, results
-from measureapp.project.atomic import write_json, write_text
-from measureapp.project.camera_file import read_cameras, write_cameras
-from measureapp.project.documents import rig_calibration_document, rig_calibration_from
+from measureapp.data.validity import CheckRecord
+from measureapp.errors import CalibrationError, InputError, StorageError
+from measureapp.project import board_views, calibration_store, results
+from measureapp.project.atomic import write_text
+from measureapp.project.calibration_store import RIG_UNCERTAINTY
 from measureapp.project.frame_store import FrameStore
 
 if TYPE_CHECKING:
@@ -36,7 +37,6 @@ if TYPE_CHECKING:
 
 DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
 ModelT = TypeVar("ModelT", bound=BaseModel)
-RIG_UNCERTAINTY = "rig_uncertainty.npz"
 PROGRAM, NOMINAL = "program.toml", "nominal"
 
 
@@ -128,25 +128,36 @@ class ProjectFolder:
         return board_views.load_all(self.path / "calibration" / "views")
 
     def save_calibration(self, calibration: RigCalibration, uncertainty: RigUncertainty | None = None) -> None:
-        """Keep the calibration of the rig, and what it leaves open where that is known; that of an earlier calibration goes."""
+        """Keep the calibration of the rig, and what it leaves open where that is known; a former one is set aside."""
         folder = self.path / "calibration"
-        (folder / RIG_UNCERTAINTY).unlink(missing_ok=True)
-        write_cameras(folder / "cameras.json", calibration.cameras)
-        write_json(folder / "rig.json", rig_calibration_document(calibration))
+        calibration_store.save(folder, calibration)
         if uncertainty is not None:
             from measureapp.project.rig_uncertainty_file import write_rig_uncertainty
 
             write_rig_uncertainty(folder / RIG_UNCERTAINTY, uncertainty)
 
     def calibration(self) -> RigCalibration | None:
-        """Return the calibration of the rig, if there is one. Raises StorageError when it is damaged."""
-        path = self.path / "calibration" / "rig.json"
-        if not path.exists():
-            return None
-        try:
-            return rig_calibration_from(_read_json(path), read_cameras(self.path / "calibration" / "cameras.json"))
-        except (KeyError, TypeError, ValueError) as error:
-            raise StorageError(f"{path} does not hold a calibration: {error}.", "Calibrate again.") from error
+        """Return the calibration of the rig, if there is one. Raises StorageError when it is damaged or was changed."""
+        return calibration_store.load(self.path / "calibration")
+
+    def needed_calibration(self) -> RigCalibration:
+        """Return the calibration of the rig. Raises CalibrationError when there is none, StorageError when it is damaged."""
+        calibration = self.calibration()
+        if calibration is None:
+            raise CalibrationError(f"{self.path} has no calibration.", "Calibrate the rig into it first.")
+        return calibration
+
+    def record_check(self, line: CheckRecord) -> None:
+        """Add what a scan or a check said about the calibration to its history."""
+        calibration_store.record(self.path / "calibration", line)
+
+    def calibration_history(self) -> tuple[CheckRecord, ...]:
+        """Return what scans and checks said about this and former calibrations, oldest first."""
+        return calibration_store.history(self.path / "calibration")
+
+    def save_check_view(self, check: str, view: BoardView) -> None:
+        """Keep the images of one sighting of the board of a check called ``check``."""
+        board_views.save(self.path / "calibration" / "checks" / check, view)
 
     def rig_uncertainty(self) -> RigUncertainty | None:
         """Return what the calibration leaves open, where it was kept. Raises StorageError when it is damaged."""

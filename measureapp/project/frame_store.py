@@ -17,10 +17,11 @@ import numpy as np
 from pydantic import TypeAdapter
 
 from measureapp.arrays import read_only
+from measureapp.data.conditions import Conditions
 from measureapp.data.fringe import FringeStack, PatternSet
 from measureapp.errors import StorageError
 from measureapp.project.atomic import replacing, write_json
-from measureapp.project.documents import readback_document, readback_from
+from measureapp.project.documents import conditions_document, conditions_from, readback_document, readback_from
 
 RESERVE_BYTES = 500_000_000  # room for what is computed from the images
 DESCRIPTION = "stack.json"
@@ -65,6 +66,7 @@ class FrameStore:
             "exposures_us": list(stack.exposures_us),
             "saturation": stack.saturation,
             "readback": readback_document(stack.readback),
+            "conditions": conditions_document(stack.conditions),
             "checksums": checksums,
         }
         write_json(folder / DESCRIPTION, document)
@@ -82,9 +84,14 @@ class FrameStore:
                 images=images,
                 saturation=int(document["saturation"]),
                 readback=readback_from(document["readback"]),
+                conditions=conditions_from(document.get("conditions")),
             )
         except (KeyError, TypeError, ValueError) as error:
             raise StorageError(f"{folder / DESCRIPTION} does not describe a stack: {error}.", "Take this viewpoint again.") from error
+
+    def conditions(self, viewpoint_id: str) -> Conditions | None:
+        """Return under which conditions a stored stack was taken, without its images; None where that was not recorded."""
+        return conditions_from(self._document(self._folder / viewpoint_id).get("conditions"))
 
     def damaged(self, viewpoint_id: str) -> tuple[str, ...]:
         """Compare every stored byte of a viewpoint with its checksum; return what is wrong, in words."""

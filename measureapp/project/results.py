@@ -22,6 +22,7 @@ from measureapp.project.documents import (
     readback_from,
     transform_document,
     transform_from,
+    validity_from,
 )
 from measureapp.project.geometry_files import read_mesh, read_point_cloud, read_stitched, write_cloud, write_mesh
 
@@ -49,6 +50,7 @@ def save(folder: Path, measurement: Measurement) -> None:
         "views": [_view_document(view) for view in measurement.views],
         "placements": [placement_document(placement) for placement in measurement.stitched.placements],
         "notes": dict(measurement.stitched.notes),
+        "validity": asdict(measurement.validity),
         "inspection": None if measurement.inspection is None else inspection_document(measurement.inspection),
     }
     write_json(folder / DOCUMENT, document)
@@ -73,6 +75,7 @@ def load(folder: Path, calibration: RigCalibration) -> Measurement | None:
             stitched=stitched,
             mesh=read_mesh(folder / MESH, "part") if (folder / MESH).exists() else None,
             inspection=None if document["inspection"] is None else inspection_from(document["inspection"]),
+            validity=validity_from(document.get("validity", {})),
         )
     except (OSError, ValueError, KeyError, TypeError, InputError) as error:
         raise StorageError(

@@ -12,6 +12,7 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.measurement import Alignment, Measurement
 from measureapp.data.mesh import Mesh
+from measureapp.data.validity import Validity
 from measureapp.errors import InspectionError
 from measureapp.inspection.alignment import best_fit
 from measureapp.inspection.deviation import Deviation
@@ -56,7 +57,7 @@ def compose(
         header=_header(measurement),
         sections=(
             Section("Cloud and alignment", _cloud_facts(measurement, deviation, why_not)),
-            Section("Calibration", _calibration_facts(measurement.calibration)),
+            Section("Calibration", (*_validity_facts(measurement.validity), *_calibration_facts(measurement.calibration))),
             Section("Settings", _settings_facts(measurement.settings)),
         ),
         pictures=part_pictures(measurement) if pictures else (),
@@ -120,7 +121,7 @@ def _header(measurement: Measurement) -> tuple[Fact, ...]:
         Fact("Measured", moment(measurement.measured_at)),
         Fact("Rig", measurement.rig),
         Fact("Inspection program", "none" if inspection is None else inspection.program),
-        Fact("Rig calibrated", moment(calibration.provenance.created)),
+        Fact("Rig calibrated", moment(calibration.provenance.created) + (" (see the warning below)" if measurement.validity.told else "")),
         Fact("Views", f"{sum(line.used for line in view_lines(measurement))} of {len(measurement.views)} used"),
     )
 
@@ -153,6 +154,15 @@ def _alignment_facts(alignment: Alignment) -> list[Fact]:
     return facts
 
 
+def _validity_facts(validity: Validity) -> tuple[Fact, ...]:
+    facts = [Fact("Warning", warning) for warning in validity.warnings]
+    if validity.drift is not None:
+        alarmed = validity.drift.standing in ("watch", "drifted")
+        facts.append(Fact("Warning" if alarmed else "Cameras since then", validity.drift.sentence))
+    warm = "not reported by the rig" if validity.temperature_c is None else f"{number(validity.temperature_c, 1)} °C"
+    return (*facts, Fact("Head while scanned", warm))
+
+
 def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
     cameras = calibration.cameras
     facts = [
@@ -174,8 +184,13 @@ def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
             f"straight to {number(guide.straightness_mm)} mm",
         ),
     ]
-    if calibration.provenance.method:
-        facts.append(Fact("Method", calibration.provenance.method))
+    provenance = calibration.provenance
+    if provenance.temperature_c is not None:
+        facts.append(Fact("Head while calibrated", f"{number(provenance.temperature_c, 1)} °C"))
+    if provenance.valid_days is not None:
+        facts.append(Fact("Valid for", f"{provenance.valid_days:g} days"))
+    if provenance.method:
+        facts.append(Fact("Method", provenance.method))
     return tuple(facts)
 
 

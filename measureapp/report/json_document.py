@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import asdict
 from math import isfinite
 from typing import Any
 
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.dimension import Dimension
 from measureapp.data.measurement import Alignment, Measurement
+from measureapp.data.validity import Validity
 from measureapp.report.model import ReportModel, ViewLine
 
 
@@ -65,6 +67,8 @@ def calibration_document(calibration: RigCalibration) -> dict[str, Any]:
     return {
         "created": calibration.provenance.created,
         "method": calibration.provenance.method,
+        "temperature_c": calibration.provenance.temperature_c,
+        "valid_days": calibration.provenance.valid_days,
         "cameras": {
             name: {"rms_px": camera.rms_px, "serial": camera.serial, "standard_deviations": dict(camera.standard_deviations)}
             for name, camera in calibration.cameras.cameras.items()
@@ -94,6 +98,12 @@ def calibration_document(calibration: RigCalibration) -> dict[str, Any]:
     }
 
 
+def validity_document(validity: Validity) -> dict[str, Any]:
+    """Return what speaks against the calibration, and whether a camera moved since."""
+    drift = None if validity.drift is None else asdict(validity.drift)
+    return {"warnings": list(validity.warnings), "drift": drift, "temperature_c": validity.temperature_c}
+
+
 def measurement_document(measurement: Measurement) -> dict[str, Any]:
     """Return a measurement as JSON: what it says about the part, without points."""
     from measureapp.report.compose import view_lines
@@ -112,6 +122,7 @@ def measurement_document(measurement: Measurement) -> dict[str, Any]:
         "alignment": None if inspection is None else alignment_document(inspection.alignment),
         "dimensions": [] if inspection is None else [dimension_document(dimension) for dimension in inspection.dimensions],
         "calibration": calibration_document(measurement.calibration),
+        "validity": validity_document(measurement.validity),
         "settings": dict(measurement.settings),
         "timings_s": dict(measurement.timings_s),
     }

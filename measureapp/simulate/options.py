@@ -39,4 +39,8 @@ class WorldOptions(Model):
     light: LightSettings = LightSettings()
     sensor: SensorSettings = SensorSettings()
     errors: RigErrors = RigErrors()
+    temperature_c: float = Field(default=21.0, description="of the room; the cameras' housings are warmer by what they heat themselves")
+    knocked_deg: dict[str, tuple[float, float, float]] = Field(
+        default_factory=dict, description="cameras that were knocked: name -> rotation vector in the camera's own frame"
+    )
     board_bow_mm: float = Field(default=0.02, description="height of the board's middle over its border")

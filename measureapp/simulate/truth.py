@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -103,6 +103,29 @@ def draw_truth(rig: RigDescription, board: BoardDescription, errors: RigErrors, 
         guide=guide,
         table=draw_table_errors(rig.table, generators[8]) if errors.axes else None,
     )
+
+
+def knocked(truth: Truth, camera: str, turn_rad: FloatArray) -> Truth:
+    """Return the rig after one camera was turned about its own centre by a rotation vector in its own frame, all else at its place."""
+    head, hand_eye = truth.calibration.cameras, truth.calibration.hand_eye
+    if camera != head.reference:
+        one = head.cameras[camera]
+        turn = RigidTransform.from_vector(turn_rad, np.zeros(3), camera, camera)
+        moved = replace(one, reference_from_camera=one.reference_from_camera @ turn)
+        cameras = replace(head, cameras={**head.cameras, camera: moved})
+        return replace(truth, calibration=replace(truth.calibration, cameras=cameras))
+    turn = RigidTransform.from_vector(turn_rad, np.zeros(3), "camera", "camera")
+    back = turn.inverse()
+    others = {
+        name: one if name == camera else replace(one, reference_from_camera=back @ one.reference_from_camera)
+        for name, one in head.cameras.items()
+    }
+    calibration = replace(
+        truth.calibration,
+        cameras=replace(head, cameras=others),
+        hand_eye=replace(hand_eye, flange_from_camera=hand_eye.flange_from_camera @ turn),
+    )
+    return replace(truth, calibration=calibration, camera_from_projector=back @ truth.camera_from_projector)
 
 
 def _renamed(transform: RigidTransform, to_frame: str, from_frame: str) -> RigidTransform:

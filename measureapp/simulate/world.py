@@ -17,7 +17,7 @@ from measureapp.simulate.optics import Lights, PrintedBoard, Surface, exposed, p
 from measureapp.simulate.options import WorldOptions
 from measureapp.simulate.part import Part
 from measureapp.simulate.sensor import read_out
-from measureapp.simulate.truth import Truth, draw_truth
+from measureapp.simulate.truth import Truth, draw_truth, knocked
 
 PAPER_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
 Held = Literal["empty", "board", "part"]
@@ -26,6 +26,7 @@ DARK = -2
 HOME_MM = (450.0, 0.0, 600.0)
 POSE_STEP_MM, GUIDE_STEP_MM, TABLE_STEP_RAD = 1e-4, 1e-4, float(np.deg2rad(1e-5))  # resolution of the displays
 QUATERNION_DIGITS = 9
+SELF_HEATING_K = 14.0  # of a camera that runs since an hour
 
 
 class World:
@@ -56,6 +57,8 @@ class World:
         self.board = board
         self.options = options or WorldOptions()
         self._truth = draw_truth(description, board, self.options.errors, seed)
+        for camera, turn_deg in self.options.knocked_deg.items():
+            self._truth = knocked(self._truth, camera, np.deg2rad(turn_deg))
         self._lock = threading.RLock()
         self._moves = np.random.default_rng([seed, 101])
         self._noise_key = int(np.random.default_rng([seed, 102]).integers(2**31)) << 31
@@ -150,6 +153,12 @@ class World:
     def shown(self) -> int:
         """What is shown."""
         return self._shown
+
+    # warmth
+
+    def housing_c(self) -> float:
+        """Return how warm the cameras' housings are."""
+        return self.options.temperature_c + SELF_HEATING_K
 
     # images
 

@@ -38,6 +38,9 @@ def connect(description: RigDescription, settings: Mapping[str, object]) -> Rig:
         raise DeviceError(
             f"Virtual rig: setting {first_problem(error, 'settings')}.", "Correct it in the rig's driver_settings."
         ) from error
+    strangers = sorted(set(chosen.world.knocked_deg) - {camera.name for camera in description.cameras})
+    if strangers:
+        raise DeviceError(f"Virtual rig: setting world.knocked_deg names camera {strangers[0]!r}.", "Name cameras of this rig.")
     world = World(description, make_part(chosen.part), chosen.seed, chosen.board, chosen.world)
     return rig_of(world, ScaledClock(chosen.time_scale))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from measureapp.arrays import ImageArray
+from measureapp.data.conditions import LensSetting
 from measureapp.data.rig import CameraDescription
 from measureapp.devices.camera import GrabbedImage
 from measureapp.errors import DeviceError, LimitError
@@ -48,6 +49,14 @@ class VirtualCamera:
         pixels = self._world.image(self.name, self._exposure_us)
         self._frames += 1
         return GrabbedImage(pixels, self._frames, self._exposure_us, self.serial, self._world.shown)
+
+    def temperature_c(self) -> float | None:
+        """Read the temperature of the housing back, to the tenth of a degree of its thermometer."""
+        return round(self._world.housing_c(), 1)
+
+    def lens(self) -> LensSetting:
+        """Read back how the lens is set: a lens that is set by hand tells nothing."""
+        return LensSetting()
 
     def stop(self) -> None:
         """Stop now, from any thread; a waiting `grab` then raises Cancelled."""

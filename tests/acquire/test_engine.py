@@ -6,6 +6,7 @@ import pytest
 from measureapp.acquire.capture import capture_board
 from measureapp.acquire.engine import Engine
 from measureapp.acquire.events import RunEnded, RunStarted, ViewpointFailed, ViewpointStarted, ViewpointStored
+from measureapp.data.conditions import LensSetting
 from measureapp.data.plan import ExposureBracket, FlangePose, ScanPlan, Viewpoint
 from measureapp.devices.camera import GrabbedImage
 from measureapp.devices.rig import Rig
@@ -65,6 +66,12 @@ class FakeCamera:
             shown -= 1
         pixels = np.full((HEIGHT, WIDTH), min(255, int(self.exposure * self.level_per_us)), np.uint8)
         return GrabbedImage(pixels, self.frames, self.exposure, self.serial, shown)
+
+    def temperature_c(self):
+        return None
+
+    def lens(self):
+        return LensSetting()
 
     def stop(self):
         pass

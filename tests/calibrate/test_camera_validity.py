@@ -70,7 +70,8 @@ def test_another_image_size_and_a_missing_camera_are_named_together(calibration)
         (Provenance("2031-03-01T08:00:00", valid_days=30), None, "has expired"),
         (Provenance("yesterday", valid_days=30), None, "cannot be read"),
         (Provenance("2035-01-01T08:00:00+00:00"), None, "future"),
-        (Provenance("2031-05-01T08:00:00+00:00", temperature_c=21), 26.5, "26.5 °C now"),
+        (Provenance("2031-05-01T08:00:00+00:00", temperature_c=21), 26.5, "26.5 °C at the head"),
+        (Provenance("2031-01-01T08:00:00+00:00", temperature_c=21), 22.0, "valid for 90 days and has expired"),
     ],
 )
 def test_age_and_temperature_are_judged(provenance, temperature_c, said):

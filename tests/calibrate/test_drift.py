@@ -1,43 +1,89 @@
-"""A head whose cameras moved is found from the epipolar residuals of a scan."""
+"""A camera that turned since the calibration is found from the contradictions of a scan, and named."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
-from measureapp.calibrate.drift import epipolar_drift
-from measureapp.errors import CalibrationError
+from measureapp.calibrate.drift import DRIFTED_FACTOR, WATCH_FACTOR, camera_drift
+from measureapp.data.camera_shift import ShiftEvidence, together
 
-DISTANCE_MM = 550.0
-
-
-def residuals(generator, sigma_px, offset_px=0.0):
-    wrong = generator.uniform(-20, 20, 50)  # wrong matches
-    return np.concatenate([generator.normal(offset_px, sigma_px, 2000), wrong])
+NAMES = ("left", "right", "upper")
+FOCAL_PX, SIGMA_PX, SAMPLES = 2000.0, 0.1, 2000
+RMS_PX = 0.1
 
 
-def test_the_noise_of_a_good_calibration_is_good(head, generator):
-    finding = epipolar_drift(0.1, residuals(generator, 0.12), head, DISTANCE_MM)
-    assert finding.verdict == "good"
-    assert finding.residual_px == pytest.approx(0.12, rel=0.1)
+@pytest.fixture
+def calibrated(head):
+    from dataclasses import replace
+
+    return replace(head, cameras={name: replace(camera, rms_px=RMS_PX) for name, camera in head.cameras.items()})
 
 
-def test_a_knocked_head_is_found_and_told_in_pixels_and_millimetres(head, generator):
-    finding = epipolar_drift(0.1, residuals(generator, 0.12, 1.5), head, DISTANCE_MM)
-    assert finding.verdict == "drifted"
-    assert finding.error_mm == pytest.approx(1.5 * DISTANCE_MM / head.cameras["left"].pinhole.matrix[0, 0], rel=0.05)
-    assert "px" in finding.sentence and "mm" in finding.sentence and "calibrate them again" in finding.sentence
+def evidence(generator, turned=None, alike=1.0) -> ShiftEvidence:
+    """One view: residuals of noise ``SIGMA_PX``, each camera's turn with a field of its own; ``alike`` 0 makes those of two the same."""
+    fields = generator.normal(size=(SAMPLES, 9)) * FOCAL_PX
+    fields[:, 3:6] = (1 - alike) * fields[:, :3] + alike * fields[:, 3:6]
+    residuals = generator.normal(0.0, SIGMA_PX, SAMPLES)
+    for name, turn in (turned or {}).items():
+        first = 3 * NAMES.index(name)
+        residuals += fields[:, first : first + 3] @ turn
+    design, residuals = fields / SIGMA_PX, residuals / SIGMA_PX
+    square = np.broadcast_to(np.eye(3), (3, 3, 3))
+    return ShiftEvidence(
+        NAMES,
+        SAMPLES,
+        design.T @ design,
+        design.T @ residuals,
+        float(residuals @ residuals),
+        SAMPLES,
+        square * FOCAL_PX**2,
+        square * 550.0**2,
+    )
 
 
-def test_a_small_change_asks_for_a_check(head, generator):
-    assert epipolar_drift(0.1, residuals(generator, 0.12, 0.25), head, DISTANCE_MM).verdict == "watch"
+def turn_of(size_px):
+    return np.array([0.0, size_px / FOCAL_PX, 0.0])
 
 
-def test_a_calibration_that_left_next_to_nothing_does_not_cry_wolf(head, generator):
-    assert epipolar_drift(0.001, residuals(generator, 0.06), head, DISTANCE_MM).verdict == "good"
+def test_noise_alone_is_good_and_as_small_as_noise_lets_it_be(calibrated, generator):
+    found = camera_drift([evidence(generator) for _ in range(4)], calibrated)
+    assert found.standing == "good" and found.cameras == ()
+    assert found.shift_px < 5 * SIGMA_PX * np.sqrt(3 / (4 * SAMPLES))  # five standard deviations of three fitted angles
+    assert "stand as they were calibrated" in found.sentence
 
 
-@pytest.mark.parametrize("given", [np.zeros(10), np.full(500, np.nan)])
-def test_too_few_or_missing_residuals_are_refused(head, given):
-    with pytest.raises(CalibrationError, match="do not tell"):
-        epipolar_drift(0.1, given, head, DISTANCE_MM)
+@pytest.mark.parametrize("name", NAMES)
+def test_the_camera_that_turned_is_named_in_pixels_and_millimetres(calibrated, generator, name):
+    size = 1.5 * DRIFTED_FACTOR * RMS_PX
+    found = camera_drift([evidence(generator, {name: turn_of(size)}) for _ in range(3)], calibrated)
+    assert (found.standing, found.cameras) == ("drifted", (name,))
+    assert found.shift_px == pytest.approx(size, rel=0.05)
+    assert found.error_mm == pytest.approx(550.0 * size / FOCAL_PX, rel=0.05)
+    assert f"Camera {name} has turned" in found.sentence and "calibrate the cameras again" in found.sentence
+
+
+def test_a_small_turn_asks_for_a_check_only(calibrated, generator):
+    found = camera_drift([evidence(generator, {"right": turn_of(0.5 * (WATCH_FACTOR + DRIFTED_FACTOR) * RMS_PX)})], calibrated)
+    assert (found.standing, found.cameras) == ("watch", ("right",))
+    assert "board" in found.sentence
+
+
+def test_cameras_that_the_images_cannot_tell_apart_are_both_named(calibrated, generator):
+    found = camera_drift([evidence(generator, {"left": turn_of(1.0)}, alike=0.0)], calibrated)
+    assert set(found.cameras) == {"left", "right"}
+    assert "One of the cameras" in found.sentence
+
+
+def test_without_evidence_nothing_is_claimed(calibrated):
+    found = camera_drift([], calibrated)
+    assert (found.standing, found.cameras) == ("unknown", ())
+    assert "cannot tell" in found.sentence
+
+
+def test_the_evidence_of_views_adds_up(generator):
+    views = [evidence(generator, {"upper": turn_of(0.4)}) for _ in range(2)]
+    whole = together(views)
+    np.testing.assert_allclose(whole.information, views[0].information + views[1].information)
+    assert (whole.samples, whole.freedom) == (2 * SAMPLES, 2 * SAMPLES)
+    np.testing.assert_allclose(whole.image_px2, views[0].image_px2)

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.calibrate.options import NO_BOARD, BoardChoice, CamerasOption, ImagesOption, OutOption, RobotPosesOption, with_board
-from measureapp.cli.calibrate.pose_options import AnglesOption, GuidePositionsOption
+from measureapp.cli.calibrate.options import NO_BOARD, BoardChoice, CamerasOption, ImagesOption, OutOption, with_board
 from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.cli.reply import JsonOption, TerminalProgress, jsonable, reply
 from measureapp.errors import InputError, MeasureError
@@ -19,16 +18,27 @@ if TYPE_CHECKING:
     from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
 
 
+CheckRobotPoses = Annotated[Path | None, typer.Option("--robot-poses", help="base_from_flange: name,x_mm,y_mm,z_mm,qw,qx,qy,qz.")]
+CheckGuidePositions = Annotated[Path | None, typer.Option("--guide-positions", help="Slide positions: name,position_mm.")]
+CheckAngles = Annotated[
+    Path | None, typer.Option("--angles", help="Table angles: position,angle_deg, in the order of the sorted robot pose names.")
+]
+
+
 def register(group: typer.Typer) -> None:
     """Add the command."""
 
     @group.command()
     @with_board
     def check(
-        calibration: Annotated[Path, typer.Option(help="What `calibrate rig --out` wrote.")],
-        robot_poses: RobotPosesOption,
-        guide_positions: GuidePositionsOption,
-        angles: AnglesOption,
+        project: Annotated[
+            Path | None, typer.Option("--project", help="Project whose calibration and board are checked on its rig; needs no files.")
+        ] = None,
+        rig: Annotated[str | None, typer.Option("--rig", help="With --project: another description of its rig.")] = None,
+        calibration: Annotated[Path | None, typer.Option(help="What `calibrate rig --out` wrote.")] = None,
+        robot_poses: CheckRobotPoses = None,
+        guide_positions: CheckGuidePositions = None,
+        angles: CheckAngles = None,
         images: ImagesOption = None,
         cameras: CamerasOption = None,
         board: BoardChoice = NO_BOARD,
@@ -36,20 +46,54 @@ def register(group: typer.Typer) -> None:
         out: OutOption = None,
         as_json: JsonOption = False,
     ) -> None:
-        """Compare a few views of a board on the table with the calibrated rig; exit code 1 where it no longer holds."""
-        from measureapp.calibrate.quick_check import quick_check
-        from measureapp.cli.calibrate.pose_options import rig_sightings
+        """Compare a few views of a board on the table with the calibrated rig; exit code 1 where it no longer holds.
+
+        With --project the rig takes the views itself; otherwise they come from files.
+        """
         from measureapp.project.atomic import write_json
 
-        tables = (robot_poses, guide_positions, angles)
-        observations, seen = rig_sightings(tables, images, cameras, board, "the check of the rig", TerminalProgress())
-        found = quick_check(observations, read_rig_answer(calibration, seen.cameras), seen.board, limit_mm=limit_mm)
-        document = check_answer(found) | {"images_rejected": seen.rejected}
+        files = {"--calibration": calibration, "--robot-poses": robot_poses, "--guide-positions": guide_positions, "--angles": angles}
+        if project is not None:
+            surplus = [name for name, value in ({**files, "--images": images, "--cameras": cameras}).items() if value is not None]
+            if surplus:
+                raise InputError(f"{surplus[0]} does not go with --project.", "Check the rig of a project, or give all files.")
+            document = check_answer(_checked_on_rig(project, rig, limit_mm)) | {"images_rejected": []}
+        else:
+            missing = [name for name, value in files.items() if value is None]
+            if calibration is None or robot_poses is None or guide_positions is None or angles is None:
+                raise InputError(f"{missing[0]} is missing.", "Give it, or check the rig of a project with --project DIR.")
+            tables = (robot_poses, guide_positions, angles)
+            document = _checked_files(calibration, tables, images, cameras, board, limit_mm)
         if out is not None:
             write_json(out, {"schema_version": 1, **jsonable(document)})
         reply(document, "\n".join(_lines(document)), as_json)
-        if not found.good:
+        if not document["good"]:
             raise typer.Exit(OUT_OF_TOLERANCE)
+
+
+def _checked_on_rig(folder: Path, rig: str | None, limit_mm: float) -> QuickCheck:
+    from measureapp.devices.connect import connect_rig
+    from measureapp.pipeline.board_check import check_with_board
+    from measureapp.project.folder import ProjectFolder
+    from measureapp.project.rig_file import read_rig
+
+    project = ProjectFolder.open(folder)
+    connected = connect_rig(project.rig() if rig is None else read_rig(rig))
+    try:
+        return check_with_board(project, connected, TerminalProgress(), limit_mm)
+    finally:
+        connected.close()
+
+
+def _checked_files(
+    calibration: Path, tables: tuple[Path, Path, Path], images: list[str] | None, cameras: Path | None, board: BoardChoice, limit_mm: float
+) -> dict[str, Any]:
+    from measureapp.calibrate.quick_check import quick_check
+    from measureapp.cli.calibrate.pose_options import rig_sightings
+
+    observations, seen = rig_sightings(tables, images, cameras, board, "the check of the rig", TerminalProgress())
+    found = quick_check(observations, read_rig_answer(calibration, seen.cameras), seen.board, limit_mm=limit_mm)
+    return check_answer(found) | {"images_rejected": seen.rejected}
 
 
 def read_rig_answer(path: Path, cameras: CameraArrayCalibration) -> RigCalibration:

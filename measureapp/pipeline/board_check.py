@@ -1,0 +1,74 @@
+"""Is a project's calibration still good? A few views of the board on its rig tell, without a window."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from measureapp.acquire.capture import capture_board
+from measureapp.calibrate.board import find_board
+from measureapp.calibrate.board_pose import board_pose
+from measureapp.calibrate.joint import RigObservation
+from measureapp.calibrate.quick_check import LEAST_VIEWS, QuickCheck, quick_check
+from measureapp.data.board import BoardDescription, BoardView
+from measureapp.data.calibration import RigCalibration
+from measureapp.data.validity import CheckRecord
+from measureapp.devices.rig import Rig
+from measureapp.errors import CalibrationError
+from measureapp.pipeline.validity import check_before_scan
+from measureapp.planning.calibration_views import check_viewpoints
+from measureapp.progress import Progress
+from measureapp.project.documents import calibration_id
+from measureapp.project.folder import ProjectFolder
+
+
+def check_with_board(project: ProjectFolder, rig: Rig, progress: Progress, limit_mm: float = 0.5) -> QuickCheck:
+    """Take a few views of the board, keep them, compare them with the project's calibration, and note the verdict in its history.
+
+    Raises
+    ------
+    CalibrationError
+        There is no calibration, it is of other cameras, or the board is seen in too few views.
+    DeviceError
+        From the rig.
+    """
+    calibration = project.needed_calibration()
+    check_before_scan(rig, calibration)
+    viewpoints = check_viewpoints(rig.description, project.plan())
+    views: list[BoardView] = []
+    rig.place_on_table("board")
+    for index, viewpoint in enumerate(viewpoints):
+        progress.report(index, len(viewpoints), f"board from {viewpoint.id}")
+        views.append(capture_board(rig, viewpoint))
+    at = max(view.conditions.taken_at for view in views if view.conditions is not None)
+    for view in views:
+        project.save_check_view(at.replace(":", "").replace("+0000", ""), view)
+    found = compare_board(views, calibration, project.settings.board, limit_mm)
+    progress.report(1, 1, "checked")
+    worst = max(view.deviation_mm for view in found.views)
+    warm = rig.conditions(at).temperature_c
+    standing = "good" if found.good else "drifted"
+    named = calibration_id(calibration)
+    project.record_check(CheckRecord(at, "board check", named, standing, found.sentence, error_mm=worst, temperature_c=warm))
+    return found
+
+
+def compare_board(views: Sequence[BoardView], calibration: RigCalibration, board: BoardDescription, limit_mm: float = 0.5) -> QuickCheck:
+    """Compare views of the board with a calibration. Raises CalibrationError where too few show the board, with the reason of each."""
+    observations, missed = [], []
+    for view in views:
+        found = {}
+        for camera, pixels in view.images.items():
+            try:
+                found[camera] = find_board(pixels, board)
+            except CalibrationError as error:
+                missed.append(f"{view.viewpoint_id} ({camera}): {error.message}")
+        if found:
+            corners, ids = {name: one.corners_px for name, one in found.items()}, {name: one.ids for name, one in found.items()}
+            pose = board_pose(corners, calibration.cameras, board, ids=ids)
+            observations.append(RigObservation(view.viewpoint_id, view.readback, pose))
+    if len(observations) < LEAST_VIEWS:
+        raise CalibrationError(
+            f"The board is seen in {len(observations)} of {len(views)} views: " + " ".join(missed),
+            "Put the board of the calibration on the table, facing the head, and light it.",
+        )
+    return quick_check(observations, calibration, board, limit_mm=limit_mm)
