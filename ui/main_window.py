@@ -11,9 +11,9 @@ from PySide6.QtWidgets import QFileDialog, QMainWindow, QMessageBox, QStackedWid
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
-from ui.look.wording import millimetres, part_words, several, storage, when
+from ui.look.wording import part_words, several, storage
 from ui.pages.calibration import CalibrationPage
-from ui.pages.calibration_rows import solution_rows, worst_residual_mm
+from ui.pages.calibration_chip import calibration_state
 from ui.pages.clouds import CloudsPage
 from ui.pages.inspection import InspectionPage
 from ui.pages.page import Page
@@ -194,15 +194,8 @@ class MainWindow(QMainWindow):
             self.header.devices.show_state("Virtual rig" if rig.driver == "virtual_rig" else rig.name, "verdict_pass", rig.name)
 
     def _show_calibration(self) -> None:
-        calibration = self.session.calibration
-        if calibration is None:
-            self.header.calibration.show_state("Not calibrated", "verdict_not_proven", "Run the demo to calibrate the virtual rig")
-            return
-        good = all(found.good for found in solution_rows(calibration, self.session.rig))
-        age = when(calibration.provenance.created) or "before"
-        words = f"Calibrated {age} · {millimetres(worst_residual_mm(calibration))} {'✓' if good else '✗'}"
-        tip = "Age of the calibration, and the largest residual of hand–eye, guide and axis in mm"
-        self.header.calibration.show_state(words, "verdict_pass" if good else "verdict_fail", tip)
+        state = calibration_state(self.session.calibration, self.session.rig, self.session.validity)
+        self.header.calibration.show_state(state.words, state.colour, state.tip)
 
     def _show_disk(self) -> None:
         folder = self.session.folder or Path.home()

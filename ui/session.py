@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import Inspection, Measurement, ViewResult
     from measureapp.data.plan import ScanPlan
     from measureapp.data.rig import RigDescription
+    from measureapp.data.validity import Validity
     from measureapp.inspection.deviation import Deviation
 
 Level = Literal["info", "done", "warning", "error"]
@@ -103,6 +104,7 @@ class Session(QObject):
         self.folder: Path | None = None
         self.plan: ScanPlan | None = None
         self.calibration: RigCalibration | None = None
+        self.validity: Validity | None = None
         self.viewpoints: dict[str, ViewpointState] = {}
         self.views: tuple[ViewResult, ...] = ()
         self.stitched: StitchedCloud | None = None
@@ -145,6 +147,11 @@ class Session(QObject):
         self.calibration = calibration
         self.calibrationChanged.emit()
 
+    def set_validity(self, validity: Validity | None) -> None:
+        """Tell whether the calibration may be trusted."""
+        self.validity = validity
+        self.calibrationChanged.emit()
+
     def start_viewpoints(self, ids: tuple[str, ...]) -> None:
         """Show these viewpoints as waiting, in scan order."""
         self.viewpoints = {id_: ViewpointState(id_) for id_ in ids}
@@ -185,6 +192,7 @@ class Session(QObject):
         self.measurement = measurement
         self.files = dict(files)
         self.calibration = measurement.calibration
+        self.validity = measurement.validity
         self.views = measurement.views
         self.stitched = measurement.stitched
         self.inspection = measurement.inspection

@@ -11,7 +11,7 @@ from measureapp.calibrate.joint import RigObservation
 from measureapp.calibrate.quick_check import LEAST_VIEWS, QuickCheck, quick_check
 from measureapp.data.board import BoardDescription, BoardView
 from measureapp.data.calibration import RigCalibration
-from measureapp.data.validity import CheckRecord
+from measureapp.data.validity import CheckRecord, Standing
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError
 from measureapp.pipeline.validity import check_before_scan
@@ -33,7 +33,7 @@ def check_with_board(project: ProjectFolder, rig: Rig, progress: Progress, limit
     """
     calibration = project.needed_calibration()
     check_before_scan(rig, calibration)
-    viewpoints = check_viewpoints(rig.description, project.plan())
+    viewpoints = check_viewpoints(rig.description)
     views: list[BoardView] = []
     rig.place_on_table("board")
     for index, viewpoint in enumerate(viewpoints):
@@ -46,7 +46,7 @@ def check_with_board(project: ProjectFolder, rig: Rig, progress: Progress, limit
     progress.report(1, 1, "checked")
     worst = max(view.deviation_mm for view in found.views)
     warm = rig.conditions(at).temperature_c
-    standing = "good" if found.good else "drifted"
+    standing: Standing = "good" if found.good else "drifted"
     named = calibration_id(calibration)
     project.record_check(CheckRecord(at, "board check", named, standing, found.sentence, error_mm=worst, temperature_c=warm))
     return found

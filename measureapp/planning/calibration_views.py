@@ -13,8 +13,8 @@ from measureapp.planning.viewpoints import Gaze, viewpoint_looking_at
 BOARD_ABOVE_TABLE_MM = 90.0  # centre of a board on its stand, tilted 45° towards the robot
 BOARD_ELEVATION_DEG = 45.0
 POSES = 26
-CHECK_VIEWS, CHECK_TURNS = 4, (2, 3, 4, 3)  # which of the table's angles below, counted from 1
 STATION_ANGLES_DEG = (-50.0, -25.0, 0.0, 25.0, 50.0)
+CHECK_ANGLES_DEG = (-12.0, 0.0, 12.0, 0.0)
 
 
 def calibration_viewpoints(rig: RigDescription, plan: ScanPlan | None = None) -> tuple[Viewpoint, ...]:
@@ -30,25 +30,11 @@ def calibration_viewpoints(rig: RigDescription, plan: ScanPlan | None = None) ->
     return tuple(viewpoint for viewpoint in candidates if not obstacles(viewpoint, rig))
 
 
-def check_viewpoints(rig: RigDescription, plan: ScanPlan | None = None) -> tuple[Viewpoint, ...]:
-    """Return a few viewpoints of the calibration that differ in every axis, so that each link of the chain is tested.
-
-    Where the plan has stations they are taken, for there the robot's error is known and the board must lie within hundredths.
-    """
-    every = calibration_viewpoints(rig, plan)
-    stations = [viewpoint for viewpoint in every if viewpoint.id.startswith("station")]
-    first = {(viewpoint.flange, viewpoint.guide_mm): viewpoint.id.split("-")[0] for viewpoint in stations}
-    if len(first) >= CHECK_VIEWS:
-        places = sorted(set(first.values()))
-        chosen = [places[round(step * (len(places) - 1) / (CHECK_VIEWS - 1))] for step in range(CHECK_VIEWS)]
-        ids = [f"{place}-{turn}" for place, turn in zip(chosen, CHECK_TURNS, strict=True)]
-        taken = [viewpoint for viewpoint in stations if viewpoint.id in ids]
-        if len(taken) == CHECK_VIEWS:
-            return tuple(taken)
-    poses = [viewpoint for viewpoint in every if viewpoint.id.startswith("pose")]
-    spread = [poses[round(step * (len(poses) - 1) / (CHECK_VIEWS - 1))] for step in range(CHECK_VIEWS)]
-    turns = (STATION_ANGLES_DEG[turn - 1] / 2.0 for turn in CHECK_TURNS)
-    return tuple(viewpoint.model_copy(update={"table_deg": turn}) for viewpoint, turn in zip(spread, turns, strict=True))
+def check_viewpoints(rig: RigDescription) -> tuple[Viewpoint, ...]:
+    """Return a few poses of the calibration, the table turned a little, which differ in every axis: each link of the chain is tested."""
+    poses = [viewpoint for viewpoint in calibration_viewpoints(rig) if viewpoint.id.startswith("pose")]
+    spread = [poses[round(step * (len(poses) - 1) / (len(CHECK_ANGLES_DEG) - 1))] for step in range(len(CHECK_ANGLES_DEG))]
+    return tuple(viewpoint.model_copy(update={"table_deg": angle}) for viewpoint, angle in zip(spread, CHECK_ANGLES_DEG, strict=True))
 
 
 def _poses(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:

@@ -12,7 +12,7 @@ from ui.workers.job import Job
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from measureapp.acquire.events import Event, ImageTaken, RunEnded
+    from measureapp.acquire.events import Event, ImageTaken, RunEnded, ValidityKnown
 
 
 class RunEvents(QObject):
@@ -63,6 +63,8 @@ class RunEvents(QObject):
                 session.set_stitched(event.stitched)
             case e.InspectionReady():
                 session.set_inspection(event.inspection)
+            case e.ValidityKnown():
+                self._judged(event)
             case e.RunEnded():
                 self._ended(event)
 
@@ -70,6 +72,16 @@ class RunEvents(QObject):
         known = self._session.viewpoints.get(event.viewpoint_id)
         if known is not None and known.status in {"waiting", "moving"}:
             self._session.set_viewpoint(event.viewpoint_id, "capturing")
+
+    def _judged(self, event: ValidityKnown) -> None:
+        """Tell age and temperature before the scan, and a camera that moved after it."""
+        self._session.set_validity(event.validity)
+        drift = event.validity.drift
+        if drift is None:
+            for warning in event.validity.warnings:
+                self._session.tell(warning, "", "warning")
+        elif drift.standing in ("watch", "drifted"):
+            self._session.tell(drift.sentence, "", "error" if drift.standing == "drifted" else "warning")
 
     def _ended(self, event: RunEnded) -> None:
         if event.reason == "failed":

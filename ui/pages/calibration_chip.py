@@ -1,0 +1,62 @@
+"""The calibration at a glance: how old, how good in millimetres, and what speaks against it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING
+
+from ui.look.wording import millimetres, when
+from ui.pages.calibration_rows import solution_rows, worst_residual_mm
+
+if TYPE_CHECKING:
+    from measureapp.data.calibration import RigCalibration
+    from measureapp.data.rig import RigDescription
+    from measureapp.data.validity import Validity
+
+NONE_TIP = "Run the demo to calibrate the virtual rig"
+RESIDUAL_TIP = "Age of the calibration, and the largest residual of hand–eye, guide and axis in mm."
+
+
+@dataclass(frozen=True)
+class ChipState:
+    """What the chip shows."""
+
+    words: str
+    colour: str
+    tip: str
+
+
+def calibration_state(
+    calibration: RigCalibration | None, rig: RigDescription | None, validity: Validity | None, now: datetime | None = None
+) -> ChipState:
+    """Return what the header says of the calibration: the gravest thing first."""
+    if calibration is None:
+        return ChipState("Not calibrated", "verdict_not_proven", NONE_TIP)
+    age = when(calibration.provenance.created, now) or "before"
+    reasons = _reasons(calibration, rig, validity, now)
+    drift = None if validity is None else validity.drift
+    if drift is not None and drift.standing in ("watch", "drifted"):
+        who = " or ".join(drift.cameras)
+        colour, mark = ("verdict_fail", "✗") if drift.standing == "drifted" else ("verdict_not_proven", "!")
+        return ChipState(f"Camera {who} moved · {millimetres(drift.error_mm)} {mark}", colour, "\n".join(reasons))
+    residual = millimetres(worst_residual_mm(calibration))
+    if reasons:
+        return ChipState(f"Calibrated {age} · check it !", "verdict_not_proven", "\n".join(reasons))
+    good = all(found.good for found in solution_rows(calibration, rig))
+    tip = RESIDUAL_TIP if drift is None else f"{RESIDUAL_TIP}\n{drift.sentence}"
+    return ChipState(f"Calibrated {age} · {residual} {'✓' if good else '✗'}", "verdict_pass" if good else "verdict_fail", tip)
+
+
+def _reasons(calibration: RigCalibration, rig: RigDescription | None, validity: Validity | None, now: datetime | None) -> tuple[str, ...]:
+    """What the last scan said, and whether the calibration expired since."""
+    from measureapp.calibrate.camera_validity import shortfalls
+
+    told = () if validity is None else validity.told
+    moment = now or datetime.now(UTC)
+    aged = (
+        shortfalls(calibration.provenance, moment)
+        if rig is None
+        else shortfalls(calibration.provenance, moment, None, rig.calibration_rules)
+    )
+    return tuple(dict.fromkeys((*told, *aged)))
