@@ -17,7 +17,8 @@ from measureapp.data.validity import Drift, Standing
 WATCH_FACTOR, DRIFTED_FACTOR = 1.0, 3.0  # of the residual that the calibration left
 LEAST_EXPECTED_PX = 0.02  # what defocus and response of the projector do to phases differs a little from camera to camera
 UNKNOWN_PX = 0.1  # where the calibration does not say what it left
-TELLING = 0.05  # of the variance of the noise, per residual: the errors of a good calibration explain less
+TELLING = 0.05  # of the variance of the noise, per residual: the errors of a good calibration explain less,
+APART = 0.02  # and speak by less for one camera against another
 WEAKEST_RAD = float(np.deg2rad(1.0))  # prior of a turn; only bounds what the images do not determine
 
 
@@ -57,7 +58,7 @@ def camera_drift(evidence: Sequence[ShiftEvidence], cameras: CameraArrayCalibrat
     expected = max(left, LEAST_EXPECTED_PX)
     standing = _standing(best, expected, whole)
     noise = max(1.0, best.misfit / max(whole.freedom, 1))
-    likely = tuple(turn.camera for turn in ranked if turn.misfit - best.misfit <= TELLING * noise * whole.freedom)
+    likely = tuple(turn.camera for turn in ranked if turn.misfit - best.misfit <= APART * noise * whole.freedom)
     named = () if standing == "good" else likely
     sentence = _sentence(standing, named, best, expected)
     return Drift(standing, sentence, named, best.shift_px, expected, best.error_mm, best.turn_deg)

@@ -66,6 +66,7 @@ def register(app: typer.Typer) -> None:
             )
         write_cloud(out, made.cloud)
         document = {**_document(made, out), "findings": [asdict(finding) for finding in findings], "projector": agreement}
+        document["validity"] = _validity(maps, calibration)
         reply(document, _lines(document), as_json)
 
 
@@ -79,6 +80,24 @@ def diagnosed(maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration)
             raise finding.error()
         say(f"Note: {finding.message} {finding.remedy}")
     return findings
+
+
+def _validity(maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration) -> dict[str, Any]:
+    """Return whether the calibration has expired and whether a camera moved since, also said aloud; images in files have no date."""
+    from datetime import UTC, datetime
+
+    from measureapp.calibrate.camera_validity import shortfalls
+    from measureapp.calibrate.drift import camera_drift
+    from measureapp.data.validity import Validity
+    from measureapp.reconstruct.camera_shift import camera_shift
+    from measureapp.report.json_document import validity_document
+
+    shift = camera_shift(maps, calibration)
+    drift = camera_drift([] if shift is None else [shift], calibration)
+    validity = Validity(shortfalls(calibration.provenance, datetime.now(UTC)) if calibration.provenance.valid_days else (), drift)
+    for sentence in validity.told:
+        say(f"Calibration: {sentence}")
+    return validity_document(validity)
 
 
 def _made(

@@ -41,7 +41,7 @@ class CheckRecord:
     """One line of a calibration's history."""
 
     at: str  # ISO 8601, when the images were taken
-    kind: Literal["calibration", "scan", "board check"]
+    kind: Literal["scan", "board check"]
     calibration: str  # its id
     standing: Standing
     sentence: str

@@ -251,10 +251,13 @@ def assemble(
     RegistrationError
         No view gave a cloud worth stitching.
     """
+    validity = validity_of(project, calibrated, views)
+    on_event(ValidityKnown(validity))
     good = [view for view in views if view.quality.accepted]
     if not good:
         reasons = "; ".join(sorted({view.quality.reason for view in views})) or "no view gave points"
-        raise RegistrationError(f"There is nothing to stitch: {reasons}.", "Look at the images; change exposures or viewpoints.")
+        told = " ".join(("", *validity.told))
+        raise RegistrationError(f"There is nothing to stitch: {reasons}.{told}", "Look at the images; change exposures or viewpoints.")
     with watch.stage("stitching"):
         clouds, placed = [view.cloud for view in good], [view.part_from_camera for view in good]
         standing = stations([view.readback for view in good])
@@ -267,8 +270,6 @@ def assemble(
         inspection = _inspected(project, stitched, inspection_settings(calibrated, project.rig(), good), PartOf(progress, 0.7, 0.9))
     if inspection is not None:
         on_event(InspectionReady(inspection))
-    validity = validity_of(project, calibrated, views)
-    on_event(ValidityKnown(validity))
     plan = project.plan()
     measurement = Measurement(
         project=project.name,

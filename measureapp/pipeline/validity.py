@@ -55,6 +55,15 @@ def validity_of(project: ProjectFolder, calibration: RigCalibration, views: Sequ
     return Validity(warnings, drift, temperature)
 
 
+def known_validity(project: ProjectFolder, calibration: RigCalibration, measured: Validity | None) -> Validity:
+    """Return what is known of the calibration when a project is opened: from its measurement, and a check with the board after it."""
+    lines = [line for line in project.calibration_history() if line.calibration == calibration_id(calibration)]
+    found = measured or Validity()
+    if lines and lines[-1].kind == "board check" and lines[-1].standing != "good":
+        return replace(found, warnings=(*found.warnings, lines[-1].sentence))
+    return found
+
+
 def _line(at: str, calibration: RigCalibration, drift: Drift, temperature_c: float | None) -> CheckRecord:
     line = CheckRecord(at, "scan", calibration_id(calibration), drift.standing, drift.sentence, temperature_c=temperature_c)
     if drift.standing == "unknown":

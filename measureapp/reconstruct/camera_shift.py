@@ -23,6 +23,7 @@ LEAST_SAMPLES = 100
 SLOPE_PX = 2.0  # half the length over which the slope of the phase is taken
 WHOLE = 0.999  # share of valid pixels under an interpolated phase
 LARGEST_PX = 20.0  # a phase further off is another surface's
+ROUNDS, WEAKEST_RAD = 3, float(np.deg2rad(1.0))  # of the rejection; the prior of its turns bounds what the phases do not determine
 OUTLIER = 5.0  # robust standard deviations; beyond them a sample is a wrong match or lies beside an edge
 
 
@@ -45,7 +46,10 @@ def camera_shift(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibra
     both = len(across) == len(names)
     if names[0] != cameras.reference or (len(names) - 1) * (1 + both) < 2:
         return None
-    points, pixels = _matched(phase_maps[names[0]], phase_maps[names[1]], cameras)
+    samples = Samples.of(phase_maps[names[0]])
+    if len(samples) < LEAST_SAMPLES:
+        return None
+    points, pixels = _matched(samples, names[:2], phase_maps[names[1]], cameras)
     if len(points) < LEAST_SAMPLES:
         return None
     equations = [_equations(names, phase_maps, points, pixels, cameras)]
@@ -54,10 +58,9 @@ def camera_shift(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibra
     return _evidence(names, equations)
 
 
-def _matched(here: PhaseMap, there: PhaseMap, cameras: CameraArrayCalibration) -> tuple[FloatArray, FloatArray]:
+def _matched(samples: Samples, pair: tuple[str, ...], there: PhaseMap, cameras: CameraArrayCalibration) -> tuple[FloatArray, FloatArray]:
     """Points (N, 3) in the reference camera's frame and their pixels (N, 2) as (x, y), matched with one other camera."""
-    first, second = cameras.cameras[here.camera], cameras.cameras[there.camera]
-    samples = Samples.of(here)
+    first, second = cameras.cameras[pair[0]], cameras.cameras[pair[1]]
     matches = match_samples(samples, first, second, FlatView.of(there, second))
     flat, depth = matches.flat[matches.front], 1.0 / matches.inverse_depth[matches.front]
     points = np.column_stack([flat, np.ones(len(flat))]) * depth[:, None]
@@ -151,8 +154,7 @@ def _evidence(names: tuple[str, ...], equations: list[_Equations]) -> ShiftEvide
     depth = -np.einsum("ni,nij->nj", along, by_turn)  # what a turn does to the point's depth, mm/rad
     left = -(off - by_depth * np.einsum("ni,ni->n", along, off)[:, None])
     design = by_turn + by_depth[..., None] * depth[:, None, :]
-    size = np.linalg.norm(left, axis=1)
-    near = size <= OUTLIER * max(1.0, float(np.median(size)) / 0.6745)
+    near = _explained(left, design)
     left, design, depth = left[near], design[near], depth[near].reshape(-1, len(names), 3)
     own = np.concatenate([one.own[good][near] for one in equations])
     return ShiftEvidence(
@@ -165,6 +167,21 @@ def _evidence(names: tuple[str, ...], equations: list[_Equations]) -> ShiftEvide
         image_px2=np.einsum("nci,ncj->cij", own, own) / len(own),
         depth_mm2=np.einsum("nci,ncj->cij", depth, depth) / len(depth),
     )
+
+
+def _explained(left: FloatArray, design: FloatArray) -> BoolArray:
+    """Return which samples some turn of the cameras explains; the others are wrong matches or lie beside an edge.
+
+    Judged about a fit, not about zero: the samples that a turn moves most are the ones that tell most of it.
+    """
+    near = np.ones(len(left), bool)
+    prior = np.eye(design.shape[2]) / WEAKEST_RAD**2
+    for _ in range(ROUNDS):
+        information = np.einsum("nik,nil->kl", design[near], design[near]) + prior
+        turns = np.linalg.solve(information, np.einsum("nik,ni->k", design[near], left[near]))
+        size = np.linalg.norm(left - design @ turns, axis=1)
+        near = size <= OUTLIER * max(1.0, float(np.median(size)) / 0.6745)
+    return near
 
 
 def _covariance(equations: list[_Equations], good: BoolArray) -> FloatArray:

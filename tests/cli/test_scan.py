@@ -144,8 +144,8 @@ def test_a_calibration_at_another_resolution_is_refused(demo: Demo, plan: Path, 
     project = tmp_path / "p"
     refused(
         capsys,
-        "takes 2592 × 1944 px; its calibration is for 648 × 486 px",
-        "Calibrate at this resolution",
+        "gives 2592 × 1944 px, 648 × 486 px were calibrated",
+        "or calibrate them",
         *("scan", plan, "--rig", "paper", "--project", project, "--calibration", demo.folder),
     )
     assert not project.exists()
@@ -156,8 +156,8 @@ def test_a_calibration_of_another_camera_is_refused(demo: Demo, rig: Path, plan:
     other.write_text(rig.read_text().replace("VR-21000002", "VR-99"))
     refused(
         capsys,
-        "Camera 'right' is VR-99; its calibration is of VR-21000002",
-        "Calibrate this rig",
+        "camera 'right' has serial number VR-99, VR-21000002 was calibrated",
+        "or calibrate them",
         *("scan", plan, "--rig", other, "--project", tmp_path / "p", "--calibration", demo.folder),
     )
     assert not (tmp_path / "p").exists()

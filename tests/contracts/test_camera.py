@@ -54,3 +54,15 @@ def test_an_image_that_takes_too_long_is_a_timeout(slow_rig: Rig) -> None:
     camera.set_exposure_us(20_000)
     with pytest.raises(DeviceTimeout):
         camera.grab(timeout_s=0.001)
+
+
+def test_a_thermometer_says_a_temperature_and_a_camera_without_one_says_so(rig: Rig) -> None:
+    for camera in rig.cameras.values():
+        warm = camera.temperature_c()
+        assert warm is None or -40.0 < warm < 100.0
+
+
+def test_a_lens_tells_its_setting_or_nothing(rig: Rig) -> None:
+    for camera in rig.cameras.values():
+        setting = camera.lens()
+        assert all(value is None or value > 0 for value in (setting.focus_mm, setting.f_number))

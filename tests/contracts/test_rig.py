@@ -40,3 +40,11 @@ def test_all_devices_can_be_stopped_at_rest(rig: Rig) -> None:
     rig.stop_all()
     rig.guide.move_to(1.0, timeout_s=10.0)
     assert rig.guide.position_mm() == pytest.approx(1.0, abs=0.01)
+
+
+def test_the_conditions_name_every_camera_and_the_day(rig: Rig) -> None:
+    conditions = rig.conditions("2031-05-01T08:00:00+00:00")
+    assert conditions.taken_at == "2031-05-01T08:00:00+00:00"
+    assert conditions.serials == {name: camera.serial for name, camera in rig.cameras.items()}
+    reported = [value for camera in rig.cameras.values() if (value := camera.temperature_c()) is not None]
+    assert (conditions.temperature_c is None) == (not reported)

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import Measurement
     from measureapp.data.plan import ScanPlan
     from measureapp.data.rig import RigDescription
+    from measureapp.data.validity import Validity
     from measureapp.pipeline import Outcome
     from ui.workers.job import Job
 
@@ -34,6 +35,7 @@ class ReadProject:
     stored: tuple[str, ...]
     measurement: Measurement | None
     files: dict[str, Path]
+    validity: Validity | None
 
 
 class ProjectController(QObject):
@@ -81,6 +83,7 @@ class ProjectController(QObject):
             session.set_viewpoint(id_, "stored")
         if read.measurement is not None:
             session.set_measurement(read.measurement, read.files)
+        session.set_validity(read.validity)
         session.tell(f"{read.name} is open.", "", "done")
 
     @Slot(object)
@@ -92,6 +95,7 @@ class ProjectController(QObject):
 def read_project(folder: Path, job: Job) -> ReadProject:
     """Read all that a project folder holds; runs on a job's thread."""
     job.report(0, 3, "Reading the project")
+    from measureapp.pipeline.validity import known_validity
     from measureapp.project.folder import ProjectFolder
     from measureapp.project.results import MESH, STITCHED
 
@@ -118,4 +122,5 @@ def read_project(folder: Path, job: Job) -> ReadProject:
         project.stored_viewpoints(),
         measurement,
         {name: path for name, path in files.items() if path.exists()},
+        None if calibration is None else known_validity(project, calibration, None if measurement is None else measurement.validity),
     )
