@@ -19,7 +19,7 @@ from measureapp.data.camera_shift import ShiftEvidence
 from measureapp.data.phase import PhaseMap
 from measureapp.reconstruct.diagnose_sample import FlatView, Samples, match_samples
 
-LEAST_SAMPLES = 100
+SAMPLES, LEAST_SAMPLES = 700, 100  # matching them along whole epipolar lines takes most of the time; a scan has several views
 SLOPE_PX = 2.0  # half the length over which the slope of the phase is taken
 WHOLE = 0.999  # share of valid pixels under an interpolated phase
 LARGEST_PX = 20.0  # a phase further off is another surface's
@@ -46,7 +46,7 @@ def camera_shift(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibra
     both = len(across) == len(names)
     if names[0] != cameras.reference or (len(names) - 1) * (1 + both) < 2:
         return None
-    samples = Samples.of(phase_maps[names[0]])
+    samples = Samples.of(phase_maps[names[0]]).thinned(SAMPLES)
     if len(samples) < LEAST_SAMPLES:
         return None
     points, pixels = _matched(samples, names[:2], phase_maps[names[1]], cameras)

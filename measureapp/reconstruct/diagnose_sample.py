@@ -55,6 +55,11 @@ class Samples:
     def __len__(self) -> int:
         return len(self.phase)
 
+    def thinned(self, count: int) -> Samples:
+        """Return about ``count`` of the samples, evenly chosen."""
+        every = slice(None, None, max(1, len(self) // count))
+        return Samples(self.pixel[every], self.phase[every], self.sigma[every], self.gradient[every])
+
     def across(self, phase_map: PhaseMap) -> Samples:
         """Return the same pixels with the phase of the horizontal fringes; NaN where there is none."""
         columns, rows = self.pixel.astype(int).T
