@@ -19,7 +19,8 @@ from measureapp.calibrate.joint import RigObservation, solve_rig
 from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.sightings import FoundBoard, Rejection, sighting_of
 from measureapp.data.board import BoardDescription, BoardView
-from measureapp.data.calibration import CameraArrayCalibration, Provenance
+from measureapp.data.calibration import Provenance
+from measureapp.data.fringe import AxisReadback
 from measureapp.data.rig import RigDescription
 from measureapp.errors import CalibrationError
 from measureapp.progress import PartOf, Progress
@@ -55,18 +56,43 @@ def calibrate_from_views(views: Sequence[BoardView], board: BoardDescription, ri
         sightings=tuple(sighting_of(camera, view, one) for view, seen in found.items() for camera, one in seen.items()),
         rejected=missed,
     )
-    solved = solve_cameras(problem, PartOf(progress, 0.5, 0.8))
-    cameras = _with_serials(solved.calibration, rig)
-    solved = replace(solved, calibration=cameras)
-    observations = _observations(views, found, solved)
+    solved = with_serials(solve_cameras(problem, PartOf(progress, 0.5, 0.8)), {camera.name: camera.serial for camera in rig.cameras})
+    readbacks = {view.viewpoint_id: view.readback for view in views}
+    calibrated = rig_with_cameras(solved, found, readbacks, expected_noise(rig), PartOf(progress, 0.8, 1.0))
+    inputs = {camera.name: camera.serial for camera in rig.cameras} | {"board views": str(len(views))}
+    return replace(calibrated, rig=dated(calibrated.rig, inputs))
+
+
+def rig_with_cameras(
+    solved: CameraArraySolution,
+    found: Mapping[str, Mapping[str, FoundBoard]],
+    readbacks: Mapping[str, AxisReadback],
+    noise: AxisNoise,
+    progress: Progress,
+) -> CalibratedRig:
+    """Solve hand-eye, guide and axis with cameras that were calibrated from the same sightings.
+
+    Parameters
+    ----------
+    found : view -> camera -> marks
+    readbacks : view -> where the axes stood
+
+    Raises
+    ------
+    CalibrationError
+        The sightings do not determine the rig.
+    """
     prior = CameraPrior(solved.parameters, solved.covariance)
-    solution = solve_rig(observations, cameras, noise=expected_noise(rig), camera_prior=prior, progress=PartOf(progress, 0.8, 1.0))
+    observations = _observations(readbacks, found, solved)
+    return CalibratedRig(solved, solve_rig(observations, solved.calibration, noise=noise, camera_prior=prior, progress=progress))
+
+
+def dated(solution: RigSolution, inputs: Mapping[str, str]) -> RigSolution:
+    """Return the solution with the time of now and where it comes from."""
     provenance = Provenance(
-        created=datetime.now(UTC).isoformat(timespec="seconds"),
-        method=solution.calibration.provenance.method,
-        inputs={camera.name: camera.serial for camera in rig.cameras} | {"board views": str(len(views))},
+        created=datetime.now(UTC).isoformat(timespec="seconds"), method=solution.calibration.provenance.method, inputs=inputs
     )
-    return CalibratedRig(solved, replace(solution, calibration=replace(solution.calibration, provenance=provenance)))
+    return replace(solution, calibration=replace(solution.calibration, provenance=provenance))
 
 
 def expected_noise(rig: RigDescription) -> AxisNoise:
@@ -103,21 +129,23 @@ def _detected(
 
 
 def _observations(
-    views: Sequence[BoardView], found: Mapping[str, Mapping[str, FoundBoard]], solved: CameraArraySolution
+    readbacks: Mapping[str, AxisReadback], found: Mapping[str, Mapping[str, FoundBoard]], solved: CameraArraySolution
 ) -> list[RigObservation]:
     """Board poses from the sightings that the camera calibration kept."""
     used = {(residual.camera, residual.view) for residual in solved.views}
     observations = []
-    for view in views:
-        seen = {camera: one for camera, one in found[view.viewpoint_id].items() if (camera, view.viewpoint_id) in used}
+    for view, readback in readbacks.items():
+        seen = {camera: one for camera, one in found[view].items() if (camera, view) in used}
         if seen:
             corners, ids = {camera: one.corners_px for camera, one in seen.items()}, {camera: one.ids for camera, one in seen.items()}
             pose = board_pose(corners, solved.calibration, solved.board, solved.sigma_px, ids)
             by_cameras = pose_by_cameras(pose, ids, solved.calibration, solved.board, solved.parameters)
-            observations.append(RigObservation(view.viewpoint_id, view.readback, pose, by_cameras))
+            observations.append(RigObservation(view, readback, pose, by_cameras))
     return observations
 
 
-def _with_serials(calibration: CameraArrayCalibration, rig: RigDescription) -> CameraArrayCalibration:
-    cameras = {name: replace(camera, serial=rig.camera(name).serial) for name, camera in calibration.cameras.items()}
-    return replace(calibration, cameras=cameras)
+def with_serials(solution: CameraArraySolution, serials: Mapping[str, str]) -> CameraArraySolution:
+    """Return the solution with the serial numbers of its cameras."""
+    calibration = solution.calibration
+    cameras = {name: replace(camera, serial=serials.get(name, "")) for name, camera in calibration.cameras.items()}
+    return replace(solution, calibration=replace(calibration, cameras=cameras))
