@@ -5,9 +5,24 @@ order of the stages, which only the pipeline knows. Nothing in it knows a window
 advice, solutions and verdicts go out.
 """
 
+from measureapp.pipeline.collecting.coaching import Advice, Gauge, Ghost, coach
 from measureapp.pipeline.collecting.collection import Collection
 from measureapp.pipeline.collecting.observation import Observation, Readback, Refusal, StoredImage
 from measureapp.pipeline.collecting.setup import KINDS, Kind, Setup
 from measureapp.pipeline.collecting.solved import Solved
 
-__all__ = ["KINDS", "Collection", "Kind", "Observation", "Readback", "Refusal", "Setup", "Solved", "StoredImage"]
+__all__ = [
+    "KINDS",
+    "Advice",
+    "Collection",
+    "Gauge",
+    "Ghost",
+    "Kind",
+    "Observation",
+    "Readback",
+    "Refusal",
+    "Setup",
+    "Solved",
+    "StoredImage",
+    "coach",
+]
