@@ -7,22 +7,39 @@ advice, solutions and verdicts go out.
 
 from measureapp.pipeline.collecting.coaching import Advice, Gauge, Ghost, coach
 from measureapp.pipeline.collecting.collection import Collection
+from measureapp.pipeline.collecting.comparison import Change, Comparison, compare, result_of
+from measureapp.pipeline.collecting.keeping import accept, read_result
 from measureapp.pipeline.collecting.observation import Observation, Readback, Refusal, StoredImage
+from measureapp.pipeline.collecting.recorded import ReadbackFiles, add_recorded, add_views
 from measureapp.pipeline.collecting.setup import KINDS, Kind, Setup
 from measureapp.pipeline.collecting.solved import Solved
+from measureapp.pipeline.collecting.verdict import LIMITS, Limits, Verdict, judge
 
 __all__ = [
     "KINDS",
+    "LIMITS",
     "Advice",
+    "Change",
     "Collection",
+    "Comparison",
     "Gauge",
     "Ghost",
     "Kind",
+    "Limits",
     "Observation",
     "Readback",
+    "ReadbackFiles",
     "Refusal",
     "Setup",
     "Solved",
     "StoredImage",
+    "Verdict",
+    "accept",
+    "add_recorded",
+    "add_views",
     "coach",
+    "compare",
+    "judge",
+    "read_result",
+    "result_of",
 ]

@@ -1,0 +1,293 @@
+"""A new calibration beside the one before: every estimate, and what the difference amounts to on the part."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.calibrate.axis_motion import rigid_motion
+from measureapp.calibrate.camera_uncertainty import POSE_NAMES
+from measureapp.calibrate.hand_eye import HandEyeSolution
+from measureapp.calibrate.joint_solution import RigSolution
+from measureapp.calibrate.linear_guide import GuideSolution
+from measureapp.calibrate.projection import intrinsic_names
+from measureapp.calibrate.rotation_axis import AxisSolution
+from measureapp.calibrate.sightings import rms
+from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, HandEye, LinearGuide, RigCalibration, RotationAxis
+from measureapp.data.uncertainty import COVERAGE_FACTOR
+from measureapp.errors import CalibrationError
+from measureapp.geometry.transform import RigidTransform
+from measureapp.pipeline.collecting.collection import Collection
+from measureapp.pipeline.collecting.on_part import (
+    RADIUS_MM,
+    few_of,
+    fitting_length_mm,
+    fitting_together_sigma_mm,
+    length_uncertainty,
+    part_points_mm,
+    rim_mm,
+    shape_difference_mm,
+    sideways_difference_mm,
+    sideways_sigma_mm,
+    volume_of,
+)
+from measureapp.pipeline.collecting.setup import PURPOSES
+from measureapp.pipeline.collecting.solved import Solved
+from measureapp.pipeline.collecting.verdict import STROKE_MM, millimetres
+
+Calibrated = CameraArrayCalibration | RotationAxis | HandEye | LinearGuide | RigCalibration
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """One estimate before and now."""
+
+    name: str
+    previous: float
+    new: float
+    sigma: float  # standard deviation of the difference; 0 where neither calibration states one
+    unit: str
+
+    @property
+    def difference(self) -> float:
+        """New less previous."""
+        return self.new - self.previous
+
+    @property
+    def within(self) -> bool:
+        """Whether the difference is no larger than both promise (k = 2)."""
+        return abs(self.difference) <= COVERAGE_FACTOR * self.sigma
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """A new calibration against the one before."""
+
+    changes: tuple[Change, ...]
+    on_part_mm: float  # what the difference moves on the part
+    promised_mm: float  # what both leave open there (k = 2)
+    what: str  # where on the part, as part of a sentence
+
+    @property
+    def within(self) -> bool:
+        """Whether the difference on the part is no larger than both promise."""
+        return self.on_part_mm <= self.promised_mm
+
+    @property
+    def sentence(self) -> str:
+        """What it means."""
+        start = f"The new calibration moves {self.what} by {millimetres(self.on_part_mm)}"
+        promised = f"the {millimetres(self.promised_mm)} (k = 2) that both promise"
+        if self.within:
+            return f"{start}, within {promised}."
+        return f"{start}, more than {promised}: something changed between them, or one of them is worse than it says."
+
+
+def result_of(solved: Solved) -> Calibrated:
+    """Return the calibration that a solution gives."""
+    solution = solved.solution
+    if isinstance(solution, AxisSolution):
+        return solution.best.axis
+    if isinstance(solution, HandEyeSolution):
+        return solution.hand_eye
+    return solution.guide if isinstance(solution, GuideSolution) else solution.calibration
+
+
+def compare(previous: Calibrated, collection: Collection) -> Comparison:
+    """Compare the last solution of a collection with an earlier calibration.
+
+    A previous calibration of cameras comes without its covariance; its promise on the part is that of the new one, scaled by the ratio
+    of their standard deviations (equal where it states none).
+
+    Raises
+    ------
+    CalibrationError
+        Nothing was solved yet, or the two are calibrations of different things.
+    """
+    solved = collection.solved
+    if solved is None:
+        raise CalibrationError("There is no solution yet.", "Solve what was collected first.")
+    new = result_of(solved)
+    if isinstance(new, CameraArrayCalibration) and isinstance(previous, CameraArrayCalibration):
+        return _cameras(previous, solved, collection)
+    if isinstance(new, RotationAxis) and isinstance(previous, RotationAxis):
+        return _axis(previous, new)
+    if isinstance(new, HandEye) and isinstance(previous, HandEye):
+        return _hand_eye(previous, new, _distance_mm(solved))
+    if isinstance(new, LinearGuide) and isinstance(previous, LinearGuide):
+        return _guide(previous, new)
+    if isinstance(new, RigCalibration) and isinstance(previous, RigCalibration):
+        return _rig(previous, new, solved, collection)
+    raise CalibrationError(
+        f"The previous calibration is not one of {PURPOSES[collection.setup.kind]}.", "Name a result of the same kind of calibration."
+    )
+
+
+def _cameras(previous: CameraArrayCalibration, solved: Solved, collection: Collection) -> Comparison:
+    solution = solved.camera_solution
+    assert solution is not None  # the result is a calibration of cameras
+    new = solution.calibration
+    if set(new.cameras) != set(previous.cameras) or new.reference != previous.reference:
+        raise CalibrationError(
+            f"The previous calibration is one of {', '.join(previous.cameras)} with {previous.reference} as reference, "
+            f"the new one of {', '.join(new.cameras)} with {new.reference}.",
+            "Compare calibrations of the same cameras.",
+        )
+    changes = tuple(
+        change for name in new.names for change in _camera_changes(previous.cameras[name], new.cameras[name], name == new.reference)
+    )
+    volume = volume_of(solution, collection.setup.standoff_mm)
+    both = float(np.hypot(1.0, _ratio(previous, new)))
+    if len(new.cameras) == 1:
+        lens = new.cameras[new.reference].pinhole
+        moved = sideways_difference_mm(lens, previous.cameras[new.reference].pinhole, volume.standoff_mm)
+        promised = both * COVERAGE_FACTOR * sideways_sigma_mm(solution, volume.standoff_mm)
+        return Comparison(changes, moved, promised, f"points {volume.standoff_mm:.0f} mm before the camera (rms, across the line of sight)")
+    found = length_uncertainty(solution, volume, fitting_length_mm(volume, collection.setup.length_mm))
+    moved = shape_difference_mm(new, previous, volume)
+    return Comparison(changes, moved, both * COVERAGE_FACTOR * found.shape_rms_mm, "points of the volume against each other (rms)")
+
+
+def _camera_changes(previous: CameraCalibration, new: CameraCalibration, is_reference: bool) -> list[Change]:
+    count = min(len(previous.pinhole.distortion), len(new.pinhole.distortion))
+    names = intrinsic_names(count)
+    before, after = _lens_values(previous, count), _lens_values(new, count)
+    units = ["px"] * 4 + [""] * count
+    if not is_reference:
+        names, units = (*names, *POSE_NAMES), [*units, *["°"] * 3, *["mm"] * 3]
+        before, after = [*before, *_place_values(previous)], [*after, *_place_values(new)]
+    changes = []
+    for name, unit, old, now in zip(names, units, before, after, strict=True):
+        sigma = float(np.hypot(previous.standard_deviations.get(name, 0.0), new.standard_deviations.get(name, 0.0)))
+        factor = float(np.rad2deg(1.0)) if unit == "°" else 1.0
+        label = f"{new.name}.{name}".replace("_rad", "").replace("_mm", "")
+        changes.append(Change(label, factor * old, factor * now, factor * sigma, unit))
+    return changes
+
+
+def _lens_values(camera: CameraCalibration, count: int) -> list[float]:
+    matrix = camera.pinhole.matrix
+    return [float(value) for value in (matrix[0, 0], matrix[1, 1], matrix[0, 2], matrix[1, 2], *camera.pinhole.distortion[:count])]
+
+
+def _place_values(camera: CameraCalibration) -> list[float]:
+    place = camera.reference_from_camera
+    return [float(value) for value in (*place.rotation_vector, *place.translation_mm)]
+
+
+def _ratio(previous: CameraArrayCalibration, new: CameraArrayCalibration) -> float:
+    """Return how many times larger the standard deviations of the previous calibration are; 1 where it states none."""
+    ratios = [
+        before / after
+        for name, camera in new.cameras.items()
+        for label, after in camera.standard_deviations.items()
+        if (before := previous.cameras[name].standard_deviations.get(label, 0.0)) > 0 and after > 0
+    ]
+    return float(np.median(ratios)) if ratios else 1.0
+
+
+def _axis(previous: RotationAxis, new: RotationAxis) -> Comparison:
+    if previous.frame != new.frame:
+        raise CalibrationError(
+            f"The previous axis is given in frame {previous.frame}, the new one in {new.frame}.", "Compare axes in the same frame."
+        )
+    rim = rim_mm(new, RADIUS_MM)
+    moved = float(np.linalg.norm(new.turned(np.pi).apply(rim) - previous.turned(np.pi).apply(rim), axis=1).max())
+    sigmas = [np.hypot(axis.point_sigma_mm, RADIUS_MM * axis.direction_sigma_rad) for axis in (previous, new)]
+    return Comparison(
+        tuple(_axis_changes(previous, new)),
+        moved,
+        COVERAGE_FACTOR * 2.0 * float(np.hypot(*sigmas)),  # half a turn doubles an error of the axis
+        f"a point {RADIUS_MM:.0f} mm from the axis, between views half a turn apart,",
+    )
+
+
+def _axis_changes(previous: RotationAxis, new: RotationAxis) -> list[Change]:
+    away = new.point_mm - previous.point_mm
+    across_mm = float(np.linalg.norm(away - previous.direction * float(previous.direction @ away)))
+    return [
+        _gap("direction of the axis", _angle_deg(previous.direction, new.direction), "°", *_in_deg(previous, new)),
+        _gap("place of the axis", across_mm, "mm", previous.point_sigma_mm, new.point_sigma_mm),
+    ]
+
+
+def _hand_eye(previous: HandEye, new: HandEye, distance_mm: float) -> Comparison:
+    part = np.array([[0.0, 0.0, distance_mm]])
+    moved = rms(new.flange_from_camera.apply(part) - previous.flange_from_camera.apply(part))
+    sigmas = [np.hypot(one.translation_sigma_mm, distance_mm * one.rotation_sigma_rad) for one in (previous, new)]
+    promised = COVERAGE_FACTOR * float(np.hypot(*sigmas))
+    return Comparison(tuple(_hand_eye_changes(previous, new)), moved, promised, f"a point {distance_mm:.0f} mm before the cameras")
+
+
+def _hand_eye_changes(previous: HandEye, new: HandEye) -> list[Change]:
+    turn = (previous.flange_from_camera.inverse() @ RigidTransform(new.flange_from_camera.matrix, "flange", "camera")).angle_rad
+    changes = [
+        _gap(
+            "rotation of the camera", float(np.rad2deg(turn)), "°", *(float(np.rad2deg(one.rotation_sigma_rad)) for one in (previous, new))
+        )
+    ]
+    sigma = float(np.hypot(previous.translation_sigma_mm, new.translation_sigma_mm))
+    for axis, before, after in zip("xyz", previous.flange_from_camera.translation_mm, new.flange_from_camera.translation_mm, strict=True):
+        changes.append(Change(f"place of the camera, {axis}", float(before), float(after), sigma, "mm"))
+    return changes
+
+
+def _guide(previous: LinearGuide, new: LinearGuide) -> Comparison:
+    moved = STROKE_MM * float(np.linalg.norm(new.scale * new.direction - previous.scale * previous.direction))
+    sigmas = [np.hypot(guide.direction_sigma_rad, guide.scale_sigma) for guide in (previous, new)]
+    promised = COVERAGE_FACTOR * STROKE_MM * float(np.hypot(*sigmas))
+    return Comparison(
+        tuple(_guide_changes(previous, new)), moved, promised, f"a point, between views {STROKE_MM:.0f} mm of the guide apart,"
+    )
+
+
+def _guide_changes(previous: LinearGuide, new: LinearGuide) -> list[Change]:
+    return [
+        _gap("direction of the guide", _angle_deg(previous.direction, new.direction), "°", *_in_deg(previous, new)),
+        Change("scale of the guide", previous.scale, new.scale, float(np.hypot(previous.scale_sigma, new.scale_sigma)), ""),
+    ]
+
+
+def _rig(previous: RigCalibration, new: RigCalibration, solved: Solved, collection: Collection) -> Comparison:
+    solution = solved.solution
+    assert isinstance(solution, RigSolution)  # the result is a calibration of the rig
+    changes = [
+        *_hand_eye_changes(previous.hand_eye, new.hand_eye),
+        *_guide_changes(previous.guide, new.guide),
+        *_axis_changes(previous.axis, new.axis),
+    ]
+    used = few_of([one.readback.full() for one in collection.observations if one.id in solved.used])
+    points = part_points_mm(solution)
+    there = np.concatenate([points for _ in used])
+    seen = [new.part_from_camera(readback).inverse().apply(points) for readback in used]
+    placed = np.concatenate([previous.part_from_camera(readback).apply(part) for readback, part in zip(used, seen, strict=True)])
+    motion = rigid_motion(placed, there)
+    typical, _ = fitting_together_sigma_mm(solution, used)
+    moved = rms(placed @ motion[:3, :3].T + motion[:3, 3] - there)
+    both = COVERAGE_FACTOR * float(np.hypot(1.0, _hand_eye_ratio(previous.hand_eye, new.hand_eye))) * typical
+    return Comparison(tuple(changes), moved, both, "views of one part against each other (rms)")
+
+
+def _hand_eye_ratio(previous: HandEye, new: HandEye) -> float:
+    """Return how many times less certain the previous rig was, by its hand-eye transform; 1 where it does not say."""
+    return previous.translation_sigma_mm / new.translation_sigma_mm if previous.translation_sigma_mm and new.translation_sigma_mm else 1.0
+
+
+def _distance_mm(solved: Solved) -> float:
+    assert isinstance(solved.solution, HandEyeSolution)  # the result is a hand-eye transform
+    return float(solved.solution.part_in_camera_mm[2])
+
+
+def _gap(name: str, gap: float, unit: str, before: float, after: float) -> Change:
+    """A difference that has no sign: told as the new value against 0."""
+    return Change(name, 0.0, gap, float(np.hypot(before, after)), unit)
+
+
+def _angle_deg(one: FloatArray, other: FloatArray) -> float:
+    return float(np.rad2deg(np.arctan2(np.linalg.norm(np.cross(one, other)), one @ other)))
+
+
+def _in_deg(previous: RotationAxis | LinearGuide, new: RotationAxis | LinearGuide) -> tuple[float, float]:
+    return float(np.rad2deg(previous.direction_sigma_rad)), float(np.rad2deg(new.direction_sigma_rad))
