@@ -7,7 +7,8 @@ advice, solutions and verdicts go out.
 
 from measureapp.pipeline.collecting.coaching import Advice, Gauge, Ghost, coach
 from measureapp.pipeline.collecting.collection import Collection
-from measureapp.pipeline.collecting.comparison import Change, Comparison, compare, result_of
+from measureapp.pipeline.collecting.comparison import Change, Comparison, compare
+from measureapp.pipeline.collecting.estimates import Estimate, estimates_of, result_of
 from measureapp.pipeline.collecting.keeping import accept, read_result
 from measureapp.pipeline.collecting.observation import Observation, Readback, Refusal, StoredImage
 from measureapp.pipeline.collecting.recorded import ReadbackFiles, add_recorded, add_views
@@ -22,6 +23,7 @@ __all__ = [
     "Change",
     "Collection",
     "Comparison",
+    "Estimate",
     "Gauge",
     "Ghost",
     "Kind",
@@ -39,6 +41,7 @@ __all__ = [
     "add_views",
     "coach",
     "compare",
+    "estimates_of",
     "judge",
     "read_result",
     "result_of",

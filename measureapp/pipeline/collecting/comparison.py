@@ -6,20 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from measureapp.arrays import FloatArray
 from measureapp.calibrate.axis_motion import rigid_motion
-from measureapp.calibrate.camera_uncertainty import POSE_NAMES
 from measureapp.calibrate.hand_eye import HandEyeSolution
 from measureapp.calibrate.joint_solution import RigSolution
-from measureapp.calibrate.linear_guide import GuideSolution
-from measureapp.calibrate.projection import intrinsic_names
-from measureapp.calibrate.rotation_axis import AxisSolution
 from measureapp.calibrate.sightings import rms
-from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, HandEye, LinearGuide, RigCalibration, RotationAxis
+from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, RigCalibration, RotationAxis
 from measureapp.data.uncertainty import COVERAGE_FACTOR
 from measureapp.errors import CalibrationError
-from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.collecting.collection import Collection
+from measureapp.pipeline.collecting.estimates import Calibrated, estimates_of, result_of
 from measureapp.pipeline.collecting.on_part import (
     RADIUS_MM,
     few_of,
@@ -36,8 +31,6 @@ from measureapp.pipeline.collecting.on_part import (
 from measureapp.pipeline.collecting.setup import PURPOSES
 from measureapp.pipeline.collecting.solved import Solved
 from measureapp.pipeline.collecting.verdict import STROKE_MM, millimetres
-
-Calibrated = CameraArrayCalibration | RotationAxis | HandEye | LinearGuide | RigCalibration
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,16 +78,6 @@ class Comparison:
         return f"{start}, more than {promised}: something changed between them, or one of them is worse than it says."
 
 
-def result_of(solved: Solved) -> Calibrated:
-    """Return the calibration that a solution gives."""
-    solution = solved.solution
-    if isinstance(solution, AxisSolution):
-        return solution.best.axis
-    if isinstance(solution, HandEyeSolution):
-        return solution.hand_eye
-    return solution.guide if isinstance(solution, GuideSolution) else solution.calibration
-
-
 def compare(previous: Calibrated, collection: Collection) -> Comparison:
     """Compare the last solution of a collection with an earlier calibration.
 
@@ -135,9 +118,7 @@ def _cameras(previous: CameraArrayCalibration, solved: Solved, collection: Colle
             f"the new one of {', '.join(new.cameras)} with {new.reference}.",
             "Compare calibrations of the same cameras.",
         )
-    changes = tuple(
-        change for name in new.names for change in _camera_changes(previous.cameras[name], new.cameras[name], name == new.reference)
-    )
+    changes = tuple(_matching(previous, new))
     volume = volume_of(solution, collection.setup.standoff_mm)
     both = float(np.hypot(1.0, _ratio(previous, new)))
     if len(new.cameras) == 1:
@@ -150,31 +131,14 @@ def _cameras(previous: CameraArrayCalibration, solved: Solved, collection: Colle
     return Comparison(changes, moved, both * COVERAGE_FACTOR * found.shape_rms_mm, "points of the volume against each other (rms)")
 
 
-def _camera_changes(previous: CameraCalibration, new: CameraCalibration, is_reference: bool) -> list[Change]:
-    count = min(len(previous.pinhole.distortion), len(new.pinhole.distortion))
-    names = intrinsic_names(count)
-    before, after = _lens_values(previous, count), _lens_values(new, count)
-    units = ["px"] * 4 + [""] * count
-    if not is_reference:
-        names, units = (*names, *POSE_NAMES), [*units, *["°"] * 3, *["mm"] * 3]
-        before, after = [*before, *_place_values(previous)], [*after, *_place_values(new)]
-    changes = []
-    for name, unit, old, now in zip(names, units, before, after, strict=True):
-        sigma = float(np.hypot(previous.standard_deviations.get(name, 0.0), new.standard_deviations.get(name, 0.0)))
-        factor = float(np.rad2deg(1.0)) if unit == "°" else 1.0
-        label = f"{new.name}.{name}".replace("_rad", "").replace("_mm", "")
-        changes.append(Change(label, factor * old, factor * now, factor * sigma, unit))
-    return changes
-
-
-def _lens_values(camera: CameraCalibration, count: int) -> list[float]:
-    matrix = camera.pinhole.matrix
-    return [float(value) for value in (matrix[0, 0], matrix[1, 1], matrix[0, 2], matrix[1, 2], *camera.pinhole.distortion[:count])]
-
-
-def _place_values(camera: CameraCalibration) -> list[float]:
-    place = camera.reference_from_camera
-    return [float(value) for value in (*place.rotation_vector, *place.translation_mm)]
+def _matching(previous: Calibrated, new: Calibrated) -> list[Change]:
+    """Return the changes of all estimates that both have."""
+    before = {one.name: one for one in estimates_of(previous)}
+    return [
+        Change(one.name, before[one.name].value, one.value, float(np.hypot(before[one.name].sigma, one.sigma)), one.unit)
+        for one in estimates_of(new)
+        if one.name in before
+    ]
 
 
 def _ratio(previous: CameraArrayCalibration, new: CameraArrayCalibration) -> float:
@@ -205,12 +169,11 @@ def _axis(previous: RotationAxis, new: RotationAxis) -> Comparison:
 
 
 def _axis_changes(previous: RotationAxis, new: RotationAxis) -> list[Change]:
+    """Return the changes of the direction, and how far the new point lies from the previous axis: where along it a point lies is no estimate."""
     away = new.point_mm - previous.point_mm
-    across_mm = float(np.linalg.norm(away - previous.direction * float(previous.direction @ away)))
-    return [
-        _gap("direction of the axis", _angle_deg(previous.direction, new.direction), "°", *_in_deg(previous, new)),
-        _gap("place of the axis", across_mm, "mm", previous.point_sigma_mm, new.point_sigma_mm),
-    ]
+    gap = float(np.linalg.norm(away - previous.direction * float(previous.direction @ away)))
+    directions = [change for change in _matching(previous, new) if change.name.startswith("axis direction")]
+    return [*directions, Change("axis, across", 0.0, gap, float(np.hypot(previous.point_sigma_mm, new.point_sigma_mm)), "mm")]
 
 
 def _hand_eye(previous: HandEye, new: HandEye, distance_mm: float) -> Comparison:
@@ -218,44 +181,22 @@ def _hand_eye(previous: HandEye, new: HandEye, distance_mm: float) -> Comparison
     moved = rms(new.flange_from_camera.apply(part) - previous.flange_from_camera.apply(part))
     sigmas = [np.hypot(one.translation_sigma_mm, distance_mm * one.rotation_sigma_rad) for one in (previous, new)]
     promised = COVERAGE_FACTOR * float(np.hypot(*sigmas))
-    return Comparison(tuple(_hand_eye_changes(previous, new)), moved, promised, f"a point {distance_mm:.0f} mm before the cameras")
-
-
-def _hand_eye_changes(previous: HandEye, new: HandEye) -> list[Change]:
-    turn = (previous.flange_from_camera.inverse() @ RigidTransform(new.flange_from_camera.matrix, "flange", "camera")).angle_rad
-    changes = [
-        _gap(
-            "rotation of the camera", float(np.rad2deg(turn)), "°", *(float(np.rad2deg(one.rotation_sigma_rad)) for one in (previous, new))
-        )
-    ]
-    sigma = float(np.hypot(previous.translation_sigma_mm, new.translation_sigma_mm))
-    for axis, before, after in zip("xyz", previous.flange_from_camera.translation_mm, new.flange_from_camera.translation_mm, strict=True):
-        changes.append(Change(f"place of the camera, {axis}", float(before), float(after), sigma, "mm"))
-    return changes
+    return Comparison(tuple(_matching(previous, new)), moved, promised, f"a point {distance_mm:.0f} mm before the cameras")
 
 
 def _guide(previous: LinearGuide, new: LinearGuide) -> Comparison:
     moved = STROKE_MM * float(np.linalg.norm(new.scale * new.direction - previous.scale * previous.direction))
     sigmas = [np.hypot(guide.direction_sigma_rad, guide.scale_sigma) for guide in (previous, new)]
     promised = COVERAGE_FACTOR * STROKE_MM * float(np.hypot(*sigmas))
-    return Comparison(
-        tuple(_guide_changes(previous, new)), moved, promised, f"a point, between views {STROKE_MM:.0f} mm of the guide apart,"
-    )
-
-
-def _guide_changes(previous: LinearGuide, new: LinearGuide) -> list[Change]:
-    return [
-        _gap("direction of the guide", _angle_deg(previous.direction, new.direction), "°", *_in_deg(previous, new)),
-        Change("scale of the guide", previous.scale, new.scale, float(np.hypot(previous.scale_sigma, new.scale_sigma)), ""),
-    ]
+    return Comparison(tuple(_matching(previous, new)), moved, promised, f"a point, between views {STROKE_MM:.0f} mm of the guide apart,")
 
 
 def _rig(previous: RigCalibration, new: RigCalibration, solved: Solved, collection: Collection) -> Comparison:
     solution = solved.solution
     assert isinstance(solution, RigSolution)  # the result is a calibration of the rig
     changes = [
-        *_hand_eye_changes(previous.hand_eye, new.hand_eye),
-        *_guide_changes(previous.guide, new.guide),
+        *_matching(previous.hand_eye, new.hand_eye),
+        *_matching(previous.guide, new.guide),
         *_axis_changes(previous.axis, new.axis),
     ]
     used = few_of([one.readback.full() for one in collection.observations if one.id in solved.used])
@@ -278,16 +219,3 @@ def _hand_eye_ratio(previous: HandEye, new: HandEye) -> float:
 def _distance_mm(solved: Solved) -> float:
     assert isinstance(solved.solution, HandEyeSolution)  # the result is a hand-eye transform
     return float(solved.solution.part_in_camera_mm[2])
-
-
-def _gap(name: str, gap: float, unit: str, before: float, after: float) -> Change:
-    """A difference that has no sign: told as the new value against 0."""
-    return Change(name, 0.0, gap, float(np.hypot(before, after)), unit)
-
-
-def _angle_deg(one: FloatArray, other: FloatArray) -> float:
-    return float(np.rad2deg(np.arctan2(np.linalg.norm(np.cross(one, other)), one @ other)))
-
-
-def _in_deg(previous: RotationAxis | LinearGuide, new: RotationAxis | LinearGuide) -> tuple[float, float]:
-    return float(np.rad2deg(previous.direction_sigma_rad)), float(np.rad2deg(new.direction_sigma_rad))

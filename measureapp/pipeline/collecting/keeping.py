@@ -12,7 +12,7 @@ from typing import Any
 from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, Provenance, RigCalibration, RotationAxis
 from measureapp.errors import FrameMismatch, InputError
 from measureapp.pipeline.collecting.collection import Collection
-from measureapp.pipeline.collecting.comparison import Calibrated, result_of
+from measureapp.pipeline.collecting.estimates import Calibrated, result_of
 from measureapp.progress import Progress
 from measureapp.project.atomic import write_json
 from measureapp.project.camera_file import read_cameras, write_cameras
