@@ -59,6 +59,7 @@ def collect_lines(document: Mapping[str, Any]) -> list[str]:
         lines += ["Estimates ± standard deviation:", *(_estimate_line(one) for one in document["estimates"])]
     if document["verdict"] is not None:
         lines += [document["verdict"]["sentence"], f"  {document['verdict']['reason']}"]
+        lines += [f"  {document['verdict']['remedy']}"] if document["verdict"]["remedy"] else []
         lines += [f"  but: {reason}" for reason in document["verdict"]["but"]]
     if document["comparison"] is not None:
         lines += [document["comparison"]["sentence"], *(_change_line(one) for one in document["comparison"]["changes"])]
@@ -111,6 +112,7 @@ def _verdict(verdict: Verdict) -> dict[str, Any]:
         "level": verdict.level,
         "sentence": verdict.sentence,
         "reason": verdict.reason,
+        "remedy": verdict.remedy,
         "but": verdict.reasons,
         "expanded_mm": verdict.expanded_mm,
         "good_mm": verdict.limits.good_mm,

@@ -32,11 +32,13 @@ from measureapp.progress import Progress
 
 OUTLIER_FACTOR = 6.0  # of the median misfit, as in the joint calibration of the rig
 LEAST_OUTLIER_MM = 0.05  # a misfit below is never called one
+SUSPECTS = 3  # the observations that fit worst, each tried to leave out
+RELIEF = 1 / 3  # of the rms misfit that is left without an observation which contradicts the others; noise alone leaves four fifths
 MOST_REJECTED = 0.25  # of the observations
 CONTRADICTION_FACTOR = 3.0  # of the median rms of all board poses
 LEAST_CONTRADICTION_PX = 0.5
 HOPELESS_PX = 5.0  # median rms beyond which the cameras are not those that were calibrated
-MOVED = "the board was seen {misfit:.2f} mm from where all other observations put it: it moved, or was found wrongly"
+MOVED = "the board was seen {misfit:.2f} mm from where the observations together put it: it moved, or was found wrongly"
 CONTRADICTED = "its images contradict each other by {rms:.2f} px: the board moved between them, or they belong to different positions"
 EXCHANGED = (
     "The images contradict the calibration of the cameras by {rms:.1f} px in most observations.",
@@ -136,13 +138,46 @@ def _without_outliers(setup: Setup, kept: list[Observation], poses: Poses, progr
         answer = solver(setup, kept, poses, progress)
         if isinstance(answer.solution, RigSolution):  # leaves out what contradicts the others by itself
             return answer, dict(answer.solution.rejected)
-        misfits = {name: misfit_mm(place, poses[name].camera_from_board, setup.board) for name, place in answer.predicted.items()}
-        worst = max(misfits, key=lambda name: misfits[name])
-        limit = max(OUTLIER_FACTOR * float(np.median(list(misfits.values()))), LEAST_OUTLIER_MM)
-        if misfits[worst] <= limit or len(kept) <= least or len(rejected) + 1 > MOST_REJECTED * count:
+        if len(kept) <= least or len(rejected) + 1 > MOST_REJECTED * count:
             return answer, rejected
-        rejected[worst] = MOVED.format(misfit=misfits[worst])
-        kept = [one for one in kept if one.id != worst]
+        misfits = _misfits(setup, answer, poses)
+        odd = _odd(setup, kept, poses, misfits, progress)
+        if odd is None:
+            return answer, rejected
+        rejected[odd] = MOVED.format(misfit=misfits[odd])
+        kept = [one for one in kept if one.id != odd]
+
+
+def _misfits(setup: Setup, answer: _Answer, poses: Poses) -> dict[str, float]:
+    return {name: misfit_mm(place, poses[name].camera_from_board, setup.board) for name, place in answer.predicted.items()}
+
+
+def _odd(setup: Setup, kept: Sequence[Observation], poses: Poses, misfits: Mapping[str, float], progress: Progress) -> str | None:
+    """Return the observation that contradicts the others: far beyond the median, or one without which all others fit far better.
+
+    The second test finds one at the end of an arc or a travel, which draws the solution to itself and so hides in the first.
+    """
+    ordered = sorted(misfits, key=lambda name: -misfits[name])
+    median = float(np.median(list(misfits.values())))
+    if misfits[ordered[0]] <= LEAST_OUTLIER_MM:
+        return None
+    if misfits[ordered[0]] > OUTLIER_FACTOR * median:
+        return ordered[0]
+    solver, _ = _SOLVERS[setup.kind]
+    before = _rms_of(misfits)
+    left = {}
+    for name in ordered[:SUSPECTS]:
+        try:
+            answer = solver(setup, [one for one in kept if one.id != name], poses, progress)
+        except CalibrationError:  # what is left does not determine the answer: no evidence against this one
+            continue
+        left[name] = _rms_of(_misfits(setup, answer, poses))
+    best = min(left, key=lambda name: left[name], default=None)
+    return best if best is not None and left[best] < RELIEF * before else None
+
+
+def _rms_of(misfits: Mapping[str, float]) -> float:
+    return float(np.sqrt(np.mean(np.square(list(misfits.values())))))
 
 
 def _axis(setup: Setup, kept: Sequence[Observation], poses: Poses, progress: Progress) -> _Answer:

@@ -97,6 +97,11 @@ class Collection:
         """The observations that enter a solution: not taken out, and at least one camera found the board."""
         return tuple(one for one in self.observations if one.standing not in ("removed", "no board"))
 
+    @property
+    def counted(self) -> tuple[Observation, ...]:
+        """The usable observations without those that the last solution left out."""
+        return tuple(one for one in self.usable if one.standing != "rejected")
+
     def size_px(self, camera: str) -> tuple[int, int] | None:
         """Return width and height of a camera's images; None before the first."""
         if self.setup.cameras is not None:

@@ -7,10 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from measureapp.calibrate.axis_motion import rigid_motion
+from measureapp.calibrate.camera_array import CameraArraySolution
+from measureapp.calibrate.camera_uncertainty import POSE_NAMES
 from measureapp.calibrate.hand_eye import HandEyeSolution
 from measureapp.calibrate.joint_solution import RigSolution
+from measureapp.calibrate.poses import change_between
+from measureapp.calibrate.projection import intrinsic_names
 from measureapp.calibrate.sightings import rms
-from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, RigCalibration, RotationAxis
+from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, HandEye, LinearGuide, RigCalibration, RotationAxis
 from measureapp.data.uncertainty import COVERAGE_FACTOR
 from measureapp.errors import CalibrationError
 from measureapp.pipeline.collecting.collection import Collection
@@ -62,11 +66,12 @@ class Comparison:
     on_part_mm: float  # what the difference moves on the part
     promised_mm: float  # what both leave open there (k = 2)
     what: str  # where on the part, as part of a sentence
+    surprise: float = 1.0  # rms of all differences over what both promise of them, with their correlations; about 1 for the same cameras
 
     @property
     def within(self) -> bool:
-        """Whether the difference on the part is no larger than both promise."""
-        return self.on_part_mm <= self.promised_mm
+        """Whether the difference is no larger than both promise, on the part and in all estimates together."""
+        return self.on_part_mm <= self.promised_mm and self.surprise <= COVERAGE_FACTOR
 
     @property
     def sentence(self) -> str:
@@ -75,6 +80,11 @@ class Comparison:
         promised = f"the {millimetres(self.promised_mm)} (k = 2) that both promise"
         if self.within:
             return f"{start}, within {promised}."
+        if self.on_part_mm <= self.promised_mm:
+            return (
+                f"{start}, within {promised}; but the estimates differ {self.surprise:.1f} times as much as both promise: "
+                "the cameras were knocked, refocused or warmed up between them."
+            )
         return f"{start}, more than {promised}: something changed between them, or one of them is worse than it says."
 
 
@@ -121,14 +131,17 @@ def _cameras(previous: CameraArrayCalibration, solved: Solved, collection: Colle
     changes = tuple(_matching(previous, new))
     volume = volume_of(solution, collection.setup.standoff_mm)
     both = float(np.hypot(1.0, _ratio(previous, new)))
+    surprise = _normalised(previous, solution) / both
     if len(new.cameras) == 1:
         lens = new.cameras[new.reference].pinhole
         moved = sideways_difference_mm(lens, previous.cameras[new.reference].pinhole, volume.standoff_mm)
         promised = both * COVERAGE_FACTOR * sideways_sigma_mm(solution, volume.standoff_mm)
-        return Comparison(changes, moved, promised, f"points {volume.standoff_mm:.0f} mm before the camera (rms, across the line of sight)")
+        what = f"points {volume.standoff_mm:.0f} mm before the camera (rms, across the line of sight)"
+        return Comparison(changes, moved, promised, what, surprise)
     found = length_uncertainty(solution, volume, fitting_length_mm(volume, collection.setup.length_mm))
     moved = shape_difference_mm(new, previous, volume)
-    return Comparison(changes, moved, both * COVERAGE_FACTOR * found.shape_rms_mm, "points of the volume against each other (rms)")
+    promised = both * COVERAGE_FACTOR * found.shape_rms_mm
+    return Comparison(changes, moved, promised, "points of the volume against each other (rms)", surprise)
 
 
 def _matching(previous: Calibrated, new: Calibrated) -> list[Change]:
@@ -139,6 +152,30 @@ def _matching(previous: Calibrated, new: Calibrated) -> list[Change]:
         for one in estimates_of(new)
         if one.name in before
     ]
+
+
+def _normalised(previous: CameraArrayCalibration, solution: CameraArraySolution) -> float:
+    """Return the rms difference of all estimates in units of the new calibration's covariance (root of Mahalanobis' distance over their number)."""
+    changes: dict[str, float] = {}
+    for name, camera in solution.calibration.cameras.items():
+        other = previous.cameras[name]
+        lens = [np.array(_lens_values(one)) for one in (other, camera)]
+        count = min(len(values) for values in lens)
+        labels = [f"{name}.{label}" for label in intrinsic_names(len(camera.pinhole.distortion))][:count]
+        changes |= dict(zip(labels, (lens[1][:count] - lens[0][:count]).tolist(), strict=True))
+        place = change_between(other.reference_from_camera.matrix[None], camera.reference_from_camera.matrix[None])[0]
+        changes |= dict(zip((f"{name}.{label}" for label in POSE_NAMES), place.tolist(), strict=True))
+    known = [index for index, label in enumerate(solution.parameters) if label in changes]
+    step = np.array([changes[solution.parameters[index]] for index in known])
+    covariance = solution.covariance[np.ix_(known, known)]
+    scale = np.sqrt(np.diag(covariance))
+    whitened = step / scale
+    return float(np.sqrt(whitened @ np.linalg.solve(covariance / np.outer(scale, scale), whitened) / len(step)))
+
+
+def _lens_values(camera: CameraCalibration) -> list[float]:
+    matrix = camera.pinhole.matrix
+    return [float(value) for value in (matrix[0, 0], matrix[1, 1], matrix[0, 2], matrix[1, 2], *camera.pinhole.distortion)]
 
 
 def _ratio(previous: CameraArrayCalibration, new: CameraArrayCalibration) -> float:

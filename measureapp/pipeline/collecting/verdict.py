@@ -35,6 +35,7 @@ from measureapp.progress import NoProgress, Progress
 
 Level = Literal["good", "usable", "bad"]
 MOST_LEFT_OUT = 0.25  # of the observations
+MOST_TIMES = 10.0  # as many observations again: beyond, something else has to change
 STROKE_MM = 500.0  # a usual travel of the guide
 
 
@@ -71,6 +72,16 @@ class Verdict:
         """Why the number leads to that level."""
         limits = self.limits
         return f"Up to {limits.good_mm:g} mm is good, up to {limits.usable_mm:g} mm usable: {limits.why}."
+
+    @property
+    def remedy(self) -> str:
+        """What makes it good; nothing where it is. Noise averages with the square root of the number of observations."""
+        times = (self.expanded_mm / self.limits.good_mm) ** 2
+        if times <= 1.0:
+            return ""
+        if times <= MOST_TIMES:
+            return f"About {max(times, 1.5):.1f} times as many observations, as different from each other, would make it good."
+        return "More observations alone will not make it good: sharper images, a larger board, or larger differences between positions are needed."
 
 
 def judge(collection: Collection, limits: Limits | None = None, progress: Progress | None = None, *, validated: bool = False) -> Verdict:

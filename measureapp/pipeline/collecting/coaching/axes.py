@@ -26,7 +26,7 @@ TABLE_POSITIONS, SLIDE_POSITIONS = 7, 5
 def advise_axis(collection: Collection, notes: Notes) -> None:
     """Note which table positions are missing."""
     angles = np.rad2deg(table_angles_rad(collection)).tolist()
-    count = len(collection.usable)
+    count = len(collection.counted)
     notes.gauges.append(Gauge("Table positions", count, TABLE_POSITIONS, ""))
     notes.gauges.append(Gauge("Sweep of the table", span_of(angles), SWEEP_TARGET_DEG, "°"))
     missing = max(TABLE_POSITIONS - count, 0)
@@ -43,7 +43,7 @@ def advise_axis(collection: Collection, notes: Notes) -> None:
 
 def advise_guide(collection: Collection, notes: Notes) -> None:
     """Note which slide positions are missing."""
-    slides = [one.readback.guide_mm for one in collection.usable if one.readback.guide_mm is not None]
+    slides = [one.readback.guide_mm for one in collection.counted if one.readback.guide_mm is not None]
     notes.gauges.append(Gauge("Guide positions", len(slides), SLIDE_POSITIONS, ""))
     notes.gauges.append(Gauge("Travel of the guide", span_of(slides), ADVISED_STROKE_MM, "mm"))
     missing = max(SLIDE_POSITIONS - len(slides), 0)
@@ -65,7 +65,7 @@ def ghost_for_axis(collection: Collection) -> Ghost | None:
     if solved is None or not isinstance(solved.solution, AxisSolution) or not solved.used:
         return None
     angles = solved.solution.best.angles_rad
-    first = next(one for one in collection.usable if one.id == solved.used[0]).readback.table_rad if _all_known(collection) else 0.0
+    first = next(one for one in collection.counted if one.id == solved.used[0]).readback.table_rad if _all_known(collection) else 0.0
     goal = next_position(list(angles), float(np.deg2rad(SWEEP_TARGET_DEG)))
     outlines = outlines_px(solved.cameras, _turned(solved.solution.best.axis, solved.places[solved.used[0]], goal), solved.board)
     return Ghost(outlines, table_rad=(first or 0.0) + goal if _all_known(collection) else None) if outlines else None
@@ -76,7 +76,7 @@ def ghost_for_guide(collection: Collection) -> Ghost | None:
     solved, hand_eye = collection.solved, collection.setup.hand_eye
     if solved is None or hand_eye is None or not isinstance(solved.solution, GuideSolution) or not solved.used:
         return None
-    used = [one for one in collection.usable if one.id in solved.used]
+    used = [one for one in collection.counted if one.id in solved.used]
     last, slides = used[-1], [one.readback.guide_mm or 0.0 for one in used]
     flange = last.readback.base_from_flange
     if flange is None:
@@ -93,13 +93,13 @@ def ghost_for_guide(collection: Collection) -> Ghost | None:
 def table_angles_rad(collection: Collection) -> FloatArray:
     """Return the table angles: as read back where all are known, else as the last solution estimated them; empty without either."""
     if _all_known(collection):
-        return np.array([one.readback.table_rad for one in collection.usable], float)
+        return np.array([one.readback.table_rad for one in collection.counted], float)
     solved = collection.solved
     return solved.solution.best.angles_rad if solved is not None and isinstance(solved.solution, AxisSolution) else np.zeros(0)
 
 
 def _all_known(collection: Collection) -> bool:
-    return all(one.readback.table_rad is not None for one in collection.usable)
+    return all(one.readback.table_rad is not None for one in collection.counted)
 
 
 def _turned(axis: RotationAxis, place: RigidTransform, angle_rad: float) -> RigidTransform:
@@ -108,7 +108,7 @@ def _turned(axis: RotationAxis, place: RigidTransform, angle_rad: float) -> Rigi
 
 
 def _robot_moved(collection: Collection) -> bool:
-    poses = [one.readback.base_from_flange for one in collection.usable if one.readback.base_from_flange is not None]
+    poses = [one.readback.base_from_flange for one in collection.counted if one.readback.base_from_flange is not None]
     return len(set(groups_of(np.array([pose.matrix[:3].ravel() for pose in poses]), SAME_POSE).tolist())) > 1 if poses else False
 
 

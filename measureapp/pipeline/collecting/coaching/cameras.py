@@ -47,15 +47,16 @@ def advise_cameras(collection: Collection, notes: Notes) -> None:
     for one in views:
         if (change := one.next_distance()) is not None:
             notes.wish(f"Hold the board {change}", one.camera)
-    _shared(cameras, collection.usable, notes)
+    _shared(cameras, collection.counted, notes)
     missing = max((ADVISED_VIEWS - one.count for one in views), default=ADVISED_VIEWS)
     if not few and missing > 0:
-        notes.wish(f"Take {missing} more {'view' if missing == 1 else 'views'}, each with another tilt and place: more average the noise")
+        what = "one more view with" if missing == 1 else f"{missing} more views, each with"
+        notes.wish(f"Take {what} another tilt and place: more average the noise")
 
 
 def views_of(collection: Collection) -> list[LensViews]:
     """Return what every camera saw; cameras without an image yet have none."""
-    sightings = [sighting_of(camera, one.id, found) for one in collection.usable for camera, found in one.seen.items()]
+    sightings = [sighting_of(camera, one.id, found) for one in collection.counted for camera, found in one.seen.items()]
     views = []
     for camera in collection.setup.camera_names:
         pinhole = _lens(collection, camera)

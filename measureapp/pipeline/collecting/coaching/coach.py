@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from measureapp.errors import CalibrationError
+from measureapp.pipeline.collecting.axis_solving import board_places
 from measureapp.pipeline.collecting.coaching.advice import Advice, Ghost, Notes
 from measureapp.pipeline.collecting.coaching.axes import advise_axis, advise_guide, ghost_for_axis, ghost_for_guide
 from measureapp.pipeline.collecting.coaching.cameras import advise_cameras, ghost_for_cameras
@@ -19,6 +20,8 @@ def coach(collection: Collection) -> Advice:
     notes = Notes()
     kind = collection.setup.kind
     try:
+        if collection.setup.cameras is not None and collection.counted:
+            board_places(collection.counted, collection.setup.cameras, collection.setup.board)
         if collection.setup.calibrates_cameras:
             advise_cameras(collection, notes)
         if kind in ("hand-eye", "rig") and (kind != "rig" or _cameras_known(collection)):

@@ -46,7 +46,7 @@ def advise_turns(collection: Collection, notes: Notes) -> None:
 def seen_places(collection: Collection) -> list[RigidTransform]:
     """Return camera_from_board of the observations, those with the most frequent table angle: there the board stood still."""
     cameras = collection.setup.cameras if collection.solved is None else collection.solved.cameras
-    usable = collection.usable
+    usable = collection.counted
     if cameras is None or not usable:
         return []
     angles = [one.readback.table_rad for one in usable]
