@@ -22,7 +22,9 @@ def register(group: typer.Typer) -> None:
         kind: Annotated[str, typer.Argument(help="cameras, axis, hand-eye, guide or rig.")],
         session: Annotated[Path, typer.Option(help="Folder of the session: a new one starts it, one that is there is continued.")],
         images: ImagesOption = None,
-        views: Annotated[Path | None, typer.Option(help="Project whose stored views of the board are added.")] = None,
+        views: Annotated[
+            Path | None, typer.Option(help="Project whose stored views of the board are added; board and axis errors are then its rig's.")
+        ] = None,
         board: BoardChoice = NO_BOARD,
         cameras: CamerasOption = None,
         hand_eye: Annotated[Path | None, typer.Option(help="Calibrated hand-eye transform, for the guide.")] = None,

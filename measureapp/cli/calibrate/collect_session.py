@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, cast, get_args
 
 from measureapp.cli.calibrate.options import NO_BOARD, BoardChoice
 from measureapp.errors import InputError
+from measureapp.pipeline.calibrate import expected_noise
 from measureapp.pipeline.collecting import Collection, Kind, ReadbackFiles, Setup, add_recorded, add_views, read_result, result_of
 from measureapp.progress import Progress
 from measureapp.project.board_images import find_board_images
@@ -40,7 +41,10 @@ class Sources:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Given:
-    """The options that a new session starts with; a session that is continued has its own."""
+    """The options that a new session starts with; a session that is continued has its own.
+
+    With a project, its rig's data sheets say how large the errors of robot and table are, and not `noise`.
+    """
 
     kind: str
     board: BoardChoice
@@ -57,20 +61,18 @@ class Given:
         if self.reference is not None and self.reference not in names:
             raise InputError(f"--reference {self.reference!r} is not among the cameras.", "Name one of: " + ", ".join(names) + ".")
         first = self.reference or names[0]
-        board = (
-            self.board.description()
-            if self.board != NO_BOARD or sources.project is None
-            else ProjectFolder.open(sources.project).settings.board
-        )
+        project = None if sources.project is None else ProjectFolder.open(sources.project)
+        rig = None if project is None else project.rig()
         return Setup(
             kind=cast(Kind, self.kind),
-            board=board,
+            board=self.board.description() if self.board != NO_BOARD or project is None else project.settings.board,
             camera_names=(first, *(name for name in names if name != first)),
             cameras=None if self.cameras is None else read_cameras(self.cameras),
             hand_eye=None if self.hand_eye is None else _hand_eye(self.hand_eye),
-            noise=self.noise,
+            noise=self.noise if rig is None else expected_noise(rig),
             distortion_count=self.distortion,
-            standoff_mm=self.standoff_mm,
+            standoff_mm=self.standoff_mm if self.standoff_mm is not None or rig is None else rig.standoff_mm,
+            serials={} if rig is None else {camera.name: camera.serial for camera in rig.cameras},
         )
 
 

@@ -27,7 +27,7 @@ from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform, orthonormalised
 from measureapp.pipeline.collecting.observation import Observation
 from measureapp.pipeline.collecting.setup import Setup
-from measureapp.pipeline.collecting.solved import Solution, Solved, misfit_mm, misfit_px
+from measureapp.pipeline.collecting.solved import Solution, Solved, misfit_mm, misfit_px, sentences
 from measureapp.progress import Progress
 
 OUTLIER_FACTOR = 6.0  # of the median misfit, as in the joint calibration of the rig
@@ -102,7 +102,7 @@ def with_rig(rig: RigSolution, observations: Sequence[Observation], cameras: Sol
     predicted = _rig_places(rig)
     reasons = dict(cameras.reasons)
     for name, reason in rig.rejected.items():
-        reasons[name] = f"{reason} {reasons.get(name, '')}".strip()
+        reasons[name] = sentences(reason, reasons.get(name, ""))
     solved = replace(cameras, solution=rig, used=tuple(predicted), cameras=rig.calibration.cameras, reasons=reasons)
     return _with_residuals(solved, observations, predicted)
 

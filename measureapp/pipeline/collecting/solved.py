@@ -45,10 +45,16 @@ class Solved:
         return replace(
             observation,
             standing="used" if name in self.used else "rejected",
-            reason=" ".join(part for part in (self.reasons.get(name, ""), observation.reason) if part),
+            reason=sentences(self.reasons.get(name, ""), observation.reason),
             residuals_px=self.residuals_px.get(name, {}),
             residual_mm=self.residuals_mm.get(name),
         )
+
+
+def sentences(*parts: str) -> str:
+    """Return what there is of several remarks as sentences one after the other."""
+    whole = (part[0].upper() + part[1:] for part in parts if part)
+    return " ".join(part if part.endswith(".") else f"{part}." for part in whole)
 
 
 def misfit_px(

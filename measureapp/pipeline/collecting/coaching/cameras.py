@@ -32,7 +32,7 @@ LEAST_FOR_INFORMATION = 4  # views, below which the covariance says little
 def advise_cameras(collection: Collection, notes: Notes) -> None:
     """Note what the cameras still miss."""
     cameras = collection.setup.camera_names
-    views = views_of(collection)
+    views, fixed = views_of(collection), collection.setup.kind == "rig"  # then the board is fixed on the table, and the robot moves
     for one in views:
         notes.gauges += _gauges(one)
     few = [LEAST_VIEWS - one.count for one in views if one.count < LEAST_VIEWS]
@@ -43,15 +43,22 @@ def advise_cameras(collection: Collection, notes: Notes) -> None:
             notes.wish(f"Show the board {region} of the image", one.camera)
     for one in views:
         if one.count and (way := one.least_tilt()) is not None:
-            notes.wish(f"Tilt the board more {way} (its {TILTS[way][2]} edge away from the camera), by 20° to 45°", one.camera)
+            notes.wish(_tilt_wish(way, fixed), one.camera)
     for one in views:
         if (change := one.next_distance()) is not None:
-            notes.wish(f"Hold the board {change}", one.camera)
+            notes.wish(f"{'Take poses' if fixed else 'Hold the board'} {change}", one.camera)
     _shared(cameras, collection.counted, notes)
     missing = max((ADVISED_VIEWS - one.count for one in views), default=ADVISED_VIEWS)
     if not few and missing > 0:
         what = "one more view with" if missing == 1 else f"{missing} more views, each with"
         notes.wish(f"Take {what} another tilt and place: more average the noise")
+
+
+def _tilt_wish(way: str, fixed: bool) -> str:
+    edge = TILTS[way][2]
+    if fixed:
+        return f"Take a pose in which the board's {edge} edge is farther from the camera, the board tilted by 20° to 45°"
+    return f"Tilt the board more {way} (its {edge} edge away from the camera), by 20° to 45°"
 
 
 def views_of(collection: Collection) -> list[LensViews]:
