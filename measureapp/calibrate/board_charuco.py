@@ -10,8 +10,8 @@ import numpy as np
 from measureapp.arrays import FloatArray, ImageArray, IntArray
 from measureapp.calibrate.board_refine import homography, local_axes, off_the_grid, refined, window_of
 from measureapp.calibrate.board_squares import full_size, shrunk
+from measureapp.calibrate.sightings import BoardRefused
 from measureapp.data.board import CharucoDescription
-from measureapp.errors import CalibrationError
 
 SEARCH_PX = 1300  # a marker of 5 × 5 bits must not become smaller than some 14 px
 LEAST_CORNERS = 6
@@ -49,23 +49,26 @@ def find_charuco(grey: ImageArray, board: CharucoDescription) -> tuple[IntArray,
     return known[good], corners_px[good], spacing
 
 
-def charuco_instead(grey: ImageArray, board: CharucoDescription) -> CalibrationError | None:
+def charuco_instead(grey: ImageArray, board: CharucoDescription) -> BoardRefused | None:
     """Say what there is in an image in which ``board`` was not found."""
     small, _ = shrunk(grey, SEARCH_PX)
     corners, _, _, markers = _detector(board).detectBoard(small)
     if corners is not None and len(corners):
-        return CalibrationError(
-            f"Only {len(corners)} corners of the {board.label} can be seen; at least {LEAST_CORNERS} are needed.", "Show more of the board."
+        return BoardRefused(
+            f"Only {len(corners)} corners of the {board.label} can be seen; at least {LEAST_CORNERS} are needed.",
+            "Show more of the board.",
+            "hidden",
         )
     if markers is not None and len(markers) >= LEAST_CORNERS:
-        return CalibrationError(
+        return BoardRefused(
             f"The {board.label} was not found: its markers are there, but not placed as on this board.",
             "Check its numbers of corners, and `legacy_pattern` for a board drawn by OpenCV before 4.6.",
+            "wrong board",
         )
     mirrored = _detector(board).detectBoard(np.ascontiguousarray(small[:, ::-1]))[3]
     if mirrored is not None and len(mirrored) >= LEAST_CORNERS:
-        return CalibrationError(
-            f"The {board.label} was not found: the image is mirrored.", "Switch mirroring off in the camera's settings."
+        return BoardRefused(
+            f"The {board.label} was not found: the image is mirrored.", "Switch mirroring off in the camera's settings.", "wrong board"
         )
     return None
 
@@ -74,9 +77,10 @@ def _require_own(board: CharucoDescription, markers: Any) -> None:
     own = (board.columns + 1) * (board.rows + 1) // 2
     foreign = 0 if markers is None else int(np.sum(np.ravel(markers) >= own))
     if foreign > max(1, 0.05 * own):  # one may be a misread pattern
-        raise CalibrationError(
+        raise BoardRefused(
             f"The image shows {foreign} markers that a {board.label} does not have (its own are 0 to {own - 1}).",
             "Give the size of the board that was used.",
+            "wrong board",
         )
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import TypeVar
 
 import cv2
 import numpy as np
@@ -18,6 +19,9 @@ from measureapp.data.calibration import CameraArrayCalibration, CameraCalibratio
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform, orthonormalised
 
+ASSUMED_SIGMA_PX = 0.1
+LEAST_SIGMA_PX = 0.02
+Name = TypeVar("Name")
 Seen = tuple[CameraCalibration, FloatArray, FloatArray]  # camera, pixels (N, 2), marks on the board (N, 3)
 
 
@@ -45,7 +49,7 @@ def board_pose(
     corners_px: Mapping[str, FloatArray],
     cameras: CameraArrayCalibration,
     board: BoardDescription,
-    corner_sigma_px: float = 0.1,
+    corner_sigma_px: float = ASSUMED_SIGMA_PX,
     ids: Mapping[str, IntArray] | None = None,
 ) -> BoardPose:
     """Find camera_from_board by least squares over the corners of all cameras that see the board.
@@ -81,6 +85,14 @@ def board_pose(
     pose = RigidTransform(orthonormalised(minimum.state), "camera", "board")
     residuals = np.concatenate([_residuals(minimum.state, *one) for one in seen])
     return BoardPose(pose, minimum.hessian / corner_sigma_px**2, rms(residuals))
+
+
+def with_seen_noise(poses: Mapping[Name, BoardPose]) -> dict[Name, BoardPose]:
+    """Scale the information of poses found with the assumed noise of corners to the noise that the residuals of all of them show."""
+    if not poses:
+        return {}
+    sigma = max(float(np.sqrt(np.mean([pose.rms_px**2 for pose in poses.values()]) / 2)), LEAST_SIGMA_PX)
+    return {name: replace(pose, information=pose.information * (ASSUMED_SIGMA_PX / sigma) ** 2) for name, pose in poses.items()}
 
 
 def triangulated(corners_px: Mapping[str, FloatArray], cameras: CameraArrayCalibration) -> FloatArray:

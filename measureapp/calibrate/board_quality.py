@@ -10,8 +10,8 @@ from measureapp.calibrate.board_charuco import charuco_instead
 from measureapp.calibrate.board_circles import circles_in_sight
 from measureapp.calibrate.board_refine import homography, local_axes, mapped
 from measureapp.calibrate.board_squares import blurred, levels_at, squares_in_sight
+from measureapp.calibrate.sightings import BoardRefused
 from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
-from measureapp.errors import CalibrationError
 
 FULL_SCALE = 255
 CLIPPED_MARK = 0.35  # share of saturated pixels round a mark, half of which is white
@@ -45,9 +45,10 @@ def require_usable(grey: ImageArray, board: BoardDescription, ids: IntArray, cor
     spacing = board.neighbour_mm * float(np.median(np.linalg.norm(axes, axis=2)))
     off = np.linalg.norm(corners_px - mapped(matrix, board.flat_corners_mm[ids, :2]), axis=1).max()
     if off > WORST_FIT_SHARE * spacing:
-        raise CalibrationError(
+        raise BoardRefused(
             f"The marks in the image do not lie as on a {board.label}.",
             "Check the board's size, its dictionary and that nothing mirrors the image.",
+            "wrong board",
         )
     _require_levels(grey, corners_px, _half_white(board) * spacing)
     if isinstance(board, CheckerboardDescription):
@@ -55,11 +56,12 @@ def require_usable(grey: ImageArray, board: BoardDescription, ids: IntArray, cor
     width = edge_width(grey, board, corners_px, axes)
     widest = max(WIDEST_EDGE_PX, WIDEST_EDGE_SHARE * spacing)
     if width > widest:
-        raise CalibrationError(f"The board is blurred: its edges are {width:.1f} px wide, {widest:.1f} px is the most.", BLURRED)
+        raise BoardRefused(f"The board is blurred: its edges are {width:.1f} px wide, {widest:.1f} px is the most.", BLURRED, "blurred")
     if np.median(sigma_px) > WORST_SIGMA_PX:
-        raise CalibrationError(
+        raise BoardRefused(
             f"The marks scatter by {np.median(sigma_px):.2f} px about a smooth grid, {WORST_SIGMA_PX} px is the most.",
             "Take a sharper and brighter image of the flat board.",
+            "blurred",
         )
     return width
 
@@ -77,20 +79,23 @@ def edge_width(grey: ImageArray, board: BoardDescription, corners_px: FloatArray
     return max(_profile_width(_profiles(grey, *places)) for places in _edges(board, corners_px, axes))
 
 
-def missing(grey: ImageArray, board: BoardDescription) -> CalibrationError:
+def missing(grey: ImageArray, board: BoardDescription) -> BoardRefused:
     """Return what is to be said of an image in which ``board`` was not found."""
     sample = grey[::4, ::4]
     bright = float(np.percentile(sample, 99))
     if bright < DARK_LEVEL:
-        return CalibrationError(f"The {board.label} was not found: the image is too dark ({bright:.0f} of 255).", EXPOSED_MORE)
+        return BoardRefused(f"The {board.label} was not found: the image is too dark ({bright:.0f} of 255).", EXPOSED_MORE, "too dark")
     clipped = float(np.mean(sample >= FULL_SCALE))
     if clipped > CLIPPED_IMAGE:
-        return CalibrationError(f"The {board.label} was not found: the image is over-exposed ({clipped:.0%} clipped).", EXPOSED_LESS)
+        return BoardRefused(
+            f"The {board.label} was not found: the image is over-exposed ({clipped:.0%} clipped).", EXPOSED_LESS, "over-exposed"
+        )
     if nothing_sharp(grey):
-        return CalibrationError(f"The {board.label} was not found: nothing in the image is sharp, it is blurred.", BLURRED)
-    return _seen_instead(grey, board) or CalibrationError(
+        return BoardRefused(f"The {board.label} was not found: nothing in the image is sharp, it is blurred.", BLURRED, "blurred")
+    return _seen_instead(grey, board) or BoardRefused(
         f"The {board.label} was not found.",
         "The whole board must be visible, sharp and not over-exposed; check the kind of board and its size.",
+        "not found",
     )
 
 
@@ -107,12 +112,13 @@ def _require_levels(grey: ImageArray, corners_px: FloatArray, reach_px: float) -
         clipped.append(np.mean(patch >= FULL_SCALE) > CLIPPED_MARK)
         bright.append(np.percentile(patch, 90))
     if np.mean(clipped) > CLIPPED_MARKS:
-        raise CalibrationError(
+        raise BoardRefused(
             f"The board is over-exposed: its white is clipped at {np.mean(clipped):.0%} of the marks, which makes them scatter.",
             EXPOSED_LESS,
+            "over-exposed",
         )
     if np.median(bright) < DARK_LEVEL:
-        raise CalibrationError(f"The board is too dark: its white is {np.median(bright):.0f} of 255.", EXPOSED_MORE)
+        raise BoardRefused(f"The board is too dark: its white is {np.median(bright):.0f} of 255.", EXPOSED_MORE, "too dark")
 
 
 def _require_plain(grey: ImageArray, grid: FloatArray) -> None:
@@ -125,8 +131,10 @@ def _require_plain(grey: ImageArray, grid: FloatArray) -> None:
     level = np.median(levels, axis=0)
     contrast = np.percentile(levels, 95) - np.percentile(levels, 5)
     if np.median(np.ptp(levels, axis=0)[level > np.median(level)]) > PRINTED_SQUARE * contrast:
-        raise CalibrationError(
-            "The squares of the board are not plain: markers are printed in them.", "Describe it as a ChArUco board with its dictionary."
+        raise BoardRefused(
+            "The squares of the board are not plain: markers are printed in them.",
+            "Describe it as a ChArUco board with its dictionary.",
+            "wrong board",
         )
 
 
@@ -182,7 +190,7 @@ def nothing_sharp(grey: ImageArray) -> bool:
     return bool(high - low > DARK_LEVEL and GAUSSIAN_RISE * (high - low) / (np.sqrt(2 * np.pi) * steepest) > WIDEST_EDGE_PX)
 
 
-def _seen_instead(grey: ImageArray, board: BoardDescription) -> CalibrationError | None:
+def _seen_instead(grey: ImageArray, board: BoardDescription) -> BoardRefused | None:
     """Say what kind of grid there is instead of ``board``."""
     if isinstance(board, CharucoDescription):
         return charuco_instead(grey, board)
@@ -200,13 +208,15 @@ def _seen_instead(grey: ImageArray, board: BoardDescription) -> CalibrationError
     return _another(board, f"{longer} × {shorter} corners", count, whole=whole and count == longer * shorter, larger=larger)
 
 
-def _another(board: BoardDescription, looks_like: str, count: int, *, whole: bool, larger: bool) -> CalibrationError:
+def _another(board: BoardDescription, looks_like: str, count: int, *, whole: bool, larger: bool) -> BoardRefused:
     if whole or larger:
-        return CalibrationError(
+        return BoardRefused(
             f"The {board.label} was not found: the board in the image looks like one of {looks_like}.",
             f"Give the size of the board that was used, or use the {board.label}.",
+            "wrong board",
         )
-    return CalibrationError(
+    return BoardRefused(
         f"The {board.label} was not found: only {count} of its {board.count} marks can be seen, the rest is hidden or outside the image.",
         "Show the whole board, or use a ChArUco board, of which a part is enough.",
+        "hidden",
     )

@@ -62,6 +62,17 @@ def calibrate_camera(
     return MonoSolution(pinhole, {sighting.view: pose for sighting, pose in zip(used, poses, strict=True)}, tuple(rejected))
 
 
+def with_known_lens(sightings: Sequence[Sighting], board: BoardDescription, pinhole: PinholeCamera) -> MonoSolution:
+    """Return the board poses of one camera whose lens is roughly known; no view is left out, since a rough lens may be what fits badly."""
+    poses = {}
+    for sighting in sightings:
+        marks, flat = board.marks_mm(sighting.ids), pinhole.normalise(sighting.corners_px)
+        plane = np.column_stack([marks[:, :2], np.zeros(len(marks))])
+        _, turn, shift = cv2.solvePnP(plane, flat.reshape(-1, 1, 2), np.eye(3), np.zeros(5), flags=cv2.SOLVEPNP_IPPE)
+        poses[sighting.view] = RigidTransform.from_vector(np.ravel(turn), np.ravel(shift), sighting.camera, "board")
+    return MonoSolution(pinhole, poses, ())
+
+
 def bad_view_reason(error_px: float, median_px: float) -> str:
     """Say why a view was left out."""
     return (

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 
 import numpy as np
@@ -11,7 +11,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.board import require_unambiguous
 from measureapp.calibrate.bundle import Bundle, BundleState, Sight, adjust
-from measureapp.calibrate.camera import FIXED_COEFFICIENTS, LEAST_VIEWS, calibrate_camera
+from measureapp.calibrate.camera import FIXED_COEFFICIENTS, LEAST_VIEWS, calibrate_camera, with_known_lens
 from measureapp.calibrate.camera_cleaning import Cleaned, CornerRejection, Names, cleaned, compacted
 from measureapp.calibrate.camera_pairs import LoopCheck, contradictions, loops, placed_from_reference
 from measureapp.calibrate.least_squares import Minimum
@@ -62,11 +62,15 @@ class CameraArraySolution:
     covariance: FloatArray = field(repr=False, default_factory=lambda: np.empty((0, 0)))
 
 
-def solve(problem: CameraArrayProblem, progress: Progress | None = None) -> CameraArraySolution:
+def solve(problem: CameraArrayProblem, progress: Progress | None = None, before: CameraArraySolution | None = None) -> CameraArraySolution:
     """Calibrate 1…n cameras from views of one board.
 
     Per camera Zhang's method; pairs by R = R_l R_rᵀ, t = t_l - R t_r; then one bundle adjustment over all lenses,
     camera poses and board poses with a robust loss. Sightings that fit badly are left out, each with its reason.
+
+    Parameters
+    ----------
+    before : a solution from fewer or other views of the same cameras, whose lenses are then the start in place of Zhang's
 
     Raises
     ------
@@ -76,11 +80,13 @@ def solve(problem: CameraArrayProblem, progress: Progress | None = None) -> Came
     """
     progress = progress or NoProgress()
     _check(problem)
-    sightings, rejected, start, checks = _started(problem, PartOf(progress, 0.0, 0.4))
+    sightings, rejected, start, checks = _started(problem, before, PartOf(progress, 0.0, 0.4))
     cameras, views = _indices(problem, sightings)
     sights = [Sight(cameras[one.camera], views[one.view], one.corners_px, np.ones(len(one.corners_px), bool), one.ids) for one in sightings]
     names: Names = (tuple(cameras), tuple(views))
     free_bow = problem.free_bow and len(sights) >= LEAST_SIGHTS_FOR_BOW
+    if free_bow and before is not None:
+        start = replace(start, bow_mm=np.array(before.board.bow_mm))
     corners: list[CornerRejection] = []
     for number in range(ROUNDS):
         part = PartOf(progress, 0.4 + 0.6 * number / ROUNDS, 0.4 + 0.6 * (number + 1) / ROUNDS, "bundle: ")
@@ -111,8 +117,10 @@ def _check(problem: CameraArrayProblem) -> None:
         require_unambiguous(problem.board, "a calibration of several cameras")
 
 
-def _started(problem: CameraArrayProblem, progress: Progress) -> tuple[list[Sighting], list[Rejection], BundleState, tuple[LoopCheck, ...]]:
-    """Calibrate every camera alone and chain them: the start values of the bundle."""
+def _started(
+    problem: CameraArrayProblem, before: CameraArraySolution | None, progress: Progress
+) -> tuple[list[Sighting], list[Rejection], BundleState, tuple[LoopCheck, ...]]:
+    """Calibrate every camera alone, or take its lens from ``before``, and chain them: the start values of the bundle."""
     order = (problem.reference, *(name for name in problem.sizes_px if name != problem.reference))
     rejected = list(problem.rejected)
     solutions = {}
@@ -124,7 +132,10 @@ def _started(problem: CameraArrayProblem, progress: Progress) -> tuple[list[Sigh
                 f"Camera {camera!r} has {len(own)} views of the board; at least {LEAST_VIEWS} are needed.",
                 "Add views with the board tilted in different directions.",
             )
-        solutions[camera] = calibrate_camera(own, problem.board, problem.sizes_px[camera], problem.distortion_count)
+        if before is None:
+            solutions[camera] = calibrate_camera(own, problem.board, problem.sizes_px[camera], problem.distortion_count)
+        else:
+            solutions[camera] = with_known_lens(own, problem.board, before.calibration.cameras[camera].pinhole)
         rejected += solutions[camera].rejected
     poses = {camera: dict(solutions[camera].camera_from_board) for camera in order}
     for rejection in contradictions(poses):

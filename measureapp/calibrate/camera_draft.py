@@ -31,7 +31,11 @@ class CameraArrayDraft:
 
     def add(self, camera: str, view: str, corners_px: FloatArray, ids: IntArray | None = None) -> None:
         """Add the corners seen by one camera; ``ids`` says which they are, where it did not see all."""
-        self._sightings[camera, view] = Sighting(camera, view, corners_px, ids)
+        self.add_sighting(Sighting(camera, view, corners_px, ids))
+
+    def add_sighting(self, sighting: Sighting) -> None:
+        """Add what one camera saw in one view."""
+        self._sightings[sighting.camera, sighting.view] = sighting
 
     def reject(self, camera: str, view: str, reason: str) -> None:
         """Note that one camera gave nothing in a view, and why."""

@@ -56,18 +56,23 @@ class RigDraft:
 
     def shortfalls(self) -> tuple[str, ...]:
         """Say what is still missing."""
-        few = LEAST_OBSERVATIONS - len(self._observations)
-        missing = [f"{few} more sightings of the board are needed."] if few > 0 else []
-        sweep, stroke = _spans(self._observations)
-        if sweep < LEAST_SWEEP_RAD:
-            missing.append("Turn the table between sightings, so that its axis shows.")
-        if stroke < LEAST_STROKE_MM:
-            missing.append("Move the guide between sightings, so that its direction shows.")
-        return tuple(missing)
+        return shortfalls([observation.readback for observation in self._observations])
 
     def solve(self, progress: Progress | None = None) -> RigSolution:
         """Solve what was collected."""
         return solve_rig(self._observations, self._cameras, noise=self._noise, progress=progress)
+
+
+def shortfalls(readbacks: Sequence[AxisReadback]) -> tuple[str, ...]:
+    """Say what sightings with these read-backs still miss to determine the rig."""
+    few = LEAST_OBSERVATIONS - len(readbacks)
+    missing = [f"{few} more sightings of the board are needed."] if few > 0 else []
+    sweep, stroke = _spans(readbacks)
+    if sweep < LEAST_SWEEP_RAD:
+        missing.append("Turn the table between sightings, so that its axis shows.")
+    if stroke < LEAST_STROKE_MM:
+        missing.append("Move the guide between sightings, so that its direction shows.")
+    return tuple(missing)
 
 
 def solve_rig(
@@ -99,7 +104,7 @@ def solve_rig(
     """
     progress = progress or NoProgress()
     noise = noise or AxisNoise()
-    sweep, stroke = _spans(observations)
+    sweep, stroke = _spans([observation.readback for observation in observations])
     if camera_prior is not None and any(observation.by_cameras is None for observation in observations):
         raise CalibrationError(
             "The board poses do not say how they depend on the cameras.", "Give `by_cameras` with every sighting, or no camera prior."
@@ -121,7 +126,11 @@ def solve_rig(
         if outlier is None:
             break
         rejected[kept.pop(outlier).name] = REJECTED
-        if len(rejected) > MOST_REJECTED * len(observations) or len(kept) < LEAST_OBSERVATIONS or _spans(kept)[0] < LEAST_SWEEP_RAD:
+        if (
+            len(rejected) > MOST_REJECTED * len(observations)
+            or len(kept) < LEAST_OBSERVATIONS
+            or _spans([one.readback for one in kept])[0] < LEAST_SWEEP_RAD
+        ):
             raise CalibrationError(
                 "Too many sightings of the board contradict each other: " + ", ".join(rejected) + ".",
                 "Check that the board is fixed on the table, and that tables and images are in the same order.",
@@ -135,10 +144,9 @@ def solve_rig(
 _UNSEEN_GUIDE = "direction and scale of the guide: it hardly moved, +Y and 1 are assumed"
 
 
-def _spans(observations: Sequence[RigObservation]) -> tuple[float, float]:
-    if not observations:
+def _spans(readbacks: Sequence[AxisReadback]) -> tuple[float, float]:
+    if not readbacks:
         return 0.0, 0.0
-    readbacks = [observation.readback for observation in observations]
     return float(np.ptp([one.table_rad for one in readbacks])), float(np.ptp([one.guide_mm for one in readbacks]))
 
 

@@ -3,10 +3,22 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
+from measureapp.errors import CalibrationError
+
+Cause = Literal["blurred", "over-exposed", "too dark", "hidden", "wrong board", "not found"]
+
+
+class BoardRefused(CalibrationError):
+    """An image from which no marks are taken; `cause` names why in one word or two."""
+
+    def __init__(self, message: str, hint: str, cause: Cause) -> None:
+        super().__init__(message, hint)
+        self.cause: Cause = cause
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -20,8 +20,9 @@ from measureapp.calibrate.joint import RigObservation, solve_rig
 from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.sightings import FoundBoard, Rejection, sighting_of
 from measureapp.data.board import BoardDescription, BoardView
-from measureapp.data.calibration import CameraArrayCalibration, Provenance
+from measureapp.data.calibration import Provenance
 from measureapp.data.conditions import LensSetting
+from measureapp.data.fringe import AxisReadback
 from measureapp.data.rig import RigDescription
 from measureapp.errors import CalibrationError
 from measureapp.progress import PartOf, Progress
@@ -58,16 +59,37 @@ def calibrate_from_views(views: Sequence[BoardView], board: BoardDescription, ri
         sightings=tuple(sighting_of(camera, view, one) for view, seen in found.items() for camera, one in seen.items()),
         rejected=missed,
     )
-    solved = solve_cameras(problem, PartOf(progress, 0.5, 0.8))
-    cameras = _with_devices(solved.calibration, rig, views)
-    solved = replace(solved, calibration=cameras)
-    observations = _observations(views, found, solved)
-    prior = CameraPrior(solved.parameters, solved.covariance)
-    solution = solve_rig(observations, cameras, noise=expected_noise(rig), camera_prior=prior, progress=PartOf(progress, 0.8, 1.0))
-    calibration = solution.calibration
+    solved = with_devices(solve_cameras(problem, PartOf(progress, 0.5, 0.8)), *_devices(rig, views))
+    readbacks = {view.viewpoint_id: view.readback for view in views}
+    calibrated = rig_with_cameras(solved, found, readbacks, expected_noise(rig), PartOf(progress, 0.8, 1.0))
+    calibration = calibrated.rig.calibration
     provenance = _provenance(calibration.provenance.method, rig, views)
     cameras = replace(calibration.cameras, provenance=replace(provenance, method=calibration.cameras.provenance.method))
-    return CalibratedRig(solved, replace(solution, calibration=replace(calibration, cameras=cameras, provenance=provenance)))
+    return replace(calibrated, rig=replace(calibrated.rig, calibration=replace(calibration, cameras=cameras, provenance=provenance)))
+
+
+def rig_with_cameras(
+    solved: CameraArraySolution,
+    found: Mapping[str, Mapping[str, FoundBoard]],
+    readbacks: Mapping[str, AxisReadback],
+    noise: AxisNoise,
+    progress: Progress,
+) -> CalibratedRig:
+    """Solve hand-eye, guide and axis with cameras that were calibrated from the same sightings.
+
+    Parameters
+    ----------
+    found : view -> camera -> marks
+    readbacks : view -> where the axes stood
+
+    Raises
+    ------
+    CalibrationError
+        The sightings do not determine the rig.
+    """
+    prior = CameraPrior(solved.parameters, solved.covariance)
+    observations = _observations(readbacks, found, solved)
+    return CalibratedRig(solved, solve_rig(observations, solved.calibration, noise=noise, camera_prior=prior, progress=progress))
 
 
 def _provenance(method: str, rig: RigDescription, views: Sequence[BoardView]) -> Provenance:
@@ -117,27 +139,35 @@ def _detected(
 
 
 def _observations(
-    views: Sequence[BoardView], found: Mapping[str, Mapping[str, FoundBoard]], solved: CameraArraySolution
+    readbacks: Mapping[str, AxisReadback], found: Mapping[str, Mapping[str, FoundBoard]], solved: CameraArraySolution
 ) -> list[RigObservation]:
     """Board poses from the sightings that the camera calibration kept."""
     used = {(residual.camera, residual.view) for residual in solved.views}
     observations = []
-    for view in views:
-        seen = {camera: one for camera, one in found[view.viewpoint_id].items() if (camera, view.viewpoint_id) in used}
+    for view, readback in readbacks.items():
+        seen = {camera: one for camera, one in found[view].items() if (camera, view) in used}
         if seen:
             corners, ids = {camera: one.corners_px for camera, one in seen.items()}, {camera: one.ids for camera, one in seen.items()}
             pose = board_pose(corners, solved.calibration, solved.board, solved.sigma_px, ids)
             by_cameras = pose_by_cameras(pose, ids, solved.calibration, solved.board, solved.parameters)
-            observations.append(RigObservation(view.viewpoint_id, view.readback, pose, by_cameras))
+            observations.append(RigObservation(view, readback, pose, by_cameras))
     return observations
 
 
-def _with_devices(calibration: CameraArrayCalibration, rig: RigDescription, views: Sequence[BoardView]) -> CameraArrayCalibration:
-    """Note which cameras took the images, as they said themselves or else as the rig is described, and how their lenses were set."""
+def _devices(rig: RigDescription, views: Sequence[BoardView]) -> tuple[Mapping[str, str], Mapping[str, LensSetting]]:
+    """Return the serial number of every camera, as it said itself or else as the rig is described, and how its lens was set."""
     last = next((view.conditions for view in reversed(views) if view.conditions is not None), None)
-    serials, lenses = ({}, {}) if last is None else (last.serials, last.lenses)
+    serials = {camera.name: camera.serial for camera in rig.cameras}
+    return (serials, {}) if last is None else ({**serials, **last.serials}, last.lenses)
+
+
+def with_devices(
+    solution: CameraArraySolution, serials: Mapping[str, str], lenses: Mapping[str, LensSetting] | None = None
+) -> CameraArraySolution:
+    """Return the solution with the serial numbers of its cameras and how their lenses were set."""
+    calibration = solution.calibration
     cameras = {
-        name: replace(camera, serial=serials.get(name, rig.camera(name).serial), lens=lenses.get(name, LensSetting()))
+        name: replace(camera, serial=serials.get(name, ""), lens=(lenses or {}).get(name, LensSetting()))
         for name, camera in calibration.cameras.items()
     }
-    return replace(calibration, cameras=cameras)
+    return replace(solution, calibration=replace(calibration, cameras=cameras))

@@ -77,9 +77,9 @@ def rig_calibration_document(calibration: RigCalibration) -> dict[str, Any]:
     """Return everything but the cameras, which have a file of their own, as JSON."""
     return {
         "schema_version": 1,
-        "hand_eye": _plain(calibration.hand_eye),
-        "guide": _plain(calibration.guide),
-        "axis": _plain(calibration.axis),
+        "hand_eye": link_document(calibration.hand_eye),
+        "guide": link_document(calibration.guide),
+        "axis": link_document(calibration.axis),
         "provenance": asdict(calibration.provenance),
         "stations": [_plain(station) for station in calibration.stations],
     }
@@ -87,18 +87,35 @@ def rig_calibration_document(calibration: RigCalibration) -> dict[str, Any]:
 
 def rig_calibration_from(document: Mapping[str, Any], cameras: CameraArrayCalibration) -> RigCalibration:
     """Return the calibration of a document and its cameras."""
-    hand_eye = dict(document["hand_eye"])
-    hand_eye["flange_from_camera"] = transform_from(hand_eye["flange_from_camera"])
-    guide = {**document["guide"], "direction": np.array(document["guide"]["direction"])}
-    axis = {**document["axis"], "direction": np.array(document["axis"]["direction"]), "point_mm": np.array(document["axis"]["point_mm"])}
     return RigCalibration(
         cameras=cameras,
-        hand_eye=HandEye(**hand_eye),
-        guide=LinearGuide(**guide),
-        axis=RotationAxis(**axis),
+        hand_eye=hand_eye_from(document["hand_eye"]),
+        guide=guide_from(document["guide"]),
+        axis=axis_from(document["axis"]),
         provenance=Provenance(**document["provenance"]),
         stations=tuple(RobotStation(transform_from(station["read"]), transform_from(station["true"])) for station in document["stations"]),
     )
+
+
+def link_document(link: HandEye | LinearGuide | RotationAxis) -> dict[str, Any]:
+    """Return a link of the rig's chain as JSON."""
+    return _plain(link)
+
+
+def hand_eye_from(document: Mapping[str, Any]) -> HandEye:
+    """Return the hand-eye transform of a document."""
+    return HandEye(**{**document, "flange_from_camera": transform_from(document["flange_from_camera"])})
+
+
+def guide_from(document: Mapping[str, Any]) -> LinearGuide:
+    """Return the linear guide of a document."""
+    return LinearGuide(**{**document, "direction": np.array(document["direction"], float)})
+
+
+def axis_from(document: Mapping[str, Any]) -> RotationAxis:
+    """Return the rotation axis of a document."""
+    arrays = {name: np.array(document[name], float) for name in ("direction", "point_mm")}
+    return RotationAxis(**{**document, **arrays})
 
 
 def placement_document(placement: ViewPlacement) -> dict[str, Any]:

@@ -22,7 +22,7 @@ def dead(*_):
 
 def connect(description, settings):
     return SimpleNamespace(
-        cameras={"left": SimpleNamespace(serial="1", width_px=4, height_px=3, exposure_us=dead)},
+        cameras={"left": SimpleNamespace(serial="1", width_px=4, height_px=3, exposure_us=dead, temperature_c=lambda: None)},
         projector=SimpleNamespace(name="projector", width_px=4, height_px=3, shown=lambda: -1),
         robot=SimpleNamespace(name="robot", pose=dead),
         guide=SimpleNamespace(name="guide", position_mm=lambda: 5.0),

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from measureapp.calibrate.board import find_board, require_unambiguous
-from measureapp.calibrate.board_pose import BoardPose, board_pose, stated_pose
+from measureapp.calibrate.board_pose import BoardPose, board_pose, stated_pose, with_seen_noise
 from measureapp.calibrate.sightings import FoundBoard
 from measureapp.cli.calibrate.options import BoardChoice
 from measureapp.data.board import BoardDescription
@@ -22,8 +20,6 @@ from measureapp.progress import Progress
 from measureapp.project.board_images import BoardImages, find_board_images
 from measureapp.project.camera_file import read_cameras
 from measureapp.project.tables import read_poses, require_millimetres
-
-LEAST_CORNER_SIGMA_PX = 0.02
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -60,7 +56,7 @@ def poses_from_images(
         raise InputError(f"{cameras} has no camera {unknown[0]!r}.", "It has: " + ", ".join(array.cameras) + ".")
     found, rejected = _corners(files, array, description, progress)
     poses = {position: _pose(seen, array, description) for position, seen in sorted(found.items())}
-    return PosesFromImages(description, array, files.positions, _with_seen_noise(poses), rejected)
+    return PosesFromImages(description, array, files.positions, with_seen_noise(poses), rejected)
 
 
 def _corners(
@@ -89,14 +85,6 @@ def _corners(
 def _pose(seen: dict[str, FoundBoard], array: CameraArrayCalibration, board: BoardDescription) -> BoardPose:
     corners = {camera: found.corners_px for camera, found in seen.items()}
     return board_pose(corners, array, board, ids={camera: found.ids for camera, found in seen.items()})
-
-
-def _with_seen_noise(poses: dict[int, BoardPose]) -> dict[int, BoardPose]:
-    """Scale the information to the noise the residuals of all positions show, instead of the assumed 0.1 px."""
-    if not poses:
-        return poses
-    sigma = max(float(np.sqrt(np.mean([pose.rms_px**2 for pose in poses.values()]) / 2)), LEAST_CORNER_SIGMA_PX)
-    return {position: replace(pose, information=pose.information * (0.1 / sigma) ** 2) for position, pose in poses.items()}
 
 
 def named_board_poses(

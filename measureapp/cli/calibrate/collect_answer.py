@@ -1,0 +1,157 @@
+"""What `calibrate collect` answers, as JSON and as lines."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from measureapp.pipeline.collecting import estimates_of, result_of
+
+if TYPE_CHECKING:
+    from measureapp.pipeline.collecting import Advice, Collection, Comparison, Observation, Verdict
+    from measureapp.pipeline.collecting.coaching import Ghost
+
+MARKS = {"used": "✓", "new": "·", "rejected": "✗", "removed": "–", "no board": "✗"}
+
+
+def collect_answer(
+    collection: Collection,
+    steps: Mapping[str, Sequence[str]],
+    advice: Advice | None,
+    verdict: Verdict | None,
+    comparison: Comparison | None,
+) -> dict[str, Any]:
+    """Return the JSON answer: what was done, every observation, and what was asked for."""
+    document: dict[str, Any] = {
+        "session": collection.folder,
+        "kind": collection.setup.kind,
+        **steps,
+        "can_undo": collection.can_undo,
+        "can_redo": collection.can_redo,
+        "observations": [_observation(one) for one in collection.observations],
+        "shortfalls": collection.shortfalls(),
+        "coach": None if advice is None else _advice(advice),
+        "estimates": [],
+        "verdict": None if verdict is None else _verdict(verdict),
+        "comparison": None if comparison is None else _comparison(comparison),
+    }
+    if collection.solved is not None:
+        document["estimates"] = [
+            {"name": one.name, "value": one.value, "standard_deviation": one.sigma, "unit": one.unit}
+            for one in estimates_of(result_of(collection.solved))
+        ]
+    return document
+
+
+def collect_lines(document: Mapping[str, Any]) -> list[str]:
+    """Return the answer for people."""
+    lines = [f"Session {document['session']}: {document['kind']}, {len(document['observations'])} observations."]
+    for step in ("undone", "redone", "added", "removed"):
+        if document[step]:
+            lines.append(f"{step.capitalize()}: {', '.join(document[step])}")
+    lines += [_observation_line(one) for one in document["observations"]]
+    lines += [f"  missing: {sentence}" for sentence in document["shortfalls"]]
+    if document["coach"] is not None:
+        sentences = document["coach"]["sentences"] or ["Enough was collected."]
+        lines += ["Next:", *(f"  {sentence}" for sentence in sentences)]
+    if document["estimates"]:
+        lines += ["Estimates ± standard deviation:", *(_estimate_line(one) for one in document["estimates"])]
+    if document["verdict"] is not None:
+        lines += [document["verdict"]["sentence"], f"  {document['verdict']['reason']}"]
+        lines += [f"  {document['verdict']['remedy']}"] if document["verdict"]["remedy"] else []
+        lines += [f"  but: {reason}" for reason in document["verdict"]["but"]]
+    if document["comparison"] is not None:
+        lines += [document["comparison"]["sentence"], *(_change_line(one) for one in document["comparison"]["changes"])]
+    return lines + ([f"Written: {document['accepted']}"] if document["accepted"] is not None else [])
+
+
+def _observation(one: Observation) -> dict[str, Any]:
+    read = one.readback
+    return {
+        "id": one.id,
+        "standing": one.standing,
+        "reason": one.reason,
+        "images": {
+            camera: {
+                "file": image.path,
+                "name": image.name,
+                "checksum": image.checksum,
+                "marks": len(one.seen[camera].ids) if camera in one.seen else 0,
+                "refused": one.refused[camera].cause if camera in one.refused else None,
+            }
+            for camera, image in one.images.items()
+        },
+        "residuals_px": dict(one.residuals_px),
+        "residual_mm": one.residual_mm,
+        "base_from_flange": None if read.base_from_flange is None else read.base_from_flange.matrix,
+        "guide_mm": read.guide_mm,
+        "table_deg": None if read.table_rad is None else math.degrees(read.table_rad),
+    }
+
+
+def _advice(advice: Advice) -> dict[str, Any]:
+    gauges = [
+        {"name": one.name, "camera": one.camera, "value": one.value, "target": one.target, "unit": one.unit, "share": one.share}
+        for one in advice.gauges
+    ]
+    return {"sentences": advice.sentences, "gauges": gauges, "ghost": None if advice.ghost is None else _ghost(advice.ghost)}
+
+
+def _ghost(ghost: Ghost) -> dict[str, Any]:
+    return {
+        "outlines_px": dict(ghost.outlines_px),
+        "base_from_flange": None if ghost.base_from_flange is None else ghost.base_from_flange.matrix,
+        "guide_mm": ghost.guide_mm,
+        "table_deg": None if ghost.table_rad is None else math.degrees(ghost.table_rad),
+    }
+
+
+def _verdict(verdict: Verdict) -> dict[str, Any]:
+    return {
+        "level": verdict.level,
+        "sentence": verdict.sentence,
+        "reason": verdict.reason,
+        "remedy": verdict.remedy,
+        "but": verdict.reasons,
+        "expanded_mm": verdict.expanded_mm,
+        "good_mm": verdict.limits.good_mm,
+        "usable_mm": verdict.limits.usable_mm,
+    }
+
+
+def _comparison(comparison: Comparison) -> dict[str, Any]:
+    return {
+        "within": comparison.within,
+        "sentence": comparison.sentence,
+        "on_part_mm": comparison.on_part_mm,
+        "promised_mm": comparison.promised_mm,
+        "changes": [
+            {
+                "name": one.name,
+                "previous": one.previous,
+                "new": one.new,
+                "difference": one.difference,
+                "standard_deviation": one.sigma,
+                "unit": one.unit,
+                "within": one.within,
+            }
+            for one in comparison.changes
+        ],
+    }
+
+
+def _observation_line(one: Mapping[str, Any]) -> str:
+    px = ", ".join(f"{camera} {value:.3f} px" for camera, value in one["residuals_px"].items())
+    mm = "" if one["residual_mm"] is None else f"{one['residual_mm']:.4f} mm"
+    told = "  ".join(part for part in (mm, px, one["reason"]) if part)
+    return f"  {MARKS[one['standing']]} {one['id']}  {one['standing']:<9} {told}".rstrip()
+
+
+def _estimate_line(one: Mapping[str, Any]) -> str:
+    return f"  {one['name']:<32} {one['value']:14.6f} ± {one['standard_deviation']:.6f} {one['unit']}".rstrip()
+
+
+def _change_line(one: Mapping[str, Any]) -> str:
+    mark = "" if one["within"] else "  more than expected"
+    return f"  {one['name']:<32} {one['difference']:+14.6f} ± {one['standard_deviation']:.6f} {one['unit']}{mark}".rstrip()

@@ -1,0 +1,115 @@
+"""What `calibrate collect` is given: how a session starts, where its images come from, and what it is compared with."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, cast, get_args
+
+from measureapp.cli.calibrate.options import NO_BOARD, BoardChoice
+from measureapp.errors import InputError
+from measureapp.pipeline.calibrate import expected_noise
+from measureapp.pipeline.collecting import Collection, Kind, ReadbackFiles, Setup, add_recorded, add_views, read_result, result_of
+from measureapp.progress import Progress
+from measureapp.project.board_images import find_board_images
+from measureapp.project.camera_file import read_cameras
+from measureapp.project.folder import ProjectFolder
+
+if TYPE_CHECKING:
+    from measureapp.calibrate.axis_noise import AxisNoise
+    from measureapp.data.calibration import HandEye
+    from measureapp.pipeline.collecting.estimates import Calibrated
+
+
+@dataclass(frozen=True, slots=True)
+class Sources:
+    """Where observations come from."""
+
+    images: tuple[str, ...]
+    project: Path | None
+    readbacks: ReadbackFiles
+
+    def camera_names(self) -> tuple[str, ...]:
+        """Return the cameras that the images or the project name. Raises InputError where there are none."""
+        if self.images:
+            return find_board_images(self.images).cameras
+        if self.project is not None:
+            rig = ProjectFolder.open(self.project).rig()
+            return (rig.reference, *(camera.name for camera in rig.cameras if camera.name != rig.reference))
+        raise InputError("A new session needs images.", "Give --images left='folder/left*.png', or --views PROJECT.")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Given:
+    """The options that a new session starts with; a session that is continued has its own.
+
+    With a project, its rig's data sheets say how large the errors of robot and table are, and not `noise`.
+    """
+
+    kind: str
+    board: BoardChoice
+    cameras: Path | None
+    hand_eye: Path | None
+    reference: str | None
+    distortion: int
+    standoff_mm: float | None
+    noise: AxisNoise
+
+    def setup(self, sources: Sources) -> Setup:
+        """Return what the session is told. Raises InputError naming the option that is wrong or missing."""
+        names = sources.camera_names()
+        if self.reference is not None and self.reference not in names:
+            raise InputError(f"--reference {self.reference!r} is not among the cameras.", "Name one of: " + ", ".join(names) + ".")
+        first = self.reference or names[0]
+        project = None if sources.project is None else ProjectFolder.open(sources.project)
+        rig = None if project is None else project.rig()
+        return Setup(
+            kind=cast(Kind, self.kind),
+            board=self.board.description() if self.board != NO_BOARD or project is None else project.settings.board,
+            camera_names=(first, *(name for name in names if name != first)),
+            cameras=None if self.cameras is None else read_cameras(self.cameras),
+            hand_eye=None if self.hand_eye is None else _hand_eye(self.hand_eye),
+            noise=self.noise if rig is None else expected_noise(rig),
+            distortion_count=self.distortion,
+            standoff_mm=self.standoff_mm if self.standoff_mm is not None or rig is None else rig.standoff_mm,
+            serials={} if rig is None else {camera.name: camera.serial for camera in rig.cameras},
+        )
+
+
+def opened(folder: Path, given: Given, sources: Sources) -> Collection:
+    """Continue the session in ``folder``, or start it. Raises InputError where the options contradict the session there."""
+    if given.kind not in get_args(Kind):
+        raise InputError(f"{given.kind!r} is no kind of calibration.", "Choose one of: " + ", ".join(get_args(Kind)) + ".")
+    if not Collection.is_in(folder):
+        return Collection.create(folder, given.setup(sources))
+    collection = Collection.open(folder)
+    setup = collection.setup
+    if setup.kind != given.kind:
+        raise InputError(f"{folder} is a session for {setup.kind}, not for {given.kind}.", "Name that kind, or another folder.")
+    if given.board.board is not None and given.board.description() != setup.board:
+        raise InputError(f"The session in {folder} uses a {setup.board.label}.", "Leave the options of the board out, or start anew.")
+    return collection
+
+
+def add_sources(collection: Collection, sources: Sources, progress: Progress) -> list[str]:
+    """Add what the options name and is not in the session yet; return the ids of the new observations."""
+    added = []
+    if sources.images:
+        added += [one.id for one in add_recorded(collection, find_board_images(sources.images), sources.readbacks, progress)]
+    if sources.project is not None:
+        views = ProjectFolder.open(sources.project).path / "calibration" / "views"
+        added += [one.id for one in add_views(collection, views, progress)]
+    return added
+
+
+def previous_result(path: Path) -> Calibrated:
+    """Return what to compare with: a session is solved, anything else is read. Raises InputError, CalibrationError."""
+    if Collection.is_in(path):
+        return result_of(Collection.open(path).solve())
+    return read_result(path)
+
+
+def _hand_eye(path: Path) -> HandEye:
+    from measureapp.cli.calibrate.guide import read_hand_eye
+
+    return read_hand_eye(path)

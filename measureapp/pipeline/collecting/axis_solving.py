@@ -1,0 +1,268 @@
+"""Axis, hand-eye, guide and rig from board poses, with observations left out that contradict the others."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.calibrate.axis_circles import LEAST_POSITIONS as LEAST_TABLE_POSITIONS
+from measureapp.calibrate.board_pose import BoardPose, board_pose, with_seen_noise
+from measureapp.calibrate.hand_eye import LEAST_POSES, HandEyeDraft, HandEyeProblem
+from measureapp.calibrate.hand_eye import solve as solve_hand_eye
+from measureapp.calibrate.joint import RigObservation, solve_rig
+from measureapp.calibrate.joint import shortfalls as rig_shortfalls
+from measureapp.calibrate.joint_solution import RigSolution
+from measureapp.calibrate.linear_guide import LEAST_POSITIONS as LEAST_SLIDE_POSITIONS
+from measureapp.calibrate.linear_guide import GuideDraft, GuideObservation, GuideProblem
+from measureapp.calibrate.linear_guide import solve as solve_guide
+from measureapp.calibrate.poses import inverted, mean_pose
+from measureapp.calibrate.rotation_axis import AxisDraft, problem_from_poses
+from measureapp.calibrate.rotation_axis import solve as solve_axis
+from measureapp.data.board import BoardDescription
+from measureapp.data.calibration import CameraArrayCalibration
+from measureapp.errors import CalibrationError
+from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.pipeline.collecting.observation import Observation
+from measureapp.pipeline.collecting.setup import Setup
+from measureapp.pipeline.collecting.solved import Solution, Solved, misfit_mm, misfit_px, sentences
+from measureapp.progress import Progress
+
+OUTLIER_FACTOR = 6.0  # of the median misfit, as in the joint calibration of the rig
+LEAST_OUTLIER_MM = 0.05  # a misfit below is never called one
+SUSPECTS = 3  # the observations that fit worst, each tried to leave out
+RELIEF = 1 / 3  # of the rms misfit that is left without an observation which contradicts the others; noise alone leaves four fifths
+MOST_REJECTED = 0.25  # of the observations
+CONTRADICTION_FACTOR = 3.0  # of the median rms of all board poses
+LEAST_CONTRADICTION_PX = 0.5
+HOPELESS_PX = 5.0  # median rms beyond which the cameras are not those that were calibrated
+MOVED = "the board was seen {misfit:.2f} mm from where the observations together put it: it moved, or was found wrongly"
+CONTRADICTED = "its images contradict each other by {rms:.2f} px: the board moved between them, or they belong to different positions"
+EXCHANGED = (
+    "The images contradict the calibration of the cameras by {rms:.1f} px in most observations.",
+    "Check that no two cameras are exchanged, that images of one position belong together, and that the board's size is right.",
+)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BoardPlaces:
+    """Where the board stood in each observation, and the observations whose cameras contradict each other."""
+
+    poses: Mapping[str, BoardPose]
+    rejected: Mapping[str, str]
+
+
+def board_places(observations: Sequence[Observation], cameras: CameraArrayCalibration, board: BoardDescription) -> BoardPlaces:
+    """Find the board's pose in every observation, weighted with the noise that all of them show.
+
+    Raises
+    ------
+    CalibrationError
+        In most observations the images contradict the cameras.
+    """
+    poses = {
+        one.id: board_pose(
+            {camera: found.corners_px for camera, found in one.seen.items()},
+            cameras,
+            board,
+            ids={camera: found.ids for camera, found in one.seen.items()},
+        )
+        for one in observations
+    }
+    median = float(np.median([pose.rms_px for pose in poses.values()]))
+    if median > HOPELESS_PX:
+        raise CalibrationError(EXCHANGED[0].format(rms=median), EXCHANGED[1])
+    limit = max(CONTRADICTION_FACTOR * median, LEAST_CONTRADICTION_PX)
+    rejected = {name: CONTRADICTED.format(rms=pose.rms_px) for name, pose in poses.items() if pose.rms_px > limit}
+    return BoardPlaces(with_seen_noise({name: pose for name, pose in poses.items() if name not in rejected}), rejected)
+
+
+def solve_axes(setup: Setup, observations: Sequence[Observation], progress: Progress) -> Solved:
+    """Solve axis, hand-eye, guide or rig with cameras that are known. Raises CalibrationError as the calibration itself."""
+    assert setup.cameras is not None  # `Setup` sees to it
+    places = board_places(observations, setup.cameras, setup.board)
+    kept = [one for one in observations if one.id in places.poses]
+    answer, moved = _without_outliers(setup, kept, places.poses, progress)
+    solved = Solved(
+        solution=answer.solution,
+        of=tuple(one.id for one in observations),
+        used=tuple(answer.predicted),
+        board=setup.board,
+        cameras=setup.cameras,
+        places={name: pose.camera_from_board for name, pose in places.poses.items()},
+        reasons={**places.rejected, **moved},
+    )
+    return _with_residuals(solved, observations, answer.predicted)
+
+
+def with_rig(rig: RigSolution, observations: Sequence[Observation], cameras: Solved) -> Solved:
+    """Return a solved rig together with the cameras calibrated from the same observations."""
+    predicted = _rig_places(rig)
+    reasons = dict(cameras.reasons)
+    for name, reason in rig.rejected.items():
+        reasons[name] = sentences(reason, reasons.get(name, ""))
+    solved = replace(cameras, solution=rig, used=tuple(predicted), cameras=rig.calibration.cameras, reasons=reasons)
+    return _with_residuals(solved, observations, predicted)
+
+
+def axis_shortfalls(setup: Setup, observations: Sequence[Observation]) -> tuple[str, ...]:
+    """Say what the axes still miss."""
+    if setup.kind == "rig":
+        return rig_shortfalls([one.readback.full() for one in observations])
+    assert setup.cameras is not None  # `Setup` sees to it
+    try:
+        places = board_places(observations, setup.cameras, setup.board).poses
+    except CalibrationError as error:
+        return (str(error),)
+    return _draft(setup, [one for one in observations if one.id in places], places).shortfalls()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Answer:
+    solution: Solution
+    predicted: dict[str, RigidTransform]  # observation -> camera_from_board where the solution puts it
+
+
+Poses = Mapping[str, BoardPose]
+_Solver = Callable[[Setup, Sequence[Observation], Poses, Progress], _Answer]
+
+
+def _without_outliers(setup: Setup, kept: list[Observation], poses: Poses, progress: Progress) -> tuple[_Answer, dict[str, str]]:
+    """Solve, and leave out one observation after the other that lies far off, the farthest first."""
+    solver, least = _SOLVERS[setup.kind]
+    rejected: dict[str, str] = {}
+    count = len(kept)
+    while True:
+        answer = solver(setup, kept, poses, progress)
+        if isinstance(answer.solution, RigSolution):  # leaves out what contradicts the others by itself
+            return answer, dict(answer.solution.rejected)
+        if len(kept) <= least or len(rejected) + 1 > MOST_REJECTED * count:
+            return answer, rejected
+        misfits = _misfits(setup, answer, poses)
+        odd = _odd(setup, kept, poses, misfits, progress)
+        if odd is None:
+            return answer, rejected
+        rejected[odd] = MOVED.format(misfit=misfits[odd])
+        kept = [one for one in kept if one.id != odd]
+
+
+def _misfits(setup: Setup, answer: _Answer, poses: Poses) -> dict[str, float]:
+    return {name: misfit_mm(place, poses[name].camera_from_board, setup.board) for name, place in answer.predicted.items()}
+
+
+def _odd(setup: Setup, kept: Sequence[Observation], poses: Poses, misfits: Mapping[str, float], progress: Progress) -> str | None:
+    """Return the observation that contradicts the others: far beyond the median, or one without which all others fit far better.
+
+    The second test finds one at the end of an arc or a travel, which draws the solution to itself and so hides in the first.
+    """
+    ordered = sorted(misfits, key=lambda name: -misfits[name])
+    median = float(np.median(list(misfits.values())))
+    if misfits[ordered[0]] <= LEAST_OUTLIER_MM:
+        return None
+    if misfits[ordered[0]] > OUTLIER_FACTOR * median:
+        return ordered[0]
+    solver, _ = _SOLVERS[setup.kind]
+    before = _rms_of(misfits)
+    left = {}
+    for name in ordered[:SUSPECTS]:
+        try:
+            answer = solver(setup, [one for one in kept if one.id != name], poses, progress)
+        except CalibrationError:  # what is left does not determine the answer: no evidence against this one
+            continue
+        left[name] = _rms_of(_misfits(setup, answer, poses))
+    best = min(left, key=lambda name: left[name], default=None)
+    return best if best is not None and left[best] < RELIEF * before else None
+
+
+def _rms_of(misfits: Mapping[str, float]) -> float:
+    return float(np.sqrt(np.mean(np.square(list(misfits.values())))))
+
+
+def _axis(setup: Setup, kept: Sequence[Observation], poses: Poses, progress: Progress) -> _Answer:
+    angles = [one.readback.table_rad for one in kept]
+    solution = solve_axis(problem_from_poses([poses[one.id] for one in kept], setup.board, angles), progress)
+    best = solution.best
+    motions = np.array([best.axis.turned(float(angle)).matrix for angle in best.angles_rad])
+    first = mean_pose(inverted(motions) @ np.array([poses[one.id].camera_from_board.matrix for one in kept]))
+    return _Answer(solution, _named(kept, motions @ first))
+
+
+def _hand_eye(setup: Setup, kept: Sequence[Observation], poses: Poses, progress: Progress) -> _Answer:
+    flanges = _flanges(kept)
+    solution = solve_hand_eye(HandEyeProblem(flanges, tuple(poses[one.id] for one in kept), setup.noise), progress)
+    x, board = solution.refined.flange_from_camera.matrix, solution.base_from_board.matrix
+    return _Answer(solution, _named(kept, inverted(np.array([flange.matrix for flange in flanges]) @ x) @ board))
+
+
+def _guide(setup: Setup, kept: Sequence[Observation], poses: Poses, progress: Progress) -> _Answer:
+    assert setup.hand_eye is not None  # `Setup` sees to it
+    slides = [float(one.readback.guide_mm or 0.0) for one in kept]
+    seen = [
+        GuideObservation(flange, slide, poses[one.id].camera_from_board)
+        for one, flange, slide in zip(kept, _flanges(kept), slides, strict=True)
+    ]
+    progress.report(0, 1, "straight line of the guide")
+    solution = solve_guide(GuideProblem(tuple(seen), setup.hand_eye))
+    shifts = np.array([solution.guide.guide_from_base(slide).matrix for slide in slides])
+    cameras = shifts @ np.array([flange.matrix for flange in _flanges(kept)]) @ setup.hand_eye.flange_from_camera.matrix
+    board = mean_pose(cameras @ np.array([poses[one.id].camera_from_board.matrix for one in kept]))
+    return _Answer(solution, _named(kept, inverted(cameras) @ board))
+
+
+def _rig(setup: Setup, kept: Sequence[Observation], poses: Poses, progress: Progress) -> _Answer:
+    assert setup.cameras is not None  # only then this way is taken
+    sightings = [RigObservation(one.id, one.readback.full(), poses[one.id]) for one in kept]
+    solution = solve_rig(sightings, setup.cameras, noise=setup.noise, progress=progress)
+    return _Answer(solution, _rig_places(solution))
+
+
+_SOLVERS: Mapping[str, tuple[_Solver, int]] = {
+    "axis": (_axis, LEAST_TABLE_POSITIONS),
+    "hand-eye": (_hand_eye, LEAST_POSES),
+    "guide": (_guide, LEAST_SLIDE_POSITIONS),
+    "rig": (_rig, 0),
+}
+"""How each kind is solved, and from how many observations at least."""
+
+
+def _flanges(kept: Sequence[Observation]) -> tuple[RigidTransform, ...]:
+    return tuple(one.readback.base_from_flange for one in kept if one.readback.base_from_flange is not None)
+
+
+def _named(kept: Sequence[Observation], poses: FloatArray) -> dict[str, RigidTransform]:
+    return {one.id: RigidTransform(orthonormalised(pose), "camera", "board") for one, pose in zip(kept, poses, strict=True)}
+
+
+def _rig_places(rig: RigSolution) -> dict[str, RigidTransform]:
+    names = [residual.name for residual in rig.residuals]
+    poses = rig.chain.predicted(rig.state)
+    return {name: RigidTransform(orthonormalised(pose), "camera", "board") for name, pose in zip(names, poses, strict=True)}
+
+
+def _draft(setup: Setup, kept: Sequence[Observation], poses: Poses) -> AxisDraft | HandEyeDraft | GuideDraft:
+    if setup.kind == "axis":
+        axis = AxisDraft(setup.board)
+        for one in kept:
+            axis.add(poses[one.id], one.readback.table_rad)
+        return axis
+    if setup.kind == "hand-eye":
+        hand_eye = HandEyeDraft(setup.noise)
+        for one, flange in zip(kept, _flanges(kept), strict=True):
+            hand_eye.add(flange, poses[one.id])
+        return hand_eye
+    assert setup.hand_eye is not None  # `Setup` sees to it
+    guide = GuideDraft(setup.hand_eye)
+    for one, flange in zip(kept, _flanges(kept), strict=True):
+        guide.add(GuideObservation(flange, float(one.readback.guide_mm or 0.0), poses[one.id].camera_from_board))
+    return guide
+
+
+def _with_residuals(solved: Solved, observations: Sequence[Observation], predicted: Mapping[str, RigidTransform]) -> Solved:
+    by_id = {one.id: one for one in observations}
+    return replace(
+        solved,
+        residuals_px={name: misfit_px(place, by_id[name], solved.cameras, solved.board) for name, place in predicted.items()},
+        residuals_mm={name: misfit_mm(place, solved.places[name], solved.board) for name, place in predicted.items()},
+    )

@@ -1,0 +1,136 @@
+"""Advice for the rotation axis and the linear guide: how far they were moved."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.calibrate.axis_circles import LEAST_POSITIONS as LEAST_TABLE_POSITIONS
+from measureapp.calibrate.axis_noise import SAME_POSE
+from measureapp.calibrate.chain import groups_of
+from measureapp.calibrate.linear_guide import ADVISED_STROKE_MM, GuideSolution
+from measureapp.calibrate.linear_guide import LEAST_POSITIONS as LEAST_SLIDE_POSITIONS
+from measureapp.calibrate.rotation_axis import AxisSolution
+from measureapp.data.calibration import RotationAxis
+from measureapp.geometry.transform import RigidTransform
+from measureapp.pipeline.collecting.coaching.advice import Gauge, Ghost, Notes, outlines_px
+from measureapp.pipeline.collecting.coaching.axis_spread import next_position, span_of, widest_gap
+from measureapp.pipeline.collecting.collection import Collection
+
+SWEEP_TARGET_DEG = 120.0  # the axis of a shorter arc is known worse; the paper turns its table by 120°
+TABLE_POSITIONS, SLIDE_POSITIONS = 7, 5
+
+
+def advise_axis(collection: Collection, notes: Notes) -> None:
+    """Note which table positions are missing."""
+    angles = np.rad2deg(table_angles_rad(collection)).tolist()
+    count = len(collection.counted)
+    notes.gauges.append(Gauge("Table positions", count, TABLE_POSITIONS, ""))
+    notes.gauges.append(Gauge("Sweep of the table", span_of(angles), SWEEP_TARGET_DEG, "°"))
+    missing = max(TABLE_POSITIONS - count, 0)
+    if not angles:
+        if count < LEAST_TABLE_POSITIONS:
+            notes.wish(f"Take the board at {LEAST_TABLE_POSITIONS - count} more table positions, each turned by 15° to 30°")
+        return
+    if span_of(angles) < SWEEP_TARGET_DEG:
+        _more(max(missing, 1), next_position(angles, SWEEP_TARGET_DEG), angles, "Turn the table further", "°", notes)
+    elif missing:
+        notes.wish(f"Take the board at {missing} more table {_positions(missing)}, between those there are")
+    _gap(angles, "°", notes)
+
+
+def advise_guide(collection: Collection, notes: Notes) -> None:
+    """Note which slide positions are missing."""
+    slides = [one.readback.guide_mm for one in collection.counted if one.readback.guide_mm is not None]
+    notes.gauges.append(Gauge("Guide positions", len(slides), SLIDE_POSITIONS, ""))
+    notes.gauges.append(Gauge("Travel of the guide", span_of(slides), ADVISED_STROKE_MM, "mm"))
+    missing = max(SLIDE_POSITIONS - len(slides), 0)
+    if not slides:
+        notes.wish(f"Take the standing board from {LEAST_SLIDE_POSITIONS} positions of the guide or more, {ADVISED_STROKE_MM:.0f} mm apart")
+        return
+    if span_of(slides) < ADVISED_STROKE_MM:
+        _more(max(missing, 1), next_position(slides, ADVISED_STROKE_MM), slides, "Move the guide further", " mm", notes)
+    elif missing:
+        notes.wish(f"Take the board from {missing} more guide {_positions(missing)}, between those there are")
+    _gap(slides, " mm", notes)
+    if collection.setup.kind == "guide" and _robot_moved(collection):
+        notes.wish("Keep the robot still while the guide moves: the errors of its poses would count as errors of the guide")
+
+
+def ghost_for_axis(collection: Collection) -> Ghost | None:
+    """Return where the board will be seen when the table is turned to where a position is missing."""
+    solved = collection.solved
+    if solved is None or not isinstance(solved.solution, AxisSolution) or not solved.used:
+        return None
+    angles = solved.solution.best.angles_rad
+    first = next(one for one in collection.counted if one.id == solved.used[0]).readback.table_rad if _all_known(collection) else 0.0
+    goal = next_position(list(angles), float(np.deg2rad(SWEEP_TARGET_DEG)))
+    outlines = outlines_px(solved.cameras, _turned(solved.solution.best.axis, solved.places[solved.used[0]], goal), solved.board)
+    return Ghost(outlines, table_rad=(first or 0.0) + goal if _all_known(collection) else None) if outlines else None
+
+
+def ghost_for_guide(collection: Collection) -> Ghost | None:
+    """Return where the board will be seen when the guide is moved to where a position is missing."""
+    solved, hand_eye = collection.solved, collection.setup.hand_eye
+    if solved is None or hand_eye is None or not isinstance(solved.solution, GuideSolution) or not solved.used:
+        return None
+    used = [one for one in collection.counted if one.id in solved.used]
+    last, slides = used[-1], [one.readback.guide_mm or 0.0 for one in used]
+    flange = last.readback.base_from_flange
+    if flange is None:
+        return None
+    goal = next_position(slides, ADVISED_STROKE_MM)
+    travel = solved.solution.guide.direction * solved.solution.guide.scale * (goal - slides[-1])
+    camera_from_base = (flange @ hand_eye.flange_from_camera).inverse()
+    seen = solved.places[last.id]
+    place = RigidTransform.from_parts(seen.rotation, seen.translation_mm - camera_from_base.rotate(travel), "camera", "board")
+    outlines = outlines_px(solved.cameras, place, solved.board)
+    return Ghost(outlines, base_from_flange=flange, guide_mm=goal) if outlines else None
+
+
+def table_angles_rad(collection: Collection) -> FloatArray:
+    """Return the table angles: as read back where all are known, else as the last solution estimated them; empty without either."""
+    if _all_known(collection):
+        return np.array([one.readback.table_rad for one in collection.counted], float)
+    solved = collection.solved
+    return solved.solution.best.angles_rad if solved is not None and isinstance(solved.solution, AxisSolution) else np.zeros(0)
+
+
+def _all_known(collection: Collection) -> bool:
+    return all(one.readback.table_rad is not None for one in collection.counted)
+
+
+def _turned(axis: RotationAxis, place: RigidTransform, angle_rad: float) -> RigidTransform:
+    turn = axis.turned(angle_rad)
+    return RigidTransform(turn.matrix, "camera", "camera") @ place
+
+
+def _robot_moved(collection: Collection) -> bool:
+    poses = [one.readback.base_from_flange for one in collection.counted if one.readback.base_from_flange is not None]
+    return len(set(groups_of(np.array([pose.matrix[:3].ravel() for pose in poses]), SAME_POSE).tolist())) > 1 if poses else False
+
+
+def _more(count: int, goal: float, positions: Sequence[float], order: str, unit: str, notes: Notes) -> None:
+    low, high = min(positions), max(positions)
+    beyond = high if goal > high else low
+    if low <= goal <= high:  # the gap is named by itself
+        beyond = high if abs(high) <= abs(low) else low
+    notes.wish(f"{order}: {_number(count)} more {_positions(count)} beyond {beyond:.0f}{unit}")
+
+
+def _gap(positions: Sequence[float], unit: str, notes: Notes) -> None:
+    gap = widest_gap(positions)
+    if gap is not None:
+        notes.wish(
+            f"Add a position near {(gap[0] + gap[1]) / 2:.0f}{unit}: there is none between {gap[0]:.0f}{unit} and {gap[1]:.0f}{unit}"
+        )
+
+
+def _positions(count: int) -> str:
+    return "position" if count == 1 else "positions"
+
+
+def _number(count: int) -> str:
+    return {1: "one", 2: "two", 3: "three", 4: "four", 5: "five", 6: "six"}.get(count, str(count))

@@ -1,0 +1,122 @@
+"""Advice for calibrating cameras."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from measureapp.calibrate.camera import LEAST_VIEWS
+from measureapp.calibrate.camera_draft import ADVISED_COVERAGE, ADVISED_VIEWS
+from measureapp.calibrate.sightings import sighting_of
+from measureapp.geometry.pinhole import PinholeCamera
+from measureapp.pipeline.collecting.coaching.advice import Gauge, Ghost, Notes, outline_px, outlines_px
+from measureapp.pipeline.collecting.coaching.lens_views import (
+    CENTRES,
+    SPAN_TARGET,
+    TILT_TARGET_DEG,
+    TILTS,
+    LensViews,
+    lens_views,
+    rough_lens,
+)
+from measureapp.pipeline.collecting.coaching.next_view import best_view, board_before
+from measureapp.pipeline.collecting.collection import Collection
+from measureapp.pipeline.collecting.observation import Observation
+
+SHARED_TARGET = 5  # views that two cameras have in common
+FILLED = 0.5  # of the image's width: how large the board is asked for before anything was seen
+LEAST_FOR_INFORMATION = 4  # views, below which the covariance says little
+
+
+def advise_cameras(collection: Collection, notes: Notes) -> None:
+    """Note what the cameras still miss."""
+    cameras = collection.setup.camera_names
+    views, fixed = views_of(collection), collection.setup.kind == "rig"  # then the board is fixed on the table, and the robot moves
+    for one in views:
+        notes.gauges += _gauges(one)
+    few = [LEAST_VIEWS - one.count for one in views if one.count < LEAST_VIEWS]
+    if few:
+        notes.wish(f"Show the board in {max(few)} more {'position' if max(few) == 1 else 'positions'}, sharp and whole")
+    for one in views:
+        if one.count and (region := one.empty_region(ADVISED_COVERAGE)) is not None:
+            notes.wish(f"Show the board {region} of the image", one.camera)
+    for one in views:
+        if one.count and (way := one.least_tilt()) is not None:
+            notes.wish(_tilt_wish(way, fixed), one.camera)
+    for one in views:
+        if (change := one.next_distance()) is not None:
+            notes.wish(f"{'Take poses' if fixed else 'Hold the board'} {change}", one.camera)
+    _shared(cameras, collection.counted, notes)
+    missing = max((ADVISED_VIEWS - one.count for one in views), default=ADVISED_VIEWS)
+    if not few and missing > 0:
+        what = "one more view with" if missing == 1 else f"{missing} more views, each with"
+        notes.wish(f"Take {what} another tilt and place: more average the noise")
+
+
+def _tilt_wish(way: str, fixed: bool) -> str:
+    edge = TILTS[way][2]
+    if fixed:
+        return f"Take a pose in which the board's {edge} edge is farther from the camera, the board tilted by 20° to 45°"
+    return f"Tilt the board more {way} (its {edge} edge away from the camera), by 20° to 45°"
+
+
+def views_of(collection: Collection) -> list[LensViews]:
+    """Return what every camera saw; cameras without an image yet have none."""
+    sightings = [sighting_of(camera, one.id, found) for one in collection.counted for camera, found in one.seen.items()]
+    views = []
+    for camera in collection.setup.camera_names:
+        pinhole = _lens(collection, camera)
+        if pinhole is not None:
+            views.append(lens_views(camera, pinhole, sightings, collection.setup.board))
+    return views
+
+
+def ghost_for_cameras(collection: Collection) -> Ghost | None:
+    """Return where to show the board: by the information it adds where the cameras are solved, before that where views are missing."""
+    solved, views = collection.solved, views_of(collection)
+    seen = [one for one in views if one.count]
+    board = collection.setup.board
+    solution = None if solved is None else solved.camera_solution
+    if solution is not None and min((one.count for one in views), default=0) >= LEAST_FOR_INFORMATION:
+        middles = np.array([place.apply(board.middle_mm) for place in solution.boards.values()])
+        place = best_view(solution, float(np.median(middles[:, 2])))
+        return None if place is None else Ghost(outlines_px(solution.calibration, place, board))
+    for one in seen or views:
+        region, way = one.empty_region(ADVISED_COVERAGE) or "in the middle", one.least_tilt() if one.count else None
+        axis, sign, _ = TILTS.get(way or "", (0, 0.0, ""))
+        normal = (sign, 0.0) if axis == 0 else (0.0, sign)
+        distance = float(np.median(one.distances_mm)) if one.count else _filling_mm(one.pinhole, board.flat_corners_mm[:, 0].max())
+        outline = outline_px(one.pinhole, board_before(one.pinhole, board, CENTRES[region], normal, distance), board)
+        if outline is not None:
+            return Ghost({one.camera: outline})
+    return None
+
+
+def _filling_mm(pinhole: PinholeCamera, width_mm: float) -> float:
+    return float(pinhole.matrix[0, 0]) * width_mm / (FILLED * pinhole.width_px)
+
+
+def _lens(collection: Collection, camera: str) -> PinholeCamera | None:
+    if collection.solved is not None:
+        return collection.solved.cameras.cameras[camera].pinhole
+    size = collection.size_px(camera)
+    return None if size is None else rough_lens(size)
+
+
+def _gauges(one: LensViews) -> list[Gauge]:
+    tilt = min(one.tilts_deg.values())
+    return [
+        Gauge("Views", one.count, ADVISED_VIEWS, "", one.camera),
+        Gauge("Coverage of the image", 100 * one.coverage, 100 * ADVISED_COVERAGE, "%", one.camera),
+        Gauge("Tilt, all four ways", tilt, TILT_TARGET_DEG, "°", one.camera),
+        Gauge("Spread of distances", 100 * one.distance_span, 100 * SPAN_TARGET, "%", one.camera),
+    ]
+
+
+def _shared(cameras: Sequence[str], observations: Sequence[Observation], notes: Notes) -> None:
+    for other in cameras[1:]:
+        count = sum(cameras[0] in one.seen and other in one.seen for one in observations)
+        notes.gauges.append(Gauge(f"Views shared by {cameras[0]} and {other}", count, SHARED_TARGET, ""))
+        if observations and count < SHARED_TARGET:
+            notes.wish(f"Show the board where cameras {cameras[0]} and {other} both see it, {SHARED_TARGET - count} times more")

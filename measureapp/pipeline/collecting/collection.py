@@ -1,0 +1,275 @@
+"""Observations of the board as they are collected: added, taken out, undone, kept on disk after every change, and solved while it goes on."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from pathlib import Path
+
+from measureapp.arrays import ImageArray
+from measureapp.calibrate.board import find_board
+from measureapp.calibrate.sightings import BoardRefused, FoundBoard
+from measureapp.data.board import BoardDescription
+from measureapp.data.fringe import AxisReadback
+from measureapp.errors import CalibrationError, InputError
+from measureapp.pipeline.collecting.observation import Observation, Readback, Refusal
+from measureapp.pipeline.collecting.setup import NEEDED, Setup
+from measureapp.pipeline.collecting.solved import Solved
+from measureapp.pipeline.collecting.solving import shortfalls_of, solve
+from measureapp.pipeline.collecting.store import Act, Action, Store
+from measureapp.progress import Progress
+
+DETECTION_THREADS = 2
+WORDS = {"base_from_flange": "the robot's pose", "guide_mm": "the guide's position", "table_rad": "the table's angle"}
+
+
+class Collection:
+    """The observations of one calibration, in a folder of their own.
+
+    Every change is written before the call returns, so that the work can be left at any time and opened again. Not for several
+    threads at once. Make one with `create` or `open`.
+    """
+
+    def __init__(self, setup: Setup, store: Store, actions: list[Action], done: int, observations: dict[str, Observation]) -> None:
+        self.setup = setup
+        self._store = store
+        self._actions, self._done = actions, done
+        self._all = observations
+        self._solved: Solved | None = None
+
+    @classmethod
+    def create(cls, folder: Path, setup: Setup) -> Collection:
+        """Start a collection in a new or empty folder. Raises InputError where something lies there."""
+        folder = Path(folder)
+        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+            raise InputError(f"{folder} is not an empty folder.", "Choose a new folder, or continue the session that lies there.")
+        made = cls(setup, Store(folder), [], 0, {})
+        made._store.keep_setup(setup)
+        made._save()
+        return made
+
+    @classmethod
+    def open(cls, folder: Path) -> Collection:
+        """Continue a collection. Raises InputError where there is none, StorageError where it is damaged."""
+        store = Store(folder)
+        setup, actions, done, observations = store.read()
+        return cls(setup, store, actions, done, observations)
+
+    @staticmethod
+    def is_in(folder: Path) -> bool:
+        """Whether a collection lies in ``folder``."""
+        return Store(folder).exists()
+
+    @property
+    def folder(self) -> Path:
+        """Where it is kept."""
+        return self._store.folder
+
+    # what was collected
+
+    @property
+    def solved(self) -> Solved | None:
+        """The last solution, which may be older than the last change; None before the first."""
+        return self._solved
+
+    @property
+    def is_solved(self) -> bool:
+        """Whether the last solution holds exactly the observations collected now."""
+        return self._solved is not None and self._solved.of == self._usable_ids()
+
+    @property
+    def observations(self) -> tuple[Observation, ...]:
+        """All observations in the order they were added, those taken out by hand among them."""
+        standing = self._standing()
+        return tuple(self._judged(self._all[name], kept) for name, kept in standing.items())
+
+    def observation(self, name: str) -> Observation:
+        """Return one observation. Raises InputError where there is none of that name."""
+        found = next((one for one in self.observations if one.id == name), None)
+        if found is None:
+            known = ", ".join(self._standing()) or "none yet"
+            raise InputError(f"There is no observation {name!r}.", f"There are: {known}.")
+        return found
+
+    @property
+    def usable(self) -> tuple[Observation, ...]:
+        """The observations that enter a solution: not taken out, and at least one camera found the board."""
+        return tuple(one for one in self.observations if one.standing not in ("removed", "no board"))
+
+    @property
+    def counted(self) -> tuple[Observation, ...]:
+        """The usable observations without those that the last solution left out."""
+        return tuple(one for one in self.usable if one.standing != "rejected")
+
+    def size_px(self, camera: str) -> tuple[int, int] | None:
+        """Return width and height of a camera's images; None before the first."""
+        if self.setup.cameras is not None:
+            lens = self.setup.cameras.cameras[camera].pinhole
+            return lens.width_px, lens.height_px
+        return next((one.images[camera].size_px for one in self._all.values() if camera in one.images), None)
+
+    # changes
+
+    def add(
+        self,
+        images: Mapping[str, ImageArray],
+        readback: Readback | AxisReadback | None = None,
+        names: Mapping[str, str] | None = None,
+    ) -> Observation:
+        """Look for the board in the images of one position, and keep them.
+
+        An image without a usable board is kept with the reason; the other cameras' images still count.
+
+        Parameters
+        ----------
+        images : camera -> (H, W), 8 or 16 bit; cameras may be missing
+        names : camera -> file it came from
+
+        Raises
+        ------
+        InputError
+            An unknown camera, an image of another size than those before, or images that are in the collection already.
+        CalibrationError
+            The read-back of an axis that this calibration needs is missing.
+        """
+        read = Readback.of(readback) if isinstance(readback, AxisReadback) else readback or Readback()
+        self._check(images, read)
+        stored = {camera: self._store.keep_image(pixels, (names or {}).get(camera, "")) for camera, pixels in images.items()}
+        self._refuse_twice({camera: image.checksum for camera, image in stored.items()})
+        with ThreadPoolExecutor(DETECTION_THREADS) as pool:
+            results = dict(zip(images, pool.map(lambda pixels: _look(pixels, self.setup.board), images.values()), strict=True))
+        seen = {camera: one for camera, one in results.items() if isinstance(one, FoundBoard)}
+        refused = {camera: one for camera, one in results.items() if isinstance(one, Refusal)}
+        observation = Observation(self._next_id(), stored, read, seen, refused)
+        self._store.keep_observation(observation)
+        self._all[observation.id] = observation
+        self._act("add", observation.id)
+        return self.observation(observation.id)
+
+    def remove(self, name: str) -> None:
+        """Take an observation out; it stays in the list and `undo` brings it back. Raises InputError where it is not there."""
+        if self.observation(name).standing == "removed":
+            raise InputError(f"Observation {name!r} was taken out before.", "Undo brings it back.")
+        self._act("remove", name)
+
+    @property
+    def can_undo(self) -> bool:
+        """Whether there is something to undo."""
+        return self._done > 0
+
+    @property
+    def can_redo(self) -> bool:
+        """Whether something was undone that can be done again."""
+        return self._done < len(self._actions)
+
+    def undo(self) -> Action:
+        """Take back the last change and return it. Raises InputError where there is none."""
+        if not self.can_undo:
+            raise InputError("There is nothing to undo.", "Add observations first.")
+        self._done -= 1
+        self._save()
+        return self._actions[self._done]
+
+    def redo(self) -> Action:
+        """Do again what was undone last and return it. Raises InputError where there is none."""
+        if not self.can_redo:
+            raise InputError("There is nothing to redo.", "Only what was undone, and nothing changed since, can be done again.")
+        self._done += 1
+        self._save()
+        return self._actions[self._done - 1]
+
+    # the result
+
+    def shortfalls(self) -> tuple[str, ...]:
+        """Say what is still missing for a reliable solution."""
+        return shortfalls_of(self.setup, self.usable, self._sizes())
+
+    def solve(self, progress: Progress | None = None, *, afresh: bool = False) -> Solved:
+        """Solve what was collected; quicker after the first time, since it starts from the solution before.
+
+        Parameters
+        ----------
+        afresh : start from nothing, as for a result that is kept
+
+        Raises
+        ------
+        CalibrationError
+            The observations do not determine the result; says what is missing.
+        """
+        self._solved = solve(self.setup, self.usable, self._sizes(), None if afresh else self._solved, progress)
+        return self._solved
+
+    def _standing(self) -> dict[str, bool]:
+        """Observation -> whether it is kept, in the order they were added."""
+        kept: dict[str, bool] = {}
+        for action in self._actions[: self._done]:
+            kept[action.observation] = action.act == "add"
+        return kept
+
+    def _usable_ids(self) -> tuple[str, ...]:
+        return tuple(name for name, kept in self._standing().items() if kept and self._all[name].seen)
+
+    def _judged(self, one: Observation, kept: bool) -> Observation:
+        if not kept:
+            return replace(one, standing="removed", reason="taken out by hand")
+        if not one.seen:
+            return replace(one, standing="no board", reason=_why_refused(one))
+        if self._solved is None or one.id not in self._solved.of:
+            return replace(one, standing="new", reason=_why_refused(one))
+        return self._solved.judged(replace(one, reason=_why_refused(one)))
+
+    def _sizes(self) -> dict[str, tuple[int, int]]:
+        sizes = {camera: self.size_px(camera) for camera in self.setup.camera_names}
+        return {camera: size for camera, size in sizes.items() if size is not None}
+
+    def _check(self, images: Mapping[str, ImageArray], readback: Readback) -> None:
+        if not images:
+            raise InputError("An observation needs an image.", "Give one of every camera.")
+        for camera, pixels in images.items():
+            if camera not in self.setup.camera_names:
+                raise InputError(f"There is no camera {camera!r} here.", "There are: " + ", ".join(self.setup.camera_names) + ".")
+            size, before = (pixels.shape[1], pixels.shape[0]), self.size_px(camera)
+            if before is not None and size != before:
+                raise InputError(
+                    f"The image of camera {camera!r} is {size[0]} × {size[1]} px; {before[0]} × {before[1]} px are expected.",
+                    "Give images of one camera at one resolution.",
+                )
+        missing = [name for name in NEEDED[self.setup.kind] if getattr(readback, name) is None]
+        if missing:
+            raise CalibrationError(
+                "The read-back lacks " + " and ".join(WORDS[name] for name in missing) + ".", "Give it with every observation."
+            )
+
+    def _refuse_twice(self, checksums: Mapping[str, str]) -> None:
+        """Refuse images that are there already: they would count the same noise twice."""
+        for name, kept in self._standing().items():
+            same = [camera for camera, image in self._all[name].images.items() if checksums.get(camera) == image.checksum]
+            if kept and same:
+                raise InputError(
+                    f"The image of camera {same[0]!r} is the same as in observation {name}.", "Every observation needs images of its own."
+                )
+
+    def _next_id(self) -> str:
+        return f"{max((int(name) for name in self._all), default=0) + 1:02d}"
+
+    def _act(self, act: Act, name: str) -> None:
+        self._actions = [*self._actions[: self._done], Action(act, name)]
+        self._done += 1
+        self._save()
+
+    def _save(self) -> None:
+        self._store.keep_session(self.setup, self._actions, self._done)
+
+
+def _look(pixels: ImageArray, board: BoardDescription) -> FoundBoard | Refusal:
+    try:
+        return find_board(pixels, board)
+    except BoardRefused as error:
+        return Refusal(error.cause, error.message, error.hint)
+    except CalibrationError as error:
+        return Refusal("not found", error.message, error.hint)
+
+
+def _why_refused(one: Observation) -> str:
+    return " ".join(f"Camera {camera}: {refusal.message} {refusal.hint}" for camera, refusal in one.refused.items())

@@ -1,0 +1,133 @@
+"""Accepting a calibration: it is solved afresh, dated, told where it comes from, and written; and reading such a result again."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from measureapp.calibrate.joint_solution import RigSolution
+from measureapp.calibrate.stitch_uncertainty import uncertainty_of
+from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, Provenance, RigCalibration, RotationAxis
+from measureapp.errors import FrameMismatch, InputError
+from measureapp.pipeline.collecting.collection import Collection
+from measureapp.pipeline.collecting.estimates import Calibrated, result_of
+from measureapp.pipeline.collecting.solved import Solution
+from measureapp.progress import Progress
+from measureapp.project.atomic import write_json
+from measureapp.project.camera_file import read_cameras, write_cameras
+from measureapp.project.documents import (
+    axis_from,
+    guide_from,
+    hand_eye_from,
+    link_document,
+    rig_calibration_document,
+    rig_calibration_from,
+)
+from measureapp.project.folder import ProjectFolder
+
+CAMERAS, RIG, PROJECT = "cameras.json", "rig.json", "project.json"
+HINT = "Name a session, a result that was accepted, a cameras.json, or a project with a calibrated rig."
+SCHEMA_VERSION = 1
+LINKS: Mapping[str, Callable[[Mapping[str, Any]], HandEye | LinearGuide | RotationAxis]] = {
+    "hand_eye": hand_eye_from,
+    "guide": guide_from,
+    "axis": axis_from,
+}
+
+
+def accept(collection: Collection, target: Path, progress: Progress | None = None, *, valid_days: float | None = None) -> Calibrated:
+    """Solve a collection afresh and write the result.
+
+    Parameters
+    ----------
+    target : a file for cameras, axis, hand-eye and guide; for the rig a project, or a folder for cameras.json and rig.json
+    valid_days : after which it expires
+
+    Raises
+    ------
+    CalibrationError
+        The observations do not determine the result.
+    StorageError
+        It cannot be written.
+    """
+    solved = collection.solve(progress, afresh=True)
+    used = [one for one in collection.observations if one.id in solved.used]
+    inputs = {f"{one.id} {camera}": image.checksum for one in used for camera, image in one.images.items()}
+    result = result_of(solved)
+    provenance = Provenance(datetime.now(UTC).isoformat(timespec="seconds"), _method(result), inputs, valid_days=valid_days)
+    if isinstance(result, CameraArrayCalibration):
+        result = replace(result, provenance=provenance)
+        write_cameras(target, result)
+    elif isinstance(result, RigCalibration):
+        result = replace(result, provenance=provenance)
+        _write_rig(result, solved.solution, Path(target))
+    else:
+        write_json(target, _link(result, provenance))
+    return result
+
+
+def read_result(path: Path) -> Calibrated:
+    """Read an earlier result: what `accept` wrote, a cameras.json, or the rig of a project.
+
+    Raises
+    ------
+    InputError
+        There is none; names the file.
+    """
+    path = Path(path)
+    if path.is_dir():
+        if (path / PROJECT).is_file():
+            path = path / "calibration"
+        document = _read(path / RIG)
+        return _made(path / RIG, lambda: rig_calibration_from(document, read_cameras(path / CAMERAS)))
+    document = _read(path)
+    found = next((name for name in LINKS if name in document), None)
+    return read_cameras(path) if found is None else _made(path, lambda: LINKS[found](document[found]))
+
+
+def _method(result: Calibrated) -> str:
+    if isinstance(result, (CameraArrayCalibration, RigCalibration)):
+        return result.provenance.method
+    if isinstance(result, HandEye):
+        return result.method
+    return "maximum likelihood" if isinstance(result, RotationAxis) else "straight line through the positions"
+
+
+def _write_rig(result: RigCalibration, solution: Solution, target: Path) -> None:
+    if (target / PROJECT).is_file():
+        uncertainty = uncertainty_of(solution) if isinstance(solution, RigSolution) else None
+        ProjectFolder.open(target).save_calibration(result, uncertainty)
+        return
+    write_cameras(target / CAMERAS, result.cameras)
+    write_json(target / RIG, rig_calibration_document(result))
+
+
+def _link(result: HandEye | LinearGuide | RotationAxis, provenance: Provenance) -> dict[str, Any]:
+    name = "hand_eye" if isinstance(result, HandEye) else "guide" if isinstance(result, LinearGuide) else "axis"
+    document = {"schema_version": SCHEMA_VERSION, name: link_document(result), "provenance": asdict(provenance)}
+    if isinstance(result, HandEye):  # the field that `calibrate guide --hand-eye` and `calibrate collect --hand-eye` read
+        document["flange_from_camera"] = result.flange_from_camera.matrix.tolist()
+    return document
+
+
+def _read(path: Path) -> Any:
+    try:
+        document = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror or error}.", HINT) from error
+    except ValueError as error:
+        raise InputError(f"{path} is not JSON: {error}.", HINT) from error
+    if not isinstance(document, dict):
+        raise InputError(f"{path} holds no calibration.", HINT)
+    return document
+
+
+def _made(path: Path, make: Callable[[], Calibrated]) -> Calibrated:
+    try:
+        return make()
+    except (KeyError, TypeError, ValueError, AttributeError, FrameMismatch) as error:
+        raise InputError(f"{path} holds no calibration: {error}.", HINT) from error

@@ -1,0 +1,78 @@
+"""One sighting of the board: its images, where the axes stood, what was found, and what came of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Literal
+
+from measureapp.arrays import ImageArray
+from measureapp.calibrate.sightings import Cause, FoundBoard
+from measureapp.data.fringe import AxisReadback
+from measureapp.errors import CalibrationError
+from measureapp.geometry.transform import RigidTransform
+from measureapp.project.images import read_image
+
+Standing = Literal["new", "used", "rejected", "removed", "no board"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Readback:
+    """Where the axes said they were, as far as it is known: a table alone has no robot."""
+
+    base_from_flange: RigidTransform | None = None
+    guide_mm: float | None = None
+    table_rad: float | None = None
+
+    @classmethod
+    def of(cls, full: AxisReadback) -> Readback:
+        """Return the read-back of a whole rig."""
+        return cls(full.base_from_flange, full.guide_mm, full.table_rad)
+
+    def full(self) -> AxisReadback:
+        """Return it as that of a whole rig. Raises CalibrationError where an axis is missing."""
+        if self.base_from_flange is None or self.guide_mm is None or self.table_rad is None:
+            raise CalibrationError("The read-back of an axis is missing.", "Give robot pose, slide position and table angle.")
+        return AxisReadback(self.base_from_flange, self.guide_mm, self.table_rad)
+
+
+@dataclass(frozen=True, slots=True)
+class StoredImage:
+    """An image on disk, read only when it is looked at."""
+
+    path: Path
+    checksum: str  # SHA-256 of its pixels
+    size_px: tuple[int, int]  # (width, height)
+    name: str = ""  # of the file it came from; empty for one from a camera
+
+    def pixels(self) -> ImageArray:
+        """Return the image (H, W). Raises InputError where the file is damaged or gone."""
+        return read_image(self.path)
+
+
+@dataclass(frozen=True, slots=True)
+class Refusal:
+    """Why no marks were taken from an image."""
+
+    cause: Cause
+    message: str
+    hint: str
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Observation:
+    """One position of the board as all cameras saw it.
+
+    `standing` and the residuals are those of the last solution; an observation that came later is "new".
+    """
+
+    id: str
+    images: Mapping[str, StoredImage]
+    readback: Readback
+    seen: Mapping[str, FoundBoard]  # camera -> marks
+    refused: Mapping[str, Refusal]  # camera -> why it gave none
+    standing: Standing = "new"
+    reason: str = ""  # in words, where it is not used or only in part
+    residuals_px: Mapping[str, float] = field(default_factory=dict)  # camera -> rms distance of its marks from where they should be
+    residual_mm: float | None = None  # the same on the board, where axes are calibrated

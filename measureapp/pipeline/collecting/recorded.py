@@ -1,0 +1,97 @@
+"""Filling a collection from recorded images and tables of read-backs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from measureapp.errors import InputError
+from measureapp.geometry.transform import RigidTransform
+from measureapp.pipeline.collecting.collection import Collection
+from measureapp.pipeline.collecting.observation import Observation, Readback
+from measureapp.progress import NoProgress, Progress
+from measureapp.project.board_images import BoardImages
+from measureapp.project.board_views import load_all
+from measureapp.project.frame_store import checksum
+from measureapp.project.images import read_image
+from measureapp.project.tables import read_angles, read_guide, read_poses, require_millimetres
+
+
+@dataclass(frozen=True, slots=True)
+class ReadbackFiles:
+    """Tables that belong to recorded images, one line per position in the order of the sorted images; None where there is none."""
+
+    robot_poses: Path | None = None  # base_from_flange: name,x_mm,y_mm,z_mm,qw,qx,qy,qz
+    guide_positions: Path | None = None  # name,position_mm
+    table_angles: Path | None = None  # position,angle_deg
+
+    def read(self, count: int) -> list[Readback]:
+        """Return the read-backs of ``count`` positions. Raises InputError naming a table that does not fit."""
+        poses: list[RigidTransform] = []
+        names: tuple[str, ...] = ()
+        if self.robot_poses is not None:
+            table = read_poses(self.robot_poses, "base", "flange")
+            require_millimetres(self.robot_poses, table)
+            poses, names = list(table.values()), tuple(table)
+        slides = {} if self.guide_positions is None else read_guide(self.guide_positions)
+        if names and slides and set(names) != set(slides):
+            odd = sorted(set(names) ^ set(slides))[0]
+            raise InputError(f"The name {odd!r} is not in both {self.robot_poses} and {self.guide_positions}.", "Use the same names.")
+        along = [slides[name] for name in names] if names and slides else list(slides.values())
+        angles = [] if self.table_angles is None else list(read_angles(self.table_angles).values())
+        for path, values in ((self.robot_poses, poses), (self.guide_positions, along), (self.table_angles, angles)):
+            if path is not None and len(values) != count:
+                raise InputError(f"{path} has {len(values)} lines for {count} board positions.", "Give one line per board position.")
+        return [
+            Readback(poses[index] if poses else None, along[index] if along else None, angles[index] if angles else None)
+            for index in range(count)
+        ]
+
+
+def add_recorded(
+    collection: Collection, images: BoardImages, files: ReadbackFiles, progress: Progress | None = None
+) -> tuple[Observation, ...]:
+    """Add every board position of recorded images that is not in the collection yet; return those added.
+
+    Raises
+    ------
+    InputError
+        An image cannot be read, or the tables do not fit the images.
+    """
+    progress = progress or NoProgress()
+    readbacks = files.read(images.positions)
+    known = {image.checksum for one in collection.observations for image in one.images.values()}
+    added = []
+    for position, readback in enumerate(readbacks):
+        paths = {camera: images.path(camera, position) for camera in images.cameras}
+        progress.report(position, images.positions, f"board in {next(iter(paths.values())).name}")
+        pixels = {camera: read_image(path) for camera, path in paths.items()}
+        if not any(checksum(image) in known for image in pixels.values()):
+            added.append(collection.add(pixels, readback, _names(paths)))
+    progress.report(1, 1)
+    return tuple(added)
+
+
+def add_views(collection: Collection, folder: Path, progress: Progress | None = None) -> tuple[Observation, ...]:
+    """Add every sighting of the board that a project keeps below ``folder`` and that is not in the collection yet; return those added.
+
+    Raises
+    ------
+    StorageError
+        A stored view is damaged.
+    """
+    progress = progress or NoProgress()
+    known = {image.checksum for one in collection.observations for image in one.images.values()}
+    views = load_all(folder)
+    added = []
+    for number, view in enumerate(views):
+        progress.report(number, len(views), f"board in {view.viewpoint_id}")
+        if not any(checksum(image) in known for image in view.images.values()):
+            added.append(collection.add(view.images, view.readback, dict.fromkeys(view.images, view.viewpoint_id)))
+    progress.report(1, 1)
+    return tuple(added)
+
+
+def _names(paths: Mapping[str, Path]) -> dict[str, str]:
+    return {camera: path.name for camera, path in paths.items()}

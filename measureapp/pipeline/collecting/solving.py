@@ -1,0 +1,102 @@
+"""From the observations of a collection to the solution of its kind."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from measureapp.calibrate.camera_array import CameraArrayProblem, CameraArraySolution
+from measureapp.calibrate.camera_array import solve as solve_cameras
+from measureapp.calibrate.camera_draft import CameraArrayDraft
+from measureapp.calibrate.sightings import sighting_of
+from measureapp.errors import CalibrationError
+from measureapp.pipeline.calibrate import rig_with_cameras, with_devices
+from measureapp.pipeline.collecting.axis_solving import axis_shortfalls, solve_axes, with_rig
+from measureapp.pipeline.collecting.observation import Observation
+from measureapp.pipeline.collecting.setup import Setup
+from measureapp.pipeline.collecting.solved import Solved
+from measureapp.progress import NoProgress, PartOf, Progress
+
+Sizes = Mapping[str, tuple[int, int]]
+
+
+def solve(
+    setup: Setup, observations: Sequence[Observation], sizes_px: Sizes, before: Solved | None = None, progress: Progress | None = None
+) -> Solved:
+    """Solve the calibration of ``setup.kind``.
+
+    Parameters
+    ----------
+    observations : those to use; in each at least one camera saw the board
+    sizes_px : camera -> (width, height)
+    before : a solution to start from, where there is one
+
+    Raises
+    ------
+    CalibrationError
+        They do not determine the result; says what is missing.
+    """
+    progress = progress or NoProgress()
+    if not observations:
+        raise CalibrationError(f"The {setup.board.label} was not seen yet.", "Add observations that show it.")
+    if not setup.calibrates_cameras:
+        return solve_axes(setup, observations, progress)
+    share = 0.7 if setup.kind == "rig" else 1.0
+    problem = camera_problem(setup, observations, sizes_px)
+    start = None if before is None else before.camera_solution
+    cameras = with_devices(solve_cameras(problem, PartOf(progress, 0.0, share), start), setup.serials)
+    solved = _with_cameras(observations, cameras)
+    return solved if setup.kind == "cameras" else _rig(setup, observations, solved, cameras, PartOf(progress, share, 1.0))
+
+
+def camera_problem(setup: Setup, observations: Sequence[Observation], sizes_px: Sizes) -> CameraArrayProblem:
+    """Return what the cameras are calibrated from. Raises CalibrationError where one has no images yet."""
+    missing = [name for name in setup.camera_names if name not in sizes_px]
+    if missing:
+        raise CalibrationError(f"Camera {missing[0]!r} has no images yet.", "Give one of every camera with an observation.")
+    return camera_draft(setup, observations, sizes_px).problem()
+
+
+def camera_draft(setup: Setup, observations: Sequence[Observation], sizes_px: Sizes) -> CameraArrayDraft:
+    """Return the draft of the cameras with all sightings of the observations."""
+    draft = CameraArrayDraft(setup.board, setup.reference, sizes_px, setup.distortion_count)
+    for one in observations:
+        for camera, found in one.seen.items():
+            draft.add_sighting(sighting_of(camera, one.id, found))
+    return draft
+
+
+def shortfalls_of(setup: Setup, observations: Sequence[Observation], sizes_px: Sizes) -> tuple[str, ...]:
+    """Say what is still missing, as the calibration's own draft puts it."""
+    if not observations:
+        return (f"No observation shows the {setup.board.label} yet.",)
+    missing = camera_draft(setup, observations, sizes_px).shortfalls() if setup.calibrates_cameras else ()
+    return missing if setup.kind == "cameras" else (*missing, *axis_shortfalls(setup, observations))
+
+
+def _with_cameras(observations: Sequence[Observation], solution: CameraArraySolution) -> Solved:
+    residuals: dict[str, dict[str, float]] = {}
+    for view in solution.views:
+        residuals.setdefault(view.view, {})[view.camera] = view.rms_px
+    reasons: dict[str, list[str]] = {}
+    for rejection in solution.rejected:
+        reasons.setdefault(rejection.view, []).append(f"Camera {rejection.camera}: {rejection.reason}.")
+    for corner in solution.rejected_corners:
+        reasons.setdefault(corner.view, []).append(f"Camera {corner.camera}: corner {corner.corner} left out, it {corner.reason}.")
+    return Solved(
+        solution=solution,
+        of=tuple(one.id for one in observations),
+        used=tuple(one.id for one in observations if one.id in residuals),
+        board=solution.board,
+        cameras=solution.calibration,
+        places=dict(solution.boards),
+        camera_solution=solution,
+        residuals_px=residuals,
+        reasons={name: " ".join(lines) for name, lines in reasons.items()},
+    )
+
+
+def _rig(setup: Setup, observations: Sequence[Observation], cameras: Solved, solution: CameraArraySolution, progress: Progress) -> Solved:
+    found = {one.id: one.seen for one in observations}
+    readbacks = {one.id: one.readback.full() for one in observations}
+    rig = rig_with_cameras(solution, found, readbacks, setup.noise, progress).rig
+    return with_rig(rig, observations, cameras)

@@ -1,0 +1,215 @@
+"""A collection on disk: settings, observations and images, each written once; and the list of what was done, rewritten after every change.
+
+session.json         kind, board, what was known before, and the actions with how many of them stand (the rest can be redone)
+cameras.json         the cameras, where they were known
+observations/ID.json what was found in the images, with the read-back
+images/HASH.png      the pixels, named by their checksum
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+import cv2
+import numpy as np
+from pydantic import TypeAdapter
+
+from measureapp.arrays import ImageArray
+from measureapp.calibrate.axis_noise import AxisNoise
+from measureapp.calibrate.sightings import FoundBoard
+from measureapp.data.board import AnyBoard
+from measureapp.data.calibration import HandEye
+from measureapp.errors import FrameMismatch, InputError, StorageError
+from measureapp.geometry.transform import RigidTransform
+from measureapp.pipeline.collecting.observation import Observation, Readback, Refusal, StoredImage
+from measureapp.pipeline.collecting.setup import Setup
+from measureapp.project.atomic import replacing, write_json
+from measureapp.project.camera_file import read_cameras, write_cameras
+from measureapp.project.documents import transform_document, transform_from
+from measureapp.project.frame_store import checksum
+
+SCHEMA_VERSION = 1
+SESSION, CAMERAS = "session.json", "cameras.json"
+BOARD: TypeAdapter[Any] = TypeAdapter(AnyBoard)
+Act = Literal["add", "remove"]
+
+
+@dataclass(frozen=True, slots=True)
+class Action:
+    """One thing that was done to the collection."""
+
+    act: Act
+    observation: str
+
+
+class Store:
+    """The folder of one collection."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = Path(folder)
+
+    def exists(self) -> bool:
+        """Whether a collection lies here."""
+        return (self.folder / SESSION).is_file()
+
+    def keep_image(self, pixels: ImageArray, name: str) -> StoredImage:
+        """Write an image unless the same is there already. Raises StorageError."""
+        digest = checksum(np.asarray(pixels))
+        path = self.folder / "images" / f"{digest}.png"
+        if not path.exists():
+            encoded, data = cv2.imencode(".png", np.asarray(pixels))
+            if not encoded:
+                raise StorageError(f"An image ({name or 'from a camera'}) cannot be encoded.", "Take it again.")
+            with replacing(path) as temporary:
+                temporary.write_bytes(data.tobytes())
+        return StoredImage(path, digest, (pixels.shape[1], pixels.shape[0]), name)
+
+    def keep_observation(self, observation: Observation) -> None:
+        """Write what was found in the images of an observation."""
+        write_json(self.folder / "observations" / f"{observation.id}.json", _observation_document(observation))
+
+    def keep_setup(self, setup: Setup) -> None:
+        """Write the cameras known beforehand; the rest of the settings is part of the session."""
+        if setup.cameras is not None:
+            write_cameras(self.folder / CAMERAS, setup.cameras)
+
+    def keep_session(self, setup: Setup, actions: Sequence[Action], done: int) -> None:
+        """Write the settings and what was done."""
+        document = {
+            "schema_version": SCHEMA_VERSION,
+            **_setup_document(setup),
+            "actions": [{"act": action.act, "observation": action.observation} for action in actions],
+            "done": done,
+        }
+        write_json(self.folder / SESSION, document)
+
+    def read(self) -> tuple[Setup, list[Action], int, dict[str, Observation]]:
+        """Return settings, actions, how many of them stand, and the observations by id.
+
+        Raises
+        ------
+        InputError
+            There is no collection here.
+        StorageError
+            It is damaged; the message names the file.
+        """
+        if not self.exists():
+            raise InputError(f"{self.folder} holds no calibration session.", "Start one by naming the kind, the board and images.")
+        document = _read(self.folder / SESSION)
+        try:
+            if document["schema_version"] != SCHEMA_VERSION:
+                raise ValueError(f"schema_version is {document['schema_version']!r}, not {SCHEMA_VERSION}")
+            setup = _setup_from(document, self.folder)
+            actions = [Action(entry["act"], str(entry["observation"])) for entry in document["actions"]]
+            done = int(document["done"])
+            if not 0 <= done <= len(actions) or any(action.act not in ("add", "remove") for action in actions):
+                raise ValueError("the list of actions contradicts itself")
+        except (KeyError, TypeError, ValueError, FrameMismatch) as error:
+            raise StorageError(f"{self.folder / SESSION} cannot be used: {error}.", "Restore it from a backup, or start again.") from error
+        names = dict.fromkeys(action.observation for action in actions)
+        return setup, actions, done, {name: self._observation(name) for name in names}
+
+    def _observation(self, name: str) -> Observation:
+        path = self.folder / "observations" / f"{name}.json"
+        document = _read(path)
+        try:
+            return _observation_from(document, self.folder / "images")
+        except (KeyError, TypeError, ValueError, FrameMismatch) as error:
+            raise StorageError(f"{path} cannot be used: {error}.", "Restore it from a backup, or start again.") from error
+
+
+def _read(path: Path) -> Any:
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise StorageError(f"{path} cannot be read: {error}.", "Restore it from a backup, or start again.") from error
+
+
+def _setup_document(setup: Setup) -> dict[str, Any]:
+    return {
+        "kind": setup.kind,
+        "board": setup.board.model_dump(mode="json") | {"kind": getattr(setup.board, "kind", "checkerboard")},
+        "camera_names": list(setup.camera_names),
+        "cameras_known": setup.cameras is not None,
+        "flange_from_camera": None if setup.hand_eye is None else transform_document(setup.hand_eye.flange_from_camera),
+        "noise": asdict(setup.noise),
+        "distortion_count": setup.distortion_count,
+        "standoff_mm": setup.standoff_mm,
+        "length_mm": setup.length_mm,
+        "serials": dict(setup.serials),
+    }
+
+
+def _setup_from(document: Mapping[str, Any], folder: Path) -> Setup:
+    known = document["flange_from_camera"]
+    return Setup(
+        kind=document["kind"],
+        board=BOARD.validate_python(document["board"]),
+        camera_names=tuple(document["camera_names"]),
+        cameras=read_cameras(folder / CAMERAS) if document["cameras_known"] else None,
+        hand_eye=None if known is None else HandEye(transform_from(known)),
+        noise=AxisNoise(**document["noise"]),
+        distortion_count=int(document["distortion_count"]),
+        standoff_mm=document["standoff_mm"],
+        length_mm=float(document["length_mm"]),
+        serials=dict(document["serials"]),
+    )
+
+
+def _observation_document(observation: Observation) -> dict[str, Any]:
+    readback = observation.readback
+    pose: RigidTransform | None = readback.base_from_flange
+    return {
+        "schema_version": SCHEMA_VERSION,
+        "id": observation.id,
+        "images": {
+            camera: {"checksum": image.checksum, "size_px": list(image.size_px), "name": image.name}
+            for camera, image in observation.images.items()
+        },
+        "readback": {
+            "base_from_flange": None if pose is None else transform_document(pose),
+            "guide_mm": readback.guide_mm,
+            "table_rad": readback.table_rad,
+        },
+        "seen": {
+            camera: {
+                "ids": found.ids.tolist(),
+                "corners_px": found.corners_px.tolist(),
+                "sigma_px": found.sigma_px.tolist(),
+                "edge_px": found.edge_px,
+            }
+            for camera, found in observation.seen.items()
+        },
+        "refused": {camera: asdict(refusal) for camera, refusal in observation.refused.items()},
+    }
+
+
+def _observation_from(document: Mapping[str, Any], images: Path) -> Observation:
+    readback = document["readback"]
+    pose = readback["base_from_flange"]
+    return Observation(
+        id=str(document["id"]),
+        images={
+            camera: StoredImage(
+                images / f"{entry['checksum']}.png",
+                str(entry["checksum"]),
+                (int(entry["size_px"][0]), int(entry["size_px"][1])),
+                str(entry["name"]),
+            )
+            for camera, entry in document["images"].items()
+        },
+        readback=Readback(None if pose is None else transform_from(pose), readback["guide_mm"], readback["table_rad"]),
+        seen={camera: _found_from(entry) for camera, entry in document["seen"].items()},
+        refused={camera: Refusal(**entry) for camera, entry in document["refused"].items()},
+    )
+
+
+def _found_from(entry: Mapping[str, Any]) -> FoundBoard:
+    corners = np.array(entry["corners_px"], float).reshape(-1, 2)
+    if not np.all(np.isfinite(corners)):
+        raise ValueError("marks that are not numbers")
+    return FoundBoard(np.array(entry["ids"], np.int64), corners, np.array(entry["sigma_px"], float), float(entry["edge_px"]))

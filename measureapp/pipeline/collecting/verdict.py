@@ -1,0 +1,186 @@
+"""Is a calibration any good? Answered in millimetres on the part, with the limits it is held to."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from measureapp.calibrate.camera_array import CameraArraySolution
+from measureapp.calibrate.camera_validation import cross_validate
+from measureapp.calibrate.hand_eye import HandEyeSolution
+from measureapp.calibrate.joint_solution import RigSolution
+from measureapp.calibrate.linear_guide import GuideSolution
+from measureapp.calibrate.rotation_axis import AxisSolution
+from measureapp.data.uncertainty import COVERAGE_FACTOR
+from measureapp.errors import CalibrationError
+from measureapp.pipeline.collecting.collection import Collection
+from measureapp.pipeline.collecting.on_part import (
+    RADIUS_MM,
+    few_of,
+    fitting_length_mm,
+    fitting_together_sigma_mm,
+    half_turn_sigma_mm,
+    length_uncertainty,
+    placing_sigma_mm,
+    sideways_sigma_mm,
+    volume_of,
+)
+from measureapp.pipeline.collecting.setup import Kind
+from measureapp.pipeline.collecting.solved import Solved
+from measureapp.pipeline.collecting.solving import camera_problem
+from measureapp.progress import NoProgress, Progress
+
+Level = Literal["good", "usable", "bad"]
+MOST_LEFT_OUT = 0.25  # of the observations
+MOST_TIMES = 10.0  # as many observations again: beyond, something else has to change
+STROKE_MM = 500.0  # a usual travel of the guide
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """Up to where an expanded uncertainty (k = 2) is good or usable, and why there."""
+
+    good_mm: float
+    usable_mm: float
+    why: str
+
+
+LIMITS: Mapping[Kind, Limits] = {
+    "cameras": Limits(0.02, 0.05, "of 0.05 mm that a measurement may be uncertain by, 0.02 mm hardly shows and 0.05 mm uses it up"),
+    "axis": Limits(0.05, 0.2, "views that are off by less than 0.05 mm need no registration, those up to 0.2 mm are registered safely"),
+    "hand-eye": Limits(0.1, 0.5, "registration of overlapping views takes out 0.1 mm with ease, and starts safely up to 0.5 mm"),
+    "guide": Limits(0.05, 0.2, "views that are off by less than 0.05 mm need no registration, those up to 0.2 mm are registered safely"),
+    "rig": Limits(0.1, 0.5, "registration of overlapping views takes out 0.1 mm with ease, and starts safely up to 0.5 mm"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """What a calibration adds to a measurement, and whether that is good enough."""
+
+    level: Level
+    sentence: str  # with the number and the level
+    expanded_mm: float  # k = 2
+    limits: Limits
+    reasons: tuple[str, ...]  # what else speaks against it; each makes a good one at most usable
+
+    @property
+    def reason(self) -> str:
+        """Why the number leads to that level."""
+        limits = self.limits
+        return f"Up to {limits.good_mm:g} mm is good, up to {limits.usable_mm:g} mm usable: {limits.why}."
+
+    @property
+    def remedy(self) -> str:
+        """What makes it good; nothing where it is. Noise averages with the square root of the number of observations."""
+        times = (self.expanded_mm / self.limits.good_mm) ** 2
+        if times <= 1.0:
+            return ""
+        if times <= MOST_TIMES:
+            return f"About {max(times, 1.5):.1f} times as many observations, as different from each other, would make it good."
+        return "More observations alone will not make it good: sharper images, a larger board, or larger differences between positions are needed."
+
+
+def judge(collection: Collection, limits: Limits | None = None, progress: Progress | None = None, *, validated: bool = False) -> Verdict:
+    """Judge the last solution of a collection.
+
+    Parameters
+    ----------
+    limits : instead of the usual ones of its kind
+    validated : check the cameras with views held back as well, which takes some seconds
+
+    Raises
+    ------
+    CalibrationError
+        Nothing was solved yet, or the uncertainty cannot be told.
+    """
+    solved = collection.solved
+    if solved is None:
+        raise CalibrationError("There is no solution yet.", "Solve what was collected first.")
+    limits = limits or LIMITS[collection.setup.kind]
+    expanded, what = _expanded(collection, solved)
+    reasons = _reasons(collection, solved)
+    if validated:
+        reasons += _validated(collection, solved, progress or NoProgress())
+    level: Level = "good" if expanded <= limits.good_mm else "usable" if expanded <= limits.usable_mm else "bad"
+    if level == "good" and reasons:
+        level = "usable"
+    return Verdict(level, f"{what}: {level}.", expanded, limits, tuple(reasons))
+
+
+def millimetres(value: float) -> str:
+    """Return a length with two significant digits at least."""
+    return f"{value:.3f} mm" if value >= 0.01 else f"{value:.4f} mm"
+
+
+def _expanded(collection: Collection, solved: Solved) -> tuple[float, str]:
+    """Return the expanded uncertainty on the part and what it says, without the level."""
+    solution, setup = solved.solution, collection.setup
+    if isinstance(solution, CameraArraySolution):
+        return _of_cameras(solution, setup.standoff_mm, setup.length_mm)
+    if isinstance(solution, AxisSolution):
+        value = COVERAGE_FACTOR * half_turn_sigma_mm(solution.best.axis, solution.covariance)
+        return value, f"Moves a point {RADIUS_MM:.0f} mm from the axis by {millimetres(value)} (k = 2) between views half a turn apart"
+    if isinstance(solution, HandEyeSolution):
+        value = COVERAGE_FACTOR * placing_sigma_mm(solution)
+        away = float(solution.part_in_camera_mm[2])
+        return value, f"Places a point {away:.0f} mm before the cameras to {millimetres(value)} (k = 2) against the flange"
+    if isinstance(solution, GuideSolution):
+        guide = solution.guide
+        value = COVERAGE_FACTOR * STROKE_MM * float(np.hypot(guide.direction_sigma_rad, guide.scale_sigma))
+        return value, f"Moves a point by {millimetres(value)} (k = 2) between views {STROKE_MM:.0f} mm of the guide apart"
+    used = {one.id: one for one in collection.usable if one.id in solved.used}
+    chosen = few_of([used[name].readback.full() for name in solved.used if name in used])
+    if len(chosen) < 2:
+        raise CalibrationError("The observations of the solution are no longer there.", "Solve again.")
+    typical, worst = (COVERAGE_FACTOR * sigma for sigma in fitting_together_sigma_mm(solution, chosen))
+    return typical, f"Views of one part fit together to {millimetres(typical)} (k = 2), at worst {millimetres(worst)}, before registration"
+
+
+def _of_cameras(solution: CameraArraySolution, standoff_mm: float | None, length_mm: float) -> tuple[float, str]:
+    volume = volume_of(solution, standoff_mm)
+    if len(solution.calibration.cameras) == 1:
+        value = COVERAGE_FACTOR * sideways_sigma_mm(solution, volume.standoff_mm)
+        return (
+            value,
+            f"Moves a point {volume.standoff_mm:.0f} mm before the camera by up to {millimetres(value)} (k = 2) across its line of sight",
+        )
+    found = length_uncertainty(solution, volume, fitting_length_mm(volume, length_mm))
+    value, worst = COVERAGE_FACTOR * found.length_sigma_mm, COVERAGE_FACTOR * found.worst_length_sigma_mm
+    return value, (
+        f"Adds {millimetres(value)} (k = 2), at worst {millimetres(worst)}, to a length of {found.length_mm:g} mm in this volume"
+    )
+
+
+def _reasons(collection: Collection, solved: Solved) -> list[str]:
+    """Return what speaks against a solution besides its own covariance."""
+    reasons = []
+    out = len(solved.of) - len(solved.used)
+    if out > MOST_LEFT_OUT * len(solved.of):
+        reasons.append(f"{out} of {len(solved.of)} observations were left out: look at their reasons and replace them.")
+    if not collection.is_solved:
+        reasons.append("Observations changed since it was solved: solve again.")
+    reasons += collection.shortfalls()
+    return reasons + _warnings(solved)
+
+
+def _warnings(solved: Solved) -> list[str]:
+    solution = solved.solution
+    if isinstance(solution, HandEyeSolution):
+        return [] if solution.degeneracy.verdict == "good" else [f"The motions are {solution.degeneracy.verdict}."]
+    if isinstance(solution, RigSolution):
+        return [*solution.warnings, *(f"Not seen: {what}." for what in solution.not_observable)]
+    return [] if isinstance(solution, CameraArraySolution) else list(solution.warnings)
+
+
+def _validated(collection: Collection, solved: Solved, progress: Progress) -> Sequence[str]:
+    cameras = solved.camera_solution
+    if cameras is None:
+        return []
+    sizes = {name: (camera.pinhole.width_px, camera.pinhole.height_px) for name, camera in cameras.calibration.cameras.items()}
+    entered = [one for one in collection.observations if one.id in solved.of]
+    checked = cross_validate(camera_problem(collection.setup, entered, sizes), cameras, progress=progress)
+    return [] if checked.healthy else [checked.verdict]
