@@ -104,7 +104,8 @@ def inspection_from(document: Mapping[str, Any]) -> Inspection:
 
 
 def _feature_from(document: Mapping[str, Any]) -> Feature:
-    arrays = {name: np.array(document[name]) for name in ("point_mm", "direction", "boundary_mm") if document[name] is not None}
+    names = ("point_mm", "direction", "covariance", "boundary_mm")
+    arrays = {name: np.array(document[name]) for name in names if document.get(name) is not None}
     return Feature(**{**document, **arrays})
 
 
