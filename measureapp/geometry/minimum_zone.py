@@ -1,8 +1,6 @@
-"""Minimum-zone (Chebyshev) fits: the least greatest distance, by linear programs in a trust region and Newton steps on their contacts.
+"""Minimum-zone (Chebyshev) fits: the least greatest distance, by a sequence of linear programs in a trust region.
 
-G. T. Anthony et al., Chebyshev best-fit geometric elements, NPL report DITC 221/93, 1993; the two kinds of steps as in
-R. Fletcher and E. Sainz de la Maza, Nonlinear programming and nonsmooth optimization by successive linear programming,
-Mathematical Programming 43, 1989.
+G. T. Anthony et al., Chebyshev best-fit geometric elements, NPL report DITC 221/93, 1993.
 """
 
 from __future__ import annotations
@@ -10,13 +8,13 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.optimize import linprog, nnls
+from scipy.optimize import linprog, minimize, nnls
 
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.errors import FitError
 from measureapp.geometry.feature import Feature, Shape
 from measureapp.geometry.fits import Scaled, described, fit, state_of
-from measureapp.geometry.shapes import Model, State
+from measureapp.geometry.shapes import MODELS, Model, State
 from measureapp.geometry.zone_models import ZONES
 
 ITERATIONS = 200
@@ -25,7 +23,7 @@ LEAST_STEP = 1e-13
 ACTIVE = 400  # points in one linear program: the furthest on both sides
 CONTACT = 1e-10  # a point this close to the border of the zone touches it, relative to the size of the data
 PROVEN = 1e-7  # greatest slope that the forces of the contacts may leave unbalanced
-PROBE = 1e-4  # step of the second differences, relative to the radius of curvature of the distances
+NEAR = 60  # points in one search for the narrowest cylinder: the furthest
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -72,17 +70,15 @@ def _not_found() -> FitError:
 def _narrowed(model: Model, state: State, points: FloatArray) -> State:
     radius, width = 0.1, _width(model, state, points)
     for _ in range(ITERATIONS):
-        step, promised, forces = _linear_program(model, state, points, radius)
+        step, promised = _linear_program(model, state, points, radius)
         gain = width - promised
         if gain < CONVERGED:
             return state
-        trials = [model.moved(state, found) for found in (step, _newton_step(model, state, points, forces)) if found is not None]
-        widths = [_width(model, trial, points) for trial in trials]
-        best = int(np.argmin(widths))
-        narrower = width - widths[best]
-        if narrower > 0.1 * gain or (best == 1 and narrower > 0):
-            state, width = trials[best], widths[best]
-            radius = min(2 * radius, 1.0) if best == 0 and narrower > 0.75 * gain else radius
+        trial = _enclosing(state, points) if model is ZONES["line"] else model.moved(state, step)
+        narrower = width - _width(model, trial, points)
+        if narrower > 0.1 * gain or (model is ZONES["line"] and narrower > 0):
+            state, width = trial, width - narrower
+            radius = min(2 * radius, 1.0) if narrower > 0.75 * gain else radius
         else:
             radius = 0.25 * min(radius, float(np.abs(step).max()))
         if radius < LEAST_STEP:
@@ -96,12 +92,11 @@ def _width(model: Model, state: State, points: FloatArray) -> float:
     return width if np.isfinite(width) else np.inf
 
 
-def _linear_program(model: Model, state: State, points: FloatArray, radius: float) -> tuple[FloatArray, float, FloatArray]:
-    """Return the step within ``radius`` that narrows the linearised zone most, its half width, and the forces (N,) of the contacts."""
+def _linear_program(model: Model, state: State, points: FloatArray, radius: float) -> tuple[FloatArray, float]:
+    """Return the step within ``radius`` that narrows the linearised zone most, and the half width it promises."""
     distances, derivatives = model.evaluate(state, points)
     distance, slope = distances[0], derivatives[0]
     chosen = np.argsort(-np.abs(distance))[:ACTIVE] if len(distance) > ACTIVE else np.arange(len(distance))
-    forces = np.zeros(len(distance))
     for _ in range(20):
         rows = np.vstack(
             [np.column_stack([slope[chosen], -np.ones(len(chosen))]), np.column_stack([-slope[chosen], -np.ones(len(chosen))])]
@@ -111,59 +106,47 @@ def _linear_program(model: Model, state: State, points: FloatArray, radius: floa
         bounds = [(-radius, radius)] * model.parameters + [(0, None)]
         found = linprog(cost, rows, right, bounds=bounds, method="highs-ds", options={"primal_feasibility_tolerance": 1e-10})
         if not found.success:
-            return np.zeros(model.parameters), np.inf, forces
+            return np.zeros(model.parameters), np.inf
         step, promised = found.x[:-1], float(found.x[-1])
-        upper, lower = -found.ineqlin.marginals.reshape(2, -1)
-        forces = np.zeros(len(distance))
-        forces[chosen] = upper - lower
         exceeded = np.flatnonzero(np.abs(distance + slope @ step) > promised + 1e-12)
         missing = np.setdiff1d(exceeded, chosen)
         if len(missing) == 0:
             break
         worst = missing[np.argsort(-np.abs(distance + slope @ step)[missing])[:ACTIVE]]
         chosen = np.concatenate([chosen, worst])
-    return step, promised, forces
+    return step, promised
 
 
-def _newton_step(model: Model, state: State, points: FloatArray, forces: FloatArray) -> FloatArray | None:
-    """Return the step that brings the contacts to one distance where the curvature of their distances is balanced too.
+def _enclosing(state: State, points: FloatArray) -> State:
+    """Return the axis of the narrowest cylinder about the points, to first order in the tilt.
 
-    Fewer contacts than parameters hold a zone when distances are curved (a circle about two points); the linear program
-    alone then creeps.
+    Distances from an axis are curved over their own small length, where linear programs creep. Seen along the axis the
+    problem is convex: the least circle about points that slide with their height as the axis tilts.
     """
-    contacts = np.flatnonzero(np.abs(forces) > 1e-9)
-    held, force = points[contacts], forces[contacts]
-    distances, derivatives = model.evaluate(state, held)
-    side = np.sign(force)
-    count, many = model.parameters, len(contacts)
-    if many == 0:
-        return None
-    system = np.zeros((count + 1 + many, count + 1 + many))
-    system[:count, :count] = _curvature(model, state, held, force)
-    rows = np.column_stack([side[:, None] * derivatives[0], -np.ones(many)])
-    system[: count + 1, count + 1 :], system[count + 1 :, : count + 1] = rows.T, rows
-    right = np.concatenate([np.zeros(count), [-1.0], -side * distances[0]])
-    solution = np.linalg.lstsq(system, right, rcond=1e-12)[0][:count]
-    return np.asarray(solution) if np.isfinite(solution).all() and np.abs(solution).max() < 1 else None
+    distances, _ = ZONES["line"].evaluate(state, points)
+    width = float(distances[0].max())
+    near = np.argsort(-distances[0])[:NEAR]
+    across, slopes = MODELS["line"].evaluate(state, points[near])
+    across, slopes = across / width, np.moveaxis(slopes, 2, 0)
 
+    def offsets(step: FloatArray) -> FloatArray:
+        return np.asarray(across + np.tensordot(step[:4], slopes, 1))
 
-def _curvature(model: Model, state: State, held: FloatArray, force: FloatArray) -> FloatArray:
-    """Second derivatives (P, P) of the sum of the contacts' distances, each times its force."""
+    def slack(step: FloatArray) -> FloatArray:
+        return np.asarray(step[4] ** 2 - np.sum(offsets(step) ** 2, axis=0))
 
-    def total(step: FloatArray) -> float:
-        return float(model.evaluate(model.moved(state, step), held)[0][0] @ force)
+    def slack_slopes(step: FloatArray) -> FloatArray:
+        return np.column_stack([-2 * np.sum(offsets(step) * slopes, axis=1).T, np.full(len(near), 2 * step[4])])
 
-    reach = (
-        float(np.abs(model.evaluate(state, held)[0]).max()) if model is ZONES["line"] else 1.0
-    )  # distances from an axis curve over their length
-    probe = PROBE * max(reach, PROBE)
-    probes = probe * np.eye(model.parameters)
-    made = np.empty((model.parameters, model.parameters))
-    for i, one in enumerate(probes):
-        for j, other in enumerate(probes[: i + 1]):
-            corners = total(one + other) - total(one - other) - total(other - one) + total(-one - other)
-            made[i, j] = made[j, i] = corners / (4 * probe**2)
-    return made
+    found = minimize(
+        lambda step: step[4],
+        np.array([0.0, 0.0, 0.0, 0.0, 1.0]),
+        jac=lambda _: np.array([0.0, 0.0, 0.0, 0.0, 1.0]),
+        constraints={"type": "ineq", "fun": slack, "jac": slack_slopes},
+        method="SLSQP",
+        options={"ftol": 1e-15, "maxiter": 200},
+    )
+    return ZONES["line"].moved(state, width * found.x[:4])
 
 
 def _certificate(model: Model, state: State, points: FloatArray) -> tuple[IntArray, FloatArray, float]:

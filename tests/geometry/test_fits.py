@@ -277,10 +277,11 @@ def test_the_narrowest_ring_about_known_contacts_is_found():
     angles = np.linspace(0, 2 * np.pi, 60, endpoint=False)
     radii = np.full(60, 30.0)
     radii[[0, 30]], radii[[15, 45]] = 30.02, 29.98
-    ring = np.column_stack([radii * np.cos(angles), radii * np.sin(angles), np.zeros(60)]) + [700.0, -300.0, 5.0]
+    centre = np.array([700.0, -300.0, 5.0])
+    ring = centre + np.column_stack([radii * np.cos(angles), radii * np.sin(angles), np.zeros(60)])
     zone = fit_minimum_zone("circle", ring)
     assert zone.feature.form_error_mm == pytest.approx(0.04, abs=1e-9)
-    assert np.allclose(zone.feature.point_mm, [700, -300, 5], atol=1e-9)
+    assert np.allclose(zone.feature.point_mm, centre, atol=1e-9)
     assert set(zone.contacts) == {0, 15, 30, 45}
 
 
