@@ -14,7 +14,7 @@ from measureapp.arrays import FloatArray, IntArray
 from measureapp.errors import FitError
 from measureapp.geometry.feature import Feature, Shape
 from measureapp.geometry.fits import Scaled, described, fit, state_of
-from measureapp.geometry.shapes import MODELS, Model, State
+from measureapp.geometry.shapes import MODELS, Distances, State
 from measureapp.geometry.zone_models import ZONES
 
 ITERATIONS = 200
@@ -67,7 +67,7 @@ def _not_found() -> FitError:
     return FitError("The minimum zone was not found.", "Use the least-squares criterion, or leave out outliers first.")
 
 
-def _narrowed(model: Model, state: State, points: FloatArray) -> State:
+def _narrowed(model: Distances, state: State, points: FloatArray) -> State:
     radius, width = 0.1, _width(model, state, points)
     for _ in range(ITERATIONS):
         step, promised = _linear_program(model, state, points, radius)
@@ -86,13 +86,13 @@ def _narrowed(model: Model, state: State, points: FloatArray) -> State:
     return state
 
 
-def _width(model: Model, state: State, points: FloatArray) -> float:
+def _width(model: Distances, state: State, points: FloatArray) -> float:
     distances, _ = model.evaluate(state, points)
     width = float(np.abs(distances[0]).max())
     return width if np.isfinite(width) else np.inf
 
 
-def _linear_program(model: Model, state: State, points: FloatArray, radius: float) -> tuple[FloatArray, float]:
+def _linear_program(model: Distances, state: State, points: FloatArray, radius: float) -> tuple[FloatArray, float]:
     """Return the step within ``radius`` that narrows the linearised zone most, and the half width it promises."""
     distances, derivatives = model.evaluate(state, points)
     distance, slope = distances[0], derivatives[0]
@@ -149,7 +149,7 @@ def _enclosing(state: State, points: FloatArray) -> State:
     return ZONES["line"].moved(state, width * found.x[:4])
 
 
-def _certificate(model: Model, state: State, points: FloatArray) -> tuple[IntArray, FloatArray, float]:
+def _certificate(model: Distances, state: State, points: FloatArray) -> tuple[IntArray, FloatArray, float]:
     """Find the shares of the contacts whose forces balance best (non-negative least squares)."""
     distances, derivatives = model.evaluate(state, points)
     far = np.abs(distances[0])

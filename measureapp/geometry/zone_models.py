@@ -6,13 +6,13 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.geometry.feature import Shape
-from measureapp.geometry.shapes import MODELS, TINY, Model, State, tangents
+from measureapp.geometry.shapes import MODELS, TINY, Distances, State, tangents
 
 
 class _LineZone:
     """Distance from the axis: the zone is the narrowest cylinder about all points (straightness in space, ISO 12780-1)."""
 
-    parameters, moves, tilts = 4, 2, 2
+    parameters = 4
 
     def evaluate(self, state: State, points: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return distances and derivatives."""
@@ -29,7 +29,7 @@ class _LineZone:
 class _CircleZone:
     """Radial distance within the least-squares plane: the zone is the narrowest ring (reference circles MZCI, ISO 12181-1)."""
 
-    parameters, moves, tilts = 3, 2, 0
+    parameters = 3
 
     def evaluate(self, state: State, points: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return distances and derivatives."""
@@ -43,4 +43,4 @@ class _CircleZone:
         return State(state.point + step[:2] @ tangents(state.direction), state.direction, state.sizes + step[2:])
 
 
-ZONES: dict[Shape, Model] = {**MODELS, "line": _LineZone(), "circle": _CircleZone()}
+ZONES: dict[Shape, Distances] = {**MODELS, "line": _LineZone(), "circle": _CircleZone()}

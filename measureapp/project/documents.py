@@ -110,7 +110,8 @@ def _feature_from(document: Mapping[str, Any]) -> Feature:
 
 
 def _dimension_from(document: Mapping[str, Any]) -> Dimension:
-    return Dimension(**{**document, "verdict": Verdict(document["verdict"]), "features": tuple(document["features"])})
+    names = {key: tuple(document.get(key, ())) for key in ("features", "datums")}
+    return Dimension(**{**document, **names, "verdict": Verdict(document["verdict"])})
 
 
 def _plain(noun: Any) -> dict[str, Any]:
