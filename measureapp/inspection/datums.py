@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import expm
 
 from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
@@ -18,6 +17,7 @@ from measureapp.inspection.value import AXES, CENTRES, direction_of, feature_of,
 ARM_MM = 100.0  # a turn counts as what it moves a point this far away
 OPEN = 1e-3  # a motion that moves a feature by less than this share of itself does not move it
 ROUNDS = 20
+SMALL_ANGLE = 1e-4
 MOTIONS = ("shift along x", "shift along y", "shift along z", "turn about x", "turn about y", "turn about z")
 
 
@@ -119,18 +119,25 @@ def _solver(rows: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _twist(motion: FloatArray) -> FloatArray:
+    """Return the 4×4 motion of a screw: shift and turn at once, so that a group of motions is not left."""
     x, y, z = motion[3:] / ARM_MM
-    generator = np.zeros((4, 4))
-    generator[:3, :3] = [[0, -z, y], [z, 0, -x], [-y, x, 0]]
-    generator[:3, 3] = motion[:3]
-    return np.asarray(expm(generator))
+    angle = float(np.sqrt(x * x + y * y + z * z))
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    near = angle < SMALL_ANGLE  # the series' first terms, where the quotients lose their digits
+    one = 1.0 if near else np.sin(angle) / angle
+    two = 0.5 if near else (1 - np.cos(angle)) / angle**2
+    three = 1 / 6 if near else (angle - np.sin(angle)) / angle**3
+    made = np.eye(4)
+    made[:3, :3] += one * cross + two * cross @ cross
+    made[:3, 3] = (np.eye(3) + two * cross + three * cross @ cross) @ motion[:3]
+    return made
 
 
 def _location_sides(nominal: Feature) -> FloatArray:
     """The directions (K, 3) in which a feature of the drawing has a place."""
     if nominal.shape == "plane":
         return direction_of(nominal)[None]
-    return tangents(direction_of(nominal)) if nominal.shape in ("line", "cylinder") else np.eye(3)
+    return tangents(direction_of(nominal)) if nominal.shape in AXES else np.eye(3)  # a cone counts as its axis
 
 
 def _locations(nominal: Feature, point_mm: FloatArray) -> FloatArray:

@@ -55,7 +55,7 @@ def oval_shaft(seed, noise_mm=NOISE_MM):
 
 def bent_shaft(seed, noise_mm=NOISE_MM):
     part = Part(np.random.default_rng(seed), noise_mm)
-    part.round([0, 0, 0], RADIUS_MM, bend=lambda h: thirds(h))
+    part.round([0, 0, 0], RADIUS_MM, bend=thirds)
     return part
 
 
