@@ -13,6 +13,7 @@ from measureapp.cli.reply import JsonOption, reply
 
 if TYPE_CHECKING:
     from measureapp.geometry.feature import Feature
+    from measureapp.geometry.minimum_zone import MinimumZone
 
 
 class ShapeName(StrEnum):
@@ -53,8 +54,11 @@ def register(app: typer.Typer) -> None:
         read = _read(points)
         if criterion is Criterion.MINIMUM_ZONE and robust:
             raise FitError("A minimum zone holds all points.", "Leave --robust out.")
-        made = fit_minimum_zone(shape.value, read) if criterion is Criterion.MINIMUM_ZONE else fit(shape.value, read, robust=robust)
-        document = _document(made, criterion.value)
+        if criterion is Criterion.MINIMUM_ZONE:
+            zone = fit_minimum_zone(shape.value, read)
+            document = _document(zone.feature, criterion.value) | {"proof": _proof(zone)}
+        else:
+            document = _document(fit(shape.value, read, robust=robust), criterion.value)
         reply(document, _lines(document), as_json)
 
 
@@ -87,7 +91,13 @@ def _document(made: Feature, criterion: str) -> dict[str, Any]:
         "points": made.points,
         "left_out": made.left_out,
         "standard_deviations": deviations,
+        "covariance": made.covariance,
     }
+
+
+def _proof(zone: MinimumZone) -> dict[str, Any]:
+    """Return why the zone is the narrowest: which points hold it (counted from 1), by which shares, and what is left unbalanced."""
+    return {"contacts": (zone.contacts + 1).tolist(), "shares": zone.shares.tolist(), "imbalance": zone.imbalance}
 
 
 def _lines(document: dict[str, Any]) -> str:
@@ -95,6 +105,10 @@ def _lines(document: dict[str, Any]) -> str:
     for name, value in document.items():
         if name == "standard_deviations":
             rows += [f"{'σ ' + key:<18} {sigma:.3g}" for key, sigma in value.items()]
+        elif name == "proof":
+            rows.append(f"{'proof':<18} held by points {', '.join(map(str, value['contacts']))}; unbalanced {value['imbalance']:.0e}")
+        elif name == "covariance":
+            continue  # a table of numbers, for --json only
         elif isinstance(value, float):
             rows.append(f"{name:<18} {value:.6f}")
         elif isinstance(value, np.ndarray):

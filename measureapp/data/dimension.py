@@ -29,6 +29,9 @@ class Dimension:
     unit: str = "mm"
     reason: str = ""
     features: tuple[str, ...] = ()
+    kind: str = ""  # "distance", "flatness", …
+    datums: tuple[str, ...] = ()  # A, B, C
+    origin: str = ""  # where the value came from: points, filter, criterion, datums
 
     @property
     def error(self) -> float | None:

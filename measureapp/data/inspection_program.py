@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from typing import Annotated, Literal
+from typing import Annotated, Literal, get_args
 
 from pydantic import Field, model_validator
 
@@ -14,8 +14,31 @@ Range = tuple[float, float]
 PatternIndex = re.compile(r"\{k(?:\+(\d+))?\}")
 
 MeasuredShape = Literal["plane", "cylinder", "sphere", "cone", "surface_point"]
-ConstructedShape = Literal["midpoint", "midplane", "intersection"]
-DimensionKind = Literal["distance", "thickness", "diameter", "radius", "angle", "flatness"]
+ConstructedShape = Literal["midpoint", "midplane", "intersection", "projection"]
+SizeKind = Literal["distance", "thickness", "step", "diameter", "radius", "angle"]
+ZoneKind = Literal[
+    "flatness",
+    "straightness",
+    "roundness",
+    "cylindricity",
+    "parallelism",
+    "perpendicularity",
+    "angularity",
+    "position",
+    "concentricity",
+    "coaxiality",
+    "circular_runout",
+    "total_runout",
+    "line_profile",
+    "surface_profile",
+]
+DimensionKind = SizeKind | ZoneKind
+Criterion = Literal["minimum-zone", "least-squares"]
+PAIRS = ("distance", "thickness", "step", "angle")
+ZONES: tuple[str, ...] = get_args(ZoneKind)  # the width of a zone: never negative, ideally 0
+FORMS = ("flatness", "straightness", "roundness", "cylindricity")
+ONE_DATUM = ("concentricity", "coaxiality", "circular_runout", "total_runout")
+PROFILES = ("line_profile", "surface_profile")
 
 
 class Repeat(Model):
@@ -78,7 +101,11 @@ class MeasuredFeature(Model):
 
 
 class ConstructedFeature(Model):
-    """A feature made from others: middle of two points, plane between two planes, or an axis or plane meeting a plane."""
+    """A feature made from others.
+
+    The middle of two points, the plane between two planes, where an axis or plane meets a plane, or a point or axis
+    projected onto a plane (named second).
+    """
 
     name: str = Field(min_length=1)
     shape: ConstructedShape
@@ -86,28 +113,69 @@ class ConstructedFeature(Model):
     repeat: Repeat | None = None
 
 
+class Section(Model):
+    """A plane in which a line profile is taken, in the nominal's frame."""
+
+    point_mm: Vector
+    normal: Vector
+
+    @model_validator(mode="after")
+    def _has_a_normal(self) -> Section:
+        if sum(value * value for value in self.normal) < 1e-12:
+            raise ValueError("`normal` has no length")
+        return self
+
+
 class DimensionProgram(Model):
-    """One toleranced value; with `count`, the mean, least or greatest over a pattern."""
+    """One toleranced value; with `count`, the mean, least or greatest over a pattern.
+
+    Form, orientation, location, run-out and profile are widths of zones: their nominal is 0 and `upper_tolerance` is the zone's width.
+    """
 
     name: str = Field(min_length=1)
     kind: DimensionKind
     features: tuple[str, ...] = Field(min_length=1, max_length=2)
-    nominal: float
+    datums: tuple[str, ...] = Field(default=(), max_length=3, description="features that are datums A, B, C, in this order")
+    nominal: float = Field(default=0.0, description="value of the drawing; left out for the width of a zone")
     lower_tolerance: float = -0.1
     upper_tolerance: float = 0.1
+    criterion: Criterion = Field(default="minimum-zone", description="how form is taken (ISO 1101: minimum zone)")
+    along: Vector | None = Field(default=None, description="straightness of a plane: direction of its lines")
+    section: Section | None = Field(default=None, description="line profile: the plane it is taken in")
     count: int | None = Field(default=None, ge=2, description="how many copies `{k}` runs over, cyclically")
     statistic: Literal["mean", "min", "max"] = "mean"
 
     @model_validator(mode="after")
     def _is_consistent(self) -> DimensionProgram:
-        pair = self.kind in ("distance", "thickness", "angle")
+        pair = self.kind in PAIRS
         if len(self.features) != (2 if pair else 1):
             raise ValueError(f"kind {self.kind!r} needs {'two features' if pair else 'one feature'}")
         if self.lower_tolerance > self.upper_tolerance:
             raise ValueError("lower_tolerance lies above upper_tolerance")
-        if self.count is None and any(PatternIndex.search(name) for name in self.features):
+        if self.count is None and any(PatternIndex.search(name) for name in (*self.features, *self.datums)):
             raise ValueError("`{k}` needs `count`, the number of copies")
+        if self.kind not in ZONES and "nominal" not in self.model_fields_set:
+            raise ValueError(f"kind {self.kind!r} needs `nominal`")
+        if self.kind in ZONES and (self.nominal != 0 or self.upper_tolerance <= 0):
+            raise ValueError(f"a {self.kind} is the width of a zone: its nominal is 0, `upper_tolerance` the width allowed")
         return self
+
+    @model_validator(mode="after")
+    def _has_the_datums_of_its_kind(self) -> DimensionProgram:
+        if (self.kind in FORMS or self.kind not in ZONES) and self.datums:
+            raise ValueError(f"a {self.kind} has no datums")
+        if self.kind in ZONES and self.kind not in (*FORMS, *PROFILES) and not self.datums:
+            raise ValueError(f"a {self.kind} needs `datums`")
+        if self.kind in ONE_DATUM and len(self.datums) > 1:
+            raise ValueError(f"a {self.kind} has one datum")
+        if self.kind == "line_profile" and self.section is None:
+            raise ValueError("a line_profile needs `section`, the plane it is taken in")
+        return self
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Lower and upper tolerance; the width of a zone ends at 0."""
+        return (0.0 if self.kind in ZONES else self.lower_tolerance), self.upper_tolerance
 
     @property
     def unit(self) -> str:
@@ -117,7 +185,15 @@ class DimensionProgram(Model):
     @property
     def feature_sets(self) -> tuple[tuple[str, ...], ...]:
         """The features of each single value that the dimension is taken over."""
-        return tuple(indexed(self.features, k, self.count) for k in range(1, self.count + 1)) if self.count else (self.features,)
+        return self._sets(self.features)
+
+    @property
+    def datum_sets(self) -> tuple[tuple[str, ...], ...]:
+        """The datums of each single value."""
+        return self._sets(self.datums)
+
+    def _sets(self, names: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
+        return tuple(indexed(names, k, self.count) for k in range(1, self.count + 1)) if self.count else (names,)
 
 
 class InspectionProgram(Model):
@@ -143,7 +219,7 @@ class InspectionProgram(Model):
                 raise ValueError(f"two features are called {sorted(twice)[0]!r}")
             known.update(names)
         for dimension in self.dimensions:
-            for needed in (name for names in dimension.feature_sets for name in names):
+            for needed in (name for names in (*dimension.feature_sets, *dimension.datum_sets) for name in names):
                 if needed not in known:
                     raise ValueError(f"dimension {dimension.name!r} needs feature {needed!r}, which is not defined")
         if len({dimension.name for dimension in self.dimensions}) != len(self.dimensions):

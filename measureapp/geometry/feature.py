@@ -31,9 +31,15 @@ class Feature:
     standard_deviations: Mapping[str, float] = field(
         default_factory=dict
     )  # keys like the fields: "radius_mm", "position_mm", "direction_rad"
+    covariance: FloatArray | None = (
+        None  # (6 + S, 6 + S): of point_mm, direction and the S sizes (radius_mm, then half_angle_rad or minor_radius_mm)
+    )
     boundary_mm: FloatArray | None = None  # (K, 3) extent of the points used, for display
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "point_mm", read_only(self.point_mm, np.float64, (3,)))
         if self.direction is not None:
             object.__setattr__(self, "direction", read_only(self.direction, np.float64, (3,)))
+        if self.covariance is not None:
+            rows = len(self.covariance)
+            object.__setattr__(self, "covariance", read_only(self.covariance, np.float64, (rows, rows)))

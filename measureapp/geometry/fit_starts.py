@@ -10,6 +10,8 @@ from measureapp.geometry.shapes import MODELS, State, tangents
 
 DIRECTIONS = 120  # over the half sphere: no axis is further than about 8° from one of them
 SAMPLE = 1500
+FLAT = 1e-4  # curvature, relative to the size of the data
+TUBE_PLACES = 24
 TRIED = 6  # the best starts of an axis shape are all refined
 
 
@@ -26,8 +28,11 @@ def starts(shape: Shape, points: FloatArray) -> list[State]:
         return [_sphere(sample)]
     if shape == "circle":
         return [_on_axis(sample, axes[2], cone=False)]
-    directions = np.vstack([axes, _curvature_axes(sample, axes), _half_sphere()])
+    height, curvatures, curved = _curvatures(sample, axes)
+    directions = np.vstack([axes, curved, _half_sphere()])
     candidates = [_axis_start(shape, sample, direction) for direction in directions]
+    if shape == "torus":
+        candidates += _torus_patches(sample.mean(axis=0) + height * axes[2], curvatures, curved, axes[2])
     scored = sorted(((_score(shape, state, sample), i) for i, state in enumerate(candidates)), key=lambda pair: pair[0])
     return [candidates[i] for _, i in scored[:TRIED]]
 
@@ -48,13 +53,30 @@ def _half_sphere() -> FloatArray:
     return np.column_stack([flat * np.cos(turn), flat * np.sin(turn), z])
 
 
-def _curvature_axes(points: FloatArray, axes: FloatArray) -> FloatArray:
-    """Return the directions of least and greatest curvature (2, 3) of a patch, by a quadratic over its plane: for short arcs."""
+def _curvatures(points: FloatArray, axes: FloatArray) -> tuple[float, FloatArray, FloatArray]:
+    """Return height at the centroid, principal curvatures (2,) and their directions (2, 3) of a quadratic over a patch's plane: for short arcs."""
     x, y, z = ((points - points.mean(axis=0)) @ axes.T).T
     design = np.column_stack([x * x, x * y, y * y, x, y, np.ones(len(x))])
-    a, b, c = np.linalg.lstsq(design, z, rcond=None)[0][:3]
-    _, vectors = np.linalg.eigh([[2 * a, b], [b, 2 * c]])
-    return np.asarray(vectors.T @ axes[:2])
+    a, b, c, _, _, height = np.linalg.lstsq(design, z, rcond=None)[0]
+    values, vectors = np.linalg.eigh([[2 * a, b], [b, 2 * c]])
+    return float(height), values, np.asarray(vectors.T @ axes[:2])
+
+
+def _torus_patches(point: FloatArray, curvatures: FloatArray, directions: FloatArray, normal: FloatArray) -> list[State]:
+    """Return tori that have these curvatures at a point: one curvature is 1/r, the other cos θ/(R + r cos θ) for any place θ on the tube."""
+    made = []
+    for tube in (0, 1):
+        if abs(curvatures[tube]) < FLAT:
+            continue
+        outward, minor = -np.sign(curvatures[tube]) * normal, 1 / abs(curvatures[tube])
+        around = curvatures[1 - tube] * np.sign(curvatures[tube])
+        for theta in (np.arange(TUBE_PLACES) + 0.5) * 2 * np.pi / TUBE_PLACES:
+            cos, sin = np.cos(theta), np.sin(theta)
+            major = cos / around - minor * cos if abs(around) > FLAT else -1.0
+            if major > 0 and cos / around > 0:
+                radial, axis = cos * outward - sin * directions[tube], sin * outward + cos * directions[tube]
+                made.append(State(point - minor * outward - major * radial, axis, np.array([major, minor])))
+    return made
 
 
 def _sphere(points: FloatArray) -> State:

@@ -15,6 +15,9 @@ from measureapp.geometry.shapes import MODELS, Model, State
 LEAST_POINTS: dict[Shape, int] = {"line": 2, "plane": 3, "circle": 3, "sphere": 4, "cylinder": 5, "cone": 6, "torus": 7}
 ITERATIONS = 200
 CONVERGED = 1e-13  # step, relative to the size of the data
+SHRINKING = 0.95  # of the last steps towards the solution
+ROUNDING = 1e-12  # of sums of squares, relative
+PROBE = 1e-6  # change of a parameter, to see what it does to point, direction and sizes
 SINGULAR = 1e-9  # ratio of singular values below which the points do not determine the shape
 MAD_TO_SIGMA = 1.4826
 REJECTED_SIGMAS = 3.5
@@ -58,8 +61,8 @@ def fit(
     -------
     Feature
         With ``point_mm`` nearest the centroid of the points used. Standard deviations are those of the direction in
-        which the point and the axis are least certain, scaled by the scatter found. A cone's direction points to its
-        apex. ``form_error_mm`` is the range of signed distances; for a line the diameter about all points, for a circle radial.
+        which the point and the axis are least certain, scaled by the scatter found; ``covariance`` has all of it. A
+        cone's direction points to its apex. ``form_error_mm`` is the range of signed distances; for a line the diameter about all points, for a circle radial.
 
     Raises
     ------
@@ -134,19 +137,11 @@ def _cost(model: Model, state: State, points: FloatArray, weight: FloatArray) ->
 
 
 def refined(model: Model, state: State, points: FloatArray, weight: FloatArray) -> State:
-    """Return the state of least weighted squares near ``state`` (Levenberg-Marquardt by QR)."""
+    """Return the state of least weighted squares near ``state`` (Levenberg-Marquardt by QR, then Gauss-Newton)."""
     damping = 1e-6
     cost = _cost(model, state, points, weight)
     for _ in range(ITERATIONS):
-        distances, derivatives = model.evaluate(state, points)
-        root = np.sqrt(weight)
-        jacobian = (derivatives * root[None, :, None]).reshape(-1, model.parameters)
-        residual = (distances * root).ravel()
-        q, r = np.linalg.qr(jacobian)
-        size = np.maximum(np.linalg.norm(r, axis=0), 1e-30)
-        stacked = np.vstack([r, np.diag(np.sqrt(damping) * size)])
-        right = np.concatenate([q.T @ residual, np.zeros(model.parameters)])
-        step = -np.linalg.lstsq(stacked, right, rcond=None)[0]
+        step = _step(model, state, points, weight, damping)
         trial = model.moved(state, step)
         trial_cost = _cost(model, trial, points, weight)
         small = float(np.linalg.norm(step)) < CONVERGED * (1 + float(np.linalg.norm(state.sizes)))
@@ -156,7 +151,34 @@ def refined(model: Model, state: State, points: FloatArray, weight: FloatArray) 
             damping = min(damping * 10, 1e12)
         if small or (trial_cost > cost and damping >= 1e12):
             break
+    return _polished(model, state, points, weight, cost)
+
+
+def _polished(model: Model, state: State, points: FloatArray, weight: FloatArray, cost: float) -> State:
+    """Take whole Gauss-Newton steps as long as they shrink.
+
+    Sums of squares do not tell states apart that differ by less than √ε of the scatter; the length of the steps does.
+    """
+    shortest = np.inf
+    for _ in range(ITERATIONS):
+        step = _step(model, state, points, weight, 0.0)
+        length = float(np.linalg.norm(step))
+        trial = model.moved(state, step)
+        if not length < SHRINKING * shortest or _cost(model, trial, points, weight) > cost * (1 + ROUNDING) + ROUNDING**2:
+            break
+        state, shortest = trial, length
     return state
+
+
+def _step(model: Model, state: State, points: FloatArray, weight: FloatArray, damping: float) -> FloatArray:
+    distances, derivatives = model.evaluate(state, points)
+    root = np.sqrt(weight)
+    jacobian = (derivatives * root[None, :, None]).reshape(-1, model.parameters)
+    q, r = np.linalg.qr(jacobian)
+    size = np.maximum(np.linalg.norm(r, axis=0), 1e-30)
+    stacked = np.vstack([r, np.diag(np.sqrt(damping) * size)])
+    right = np.concatenate([q.T @ (distances * root).ravel(), np.zeros(model.parameters)])
+    return np.asarray(-np.linalg.lstsq(stacked, right, rcond=None)[0])
 
 
 def _robust(shape: Shape, points: FloatArray, weight: FloatArray, begin: list[State]) -> tuple[State, BoolArray]:
@@ -190,7 +212,9 @@ def described(shape: Shape, state: State, scaled: Scaled, weight: FloatArray, ke
     points = scaled.points[keep]
     state = _normalised(shape, state, points.mean(axis=0))
     distances, derivatives = model.evaluate(state, points)
-    deviations = _deviations(shape, model, distances, derivatives, weight[keep], scaled.scale_mm, state)
+    _refuse_undetermined(shape, model, distances, derivatives, weight[keep], state)
+    covariance = _covariance(model, distances, derivatives, weight[keep])
+    spread = _spread(shape, model, state, scaled.scale_mm)
     form = model.form(distances) * scaled.scale_mm
     sizes = state.sizes * scaled.scale_mm
     return Feature(
@@ -205,7 +229,8 @@ def described(shape: Shape, state: State, scaled: Scaled, weight: FloatArray, ke
         left_out=int(np.count_nonzero(~keep)),
         rms_mm=float(np.sqrt(np.mean(np.sum(distances**2, axis=0)))) * scaled.scale_mm,
         form_error_mm=float(form.max() - form.min()),
-        standard_deviations=deviations,
+        standard_deviations=_deviations(shape, model, covariance, state, scaled.scale_mm),
+        covariance=spread @ covariance @ spread.T,
         boundary_mm=np.stack([points.min(axis=0), points.max(axis=0)]) * scaled.scale_mm + scaled.centre_mm,
     )
 
@@ -235,21 +260,43 @@ def _normalised(shape: Shape, state: State, centroid: FloatArray) -> State:
     return State(point, direction, sizes)
 
 
-def _deviations(
-    shape: Shape, model: Model, distances: FloatArray, derivatives: FloatArray, weight: FloatArray, scale_mm: float, state: State
-) -> dict[str, float]:
-    """Return the standard deviations; raises FitError when some change of the shape leaves all distances as they are."""
+def _refuse_undetermined(
+    shape: Shape, model: Model, distances: FloatArray, derivatives: FloatArray, weight: FloatArray, state: State
+) -> None:
+    """Raise FitError when some change of the shape leaves all distances as they are."""
     jacobian = (derivatives * np.sqrt(weight)[None, :, None]).reshape(-1, model.parameters)
-    singular = np.linalg.svd(jacobian, compute_uv=False)
-    if not np.isfinite(singular).all() or singular[-1] <= SINGULAR * singular[0] or np.any(np.abs(state.sizes) > LARGEST_RATIO):
+    singular = np.linalg.svd(jacobian, compute_uv=False) if np.isfinite(jacobian).all() else np.zeros(model.parameters)
+    if singular[-1] <= SINGULAR * singular[0] or np.any(np.abs(state.sizes) > LARGEST_RATIO):
         raise FitError(f"The points do not determine a {shape}.", f"Give points spread over more of the {shape}.")
     if shape == "cone" and not 0 < state.sizes[1] < np.pi / 2:
         raise FitError("The points do not determine a cone.", "Give points spread over more of the cone, or fit a cylinder.")
     if shape in ("cylinder", "cone", "torus") and np.sqrt(np.mean(distances**2)) > FAR_OFF:
         raise FitError(f"The points do not lie on a {shape}.", "Choose the points of one surface only, or give a start.")
+
+
+def _covariance(model: Model, distances: FloatArray, derivatives: FloatArray, weight: FloatArray) -> FloatArray:
+    """Covariance (P, P) of the model's parameters, scaled by the scatter found."""
+    jacobian = (derivatives * np.sqrt(weight)[None, :, None]).reshape(-1, model.parameters)
     freedom = jacobian.shape[0] - model.parameters
     variance = float(np.sum(weight * distances**2)) / freedom if freedom > 0 else 0.0
-    covariance = variance * np.linalg.inv(jacobian.T @ jacobian)
+    inverse = np.linalg.pinv(jacobian)  # of J itself: JᵀJ would square its condition
+    return variance * (inverse @ inverse.T)
+
+
+def _spread(shape: Shape, model: Model, state: State, scale_mm: float) -> FloatArray:
+    """What each parameter does to point (mm), direction and sizes of the feature (6 + sizes, P)."""
+
+    def reported(moved: State) -> FloatArray:
+        sizes = moved.sizes * scale_mm
+        if shape == "cone":
+            sizes = np.array([_radius(shape, moved, scale_mm), moved.sizes[1]])
+        return np.concatenate([moved.point * scale_mm, moved.direction, sizes])
+
+    probes = PROBE * np.eye(model.parameters)
+    return np.column_stack([(reported(model.moved(state, probe)) - reported(model.moved(state, -probe))) / (2 * PROBE) for probe in probes])
+
+
+def _deviations(shape: Shape, model: Model, covariance: FloatArray, state: State, scale_mm: float) -> dict[str, float]:
     m, t = model.moves, model.moves + model.tilts
     found = {"position_mm": _largest(covariance[:m, :m]) * scale_mm}
     if model.tilts:

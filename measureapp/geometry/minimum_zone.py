@@ -5,73 +5,94 @@ G. T. Anthony et al., Chebyshev best-fit geometric elements, NPL report DITC 221
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.optimize import linprog
+from scipy.optimize import linprog, minimize, nnls
 
-from measureapp.arrays import FloatArray
+from measureapp.arrays import FloatArray, IntArray
 from measureapp.errors import FitError
 from measureapp.geometry.feature import Feature, Shape
 from measureapp.geometry.fits import Scaled, described, fit, state_of
-from measureapp.geometry.shapes import MODELS, Model, State
+from measureapp.geometry.shapes import MODELS, Distances, State
+from measureapp.geometry.zone_models import ZONES
 
 ITERATIONS = 200
 CONVERGED = 1e-12  # gain that the linear program still promises, relative to the size of the data
 LEAST_STEP = 1e-13
 ACTIVE = 400  # points in one linear program: the furthest on both sides
-POSSIBLE: tuple[Shape, ...] = ("plane", "sphere", "cylinder", "cone", "torus")
+CONTACT = 1e-10  # a point this close to the border of the zone touches it, relative to the size of the data
+PROVEN = 1e-7  # greatest slope that the forces of the contacts may leave unbalanced
+NEAR = 60  # points in one search for the narrowest cylinder: the furthest
 
 
-def fit_minimum_zone(shape: Shape, points_mm: FloatArray) -> Feature:
+@dataclass(frozen=True, slots=True, eq=False)
+class MinimumZone:
+    """A minimum-zone feature and the proof that no small change makes its zone narrower.
+
+    Forces of sizes ``shares``, which sum to 1, at the ``contacts``, pushing outwards on the upper side and inwards on the
+    lower, are in balance: for every small change of the feature at least one contact comes to lie further out. By a change that
+    moves the feature by δ mm the half width could fall by at most ``imbalance``·δ, to first order.
+    """
+
+    feature: Feature
+    contacts: IntArray  # (K,), indices of the points that touch the border of the zone and hold it
+    shares: FloatArray  # (K,), positive, sum 1
+    imbalance: float
+
+
+def fit_minimum_zone(shape: Shape, points_mm: FloatArray) -> MinimumZone:
     """Fit ``shape`` so that the greatest distance of any point is least; starts at the least-squares fit.
 
-    ``form_error_mm`` is then the width of the minimum zone. The search ends when a linear program over all contacts
-    proves that no small change narrows the zone further.
+    ``form_error_mm`` is then the width of the minimum zone: for a line the diameter of the narrowest cylinder about all
+    points, for a circle the radial width of the narrowest ring within the least-squares plane.
 
     Raises
     ------
     FitError
-        As `fit`; also for lines and circles in space, whose zones are not offered, or when the proof is not reached.
+        As `fit`; also when the proof is not reached.
     """
-    if shape not in POSSIBLE:
-        raise FitError(
-            f"A minimum zone is not offered for a {shape} in space.", "Use least-squares, or one of: " + ", ".join(POSSIBLE) + "."
-        )
     begin = fit(shape, points_mm)
     points = np.asarray(points_mm, np.float64)
-    scaled = Scaled.of(points)
-    state = _narrowed(MODELS[shape], state_of(begin, scaled), scaled.points)
-    keep = np.ones(len(points), np.bool_)
-    made = described(shape, state, scaled, np.ones(len(points)), keep)
-    return replace(made, standard_deviations={})
+    scaled, model = Scaled.of(points), ZONES[shape]
+    state = _narrowed(model, state_of(begin, scaled), scaled.points)
+    contacts, shares, imbalance = _certificate(model, state, scaled.points)
+    if imbalance > PROVEN:
+        raise _not_found()
+    made = described(shape, state, scaled, np.ones(len(points)), np.ones(len(points), np.bool_))
+    return MinimumZone(replace(made, standard_deviations={}, covariance=None), contacts, shares, imbalance)
 
 
-def _narrowed(model: Model, state: State, points: FloatArray) -> State:
+def _not_found() -> FitError:
+    return FitError("The minimum zone was not found.", "Use the least-squares criterion, or leave out outliers first.")
+
+
+def _narrowed(model: Distances, state: State, points: FloatArray) -> State:
     radius, width = 0.1, _width(model, state, points)
     for _ in range(ITERATIONS):
         step, promised = _linear_program(model, state, points, radius)
         gain = width - promised
         if gain < CONVERGED:
             return state
-        trial = model.moved(state, step)
+        trial = _enclosing(state, points) if model is ZONES["line"] else model.moved(state, step)
         narrower = width - _width(model, trial, points)
-        if narrower > 0.1 * gain:
+        if narrower > 0.1 * gain or (model is ZONES["line"] and narrower > 0):
             state, width = trial, width - narrower
             radius = min(2 * radius, 1.0) if narrower > 0.75 * gain else radius
         else:
             radius = 0.25 * min(radius, float(np.abs(step).max()))
         if radius < LEAST_STEP:
             return state
-    raise FitError("The minimum zone was not found.", "Use the least-squares criterion, or leave out outliers first.")
+    return state
 
 
-def _width(model: Model, state: State, points: FloatArray) -> float:
+def _width(model: Distances, state: State, points: FloatArray) -> float:
     distances, _ = model.evaluate(state, points)
-    return float(np.abs(distances[0]).max())
+    width = float(np.abs(distances[0]).max())
+    return width if np.isfinite(width) else np.inf
 
 
-def _linear_program(model: Model, state: State, points: FloatArray, radius: float) -> tuple[FloatArray, float]:
+def _linear_program(model: Distances, state: State, points: FloatArray, radius: float) -> tuple[FloatArray, float]:
     """Return the step within ``radius`` that narrows the linearised zone most, and the half width it promises."""
     distances, derivatives = model.evaluate(state, points)
     distance, slope = distances[0], derivatives[0]
@@ -90,7 +111,52 @@ def _linear_program(model: Model, state: State, points: FloatArray, radius: floa
         exceeded = np.flatnonzero(np.abs(distance + slope @ step) > promised + 1e-12)
         missing = np.setdiff1d(exceeded, chosen)
         if len(missing) == 0:
-            return step, promised
+            break
         worst = missing[np.argsort(-np.abs(distance + slope @ step)[missing])[:ACTIVE]]
         chosen = np.concatenate([chosen, worst])
     return step, promised
+
+
+def _enclosing(state: State, points: FloatArray) -> State:
+    """Return the axis of the narrowest cylinder about the points, to first order in the tilt.
+
+    Distances from an axis are curved over their own small length, where linear programs creep. Seen along the axis the
+    problem is convex: the least circle about points that slide with their height as the axis tilts.
+    """
+    distances, _ = ZONES["line"].evaluate(state, points)
+    width = float(distances[0].max())
+    near = np.argsort(-distances[0])[:NEAR]
+    across, slopes = MODELS["line"].evaluate(state, points[near])
+    across, slopes = across / width, np.moveaxis(slopes, 2, 0)
+
+    def offsets(step: FloatArray) -> FloatArray:
+        return np.asarray(across + np.tensordot(step[:4], slopes, 1))
+
+    def slack(step: FloatArray) -> FloatArray:
+        return np.asarray(step[4] ** 2 - np.sum(offsets(step) ** 2, axis=0))
+
+    def slack_slopes(step: FloatArray) -> FloatArray:
+        return np.column_stack([-2 * np.sum(offsets(step) * slopes, axis=1).T, np.full(len(near), 2 * step[4])])
+
+    found = minimize(
+        lambda step: step[4],
+        np.array([0.0, 0.0, 0.0, 0.0, 1.0]),
+        jac=lambda _: np.array([0.0, 0.0, 0.0, 0.0, 1.0]),
+        constraints={"type": "ineq", "fun": slack, "jac": slack_slopes},
+        method="SLSQP",
+        options={"ftol": 1e-15, "maxiter": 200},
+    )
+    return ZONES["line"].moved(state, width * found.x[:4])
+
+
+def _certificate(model: Distances, state: State, points: FloatArray) -> tuple[IntArray, FloatArray, float]:
+    """Find the shares of the contacts whose forces balance best (non-negative least squares)."""
+    distances, derivatives = model.evaluate(state, points)
+    far = np.abs(distances[0])
+    touching = np.flatnonzero(far >= far.max() - CONTACT)
+    forces = (np.sign(distances[0][touching])[:, None] * derivatives[0][touching]).T
+    shares, _ = nnls(np.vstack([forces, np.ones(len(touching))]), np.append(np.zeros(model.parameters), 1.0))
+    total = float(shares.sum())
+    imbalance = float(np.linalg.norm(forces @ shares)) / total if total > 0 else np.inf
+    used = shares > 0
+    return touching[used], shares[used] / max(total, 1e-300), imbalance

@@ -28,18 +28,23 @@ class State:
     sizes: FloatArray  # radius | (distance of the surface at `point`, half angle) | (major, minor radius)
 
 
-class Model(Protocol):
-    """One kind of shape."""
+class Distances(Protocol):
+    """Distances of points from a shape, and what small changes of the shape do to them."""
 
     parameters: int
-    moves: int  # how many parameters move the point
-    tilts: int
 
     def evaluate(self, state: State, points: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return distances (K, N) and their derivatives (K, N, P); K distances per point, squared and summed."""
 
     def moved(self, state: State, step: FloatArray) -> State:
         """Return the state changed by ``step`` (P,)."""
+
+
+class Model(Distances, Protocol):
+    """One kind of shape."""
+
+    moves: int  # how many parameters move the point
+    tilts: int
 
     def form(self, distances: FloatArray) -> FloatArray:
         """Return the one distance (N,) whose range is the form error."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import ConstructedFeature, copy_names, indexed
 from measureapp.inspection.features import Found
 
+AXES = ("cylinder", "cone", "line")
 LEAST_CROSSING_DEG = 5.0
 
 
@@ -20,8 +22,13 @@ def construct(described: ConstructedFeature, known: Mapping[str, Found]) -> Mapp
     made = {}
     for k, name in enumerate(names, start=1):
         one, other = (known[needed] for needed in indexed(described.of, k, count))
-        made[name] = _construct_one(described.shape, name, one, other)
+        drawn = _construct_one(described.shape, name, _as_drawn(one), _as_drawn(other)).feature
+        made[name] = replace(_construct_one(described.shape, name, one, other), nominal=drawn)
     return made
+
+
+def _as_drawn(found: Found) -> Found:
+    return Found(found.name, found.nominal, f"{found.name} has no place in the drawing")
 
 
 def _construct_one(shape: str, name: str, one: Found, other: Found) -> Found:
@@ -29,6 +36,8 @@ def _construct_one(shape: str, name: str, one: Found, other: Found) -> Found:
         return Found(name, None, one.reason or other.reason)
     if shape == "intersection":
         return _intersection(name, one, other)
+    if shape == "projection":
+        return _projection(name, one, other)
     first, second = one.feature, other.feature
     position = 0.5 * float(np.hypot(one.position_sigma, other.position_sigma))
     direction = first.direction
@@ -68,6 +77,32 @@ def _intersection(name: str, one: Found, other: Found) -> Found:
     )
 
 
+def _projection(name: str, one: Found, plane: Found) -> Found:
+    """A centre or axis seen upright onto a plane: a point, or a line."""
+    first, second = one.feature, plane.feature
+    assert first is not None and second is not None
+    if second.shape != "plane" or second.direction is None or first.shape == "plane":
+        return Found(name, None, f"{name}: a projection needs a point or axis, and the plane it is projected onto")
+    offset = first.point_mm - second.point_mm
+    height = float(offset @ second.direction)
+    lateral = float(np.linalg.norm(offset - height * second.direction))
+    sigma = float(
+        np.linalg.norm([one.position_sigma, plane.position_sigma, lateral * plane.direction_sigma, height * plane.direction_sigma])
+    )
+    deviations = {"position_mm": sigma}
+    point, views = first.point_mm - height * second.direction, min(one.views, plane.views)
+    if first.shape not in AXES or first.direction is None:
+        return Found(name, Feature(name, "point", point, second.direction, standard_deviations=deviations), views=views)
+    flat = first.direction - float(first.direction @ second.direction) * second.direction
+    length = float(np.linalg.norm(flat))
+    if length < np.sin(np.radians(LEAST_CROSSING_DEG)):
+        return Found(
+            name, None, f"{name}: the axis {one.name} stands upright on {plane.name}; its projection is a point, their intersection"
+        )
+    deviations["direction_rad"] = float(np.hypot(one.direction_sigma, plane.direction_sigma)) / length
+    return Found(name, Feature(name, "line", point, flat / length, standard_deviations=deviations), views=views)
+
+
 def _line_of_planes(name: str, one: Found, other: Found) -> Found:
     first, second = one.feature, other.feature
     assert first is not None and second is not None and first.direction is not None and second.direction is not None
@@ -80,5 +115,7 @@ def _line_of_planes(name: str, one: Found, other: Found) -> Found:
     system = np.stack([first.direction, second.direction, direction])
     offsets = np.array([first.direction @ first.point_mm, second.direction @ second.point_mm, direction @ middle])
     sigma = float(np.hypot(one.position_sigma, other.position_sigma)) / length
-    made = Feature(name, "line", np.linalg.solve(system, offsets), direction, standard_deviations={"position_mm": sigma})
+    turn = float(np.hypot(one.direction_sigma, other.direction_sigma)) / length
+    deviations = {"position_mm": sigma, "direction_rad": turn}
+    made = Feature(name, "line", np.linalg.solve(system, offsets), direction, standard_deviations=deviations)
     return Found(name, made, views=min(one.views, other.views))

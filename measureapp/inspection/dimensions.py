@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from measureapp.data.dimension import Dimension, Verdict
-from measureapp.data.inspection_program import ConstructedFeature, DimensionProgram, InspectionProgram
+from measureapp.data.inspection_program import ZONES, ConstructedFeature, DimensionProgram, InspectionProgram
 from measureapp.data.measurement import Alignment, Inspection
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
@@ -16,9 +16,12 @@ from measureapp.inspection.measured import HasPoints, MeasuredPoints
 from measureapp.inspection.nominal_surface import NominalSurface
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.uncertainty import COVERAGE_FACTOR, expanded
-from measureapp.inspection.values import Value, value_of
+from measureapp.inspection.value import Value
+from measureapp.inspection.values import value_of
 from measureapp.inspection.verdict import judge
 from measureapp.progress import NoProgress, Progress
+
+FEW = 4  # features that are named one by one in where a value came from
 
 
 def inspect(
@@ -87,36 +90,85 @@ def _dimension(described: DimensionProgram, found: dict[str, Found], settings: I
     try:
         value = _combined(described, found, settings)
     except InspectionError as error:
-        return _stated(described, None, None, Verdict.NOT_MEASURED, error.message)
+        return _stated(described, found, None, None, Verdict.NOT_MEASURED, error.message)
     uncertainty = COVERAGE_FACTOR * value.sigma if described.unit == "°" else expanded(value.sigma, value.value, settings.uncertainty)
     if not (np.isfinite(value.value) and np.isfinite(uncertainty)):
-        return _stated(described, None, None, Verdict.NOT_MEASURED, "the points do not determine this value")
-    verdict = judge(
-        value.value - described.nominal, uncertainty, described.lower_tolerance, described.upper_tolerance, settings.verdict_rule
-    )
-    return _stated(described, value.value, uncertainty, verdict, "")
+        return _stated(described, found, None, None, Verdict.NOT_MEASURED, "the points do not determine this value")
+    lower, upper = (-np.inf if described.kind in ZONES else described.lower_tolerance), described.upper_tolerance  # no zone is too narrow
+    verdict = judge(value.value - described.nominal, uncertainty, lower, upper, settings.verdict_rule)
+    return _stated(described, found, value.value, uncertainty, verdict, "", value.how)
 
 
 def _combined(described: DimensionProgram, found: dict[str, Found], settings: InspectionSettings) -> Value:
     """The value, or mean, least or greatest value of a pattern; the random errors of a mean average out, those of an extreme do not."""
-    values = [value_of(described.kind, tuple(found[name] for name in names), settings) for names in described.feature_sets]
+    values = [
+        value_of(described, tuple(found[name] for name in names), tuple(found[name] for name in datums), settings)
+        for names, datums in zip(described.feature_sets, described.datum_sets, strict=True)
+    ]
     numbers, sigmas = np.array([v.value for v in values]), np.array([v.sigma for v in values])
     if described.statistic == "mean":
-        return Value(float(numbers.mean()), float(np.linalg.norm(sigmas)) / len(values))
+        return Value(float(numbers.mean()), float(np.linalg.norm(sigmas)) / len(values), values[0].how)
     chosen = int(numbers.argmin() if described.statistic == "min" else numbers.argmax())
-    return Value(float(numbers[chosen]), float(sigmas[chosen]))
+    return Value(float(numbers[chosen]), float(sigmas[chosen]), values[chosen].how)
 
 
-def _stated(described: DimensionProgram, value: float | None, uncertainty: float | None, verdict: Verdict, reason: str) -> Dimension:
+def _stated(
+    described: DimensionProgram,
+    found: dict[str, Found],
+    value: float | None,
+    uncertainty: float | None,
+    verdict: Verdict,
+    reason: str,
+    how: str = "",
+) -> Dimension:
+    lower, upper = described.limits
+    features = _distinct(described.feature_sets)
+    datums = _distinct(described.datum_sets)
     return Dimension(
         name=described.name,
         nominal=described.nominal,
         measured=value,
         uncertainty=uncertainty,
-        lower_tolerance=described.lower_tolerance,
-        upper_tolerance=described.upper_tolerance,
+        lower_tolerance=lower,
+        upper_tolerance=upper,
         verdict=verdict,
         unit=described.unit,
         reason=reason,
-        features=tuple(dict.fromkeys(name for names in described.feature_sets for name in names)),
+        features=features,
+        kind=described.kind,
+        datums=datums,
+        origin=_origin(described, [found[name] for name in (*features, *datums)], how),
     )
+
+
+def _distinct(sets: tuple[tuple[str, ...], ...]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(name for names in sets for name in names))
+
+
+def _origin(described: DimensionProgram, found: list[Found], how: str) -> str:
+    """Say what a value rests on: points used and left out, filter and criterion, datums in their order, copies."""
+    words = [_points_words(found)]
+    if how:
+        words.append(how)
+    if described.datums:
+        words.append("datums " + "|".join(described.datums))
+    if described.count:
+        words.append(f"{described.statistic} of {described.count}")
+    return "; ".join(words)
+
+
+def _points_words(found: list[Found]) -> str:
+    """Name the points of each feature; of a long pattern all together."""
+    fitted = [one for one in found if one.feature is not None and len(one.points_mm)]
+    if len(found) > FEW:
+        left_out = sum(one.feature.left_out for one in fitted if one.feature is not None)
+        return f"{len(fitted)} features: {sum(len(one.points_mm) for one in fitted)} points, {left_out} left out"
+    return ", ".join(_words_of(one) for one in found)
+
+
+def _words_of(found: Found) -> str:
+    if found.feature is None:
+        return f"{found.name}: not found"
+    if len(found.points_mm) == 0:
+        return f"{found.name}: constructed"
+    return f"{found.name}: {len(found.points_mm)} points, {found.feature.left_out} left out"

@@ -34,6 +34,7 @@ class Found:
     error_factor: float = 1.0  # by which shared errors of neighbouring points widen the fit's standard deviations
     views: float = 1.0  # how many views it effectively rests on
     points_mm: FloatArray = field(default_factory=lambda: np.empty((0, 3)))  # the points it was fitted to
+    nominal: Feature | None = None  # where the drawing has it
 
     @property
     def position_sigma(self) -> float:
@@ -64,19 +65,19 @@ def _find_one(nominal: NominalFeature, points: MeasuredPoints, edges: cKDTree | 
     chosen = cut_points(points, nominal, edges)
     if len(chosen) < settings.least_points:
         reason = f"{name}: only {len(chosen)} points were measured there, {settings.least_points} are needed"
-        return Found(name, None, reason)
+        return Found(name, None, reason, nominal=nominal.feature)
     if len(chosen) > settings.fit_points:
         chosen = chosen[:: -(-len(chosen) // settings.fit_points)]
     cut = points.where(chosen)
     try:
         feature, residuals, kept = _trimmed_fit(nominal, cut, settings)
     except FitError as error:
-        return Found(name, None, f"{name}: {error.message}")
+        return Found(name, None, f"{name}: {error.message}", nominal=nominal.feature)
     if reason := _implausible(feature, nominal):
-        return Found(name, None, f"{name}: {reason}")
+        return Found(name, None, f"{name}: {reason}", nominal=nominal.feature)
     used = cut.where(kept)
     factor = shared_error_factor(used.points_mm, residuals, settings.uncertainty.correlation_mm)
-    return Found(name, feature, "", factor, effective_views(used.view), used.points_mm)
+    return Found(name, feature, "", factor, effective_views(used.view), used.points_mm, nominal.feature)
 
 
 def _trimmed_fit(nominal: NominalFeature, cut: MeasuredPoints, settings: InspectionSettings) -> tuple[Feature, FloatArray, IntArray]:

@@ -41,5 +41,6 @@ class InspectionSettings(Model):
     least_points: int = Field(default=30, ge=6, description="fewer points than this do not make a feature")
     trim_sigma: float = Field(default=3.5, gt=1, description="points farther from the fit than this many robust σ are left out")
     parallel_within_deg: float = Field(default=3.0, gt=0)
-    flatness_cell_mm: float = Field(default=5.0, gt=0, description="flatness is taken over the means of cells of this size")
+    form_cell_mm: float = Field(default=5.0, gt=0, description="form is taken over the means of cells of this size")
+    least_turn: float = Field(default=0.75, gt=0, le=1, description="share of the turn that must be measured for roundness and run-out")
     fit_points: int = Field(default=30_000, ge=1000, description="a feature is fitted to at most this many of its points, evenly chosen")

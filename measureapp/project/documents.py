@@ -160,12 +160,14 @@ def validity_from(document: Mapping[str, Any]) -> Validity:
 
 
 def _feature_from(document: Mapping[str, Any]) -> Feature:
-    arrays = {name: np.array(document[name]) for name in ("point_mm", "direction", "boundary_mm") if document[name] is not None}
+    names = ("point_mm", "direction", "covariance", "boundary_mm")
+    arrays = {name: np.array(document[name]) for name in names if document.get(name) is not None}
     return Feature(**{**document, **arrays})
 
 
 def _dimension_from(document: Mapping[str, Any]) -> Dimension:
-    return Dimension(**{**document, "verdict": Verdict(document["verdict"]), "features": tuple(document["features"])})
+    names = {key: tuple(document.get(key, ())) for key in ("features", "datums")}
+    return Dimension(**{**document, **names, "verdict": Verdict(document["verdict"])})
 
 
 def _plain(noun: Any) -> dict[str, Any]:

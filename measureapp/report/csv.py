@@ -22,6 +22,9 @@ COLUMNS = (
     "unit",
     "verdict",
     "reason",
+    "kind",
+    "datums",
+    "origin",
 )
 DIGITS = 9
 
@@ -34,6 +37,7 @@ def csv_text(model: ReportModel) -> str:
     for dimension in model.dimensions:
         document = dimension_document(dimension)
         document["lower_tolerance"], document["upper_tolerance"] = document.pop("tolerance")
+        document["datums"] = "|".join(document["datums"])
         writer.writerow({key: round(value, DIGITS) if isinstance(value, float) else value for key, value in document.items()})
     return text.getvalue()
 

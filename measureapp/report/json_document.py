@@ -18,6 +18,8 @@ def dimension_document(dimension: Dimension) -> dict[str, Any]:
     """Return one line of the table of dimensions; numbers that do not exist are None."""
     return {
         "name": dimension.name,
+        "kind": dimension.kind,
+        "datums": list(dimension.datums),
         "nominal": dimension.nominal,
         "measured": dimension.measured,
         "error": dimension.error,
@@ -27,6 +29,7 @@ def dimension_document(dimension: Dimension) -> dict[str, Any]:
         "unit": dimension.unit,
         "verdict": dimension.verdict.value,
         "reason": dimension.reason,
+        "origin": dimension.origin,
     }
 
 

@@ -45,12 +45,12 @@ def percent(value: float | None, digits: int = 1, *, signed: bool = False) -> st
 def tolerance(lower: float, upper: float) -> str:
     """Return a tolerance, shortly where it is symmetric.
 
-    >>> tolerance(-0.1, 0.1), tolerance(-0.2, 0.05)
-    ('± 0.1', '−0.2 / +0.05')
+    >>> tolerance(-0.1, 0.1), tolerance(-0.2, 0.05), tolerance(0.0, 0.2)
+    ('± 0.1', '−0.2 / +0.05', '0 / +0.2')
     """
     if lower == -upper:
         return f"± {upper:g}"
-    return f"{lower:+g} / {upper:+g}".replace("-", MINUS)
+    return " / ".join("0" if limit == 0 else f"{limit:+g}" for limit in (lower, upper)).replace("-", MINUS)
 
 
 def setting(value: Any) -> str:

@@ -41,6 +41,15 @@ def test_a_minimum_zone_is_narrower_than_least_squares(cone: Path, capsys: pytes
     assert widths[1] < widths[0]
 
 
+def test_a_minimum_zone_shows_its_proof(cone: Path, capsys: pytest.CaptureFixture[str]):
+    assert main(["fit", "circle", str(cone), "--criterion", "minimum-zone", "--json"]) == 0
+    proof = json.loads(capsys.readouterr().out)["proof"]
+    assert len(proof["contacts"]) == len(proof["shares"]) >= 3
+    assert sum(proof["shares"]) == pytest.approx(1) and proof["imbalance"] < 1e-7
+    assert main(["fit", "line", str(cone), "--criterion", "minimum-zone"]) == 0
+    assert "proof" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize(
     ("content", "arguments", "said"),
     [
@@ -49,7 +58,8 @@ def test_a_minimum_zone_is_narrower_than_least_squares(cone: Path, capsys: pytes
         ("", ["plane"], "empty"),
         ("1 2\n3 4\n", ["plane"], "line 1"),
         ("0 0 0\n1 1 1\n2 2 2\n", ["circle"], "do not determine"),
-        ("0 0 0\n1 0 0\n0 1 0\n", ["circle", "--criterion", "minimum-zone"], "not offered"),
+        ("0 0 0\n1 1 1\n2 2 2\n", ["circle", "--criterion", "minimum-zone"], "do not determine"),
+        ("0 0 0\n1 0 0\n0 1 0\n", ["circle", "--criterion", "minimum-zone", "--robust"], "holds all points"),
     ],
 )
 def test_bad_points_are_refused_in_words(tmp_path: Path, capsys: pytest.CaptureFixture[str], content: str, arguments: list[str], said: str):

@@ -50,3 +50,13 @@ def test_a_cloud_in_metres_is_bad_input_and_the_unit_is_named(clouds, capsys) ->
 def test_a_missing_program_is_bad_input(clouds, capsys) -> None:
     assert main(["measure", str(clouds["good"]), "absent.toml"]) == 2
     assert "absent.toml" in capsys.readouterr().err
+
+
+def test_geometrical_tolerances_are_answered_with_their_datums_and_origin(capsys) -> None:
+    folder = resource("parts/gear")
+    assert main(["measure", str(folder / "nominal.stl"), str(folder / "tolerances.toml"), "--json"]) == 0
+    found = {entry["name"]: entry for entry in json.loads(capsys.readouterr().out)["dimensions"]}
+    position = found["boss_position"]
+    assert position["kind"] == "position" and position["datums"] == ["gear face", "bore"]
+    assert position["tolerance"] == [0.0, 0.2] and position["nominal"] == 0.0
+    assert "datums gear face|bore" in position["origin"] and "points" in position["origin"]
