@@ -56,7 +56,7 @@ def test_two_candidates_are_fused_by_least_squares() -> None:
     depth = (550 + random.normal(0, 0.02, (2, 1, width))).astype(np.float32)
     z, z_sigma = np.zeros((1, width), np.float32), np.zeros((1, width), np.float32)
     step, limits = tuple(np.float32(c) for c in (0, 0, 1e-6)), (np.float32(100), np.float32(0.5))
-    kernels.fuse_both(np.zeros((1, width, 2), np.float32), sigma, depth, gain, variance, step, limits, 0, 1, z, z_sigma)
+    kernels.fuse_both(np.zeros((1, 2 * width), np.float32), sigma, depth, gain, variance, step, limits, 0, 1, z, z_sigma)
     for x in range(width):
         # unknowns: z and the projector's phase less the pixel's; equations: phase − own = 0 ± σ and gain · (z − depth) − (phase − own) = 0 ± σ
         model = np.array([[0, 1], [gain[0, 0, x], -1], [gain[1, 0, x], -1]], float)
