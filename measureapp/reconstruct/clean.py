@@ -234,7 +234,9 @@ def gather(
     begins = first + np.cumsum(counts) - counts
     steps = grid.lens.steps
     pose = np.ascontiguousarray(reference_from_camera[:3], np.float64)
-    masks = np.array([bits[0] + sum(bit for place, bit in enumerate(bits[1:]) if k >> place & 1) for k in range(2 ** len(bits[1:]))], np.uint8)
+    masks = np.array(
+        [bits[0] + sum(bit for place, bit in enumerate(bits[1:]) if k >> place & 1) for k in range(2 ** len(bits[1:]))], np.uint8
+    )
     turn = pose[:, :3].astype(np.float32)
     rays = grid.lens.flat_rays
     levels = read_only(grey, np.uint16)

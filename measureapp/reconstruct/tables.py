@@ -38,7 +38,7 @@ class _Side:
 
     def rises(self) -> tuple[FloatArray, FloatArray]:
         """Return |slope along the epipolar lines| and |slope| of a sparse choice of pixels."""
-        slopes = self.view.sparse_slopes()
+        slopes = self.view.some_slopes
         return np.abs(slopes @ np.array(self.lines.direction)), np.hypot(slopes[:, 0], slopes[:, 1])
 
 

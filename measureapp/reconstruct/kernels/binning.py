@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.reconstruct.kernels.options import INLINE, LOOP
+from measureapp.reconstruct.kernels.options import LOOP
 from measureapp.reconstruct.kernels.slopes import PHASE, SLOPE_X, SLOPE_Y
 
 REPEATED = np.int32(1 << 30)
@@ -22,15 +22,6 @@ LEAST_SINE = 0.17  # of the angle between fringes and epipolar lines; pairs belo
 # Pixels of one cell and surface lie this near to each other, beyond what the bin's width explains: so long is a fringe between the first
 # and the last line of a cell where it crosses them at the smallest angle.
 NEAR_PX = np.float32(LINES_PER_CELL / LEAST_SINE)
-
-
-@njit(**INLINE)
-def put(table: Any, row: int, k: int, u: int, v: int, rise: Any, margin: Any) -> None:
-    """Put a pixel into a cell, REPEATED where the one it held lies far from it; without branches, which pixels would take at random."""
-    held = table[row, k]
-    apart = max(abs((held & 0xFFFF) - u), abs(((held & PLACE) >> 16) - v))
-    repeated = REPEATED if apart * rise > NEAR_PX * rise + margin else held & REPEATED
-    table[row, k] = np.int32((v << 16) | u) | (repeated if held >= 0 else np.int32(0))
 
 
 @njit(**LOOP)
@@ -51,19 +42,25 @@ def fill_table(
     margin = np.float32(2.0) / per_rad
     for v in range(0, height, every):
         for u in range(0, width, every):
-            phase = pixels[v, u, PHASE]
             rise = abs(pixels[v, u, SLOPE_X] * along_x + pixels[v, u, SLOPE_Y] * along_y)
             if rise == 0:
                 continue
             row = int(lines[v, u, 1] * np.float32(0.5)) + 1
-            low = int((phase - rise - lowest) * per_rad) + 1
-            high = int((phase + rise - lowest) * per_rad) + 1
+            low = int((pixels[v, u, PHASE] - rise - lowest) * per_rad) + 1
+            high = int((pixels[v, u, PHASE] + rise - lowest) * per_rad) + 1
             if row < 1 or row >= last_row or low < 1 or high >= last_bin:
                 continue
-            put(table, row, low, u, v, rise, margin)
-            put(table, row, high, u, v, rise, margin)  # the same again where it is the same cell
-            for k in range(low + 1, high):
-                put(table, row, k, u, v, rise, margin)
+            place = np.int32((v << 16) | u)
+            for k in range(low, high + 1):
+                held = table[row, k]
+                if held < 0:
+                    table[row, k] = place
+                    continue
+                apart = max(abs((held & 0xFFFF) - u), abs(((held & PLACE) >> 16) - v))
+                repeated = held & REPEATED
+                if apart * rise > NEAR_PX * rise + margin:
+                    repeated = REPEATED
+                table[row, k] = place | repeated
 
 
 @njit(**LOOP)

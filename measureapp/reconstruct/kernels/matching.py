@@ -5,6 +5,8 @@
 pixel that is matched, ``at`` for indices, ``r`` for records as they are fetched from the other camera, ``g`` for these in lanes. What
 arithmetic reads and what it writes are different arrays or lanes of one stride: only then does the compiler use SIMD instructions.
 """
+# A step of Newton's method is one loop: cut into two it would write and read all between them.
+# ruff: noqa: PLR0915
 
 from __future__ import annotations
 
@@ -112,7 +114,7 @@ def fetch_start(g: Any, r: Any, at: Any, n: int, pixels: Any, lines: Any) -> Non
 @njit(**INLINE)
 def jump(s: Any, g: Any, n: int, cubics: Any, to_unit: Any, u_max: Any, v_max: Any) -> None:
     """Step from the pixels looked up to where their slopes let phase and line be right."""
-    x_u, x_v, y_u, y_v = cubics
+    y_u, y_v = cubics[2], cubics[3]
     u0, per_u, v0, per_v = to_unit
     for i in range(n):
         u, v = s[U + i], s[V + i]
@@ -255,6 +257,15 @@ def keep_unsettled(s: Any, at: Any, n: int) -> int:
     return left
 
 
+@njit(**INLINE)
+def count_matched(reason: Any) -> Any:
+    """Count the matched pixels of a row."""
+    found = np.int32(0)
+    for x in range(len(reason)):
+        found += reason[x] == MATCHED
+    return found
+
+
 @njit(**LOOP)
 def match(
     rays: Any,  # (H, 2 W) float32, normalised image coordinates of the camera
@@ -315,8 +326,5 @@ def match(
                 n = keep_unsettled(s, at, n)
                 if n == 0:
                     break
-        found = np.int32(0)
-        for x in range(columns):
-            found += reason[out, x] == MATCHED
-        matched += found
+        matched += count_matched(reason[out])
     return matched

@@ -15,16 +15,18 @@ from llvmlite import ir  # type: ignore[import-untyped]
 from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic
-from numba.np.arrayobj import make_array, populate_array
+from numba.np import arrayobj
 
 ALIGNMENT = 64
 GROUP = 16  # records regrouped at once; chunks are padded to a multiple
 INT, FLOAT = ir.IntType(32), ir.FloatType()
+numba_arrays: Any = arrayobj  # both without types
+building: Any = cgutils
 
 
 def _stack_of(element: Any) -> Any:
     """Return the intrinsic that makes an array of ``count`` (a constant) numbers; it ends with the function and holds anything."""
-    made: Any = types.Array(element, 1, "C")  # type: ignore[no-untyped-call]
+    made: Any = types.Array(element, 1, "C")
 
     def on_stack(_typing: Any, count: Any) -> Any:
         if not isinstance(count, types.IntegerLiteral):
@@ -34,10 +36,10 @@ def _stack_of(element: Any) -> Any:
             with builder.goto_entry_block():
                 pointer = builder.alloca(context.get_data_type(element), size=ir.Constant(INT, count.literal_value))
                 pointer.align = ALIGNMENT
-            array = make_array(made)(context, builder)
+            array = numba_arrays.make_array(made)(context, builder)
             length, size = (context.get_constant(types.intp, value) for value in (count.literal_value, 4))
-            shape, strides = (cgutils.pack_array(builder, [value]) for value in (length, size))
-            populate_array(array, data=pointer, shape=shape, strides=strides, itemsize=size, meminfo=None)
+            shape, strides = (building.pack_array(builder, [value]) for value in (length, size))
+            numba_arrays.populate_array(array, data=pointer, shape=shape, strides=strides, itemsize=size, meminfo=None)
             return array._getvalue()
 
         return made(count), generate
@@ -46,7 +48,7 @@ def _stack_of(element: Any) -> Any:
 
 
 def _pointer(context: Any, builder: Any, kind: Any, array: Any, index: Any, to: Any) -> Any:
-    return builder.bitcast(builder.gep(make_array(kind)(context, builder, array).data, [index]), to.as_pointer())
+    return builder.bitcast(builder.gep(numba_arrays.make_array(kind)(context, builder, array).data, [index]), to.as_pointer())
 
 
 def _copier(count: int) -> Any:
@@ -114,7 +116,7 @@ def _prefetch(_typing: Any, array: Any, index: Any) -> Any:
         byte = ir.IntType(8)
         place = _pointer(context, builder, signature.args[0], arguments[0], arguments[1], byte)
         kind = ir.FunctionType(ir.VoidType(), [byte.as_pointer(), INT, INT, INT])
-        wanted = cgutils.get_or_insert_function(builder.module, kind, "llvm.prefetch.p0")
+        wanted = building.get_or_insert_function(builder.module, kind, "llvm.prefetch.p0")
         read, near, data = 0, 3, 1
         builder.call(wanted, [place, *(ir.Constant(INT, value) for value in (read, near, data))])
         return context.get_dummy_value()

@@ -3,6 +3,8 @@
 Loops over arithmetic alone run on one scratch array at constant offsets: only then does the compiler know that nothing overlaps,
 and uses SIMD instructions.
 """
+# One loop over pixels, as in the other kernels.
+# ruff: noqa: PLR0912
 
 from __future__ import annotations
 
