@@ -53,6 +53,11 @@ class Lens:
     steps: PixelSteps  # how they change from pixel to pixel
     spacing: float  # distance of neighbouring pixels in normalised coordinates
 
+    @property
+    def flat_rays(self) -> FloatArray:
+        """The same rays as rows of numbers (H, 2 W)."""
+        return self.rays.reshape(len(self.rays), -1)
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class DepthGrid:
@@ -143,12 +148,12 @@ def _judge(grid: DepthGrid, centres_mm: Sequence[FloatArray], settings: Reconstr
         np.cos(np.radians(settings.max_partner_incidence_deg)),
     )
     numbers = tuple(np.float32(limit) for limit in limits)
-    steps = grid.lens.steps
+    steps, rays = grid.lens.steps, grid.lens.flat_rays
     in_bands(
         lambda start, stop: kernels.judge(
             grid.inverse,
             grid.sigma_mm,
-            grid.lens.rays,
+            rays,
             steps.cubics,
             steps.unit,
             grid.per_px,
@@ -229,14 +234,18 @@ def gather(
     begins = first + np.cumsum(counts) - counts
     steps = grid.lens.steps
     pose = np.ascontiguousarray(reference_from_camera[:3], np.float64)
-    other_bits = np.array(bits[1:], np.uint8)
+    masks = np.array(
+        [bits[0] + sum(bit for place, bit in enumerate(bits[1:]) if k >> place & 1) for k in range(2 ** len(bits[1:]))], np.uint8
+    )
+    turn = pose[:, :3].astype(np.float32)
+    rays = grid.lens.flat_rays
     levels = read_only(grey, np.uint16)
     in_bands(
         lambda start, stop: kernels.gather_points(
             grid.inverse,
             grid.depth_mm,
             grid.sigma_mm,
-            grid.lens.rays,
+            rays,
             steps.cubics,
             steps.unit,
             grid.per_px,
@@ -244,8 +253,8 @@ def gather(
             levels,
             np.float32(1 / saturation),
             grid.others,
-            np.uint8(bits[0]),
-            other_bits,
+            masks,
+            turn,
             pose,
             begins,
             start,

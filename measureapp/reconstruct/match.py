@@ -80,7 +80,7 @@ def sight_of(name: str, other: str, views: Mapping[str, PhaseView], rectifier: R
     """Return what the kernels need to look at points of camera ``name`` with ``other``."""
     pair, view = rectifier.pair(name, other), views[other]
     place = (pair.here.rectified_from_camera, pair.here.frame, pair.there.frame, pair.there.grid, pair.stride, pair.baseline_mm)
-    return (view.phase, view.sigma, view.state, view.slope, view.quad, *place)
+    return (view.phase, view.sigma, view.state, view.pixels, view.quad, *place)
 
 
 def match_rows(
@@ -99,19 +99,20 @@ def match_rows(
     ray_depth = tuple(np.float32(value) for value in pair.here.rectified_from_camera[2])
     numbers = (pair.here.frame[0], pair.here.frame[1] - pair.there.frame[1], pair.baseline_mm)
     matched = kernels.match(
-        rectifier.rays(name),
+        rectifier.rays(name).reshape(len(skip), -1),
         here.phase,
         skip,
-        rectifier.lines(name, other, name).pixels,
+        rectifier.lines(name, other, name).pixels.reshape(len(skip), -1),
         ray_depth,
-        there.phase,
-        there.sigma,
-        there.slope,
-        there.quad,
-        lines.pixels,
+        there.phase.shape,
+        there.phase.reshape(-1),
+        there.quad.reshape(-1),
+        there.pixels.reshape(-1),
+        lines.pixels.reshape(-1),
         lines.steps.cubics,
         lines.steps.unit,
-        tables.there,
+        tables.there.shape,
+        tables.there.reshape(-1),
         np.float32(tables.lowest_rad),
         np.float32(tables.per_rad),
         tuple(np.float32(value) for value in numbers),
@@ -184,7 +185,7 @@ class _Work:
         limits = (np.float32(self.settings.agreement_sigmas), np.float32(self.settings.agreement_px))
         out = (self.made.depth_mm, self.made.sigma_mm)
         arguments: tuple[Any, ...] = (
-            self.rectifier.rays(self.name),
+            self.rectifier.rays(self.name).reshape(len(self.skip), -1),
             self.views[self.name].sigma,
             *found[:3],
             step,

@@ -20,20 +20,18 @@ class PhaseView:
     phase: FloatArray  # (H, W) float32
     sigma: FloatArray  # (H, W) float32
     state: IntArray  # (H, W) uint8
-    slope: FloatArray  # (H, W, 2) float32, rad/px along x and y, (0, 0) where unknown
+    pixels: FloatArray  # (H, W, 4) float32: phase, slope in rad/px along x and y, (0, 0) where unknown, and sigma, found at one place
     quad: IntArray  # (H, W) uint8, whether a pixel and its right, lower and lower right neighbour are one surface
+    some_slopes: FloatArray  # (N, 2) the known slopes of a sparse choice of pixels
 
     @classmethod
     def of(cls, phase_map: PhaseMap, step_rad: float) -> PhaseView:
         """Take the slopes of a phase map, over neighbours less than ``step_rad`` apart."""
         phase, sigma = read_only(phase_map.phase_rad, np.float32), read_only(phase_map.sigma_rad, np.float32)
         state = read_only(phase_map.state, np.uint8)
-        slope, quad = np.empty((*phase.shape, 2), np.float32), np.empty(phase.shape, np.uint8)
-        step = np.float32(step_rad)
-        in_bands(lambda start, stop: kernels.slopes(phase, sigma, state, step, start, stop, slope, quad), len(phase))
-        return cls(phase, sigma, state, read_only(slope), read_only(quad))
-
-    def sparse_slopes(self) -> FloatArray:
-        """Return the known slopes (N, 2) of a sparse choice of pixels."""
-        some = self.slope[::SPARSE, ::SPARSE].reshape(-1, 2)
-        return np.asarray(some[(some != 0).any(axis=1)], np.float64)
+        pixels, quad = np.empty((*phase.shape, 4), np.float32), np.empty(phase.shape, np.uint8)
+        step, flat = np.float32(step_rad), pixels.reshape(len(pixels), -1)
+        in_bands(lambda start, stop: kernels.slopes(phase, sigma, state, step, start, stop, flat, quad), len(phase))
+        some = pixels[::SPARSE, ::SPARSE, 1:3].reshape(-1, 2)
+        some_slopes = some[(some[:, 0] != 0) | (some[:, 1] != 0)].astype(np.float64)
+        return cls(phase, sigma, state, read_only(pixels), read_only(quad), read_only(some_slopes))

@@ -7,16 +7,16 @@ from dataclasses import dataclass, replace
 from itertools import combinations
 from math import degrees
 
-import cv2
 import numpy as np
 
-from measureapp.arrays import FloatArray, IntArray, read_only
+from measureapp.arrays import FloatArray, IntArray, in_bands, read_only
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.cloud import PointCloud
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.point_state import PointState
 from measureapp.errors import ReconstructError
 from measureapp.progress import NoProgress, Progress
+from measureapp.reconstruct import kernels
 from measureapp.reconstruct.clean import DepthGrid, Lens, PointArrays, cleaned, gather, points_per_row, rejections
 from measureapp.reconstruct.coverage import check_across, keep_new
 from measureapp.reconstruct.figures import PairFigures, pair_figures
@@ -26,8 +26,6 @@ from measureapp.reconstruct.rectified_grid import on_rectified_grid
 from measureapp.reconstruct.rectifier import Rectifier
 from measureapp.reconstruct.settings import ReconstructSettings
 from measureapp.reconstruct.tables import LEAST_SINE, fringe_sine, pair_tables
-
-COVERED_RADIUS_PX = 2  # gaps between the pixels that take part in points of another camera
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -178,15 +176,16 @@ class _Work:
     def _skip(self, number: int) -> IntArray:
         """Return the fate of pixels that are not matched: they have no phase, or take part in points already; 0 for all others."""
         name = self.names[number]
-        skip = np.asarray(self.views[name].state != PixelState.VALID).view(np.uint8)  # True is PointState.NO_PHASE
         if number == 0:
-            return skip
-        kernel = np.ones((2 * COVERED_RADIUS_PX + 1, 2 * COVERED_RADIUS_PX + 1), np.uint8)
-        covered = np.asarray(cv2.dilate(self.covered[name], kernel) != 0)
-        every = sample_step(covered.shape)
-        covered[::every, ::every] = False
-        np.copyto(skip, np.uint8(PointState.SEEN_BY_ANOTHER), where=covered & (skip == 0))
-        return skip
+            return np.asarray(self.views[name].state != PixelState.VALID).view(np.uint8)  # True is PointState.NO_PHASE
+        return self._marked(name, 0, PointState.VALID)
+
+    def _marked(self, name: str, sampled: int, uncovered: PointState) -> IntArray:
+        state, covered = self.views[name].state, self.covered[name]
+        marked, every = np.empty_like(covered), sample_step(covered.shape)
+        numbers = (every, np.uint8(sampled), np.uint8(uncovered))
+        in_bands(lambda start, stop: kernels.mark_covered(state, covered, *numbers, start, stop, marked), len(marked))
+        return marked
 
     def _drop_seen_before(self, number: int, others: tuple[str, ...], view: DepthMap) -> None:
         """Leave only points whose surroundings no camera before has a phase of."""
@@ -199,11 +198,7 @@ class _Work:
     def finish_last(self) -> None:
         """Say what became of the last camera's pixels: they only ever help others."""
         name = self.names[-1]
-        skip = self._skip(len(self.names) - 1)
-        free = skip == 0
-        seen = np.where(self.covered[name] != 0, np.uint8(PointState.SEEN_BY_ANOTHER), np.uint8(PointState.UNMATCHED))
-        np.copyto(skip, seen, where=free)
-        self.fates[name] = skip
+        self.fates[name] = self._marked(name, 1, PointState.UNMATCHED)
 
     def cloud(self) -> PointCloud:
         """Gather the points of all cameras in the reference camera's frame."""

@@ -50,7 +50,7 @@ def on_rectified_grid(phase_map: PhaseMap, grid: RectifiedGrid, step_rad: float)
     hole = int(PixelState.EDGE)
     in_bands(
         lambda start, stop: kernels.resample(
-            view.phase, view.sigma, view.state, view.slope, view.quad, grid.native, start, stop, phase, sigma, state, hole
+            view.phase, view.sigma, view.state, view.pixels, view.quad, grid.native, start, stop, phase, sigma, state, hole
         ),
         shape[0],
     )

@@ -38,7 +38,7 @@ class _Side:
 
     def rises(self) -> tuple[FloatArray, FloatArray]:
         """Return |slope along the epipolar lines| and |slope| of a sparse choice of pixels."""
-        slopes = self.view.sparse_slopes()
+        slopes = self.view.some_slopes
         return np.abs(slopes @ np.array(self.lines.direction)), np.hypot(slopes[:, 0], slopes[:, 1])
 
 
@@ -77,7 +77,7 @@ def _fill(side: _Side, tables: PairTables, table: IntArray) -> Callable[[], None
     view, (along_x, along_y) = side.view, side.lines.direction
     every = 1 if view.phase.size < EVERY_PIXEL_BELOW else 2
     numbers = [np.float32(value) for value in (along_x, along_y, tables.lowest_rad, tables.per_rad)]
-    arguments: tuple[Any, ...] = (view.phase, view.slope, side.lines.pixels, *numbers, every, table)
+    arguments: tuple[Any, ...] = (view.pixels, side.lines.pixels, *numbers, every, table)
     return lambda: kernels.fill_table(*arguments)
 
 

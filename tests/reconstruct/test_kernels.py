@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
 import pytest
 
+from measureapp.data.point_state import PointState
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.clean import Lens, cleaned, gathered_normals
 from measureapp.reconstruct.cubics import PixelSteps
@@ -56,7 +58,7 @@ def test_two_candidates_are_fused_by_least_squares() -> None:
     depth = (550 + random.normal(0, 0.02, (2, 1, width))).astype(np.float32)
     z, z_sigma = np.zeros((1, width), np.float32), np.zeros((1, width), np.float32)
     step, limits = tuple(np.float32(c) for c in (0, 0, 1e-6)), (np.float32(100), np.float32(0.5))
-    kernels.fuse_both(np.zeros((1, width, 2), np.float32), sigma, depth, gain, variance, step, limits, 0, 1, z, z_sigma)
+    kernels.fuse_both(np.zeros((1, 2 * width), np.float32), sigma, depth, gain, variance, step, limits, 0, 1, z, z_sigma)
     for x in range(width):
         # unknowns: z and the projector's phase less the pixel's; equations: phase − own = 0 ± σ and gain · (z − depth) − (phase − own) = 0 ± σ
         model = np.array([[0, 1], [gain[0, 0, x], -1], [gain[1, 0, x], -1]], float)
@@ -95,3 +97,33 @@ def test_normals_are_those_of_planes_through_the_window(holes: bool) -> None:
         a, b, c = np.linalg.lstsq(model, np.array([1 / left[place] for place in near]), rcond=None)[0]
         expected = -np.array([a, b, c]) / np.linalg.norm([a, b, c])
         assert np.degrees(np.arccos(np.clip(expected @ normals[k], -1, 1))) < 0.1
+
+
+@pytest.mark.parametrize("sampled", [0, 1])
+def test_pixels_near_covered_ones_are_not_matched_again(sampled: int) -> None:
+    random = np.random.default_rng(5)
+    state = (random.random((61, 83)) < 0.1).astype(np.uint8) * 3
+    covered = (random.random(state.shape) < 0.02).astype(np.uint8)
+    marked = np.empty_like(state)
+    for start, stop in ((0, 20), (20, 61)):
+        kernels.mark_covered(state, covered, 7, np.uint8(sampled), np.uint8(PointState.UNMATCHED), start, stop, marked)
+    near = cv2.dilate(covered, np.ones((5, 5), np.uint8))
+    near[::7, ::7] = covered[::7, ::7] * sampled
+    seen = np.where(near != 0, PointState.SEEN_BY_ANOTHER, PointState.UNMATCHED)
+    assert (marked == np.where(state != 0, PointState.NO_PHASE, seen)).all()
+
+
+def test_records_of_pixels_hold_phase_slopes_and_sigma() -> None:
+    """In an image whose width fits no vector: a plane's phase rises alike everywhere, up to the border of a hole."""
+    v, u = np.mgrid[0:9, 0:1061].astype(np.float32)
+    state = np.zeros(u.shape, np.uint8)
+    state[4, 500] = 1
+    phase, sigma = 0.07 * u + 0.01 * v, 0.01 + 1e-5 * u
+    pixels, quad = np.empty((*u.shape, 4), np.float32), np.empty(u.shape, np.uint8)
+    kernels.slopes(phase, sigma, state, np.float32(3), 0, 9, pixels.reshape(9, -1), quad)
+    assert np.array_equal(pixels[..., 0], phase)
+    assert np.array_equal(pixels[..., 3], sigma)
+    valid = state == 0
+    assert np.allclose(pixels[valid][:, 1], 0.07, atol=1e-5)  # rounding of a float32 near 70 rad
+    assert np.allclose(pixels[valid][:, 2], 0.01, atol=1e-5)
+    assert (pixels[4, 500, 1:3] == 0).all()

@@ -13,6 +13,7 @@ import numpy as np
 from numba import njit
 
 from measureapp.reconstruct.kernels.options import LOOP
+from measureapp.reconstruct.kernels.slopes import PHASE, SLOPE_X, SLOPE_Y
 
 REPEATED = np.int32(1 << 30)
 PLACE = np.int32((1 << 30) - 1)
@@ -25,8 +26,7 @@ NEAR_PX = np.float32(LINES_PER_CELL / LEAST_SINE)
 
 @njit(**LOOP)
 def fill_table(
-    phase: Any,  # (H, W) float32
-    slope: Any,  # (H, W, 2) float32; pixels without one are left out: no surface hangs together there
+    pixels: Any,  # (H, W, 4) float32, see `slopes`; pixels without a slope are left out: no surface hangs together there
     lines: Any,  # (H, W, 2) float32, rectified (x, y)
     along_x: Any,  # float32, direction of the epipolar lines in the image
     along_y: Any,
@@ -36,18 +36,18 @@ def fill_table(
     table: Any,  # out
 ) -> None:
     """Sort pixels into a table; linear in their number, and wrong phases spoil no cells but their own."""
-    height, width = phase.shape
+    height, width = lines.shape[:2]
     last_row, last_bin = table.shape[0] - 1, table.shape[1] - 1
     table[:] = -1
     margin = np.float32(2.0) / per_rad
     for v in range(0, height, every):
         for u in range(0, width, every):
-            rise = abs(slope[v, u, 0] * along_x + slope[v, u, 1] * along_y)
+            rise = abs(pixels[v, u, SLOPE_X] * along_x + pixels[v, u, SLOPE_Y] * along_y)
             if rise == 0:
                 continue
             row = int(lines[v, u, 1] * np.float32(0.5)) + 1
-            low = int((phase[v, u] - rise - lowest) * per_rad) + 1
-            high = int((phase[v, u] + rise - lowest) * per_rad) + 1
+            low = int((pixels[v, u, PHASE] - rise - lowest) * per_rad) + 1
+            high = int((pixels[v, u, PHASE] + rise - lowest) * per_rad) + 1
             if row < 1 or row >= last_row or low < 1 or high >= last_bin:
                 continue
             place = np.int32((v << 16) | u)

@@ -7,15 +7,18 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-CHUNK = 512
+from measureapp.reconstruct.kernels.options import LOOP
+from measureapp.reconstruct.kernels.scratch import stack_float32
+
+CHUNK = 256
 (Z0, G0, V0, Z1, G1, V1, STEP, OWN, FUSED, SPREAD) = (k * CHUNK for k in range(10))
 SCRATCH = 10 * CHUNK
 ZERO, ONE, TINY = np.float32(0), np.float32(1), np.float32(1e-20)
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**LOOP)
 def fuse_both(
-    rays: Any,
+    rays: Any,  # (H, 2 W) float32
     sigma: Any,
     depth: Any,  # (2, rows, W) float32, candidates, one per other camera
     gain: Any,  # (2, rows, W) float32, change of the phase with z
@@ -31,12 +34,11 @@ def fuse_both(
     c0, c1, c2 = step
     sigmas2, tolerance = limits[0] * limits[0], limits[1]
     width = sigma.shape[1]
-    s = np.zeros(SCRATCH, np.float32)
+    s = stack_float32(SCRATCH)
     for y in range(row_start, row_stop):
-        flat_rays = rays[y].ravel()
         for first in range(0, width, CHUNK):
             n = min(CHUNK, width - first)
-            ray, own_row = flat_rays[2 * first : 2 * (first + n)], sigma[y, first : first + n]
+            ray, own_row = rays[y, 2 * first : 2 * (first + n)], sigma[y, first : first + n]
             for i in range(n):
                 s[STEP + i] = c0 * ray[2 * i] + c1 * ray[2 * i + 1] + c2
             for i in range(n):

@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 from numba import njit
-from numba.np.numpy_support import carray
 
 from measureapp.data.point_state import PointState
+from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.scratch import stack_float32
 
 CHUNK = 128
@@ -39,7 +39,7 @@ UNCERTAIN, FLYING, OUTLIER, GRAZING, PARTNER_GRAZING = (
 ALONE, BY_PLANE, BY_CAMERA, BY_PARTNER = (np.float32(state) for state in (FLYING, OUTLIER, GRAZING, PARTNER_GRAZING))
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**LOOP)
 def invert(depth: Any, sigma: Any, max_sigma: Any, border: int, row_start: int, row_stop: int, inverse: Any, fate: Any) -> None:
     """Fill ``inverse`` with the points that are certain enough."""
     width = depth.shape[1]
@@ -52,13 +52,13 @@ def invert(depth: Any, sigma: Any, max_sigma: Any, border: int, row_start: int, 
             fate_row[x] = UNCERTAIN if (z_row[x] > ZERO) & (s_row[x] > max_sigma) else fate_row[x]
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
+@njit(**INLINE)
 def cubic(c: Any, s: Any, t: Any) -> Any:
     """Return the value of a cubic polynomial of two variables."""
     return c[0] + s * (c[1] + s * (c[3] + s * c[6])) + t * (c[2] + s * (c[4] + s * c[7]) + t * (c[5] + s * c[8] + t * c[9]))
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
+@njit(**INLINE)
 def five(inverse: Any, row: int, start: int, half: int, border: int, n: int) -> Any:
     """Return n pixels of a row from ``start`` on, and those ±half and ±border beside them."""
     a, b, e, f = start - border, start - half, start + half, start + border
@@ -71,7 +71,7 @@ def five(inverse: Any, row: int, start: int, half: int, border: int, n: int) -> 
     )
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
+@njit(**INLINE)
 def sum_whole(s: Any, inverse: Any, row: int, start: int, half: int, border: int, n: int) -> None:
     """Sum the windows of n pixels as if all their places lay on one surface, and note in WORST by how much one does not."""
     h, r = np.float32(half), np.float32(border)
@@ -93,7 +93,7 @@ def sum_whole(s: Any, inverse: Any, row: int, start: int, half: int, border: int
             s[SWY + i] += d * w
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
+@njit(**INLINE)
 def sum_torn(s: Any, inverse: Any, row: int, start: int, half: int, border: int, n: int) -> None:
     """Sum the windows of n pixels over those places that lie on the surface of the pixel."""
     h, r = np.float32(half), np.float32(border)
@@ -130,7 +130,7 @@ def sum_torn(s: Any, inverse: Any, row: int, start: int, half: int, border: int,
             s[SWY + i] += d * w
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy", forceinline=True)
+@njit(**INLINE)
 def planes_of_chunk(
     s: Any, inverse: Any, sigma: Any, rays: Any, to_rays: Any, to_unit: Any, per_px: Any, border: Any, y: int, first: int, n: int
 ) -> bool:
@@ -169,7 +169,7 @@ def planes_of_chunk(
         worst = max(worst, s[WORST + i])
     if worst > ZERO:
         sum_torn(s, inverse, y + border, start, half, border, n)
-    ray = rays[y].ravel()[2 * first : 2 * (first + n)]
+    ray = rays[y, 2 * first : 2 * (first + n)]
     t = (np.float32(y) - v0) * per_v
     for i in range(n):
         z = s[Z + i]
@@ -209,11 +209,11 @@ def planes_of_chunk(
     return True
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**LOOP)
 def judge(
     inverse: Any,
     sigma: Any,  # (H, W) float32, of the depth
-    rays: Any,
+    rays: Any,  # (H, 2 W) float32
     to_rays: Any,  # four cubic polynomials: ∂x/∂u, ∂x/∂v, ∂y/∂u, ∂y/∂v of `rays`
     to_unit: Any,
     per_px: Any,  # float32, largest depth step between neighbours of one surface, as a share of the depth
@@ -229,7 +229,7 @@ def judge(
     width = sigma.shape[1]
     least, sigmas, edge, cosine, partner_cosine = limits
     partner2 = partner_cosine * partner_cosine
-    s = carray(stack_float32(SCRATCH), SCRATCH)
+    s = stack_float32(SCRATCH)
     for y in range(row_start, row_stop):
         for first in range(0, width, CHUNK):
             n = min(CHUNK, width - first)
@@ -257,7 +257,7 @@ def judge(
                 verdict[i] = np.uint8(code) if code != 0 else verdict[i]
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**LOOP)
 def count_points(inverse: Any, border: int, row_start: int, row_stop: int, counts: Any) -> None:
     """Write into ``counts`` (H,) how many points every row has."""
     for y in range(row_start, row_stop):
@@ -268,12 +268,12 @@ def count_points(inverse: Any, border: int, row_start: int, row_stop: int, count
         counts[y] = n
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**LOOP)
 def gather_points(
     inverse: Any,
     depth: Any,
     sigma: Any,
-    rays: Any,
+    rays: Any,  # (H, 2 W) float32
     to_rays: Any,
     to_unit: Any,
     per_px: Any,
@@ -281,8 +281,8 @@ def gather_points(
     grey: Any,
     per_grey: Any,  # float32
     bits: Any,
-    own_bit: Any,  # of this camera in the order of the calibration
-    other_bits: Any,  # (M,) uint8, the same for the others
+    masks: Any,  # (2^M,) uint8, cameras of a point in the order of the calibration, by `bits`
+    turn: Any,  # (3, 3) float32, rotation of `pose`
     pose: Any,  # (3, 4) float64, reference from camera
     begins: Any,  # (H,) int64, index of the first point of every row
     row_start: int,
@@ -296,20 +296,13 @@ def gather_points(
 ) -> None:
     """Write the points that are left, with the normals of the planes through them."""
     width = sigma.shape[1]
-    s = carray(stack_float32(SCRATCH), SCRATCH)
-    turn = pose.astype(np.float32)
+    s = stack_float32(SCRATCH)
     t00, t01, t02 = turn[0, 0], turn[0, 1], turn[0, 2]
     t10, t11, t12 = turn[1, 0], turn[1, 1], turn[1, 2]
     t20, t21, t22 = turn[2, 0], turn[2, 1], turn[2, 2]
     p00, p01, p02, p03 = pose[0, 0], pose[0, 1], pose[0, 2], pose[0, 3]
     p10, p11, p12, p13 = pose[1, 0], pose[1, 1], pose[1, 2], pose[1, 3]
     p20, p21, p22, p23 = pose[2, 0], pose[2, 1], pose[2, 2], pose[2, 3]
-    masks = np.zeros(256, np.uint8)
-    for k in range(1 << len(other_bits)):
-        masks[k] = own_bit
-        for c in range(len(other_bits)):
-            if (k >> c) & 1:
-                masks[k] |= other_bits[c]
     for y in range(row_start, row_stop):
         at = begins[y]
         for first in range(0, width, CHUNK):

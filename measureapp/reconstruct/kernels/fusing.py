@@ -18,7 +18,7 @@ from measureapp.data.point_state import PointState
 from measureapp.reconstruct.kernels.binning import PLACE, REPEATED
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.seen import BLANK, PARTLY, REPEATS, SEEN
-from measureapp.reconstruct.kernels.slopes import BESIDE, TORN, WHOLE
+from measureapp.reconstruct.kernels.slopes import BESIDE, SLOPE_X, SLOPE_Y, TORN, WHOLE
 
 VALID, NO_PHASE, UNMATCHED, AMBIGUOUS, CONTRADICTED = (
     np.uint8(state)
@@ -49,7 +49,7 @@ def native_pixel(grid: Any, stride: Any, x: Any, y: Any) -> Any:
 
 
 @njit(**INLINE)
-def look(phase: Any, sigma: Any, state: Any, slope: Any, quad: Any, u: Any, v: Any) -> Any:
+def look(phase: Any, sigma: Any, state: Any, pixels: Any, quad: Any, u: Any, v: Any) -> Any:
     """Return (BLANK | SEEN | PARTLY, phase, its variance): bilinear between four pixels of one surface; beside a hole, in the half of
     a border pixel, along the slope of that pixel.
     """
@@ -69,9 +69,9 @@ def look(phase: Any, sigma: Any, state: Any, slope: Any, quad: Any, u: Any, v: A
         return PARTLY, 0.0, 0.0
     y = int(v + 0.5)
     x = int(u + 0.5)
-    if quad[i, j] == BESIDE and state[y, x] == 0 and (slope[y, x, 0] != 0 or slope[y, x, 1] != 0):
+    if quad[i, j] == BESIDE and state[y, x] == 0 and (pixels[y, x, SLOPE_X] != 0 or pixels[y, x, SLOPE_Y] != 0):
         reach = abs(u - x) + abs(v - y)
-        value = phase[y, x] + (u - x) * slope[y, x, 0] + (v - y) * slope[y, x, 1]
+        value = phase[y, x] + (u - x) * pixels[y, x, SLOPE_X] + (v - y) * pixels[y, x, SLOPE_Y]
         return SEEN, value, sigma[y, x] ** 2 * ((1 + reach) ** 2 + reach**2)
     if state[i, j] != 0 and state[i, j + 1] != 0 and state[i + 1, j] != 0 and state[i + 1, j + 1] != 0:
         return BLANK, 0.0, 0.0
@@ -85,7 +85,7 @@ def see(own: Any, nx: Any, ny: Any, z: Any, other: Any) -> Any:
     Returns (BLANK | SEEN | PARTLY, excess of the phase seen, its slope per rectified pixel along the epipolar line, change of the phase
     with z, variance, rectified x here + x0, rectified x there, rectified y).
     """
-    phase, sigma, state, slope, quad, turn, frame, there_frame, grid, stride, baseline = other
+    phase, sigma, state, pixels, quad, turn, frame, there_frame, grid, stride, baseline = other
     rz = turn[2, 0] * nx + turn[2, 1] * ny + turn[2, 2]
     per_rz, per_z = 1.0 / rz, 1.0 / z
     here = (turn[0, 0] * nx + turn[0, 1] * ny + turn[0, 2]) * per_rz
@@ -93,11 +93,11 @@ def see(own: Any, nx: Any, ny: Any, z: Any, other: Any) -> Any:
     shift = baseline * per_rz * per_z
     there = there_frame[0] * (here - shift) - there_frame[1]
     u, v, to_u, to_v = native_pixel(grid, stride, there, row)
-    sight, value, noise = look(phase, sigma, state, slope, quad, u, v)
+    sight, value, noise = look(phase, sigma, state, pixels, quad, u, v)
     along = 0.0
     if sight == SEEN:
         j, k = int(u + 0.5), int(v + 0.5)
-        along = slope[k, j, 0] * to_u + slope[k, j, 1] * to_v
+        along = pixels[k, j, SLOPE_X] * to_u + pixels[k, j, SLOPE_Y] * to_v
         if abs(along) < 1e-6:
             sight = PARTLY
     gain = along * there_frame[0] * shift * per_z
@@ -314,7 +314,7 @@ def check_across(
     shifts: Any,  # out (rows of samples, columns of samples, 2) float32, px across the epipolar line and variance
 ) -> None:
     """Compare the phases that two cameras see, across the epipolar lines, at their common points: where they differ, there is none."""
-    there_phase, there_slope, turn, frame, there_frame, grid, stride, baseline = (
+    there_phase, there_pixels, turn, frame, there_frame, grid, stride, baseline = (
         other[0],
         other[3],
         other[5],
@@ -335,12 +335,12 @@ def check_across(
             row = frame[0] * (turn[1, 0] * nx + turn[1, 1] * ny + turn[1, 2]) / rz - frame[2]
             place = there_frame[0] * (here - baseline / (rz * z)) - there_frame[1]
             u, v, to_u, to_v = native_pixel(grid, stride, place, row)
-            sight, value, noise = look(there_phase, other[1], other[2], there_slope, other[4], u, v)
+            sight, value, noise = look(there_phase, other[1], other[2], there_pixels, other[4], u, v)
             if sight != SEEN:
                 continue
             below_u, below_v, _u, _v = native_pixel(grid, stride, place, row + 1.0)
             j, k = int(u + 0.5), int(v + 0.5)
-            gx, gy = there_slope[k, j, 0], there_slope[k, j, 1]
+            gx, gy = there_pixels[k, j, SLOPE_X], there_pixels[k, j, SLOPE_Y]
             along = gx * to_u + gy * to_v
             across = gx * (below_u - u) + gy * (below_v - v)
             if abs(across) < 1e-6:
@@ -361,7 +361,7 @@ def resample(
     phase: Any,
     sigma: Any,
     state: Any,
-    slope: Any,
+    pixels: Any,
     quad: Any,
     native: Any,  # (rows, columns, 2) float32, where to take the pixels from, (x, y)
     row_start: int,
@@ -376,7 +376,7 @@ def resample(
         for x in range(new_phase.shape[1]):
             u = native[y, x, 0]
             v = native[y, x, 1]
-            seen, value, noise = look(phase, sigma, state, slope, quad, u, v)
+            seen, value, noise = look(phase, sigma, state, pixels, quad, u, v)
             new_phase[y, x] = value
             new_sigma[y, x] = np.sqrt(noise)
             new_state[y, x] = 0

@@ -3,6 +3,8 @@
 Loops over arithmetic alone run on one scratch array at constant offsets: only then does the compiler know that nothing overlaps,
 and uses SIMD instructions.
 """
+# One loop over pixels, as in the other kernels.
+# ruff: noqa: PLR0912
 
 from __future__ import annotations
 
@@ -10,9 +12,9 @@ from typing import Any
 
 import numpy as np
 from numba import njit
-from numba.np.numpy_support import carray
 
-from measureapp.reconstruct.kernels.scratch import stack_float32
+from measureapp.reconstruct.kernels.options import LOOP
+from measureapp.reconstruct.kernels.scratch import GROUP, join_4, stack_float32
 
 CHUNK, PAD = 1024, 4
 LENGTH = CHUNK + 2 * PAD
@@ -20,8 +22,10 @@ REACH = 3  # pixels to either side over which a slope is taken
 ROWS = (-3, -1, 0, 1, 3)
 P_UP3, P_UP, P, P_DOWN, P_DOWN3 = (k * LENGTH + PAD for k in range(5))
 M_UP3, M_UP, M, M_DOWN, M_DOWN3 = (k * LENGTH + PAD for k in range(5, 10))
-SIGMA, GX, GY, QUAD = (k * LENGTH + PAD for k in range(10, 14))
-SCRATCH = 14 * LENGTH
+OWN, GX, GY, SIGMA, QUAD = (k * LENGTH + PAD for k in range(10, 15))  # the first four make a record
+SCRATCH = 15 * LENGTH
+RECORDS = 4 * CHUNK
+PHASE, SLOPE_X, SLOPE_Y = range(3)  # in the record of a pixel
 ZERO, ONE, TWO, THREE = np.float32(0), np.float32(1), np.float32(2), np.float32(3)
 PER_WIDE = np.float32(1 / (2 * REACH))
 BENT = np.float32(0.2)  # curvature, as a share of the rise over the window, beyond which a wide slope says nothing about its middle
@@ -31,7 +35,7 @@ BENT_SIGMAS = np.float32(4.0)
 WHOLE, TORN, BESIDE = np.uint8(1), np.uint8(2), np.uint8(3)
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**LOOP)
 def slopes(
     phase: Any,  # (H, W) float32
     sigma: Any,  # (H, W) float32
@@ -39,7 +43,7 @@ def slopes(
     step: Any,  # float32, largest phase step between neighbours of one surface
     row_start: int,
     row_stop: int,
-    slope: Any,  # out (H, W, 2) float32, rad/px along x and y; (0, 0) where unknown
+    pixels: Any,  # out (H, 4 W) float32, records of four: phase, slope in rad/px along x and y, (0, 0) where unknown, and sigma
     quad: Any,  # out (H, W) uint8, of the pixel with its right, lower and lower right neighbour: WHOLE, TORN, BESIDE or 0
 ) -> None:
     """Take slopes as central differences over the widest reach that is one smooth surface: three pixels, one, one to one side.
@@ -47,7 +51,7 @@ def slopes(
     A wide reach lowers the noise of a slope; near borders and bends a narrow one keeps it true.
     """
     height, width = phase.shape
-    s = carray(stack_float32(SCRATCH), SCRATCH)
+    s, records = stack_float32(SCRATCH), stack_float32(RECORDS)
     s[:] = ZERO
     for y in range(row_start, row_stop):
         for first in range(0, width, CHUNK):
@@ -90,6 +94,7 @@ def slopes(
                 narrow_x = (wr * r + wq * q) / max(wr + wq, ONE)
                 narrow_y = (wd * d + wu * u) / max(wd + wu, ONE)
                 wide = all_valid & smooth
+                s[OWN + i] = p
                 s[GX + i] = s[M + i] * (rise_x * PER_WIDE if wide else narrow_x)
                 s[GY + i] = s[M + i] * (rise_y * PER_WIDE if wide else narrow_y)
             for i in range(n):
@@ -99,9 +104,10 @@ def slopes(
                 valid = s[M + i] + s[M + i + 1] + s[M_DOWN + i] + s[M_DOWN + i + 1]
                 beside = THREE if valid >= TWO else ZERO
                 s[QUAD + i] = (ONE if spread <= step else TWO) if whole > ZERO else beside
-            slope_out, quad_out = slope[y].ravel()[2 * first : 2 * (first + n)], quad[y, first : first + n]
-            for i in range(n):
-                slope_out[2 * i] = s[GX + i]
-                slope_out[2 * i + 1] = s[GY + i]
+            for i in range(0, n, GROUP):
+                join_4(records, np.uint32(4 * i), s, np.uint32(OWN + i), np.uint32(LENGTH))
+            pixels_out, quad_out = pixels[y, 4 * first : 4 * (first + n)], quad[y, first : first + n]
+            for i in range(4 * n):
+                pixels_out[i] = records[i]
             for i in range(n):
                 quad_out[i] = np.uint8(np.int32(s[QUAD + i]))
