@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import IntEnum
-from math import cos, sin, tau
+from math import cos, sin
 
 import numpy as np
 
@@ -136,7 +136,7 @@ def triangulate_with_projector(
             rays,
             *_arrays(vertical),
             *_arrays(horizontal),
-            np.array([pixel_of_phase(vertical), pixel_of_phase(horizontal)]),
+            np.array([(1.0, 0.0) if each is None else each.pixel_of_phase() for each in (vertical, horizontal)]),
             np.array([vertical is not None, horizontal is not None]),
             np.array(projector_from_camera.rotation),
             np.array(projector_from_camera.translation_mm),
@@ -153,14 +153,6 @@ def triangulate_with_projector(
         shape[0],
     )
     return ProjectorDepth(read_only(depth), read_only(sigma), read_only(fate), read_only(residual) if both else None)
-
-
-def pixel_of_phase(phase_map: PhaseMap | None) -> tuple[float, float]:
-    """Return projector pixels per radian, and the pixel at phase 0: pixel = phase · scale + offset; (1, 0) for no map."""
-    if phase_map is None:
-        return 1.0, 0.0
-    scale = phase_map.pitch_px / tau
-    return scale, -phase_map.details.get("origin_rad", 0.0) * scale
 
 
 def lens_of(pinhole: PinholeCamera) -> tuple[FloatArray, FloatArray]:
