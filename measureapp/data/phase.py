@@ -68,6 +68,11 @@ class PhaseMap:
         scale, offset = self.pixel_of_phase()
         return self.phase_rad * np.float32(scale) + np.float32(offset)
 
+    def column_at(self, row: int, column: int) -> float:
+        """Return the projector's column (row) at one pixel."""
+        scale, offset = self.pixel_of_phase()
+        return float(self.phase_rad[row, column]) * scale + offset
+
     @property
     def snr(self) -> FloatArray:
         """Modulation over noise, B/σ_I, (H, W) float32: of one image that would give the phase as exactly as all of them; 0 where masked."""

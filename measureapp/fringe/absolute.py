@@ -34,7 +34,7 @@ def make_model(recipe: Recipe, plan: HeterodynePlan | None, decides_later: bool)
     pitches = np.array([group.pitch_px for group in groups])
     scales = pitches.min() / pitches
     frequencies = np.array(plan.frequencies if plan else [1.0])
-    light = _of_exposures(recipe.exposures_us)
+    light = _of_exposures(recipe.exposures_us, recipe.weights)
     return Model(
         sine_sign=np.float32(-recipe.patterns.shift_sign),
         origin=np.float32(0),
@@ -62,15 +62,17 @@ def make_model(recipe: Recipe, plan: HeterodynePlan | None, decides_later: bool)
     )
 
 
-def _of_exposures(exposures_us: tuple[int, ...]) -> dict[str, FloatArray | IntArray]:
+def _of_exposures(exposures_us: tuple[int, ...], weights: tuple[int, ...]) -> dict[str, FloatArray | IntArray]:
     """Tabulate by set of exposures, bit e for exposure e, what the solver needs of it."""
-    light = np.array(exposures_us, float)
+    light, weight = np.array(exposures_us, float), np.array(weights, float)
     sets = np.arange(1 << len(light))
     members = (sets[:, None] >> np.arange(len(light))) & 1 == 1
-    total = np.where(members.any(axis=1), members @ light, np.inf)
+    total = np.where(members.any(axis=1), members @ (weight * light), np.inf)
     first = np.where(members.any(axis=1), members.argmax(axis=1), -1)
     return {
-        "count": members.sum(axis=1).astype(np.float32),
+        "count": (members @ weight).astype(np.float32),
+        "shot": (members @ (weight**2 * light) / total).astype(np.float32),
+        "dark": (members @ weight**2).astype(np.float32),
         "to_longest": (light[0] / total).astype(np.float32),
         "to_brightest": (np.where(first >= 0, light[first], 0.0) / total).astype(np.float32),
         "first": first.astype(np.int8),

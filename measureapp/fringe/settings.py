@@ -17,7 +17,7 @@ class DecodeSettings(Model):
 
     rule: Literal["combined", "paper"] = Field(
         default="combined",
-        description="combined: all unsaturated exposures, weighted by their signal; paper: the brightest unsaturated one",
+        description="combined: all unsaturated exposures, weighted by their signal and noise; paper: the brightest unsaturated one",
     )
     joint: bool = Field(default=True, description="all groups from the same exposures; otherwise each pitch for itself")
     min_modulation: float = Field(default=10.0, ge=0, description="least B at the exposure taken, in grey levels of an 8-bit image")

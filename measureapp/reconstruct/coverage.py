@@ -71,9 +71,9 @@ def keep_new(
         differs = found & (np.abs(excess) > settings.agreement_sigmas * np.sqrt(variance) + settings.agreement_px * slope)
         known = points & (seen != kernels.BLANK)
         if measured is not None:
-            asked = np.argwhere(differs | (known & ~found)) + [start, 0]
-            hidden = asked[_hidden(name, earlier, depth, asked, measured, rectifier)] - [start, 0]
-            known[hidden[:, 0], hidden[:, 1]] = False
+            row, column = np.nonzero(differs | (known & ~found))
+            hidden = _hidden(name, earlier, depth, np.column_stack([row + start, column]), measured, rectifier)
+            known[row[hidden], column[hidden]] = False
         fate[rows][known] = np.where(differs[known], np.uint8(PointState.CONTRADICTED), np.uint8(PointState.SEEN_BY_ANOTHER))
         depth[rows][known] = 0
         of_them = found & known
