@@ -111,3 +111,16 @@ def test_phase_noise_stays_within_twelve_per_cent_of_the_cramer_rao_bound_for_no
     scatter = float(np.sqrt(np.mean(error[right] ** 2)))
     drawn = 3 / sqrt(2 * right.sum())
     assert least * (1 - drawn) < scatter < 1.12 * least * (1 + drawn)
+
+
+def test_repaired_orders_leave_no_more_noise_than_right_ones() -> None:
+    column = ramp(150, 400)
+    images = images_of(column, PAPER_PATTERNS, EXPOSURES_US[:1], 40.0, 28.0, seed=4)
+    found = decode(stack_of(images, exposures_us=EXPOSURES_US[:1]), DecodeSettings(max_sigma_rad=1.0, min_modulation=5.0))["left"]
+    assert found.details["orders_repaired"] > 0.02 * column.size
+    error = np.where(found.valid, (found.column_px - column) * tau / 32, np.inf)
+    right = np.abs(error) < np.pi
+    phases = np.linspace(0, 33 * tau, 2000, endpoint=False)
+    bound = cramer_rao_sigma(phases, 40.0, 28.0, PAPER_PATTERNS, np.ones(1), CameraNoise())
+    scatter = float(np.sqrt(np.mean(error[right] ** 2)))
+    assert scatter < 1.12 * float(np.sqrt(np.mean(bound**2))) * (1 + 3 / sqrt(2 * right.sum()))
