@@ -33,7 +33,7 @@ def register(app: typer.Typer) -> None:
         per_frequency: PerFrequencyOption = False,
         noise: NoiseOption = None,
         response: ResponseOption = None,
-        blooming_px: BloomingOption = 0,
+        blooming_px: BloomingOption = "0",
         projector: Annotated[
             bool, typer.Option("--projector", help="Let the calibrated projector of cameras.json fill what only one camera sees.")
         ] = False,

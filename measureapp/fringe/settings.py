@@ -26,7 +26,10 @@ class DecodeSettings(Model):
     vote_radius: int = Field(default=2, ge=0, le=4, description="radius of the window that votes about orders, px; 0: no vote")
     edge_step_rad: float = Field(default=3.0, gt=0, description="phase step between neighbours that marks an edge")
     blooming_radius_px: int = Field(
-        default=0, ge=0, le=16, description="an exposure is not used so close to a pixel it saturates; 0 for sensors that do not spill over"
+        default=0,
+        ge=0,
+        le=16,
+        description="an exposure is not used so close to a pixel it saturates; 0 for sensors that do not spill over (`spill_radius_px`)",
     )
     noise: CameraNoise = CameraNoise()
     camera_noise: dict[str, CameraNoise] = Field(default_factory=dict, description="of cameras that differ from `noise`, by name")
