@@ -51,6 +51,9 @@ OF_POINT_WITH_PROJECTOR = OF_POINT | {
     "or the camera apart, or add fringes of the other direction.",
     PointState.CONTRADICTED: "The {lit} belong to no point of the viewing ray, by more than {sigmas:g} standard deviations plus {px:g} px: "
     "reflections, or a projector or camera that moved.",
+    PointState.UNCERTAIN: "The predicted standard deviation exceeds {max_sigma:g} mm and three times the median of the view: phase noise "
+    "{sigma:.4f} rad. Add a longer exposure.",
+    PointState.PARTNER_GRAZING: "The projector lights the surface more than {partner:g}° off its normal.",
 }
 OF_POINT_OF_NOBODY = OF_POINT | {
     PointState.UNMATCHED: "One camera alone sees the {lit} and has no depth of it. Add a second camera, or calibrate the projector.",
