@@ -119,4 +119,4 @@ def test_the_guard_against_blooming_is_chosen_from_the_images_or_refused_in_word
     assert json.loads(capsys.readouterr().out)["settings"]["blooming_radius_px"] == 0
     for wrong in ("17", "-1", "far"):
         assert main([*asked, wrong]) != 0
-        assert "radius" in capsys.readouterr().err
+        assert "no radius" in json.loads(capsys.readouterr().out)["error"]["message"]
