@@ -118,8 +118,7 @@ def judge(world: World, phase_map: PhaseMap) -> Judged:
     lit = (column > 1) & (column < width - 2)
     whole = lit & ~_near(~lit | _steps(column))
     decodable = whole & (_best_modulation(world, light) > BLUR_MARGIN * DecodeSettings().min_modulation)
-    scale = phase_map.pitch_px / (2 * np.pi)
-    found = (phase_map.phase_rad - phase_map.details["origin_rad"]) * scale
+    found = phase_map.column_px
     limit = SHARE_OF_PITCH * phase_map.pitch_px
     good = decodable & phase_map.valid & (np.abs(found - column) < limit)
     of_a_neighbour = _least_error(found, column) < limit  # at a step the blur shows the brighter surface
@@ -129,7 +128,7 @@ def judge(world: World, phase_map: PhaseMap) -> Judged:
         decodable=int(decodable.sum()),
         decoded=int(good.sum()),
         error_px=(found - column)[good],
-        sigma_px=phase_map.sigma_rad[good] * scale,
+        sigma_px=phase_map.sigma_rad[good] * phase_map.pixel_of_phase()[0],
     )
 
 

@@ -12,8 +12,6 @@ References
 
 from __future__ import annotations
 
-from math import tau
-
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray
@@ -46,9 +44,9 @@ def projector_sighting(sighting: Sighting, vertical: PhaseMap, projector: str = 
     radii = _radii(sighting.corners_px)
     readings = []
     for phase in (vertical, vertical.across):
-        scale = phase.pitch_px / tau
+        scale, _offset = phase.pixel_of_phase()
         valid = phase.valid & (phase.sigma_rad > 0)
-        readings.append(read_around(phase.phase_rad * scale, phase.sigma_rad * scale, valid, sighting.corners_px, radii))
+        readings.append(read_around(phase.column_px, phase.sigma_rad * scale, valid, sighting.corners_px, radii))
     known = np.isfinite(readings[0][0]) & np.isfinite(readings[1][0])
     if np.count_nonzero(known) < LEAST_CORNERS:
         return Rejection(

@@ -21,7 +21,12 @@ PerFrequencyOption = Annotated[bool, typer.Option("--per-frequency", help="Choos
 NoiseOption = Annotated[Path | None, typer.Option("--noise", help="Noise of the cameras, written by `measureapp noise`.")]
 ResponseOption = Annotated[Path | None, typer.Option("--response", help="Projector response, written by `measureapp response`.")]
 BloomingOption = Annotated[
-    int, typer.Option("--blooming-px", min=0, max=16, help="Do not use an exposure so close to a pixel that it saturates.")
+    str,
+    typer.Option(
+        "--blooming-px",
+        metavar="0…16|auto",
+        help="Do not use an exposure so close to a pixel that it saturates; auto: as far as the images show light that spills over.",
+    ),
 ]
 
 
@@ -36,7 +41,7 @@ def register(app: typer.Typer) -> None:
         per_frequency: PerFrequencyOption = False,
         noise: NoiseOption = None,
         response: ResponseOption = None,
-        blooming_px: BloomingOption = 0,
+        blooming_px: BloomingOption = "0",
         as_json: JsonOption = False,
     ) -> None:
         """Decode fringe images: exposure synthesis, wrapped phase, absolute phase.
@@ -69,7 +74,7 @@ def register(app: typer.Typer) -> None:
 
 
 def decode_settings(
-    stack: FringeStack, rule: str, per_frequency: bool, noise: Path | None, response: Path | None, blooming_px: int = 0
+    stack: FringeStack, rule: str, per_frequency: bool, noise: Path | None, response: Path | None, blooming_px: str = "0"
 ) -> DecodeSettings:
     """Return the settings of the options; raises InputError for a rule that is not known, or a file that does not fit the images."""
     from measureapp.errors import InputError
@@ -83,13 +88,25 @@ def decode_settings(
     missing = sorted(set(stack.images) - set(known)) if noise else []
     if missing:
         raise InputError(f"{noise} has no camera {missing[0]!r}.", "Measure the noise of every camera, or leave --noise out.")
-    return DecodeSettings(
+    settings = DecodeSettings(
         rule="paper" if rule == "paper" else "combined",
         joint=not per_frequency,
-        blooming_radius_px=blooming_px,
         camera_noise=known,
         phase_correction=read_response(response).phase_correction(stack.patterns) if response else (),
     )
+    return settings.model_copy(update={"blooming_radius_px": _blooming_px(stack, settings, blooming_px)})
+
+
+def _blooming_px(stack: FringeStack, settings: DecodeSettings, wanted: str) -> int:
+    """Return the radius of the guard against blooming; raises InputError."""
+    from measureapp.errors import InputError
+    from measureapp.fringe.spill import FARTHEST_PX, spill_radius_px
+
+    if wanted == "auto":
+        return max(spill_radius_px(stack, camera, settings.noise_of(camera)) for camera in stack.images)
+    if not wanted.isdecimal() or int(wanted) > FARTHEST_PX:
+        raise InputError(f"--blooming-px {wanted} is no radius.", f"Give a whole number up to {FARTHEST_PX}, or auto.")
+    return int(wanted)
 
 
 def figures(phase_map: PhaseMap) -> dict[str, Any]:

@@ -33,7 +33,7 @@ def register(app: typer.Typer) -> None:
         per_frequency: PerFrequencyOption = False,
         noise: NoiseOption = None,
         response: ResponseOption = None,
-        blooming_px: BloomingOption = 0,
+        blooming_px: BloomingOption = "0",
         projector: Annotated[
             bool, typer.Option("--projector", help="Let the calibrated projector of cameras.json fill what only one camera sees.")
         ] = False,
@@ -165,8 +165,10 @@ def _lines(document: dict[str, Any]) -> str:
     ]
     for pair in document["pairs"]:
         rms = pair["epipolar_rms_px"]
-        seen = "" if rms is None else f", {rms:.3f} px in the third camera, {pair['epipolar_px']:.3f} px without the phase noise"
-        seen += "" if pair["across_px"] is None else f", {pair['across_px']:.3f} px across the epipolar lines"
+        of_pair = len(document["pairs"]) == 1  # two cameras, judged by the fringes of the other direction
+        where = "across the epipolar lines" if of_pair else "in the third camera"
+        seen = "" if rms is None else f", {rms:.3f} px {where}, {pair['epipolar_px']:.3f} px without the phase noise"
+        seen += "" if of_pair or pair["across_px"] is None else f", {pair['across_px']:.3f} px across the epipolar lines"
         said = f"not matched, {pair['skipped']}" if pair["skipped"] else f"{pair['matched']} matched{seen}"
         lines.append(f"  {'–'.join(pair['cameras'])}: {said}")
     lines.append("  rejected: " + ", ".join(f"{count} {reason}" for reason, count in document["rejected"].items() if count))

@@ -45,6 +45,7 @@ def register(app: typer.Typer) -> None:
 
         Without --pixel or --region the shares of all reasons are told, for every camera; those of a camera sum to 1. The images
         are decoded and reconstructed again; nothing in the project changes. --map draws every camera, or only --camera.
+        Images of a single camera are explained with the projector of --cameras, or without it up to their phase.
         """
         from measureapp.errors import InputError
 
@@ -111,9 +112,10 @@ def _explained(source: Path, view: str | None, cameras: Path | None, rule: str, 
         return explain_view(project, view, TerminalProgress())
     if view is not None:
         raise InputError(f"{source} is not a project, so it has no view {view!r}.", "Leave --view out, or name a project folder.")
-    if cameras is None:
+    stack = read_manifest(source)
+    if cameras is None and len(stack.images) > 1:
         raise InputError(f"Recorded images ({source}) need the calibration of their cameras.", "Add --cameras cameras.json.")
-    calibration, stack = read_cameras(cameras), read_manifest(source)
+    calibration = None if cameras is None else read_cameras(cameras)
     return explain_stack(stack, calibration, decode_settings(stack, rule, per_frequency, None, None), TerminalProgress())
 
 

@@ -53,9 +53,25 @@ class PhaseMap:
         return np.asarray(self.state == PixelState.VALID)
 
     @property
+    def origin_rad(self) -> float:
+        """Phase at the centre of the projector's first column (row), as the decoder found it: 0, or -π where fringes start dark."""
+        return self.details.get("origin_rad", 0.0)
+
+    def pixel_of_phase(self) -> tuple[float, float]:
+        """Return projector pixels per radian, and the pixel at phase 0: pixel = phase · scale + offset."""
+        scale = self.pitch_px / tau
+        return scale, -self.origin_rad * scale
+
+    @property
     def column_px(self) -> FloatArray:
-        """The projector's column, (H, W); its row where the fringes are horizontal."""
-        return self.phase_rad * np.float32(self.pitch_px / tau)
+        """The projector's column, (H, W) float32; its row where the fringes are horizontal. Column 0 is the centre of the first one."""
+        scale, offset = self.pixel_of_phase()
+        return self.phase_rad * np.float32(scale) + np.float32(offset)
+
+    def column_at(self, row: int, column: int) -> float:
+        """Return the projector's column (row) at one pixel."""
+        scale, offset = self.pixel_of_phase()
+        return float(self.phase_rad[row, column]) * scale + offset
 
     @property
     def snr(self) -> FloatArray:

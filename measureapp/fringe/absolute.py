@@ -17,6 +17,8 @@ from measureapp.fringe.unwrap import HeterodynePlan, extent_px, plan_heterodyne
 RANGE_MARGIN_PX = 2.0
 GRAY_GATE_CYCLES, GRAY_SLACK_CYCLES = 0.5, 0.75
 LEAST_TRANSITIONS = 200
+JUMP_CYCLES = 0.01  # about the jump of the wrapped phase: above the rounding of eight bits, a small share of the pixels
+NEIGHBOURS = 2  # px: a pixel between them may lie on the jump
 ORIGINS = (0.0, -0.5)  # cycles: the patterns start with a crest, or with a trough
 LUT_LENGTH = 1024
 NORMAL_QUANTILE = 3.09  # one pixel without fringes in a thousand is taken for one with fringes
@@ -32,7 +34,7 @@ def make_model(recipe: Recipe, plan: HeterodynePlan | None, decides_later: bool)
     pitches = np.array([group.pitch_px for group in groups])
     scales = pitches.min() / pitches
     frequencies = np.array(plan.frequencies if plan else [1.0])
-    light = _of_exposures(recipe.exposures_us)
+    light = _of_exposures(recipe.exposures_us, recipe.weights)
     return Model(
         sine_sign=np.float32(-recipe.patterns.shift_sign),
         origin=np.float32(0),
@@ -60,15 +62,17 @@ def make_model(recipe: Recipe, plan: HeterodynePlan | None, decides_later: bool)
     )
 
 
-def _of_exposures(exposures_us: tuple[int, ...]) -> dict[str, FloatArray | IntArray]:
+def _of_exposures(exposures_us: tuple[int, ...], weights: tuple[int, ...]) -> dict[str, FloatArray | IntArray]:
     """Tabulate by set of exposures, bit e for exposure e, what the solver needs of it."""
-    light = np.array(exposures_us, float)
+    light, weight = np.array(exposures_us, float), np.array(weights, float)
     sets = np.arange(1 << len(light))
     members = (sets[:, None] >> np.arange(len(light))) & 1 == 1
-    total = np.where(members.any(axis=1), members @ light, np.inf)
+    total = np.where(members.any(axis=1), members @ (weight * light), np.inf)
     first = np.where(members.any(axis=1), members.argmax(axis=1), -1)
     return {
-        "count": members.sum(axis=1).astype(np.float32),
+        "count": (members @ weight).astype(np.float32),
+        "shot": (members @ (weight**2 * light) / total).astype(np.float32),
+        "dark": (members @ weight**2).astype(np.float32),
         "to_longest": (light[0] / total).astype(np.float32),
         "to_brightest": (np.where(first >= 0, light[first], 0.0) / total).astype(np.float32),
         "first": first.astype(np.int8),
@@ -166,15 +170,14 @@ def _usable(maps: Maps, where: slice) -> BoolArray:
 
 
 def _gray_origin(numbered: list[FloatArray], usable: list[BoolArray]) -> float:
-    """Return the phase in cycles at which the Gray code counts on; raises DecodeError when phase and code run against each other."""
-    cycles = [phase / np.float32(2 * np.pi) for phase in numbered]
-    whole = [np.floor(each + 1e-4) for each in cycles]
-    both = np.concatenate([mask[1:] & mask[:-1] for mask in usable])
-    count_on = np.concatenate([np.diff(each) for each in whole])
-    turn = np.concatenate([np.diff(each - period) for each, period in zip(cycles, whole, strict=True)])
-    step = turn - np.rint(turn)
-    before = np.concatenate([(each - period)[:-1] for each, period in zip(cycles, whole, strict=True)])
-    smooth = both & (np.abs(step) < 0.25)
+    """Return the phase in cycles at which the Gray code counts on; raises DecodeError when phase and code run against each other.
+
+    Where the wrapped phase jumps, rounding alone decides on which side of the jump a pixel lies, and so its period: neighbours are
+    compared across such pixels, never with them. Borders that fall exactly on pixels would otherwise all be read wrongly.
+    """
+    parts = [_turns(phase[mask] / np.float32(2 * np.pi), np.flatnonzero(mask)) for phase, mask in zip(numbered, usable, strict=True)]
+    before, step, count_on = (np.concatenate(column) for column in zip(*parts, strict=True))
+    smooth = np.abs(step) < 0.25
     border = smooth & (np.abs(count_on) == 1)
     if int(border.sum()) < LEAST_TRANSITIONS:
         return 0.0
@@ -183,3 +186,20 @@ def _gray_origin(numbered: list[FloatArray], usable: list[BoolArray]) -> float:
             "The phase runs against the Gray code.", "Change the sign of `shift_sign`, or reverse the order of the shifted images."
         )
     return 0.0 if float(np.cos(2 * np.pi * before[border]).mean()) >= 0 else -0.5
+
+
+def _turns(cycles: FloatArray, place: IntArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return for neighbouring pixels the share of a period before the step, the step of it, and by how many periods the code counts on.
+
+    Parameters
+    ----------
+    cycles : (n,) phase in cycles of usable pixels
+    place : (n,) where they stand in a row of pixels
+    """
+    sure = np.abs(cycles - np.rint(cycles)) > JUMP_CYCLES
+    cycles, place = cycles[sure], place[sure]
+    near = np.diff(place) <= NEIGHBOURS
+    period = np.floor(cycles)
+    share = cycles - period
+    turn = np.diff(share)
+    return share[:-1][near], (turn - np.rint(turn))[near], np.diff(period)[near]

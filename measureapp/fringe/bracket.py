@@ -13,6 +13,7 @@ from measureapp.arrays import BoolArray, FloatArray
 from measureapp.data.fringe import GrayCodeGroup, PatternSet, PhaseShiftGroup
 from measureapp.data.plan import ExposureBracket
 from measureapp.errors import DecodeError
+from measureapp.fringe.exposure_weights import exposure_weights
 from measureapp.fringe.probe import ProbedCamera
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.unwrap import plan_heterodyne
@@ -79,7 +80,7 @@ def propose_bracket(
     """Choose exposures for a scene.
 
     A pixel is decodable when an exposure leaves it unsaturated with enough modulation, the noise of its phase over all
-    unsaturated exposures, σφ² = (2/N) Σσ² / (ΣB)² as `decode` sums them, is below the limit; it counts with the probability
+    unsaturated exposures, σφ² = (2/N) Σw²σ² / (ΣwB)² as `decode` weighs them, is below the limit; it counts with the probability
     that its order is right and its residual below the gate r, erf(2π r / (√2 a σφ)), with a the amplification of the set's
     most delicate order decision; what neighbours mend comes on top.
     Brackets are grown by one exposure at a time on a grid of quarter octaves, from the last ones and from evenly spaced and
@@ -238,10 +239,12 @@ class _Scene:
         camera = self._cameras[number]
         size = len(camera.mean_rate)
         swing, variance, strongest = np.zeros(size), np.zeros(size), np.zeros(size)
-        for exposure in exposures:
+        least = self._settings.min_modulation_grey(camera.saturation)
+        weights = exposure_weights(exposures, camera.noise, camera.saturation, least)
+        for exposure, weight in zip(exposures, weights, strict=True):
             clear, own_swing, own_variance = self._single(number, exposure)
-            swing += np.where(clear, own_swing, 0.0)
-            variance += np.where(clear, own_variance, 0.0)
+            swing += np.where(clear, weight * own_swing, 0.0)
+            variance += np.where(clear, weight**2 * own_variance, 0.0)
             strongest = np.maximum(strongest, np.where(clear, own_swing, 0.0))
         sigma = np.full(size, np.inf)
         np.divide(np.sqrt(2.0 / self._steps * variance), swing, out=sigma, where=swing > 0)
@@ -250,7 +253,6 @@ class _Scene:
             allowed_rad = 2 * np.pi * self._settings.residual_gate
             right = erf(allowed_rad / (2.0**0.5 * self._amplification * np.maximum(sigma, 1e-12)))
         sigma *= self._averaged
-        least = self._settings.min_modulation_grey(camera.saturation)
         return sigma, np.asarray(np.where((strongest >= least) & (sigma <= self._settings.max_sigma_rad), right, 0.0))
 
     def _single(self, number: int, exposure: int) -> tuple[BoolArray, FloatArray, FloatArray]:

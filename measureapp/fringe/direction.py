@@ -15,7 +15,7 @@ from measureapp.fringe.absolute import GRAY_SLACK_CYCLES, Solve, make_maps, make
 from measureapp.fringe.blooming import near_saturation
 from measureapp.fringe.kernels import solving, summing
 from measureapp.fringe.kernels.records import CHUNK, STRIPE, Layout, Maps, Model, Sums
-from measureapp.fringe.order_vote import VoteLimits, settle_orders
+from measureapp.fringe.order_vote import VoteLimits, order_steps, settle_orders
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.unwrap import extent_px
 
@@ -161,6 +161,7 @@ class DirectionDecoder:
             amplification=amplification * float(np.sqrt((model.scales.astype(float) ** 2).sum())),
             slack_cycles=0.0 if amplification else GRAY_SLACK_CYCLES,
             range_rad=((float(model.lowest) + origin) * tau, (float(model.highest) + origin) * tau),
+            order_steps_rad=order_steps(model.scales.astype(float), self._layout.steps),
         )
 
     def _check_within(self, states: IntArray) -> None:

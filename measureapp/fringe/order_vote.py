@@ -7,7 +7,7 @@ from math import pi
 
 import numpy as np
 
-from measureapp.arrays import IntArray, in_bands
+from measureapp.arrays import FloatArray, IntArray, in_bands
 from measureapp.data.phase import PixelState
 from measureapp.fringe.kernels import orders
 from measureapp.fringe.kernels.records import Maps
@@ -27,6 +27,7 @@ class VoteLimits:
     amplification : noise of the order decision over that of the absolute phase
     slack_cycles : that a repaired pixel may be off in any case
     range_rad : smallest and largest phase on the projector, origin included
+    order_steps_rad : what the absolute phase changes by with the order (`order_steps`)
     """
 
     radius: int
@@ -35,6 +36,24 @@ class VoteLimits:
     amplification: float
     slack_cycles: float
     range_rad: tuple[float, float]
+    order_steps_rad: FloatArray
+
+
+def order_steps(scales: FloatArray, steps: IntArray) -> FloatArray:
+    """Return by how much the absolute phase changes when the order changes by -4 … 4, (9,) float32 radians.
+
+    It is not whole periods: the absolute phase is the mean over all pitches, and a wrong order had the other pitches unwrapped to their
+    period nearest to it, off by what their periods and those of the finest pitch differ by.
+
+    Parameters
+    ----------
+    scales : (G,) frequency of every pitch over the finest
+    steps : (G,) images of every pitch; pitches are taken to be modulated alike
+    """
+    shares = steps * scales**2 / (steps * scales**2).sum()
+    change = np.arange(-orders.MOST_ORDERS, orders.MOST_ORDERS + 1)
+    off = change[:, None] * scales
+    return np.asarray(2 * pi * (change - (shares / scales * (off - np.rint(off))).sum(axis=1)), np.float32)
 
 
 def settle_orders(maps: Maps, shape: tuple[int, int], limits: VoteLimits) -> tuple[int, IntArray]:
@@ -85,7 +104,8 @@ def _vote(
     )
     low, high = (np.float32(limit) for limit in limits.range_rad)
     work = in_bands(
-        lambda start, stop: orders.apply_verdicts(places, verdicts, low, high, start, stop, maps.phase, maps.state), len(places)
+        lambda start, stop: orders.apply_verdicts(places, verdicts, limits.order_steps_rad, low, high, start, stop, maps.phase, maps.state),
+        len(places),
     )
     return sum(work), places[(verdicts != orders.STANDS) & (verdicts != orders.REFUSED)]
 

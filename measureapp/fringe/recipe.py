@@ -8,6 +8,7 @@ import numpy as np
 
 from measureapp.data.fringe import Direction, GrayCodeGroup, PatternSet, PhaseShiftGroup
 from measureapp.errors import DecodeError
+from measureapp.fringe.exposure_weights import exposure_weights
 from measureapp.fringe.kernels.records import CHUNK, Layout, Rule, Scratch, Sums
 from measureapp.fringe.noise import CameraNoise
 from measureapp.fringe.phase_shift import shift_weights
@@ -70,6 +71,14 @@ class Recipe:
         """Which group has the finest pitch."""
         return int(np.argmin([group.pitch_px for group in self.groups]))
 
+    @property
+    def weights(self) -> tuple[int, ...]:
+        """How often the images of each exposure count in the sums."""
+        if self.settings.rule == "paper":
+            return (1,) * len(self.exposures_us)
+        least = self.settings.min_modulation_grey(self.saturation)
+        return exposure_weights(self.exposures_us, self.noise, self.saturation, least)
+
     def layout(self) -> Layout:
         """Return which images of the whole set belong together."""
         firsts: list[int] = []
@@ -94,12 +103,12 @@ class Recipe:
     def rule(self, dtype: np.dtype[np.unsignedinteger]) -> Rule:
         """Return which exposures a pixel of images of this type takes."""
         top = min(int(np.ceil(self.saturation)) - 1, int(np.iinfo(dtype).max))
-        return Rule(self.finest, dtype.type(top), self.settings.rule == "paper")
+        return Rule(self.finest, dtype.type(top), self.settings.rule == "paper", np.array(self.weights, np.uint8))
 
     def sums(self, dtype: np.dtype[np.unsignedinteger], pixels: int) -> Sums:
         """Return room for the sums of so many pixels: whole numbers where these are exact and cannot overflow."""
         steps = [group.steps for group in self.groups]
-        short = dtype == np.uint8 and set(steps) == {4} and 255 * 4 * len(self.exposures_us) <= LARGEST_SHORT
+        short = dtype == np.uint8 and set(steps) == {4} and 255 * 4 * sum(self.weights) <= LARGEST_SHORT
         kind, groups, apart = np.int16 if short else np.float32, len(steps), 1 if self.settings.joint else len(steps)
         planes = self.gray_code.planes if self.gray_code else 0
         chunks = -(-pixels // CHUNK)

@@ -17,7 +17,7 @@ class DecodeSettings(Model):
 
     rule: Literal["combined", "paper"] = Field(
         default="combined",
-        description="combined: all unsaturated exposures, weighted by their signal; paper: the brightest unsaturated one",
+        description="combined: all unsaturated exposures, weighted by their signal and noise; paper: the brightest unsaturated one",
     )
     joint: bool = Field(default=True, description="all groups from the same exposures; otherwise each pitch for itself")
     min_modulation: float = Field(default=10.0, ge=0, description="least B at the exposure taken, in grey levels of an 8-bit image")
@@ -26,7 +26,10 @@ class DecodeSettings(Model):
     vote_radius: int = Field(default=2, ge=0, le=4, description="radius of the window that votes about orders, px; 0: no vote")
     edge_step_rad: float = Field(default=3.0, gt=0, description="phase step between neighbours that marks an edge")
     blooming_radius_px: int = Field(
-        default=0, ge=0, le=16, description="an exposure is not used so close to a pixel it saturates; 0 for sensors that do not spill over"
+        default=0,
+        ge=0,
+        le=16,
+        description="an exposure is not used so close to a pixel it saturates; 0 for sensors that do not spill over (`spill_radius_px`)",
     )
     noise: CameraNoise = CameraNoise()
     camera_noise: dict[str, CameraNoise] = Field(default_factory=dict, description="of cameras that differ from `noise`, by name")

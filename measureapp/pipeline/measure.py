@@ -218,7 +218,7 @@ def cloud_of_view(
 def _looks_wrong(result: Reconstruction, maps: Mapping[str, PhaseMap]) -> bool:
     """Whether few phases became points, or another camera sees the points elsewhere: then it is worth to look for the reason."""
     decoded = max(int(np.count_nonzero(phase_map.valid)) for phase_map in maps.values())
-    off = max((pair.epipolar_px or 0.0 for pair in result.pairs), default=0.0)
+    off = max((max(pair.epipolar_px or 0.0, pair.across_px or 0.0) for pair in result.pairs), default=0.0)
     return len(result.cloud) < LEAST_POINTS_SHARE * decoded or off > MOST_EPIPOLAR_PX
 
 

@@ -19,7 +19,8 @@ from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.project.folder import ProjectFolder
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
 from measureapp.reconstruct.settings import ReconstructSettings
-from measureapp.reconstruct.why import POINT, HoleReason, shares_of_region, shares_of_view, why
+from measureapp.reconstruct.why import POINT, HoleReason, line_of, shares_of_region, shares_of_view, why
+from measureapp.reconstruct.with_projector import looked_at_alone
 
 SEEN_BY_ANOTHER = "seen by another"
 NO_HOLES = (POINT, SEEN_BY_ANOTHER)  # the surface of such a pixel is measured
@@ -145,31 +146,53 @@ class ExplainedView:
             numbers.append(Number("exposure", float(self.exposures_us[taken]), "µs"))
         least = settings.min_modulation_grey(phase_map.saturation)
         numbers.append(Number("modulation", float(phase_map.modulation[row, column]), "grey levels", least=least))
-        if phase_map.state[row, column] == PixelState.VALID:
-            numbers.append(Number("phase noise", float(phase_map.sigma_rad[row, column]), "rad", most=settings.max_sigma_rad))
-            numbers.append(Number("signal to noise", float(phase_map.snr[row, column]), ""))
-            place = float(phase_map.phase_rad[row, column]) * phase_map.pitch_px / (2 * np.pi)
-            numbers.append(Number("projector column", place, "px"))
+        for seen in (phase_map, phase_map.across):
+            if seen is not None and seen.state[row, column] == PixelState.VALID:
+                numbers += self._of_phase(seen, row, column, "" if seen is phase_map else " across")
         return tuple(numbers)
+
+    def _of_phase(self, phase_map: PhaseMap, row: int, column: int, which: str) -> tuple[Number, ...]:
+        """Return what the fringes of one direction tell."""
+        return (
+            Number("phase noise" + which, float(phase_map.sigma_rad[row, column]), "rad", most=self.decode_settings.max_sigma_rad),
+            Number("signal to noise" + which, float(phase_map.snr[row, column]), ""),
+            Number(f"projector {line_of(phase_map)}", phase_map.column_at(row, column), "px"),
+        )
 
 
 def explain_stack(
     stack: FringeStack,
-    cameras: CameraArrayCalibration,
+    cameras: CameraArrayCalibration | None,
     decode_settings: DecodeSettings | None = None,
     progress: Progress | None = None,
 ) -> ExplainedView:
     """Decode and reconstruct recorded images, and keep what became of every pixel.
 
+    Images of a single camera are triangulated with the projector where it is calibrated; else only their decoding is explained.
+
+    Parameters
+    ----------
+    cameras : the calibration; None only for images of a single camera
+
     Raises
     ------
     DecodeError, ReconstructError
         The images do not determine the phase, or are of other cameras than calibrated.
+    CalibrationError
+        Images of several cameras without a calibration.
     """
     progress, settings = progress or NoProgress(), decode_settings or DecodeSettings()
     maps = decode(stack, settings, PartOf(progress, 0.0, 0.5))
-    made = reconstruct(maps, cameras, None, PartOf(progress, 0.5, 1.0))
-    return ExplainedView(stack.viewpoint_id, stack.exposures_us, maps, made, cameras.names, settings)
+    names = tuple(maps) if cameras is None else cameras.names
+    if len(maps) == 1:
+        made = looked_at_alone(next(iter(maps.values())), cameras)
+    elif cameras is None:
+        raise CalibrationError(
+            f"The images of {' and '.join(maps)} need the calibration of these cameras to be matched.", "Name their cameras.json."
+        )
+    else:
+        made = reconstruct(maps, cameras, None, PartOf(progress, 0.5, 1.0))
+    return ExplainedView(stack.viewpoint_id, stack.exposures_us, maps, made, names, settings)
 
 
 def explain_view(project: ProjectFolder, viewpoint_id: str, progress: Progress | None = None) -> ExplainedView:

@@ -34,6 +34,7 @@ class CleanDepth:
 
     depth_mm: FloatArray  # (H, W) float32, 0 for none
     normals: FloatArray  # (H, W, 3) float32, in the camera's frame, towards it
+    fate: IntArray  # (H, W) uint8 of PointState, NO_PHASE where there was no depth
     rejected: dict[str, int]  # reason -> count
 
 
@@ -101,7 +102,7 @@ def clean(
     dense = np.zeros((*depth.shape, 3), np.float32)
     dense[..., 2] = -1
     dense[pixel[:, 0], pixel[:, 1]] = normals
-    return CleanDepth(np.where(fate == PointState.VALID, depth, np.float32(0)), dense, rejections(fate))
+    return CleanDepth(np.where(fate == PointState.VALID, depth, np.float32(0)), dense, fate, rejections(fate))
 
 
 def rejections(*fates: IntArray) -> dict[str, int]:

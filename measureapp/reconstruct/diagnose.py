@@ -15,7 +15,7 @@ from measureapp.data.phase import PhaseMap
 from measureapp.errors import ReconstructError
 from measureapp.reconstruct.diagnose_sample import FlatView, Samples, match_samples
 from measureapp.reconstruct.diagnose_witness import Residuals, contrast, likeness, seen_by_camera, seen_by_projector
-from measureapp.reconstruct.projector import ProjectorFate, pixel_of_phase, triangulate_with_projector
+from measureapp.reconstruct.projector import ProjectorFate, triangulate_with_projector
 
 Kind = Literal[
     "wrong-sign", "phase-runs-backwards", "fringe-direction", "turned-image", "swapped-cameras", "unrelated-cameras", "moved-camera",
@@ -336,7 +336,7 @@ def _projector(
 
 
 def _columns(samples: Samples, phase_map: PhaseMap) -> FloatArray:
-    scale, offset = pixel_of_phase(phase_map)
+    scale, offset = phase_map.pixel_of_phase()
     return samples.phase * scale + offset
 
 

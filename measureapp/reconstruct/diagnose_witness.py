@@ -12,7 +12,6 @@ from measureapp.arrays import BoolArray, FloatArray
 from measureapp.data.calibration import CameraCalibration, ProjectorCalibration
 from measureapp.data.phase import PhaseMap
 from measureapp.reconstruct.diagnose_sample import COARSE_PX, SAMPLES, FlatView, SampleMatches, Samples
-from measureapp.reconstruct.projector import pixel_of_phase
 
 BLUR_SHARE, MIN_BLUR_PX = 1 / 160, 4.0  # of the image's width: what counts as surroundings in its contrast
 LEAST_CONTRAST = 3e-3  # relative: above the noise of blurred grey values
@@ -146,7 +145,7 @@ def seen_by_projector(
     ahead = points[:, 2] > 0
     columns = np.zeros((len(w), 2))
     columns[ahead, 0] = projector.pinhole.project(points[ahead])[:, 0]
-    scale, offset = pixel_of_phase(phase_map)
+    scale, offset = phase_map.pixel_of_phase()
     columns[:, 1] = samples.phase[index] * scale + offset
     per_px = np.maximum(np.linalg.norm(samples.gradient[index], axis=1) * scale, 1e-9)
     noise = samples.sigma[index] * scale / per_px

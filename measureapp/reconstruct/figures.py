@@ -22,14 +22,15 @@ class PairFigures:
     """How well two cameras matched.
 
     The points of this pair alone are seen by the other cameras: the distance, along the epipolar line, between the point's image and
-    the place with the point's phase tells how well the calibration fits the cameras as they stand. With two cameras vertical fringes
-    say nothing across the epipolar lines: then both figures are None. With fringes of both directions each pair is tested by itself,
-    across its epipolar lines.
+    the place with the point's phase tells how well the calibration fits the cameras as they stand. With two cameras fringes of one
+    direction say nothing about that: the match takes up whatever lies along the epipolar line, and nothing is seen across it. With
+    fringes of both directions each pair is tested by itself, across its epipolar lines, and for two cameras `epipolar_px` and
+    `epipolar_rms_px` are of that.
     """
 
     names: tuple[str, str]
     matched: int
-    epipolar_rms_px: float | None  # rms of the distances below 3 px, phase noise included
+    epipolar_rms_px: float | None  # rms of the distances below 3 px, phase noise included; None without a third camera or direction
     epipolar_px: float | None = None  # robust size of what the phase noise does not explain: the calibration's errors
     across_px: float | None = None  # the same across the epipolar lines, from horizontal fringes; None without them
     skipped: str = ""  # why the pair was not matched
@@ -40,6 +41,8 @@ def pair_figures(names: tuple[str, str], matched: int, shifts: Sequence[FloatArr
     off, variance = _samples(shifts)
     off_across, variance_across = _samples([] if across is None else [across])
     across_px = unexplained_px(off_across, variance_across) if len(off_across) else None
+    if not len(off):  # no third camera: what is left is the distance of the images from each other's epipolar lines
+        off, variance = off_across, variance_across
     near = np.abs(off) < TRIMMED_PX
     if not near.any():
         return PairFigures(names, matched, None, across_px=across_px)

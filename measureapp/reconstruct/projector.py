@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import IntEnum
-from math import cos, sin, tau
+from math import cos, sin
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from measureapp.data.calibration import CameraArrayCalibration, CameraCalibratio
 from measureapp.data.cloud import PROJECTOR_BIT, PointCloud
 from measureapp.data.fringe import Direction
 from measureapp.data.phase import PhaseMap
+from measureapp.data.point_state import PointState
 from measureapp.errors import ReconstructError
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.reconstruct.clean import CleanDepth, Partner, clean
@@ -56,6 +57,17 @@ REASONS = {
 }
 
 
+OF_POINT = {
+    ProjectorFate.POINT: PointState.VALID,
+    ProjectorFate.NO_PHASE: PointState.NO_PHASE,
+    ProjectorFate.PARALLEL: PointState.AMBIGUOUS,
+    ProjectorFate.BEHIND: PointState.UNMATCHED,
+    ProjectorFate.OUTSIDE: PointState.UNMATCHED,
+    ProjectorFate.UNSOLVED: PointState.UNMATCHED,
+    ProjectorFate.CONTRADICTED: PointState.CONTRADICTED,
+}
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class ProjectorDepth:
     """What one camera sees with the help of the projector, on its pixel grid."""
@@ -87,6 +99,7 @@ class ProjectorReconstruction:
     cloud: PointCloud
     rejected: Mapping[str, int]  # reason -> count
     residual_rms_px: float | None
+    fate: IntArray  # (H, W) uint8 of PointState
 
 
 def triangulate_with_projector(
@@ -136,7 +149,7 @@ def triangulate_with_projector(
             rays,
             *_arrays(vertical),
             *_arrays(horizontal),
-            np.array([pixel_of_phase(vertical), pixel_of_phase(horizontal)]),
+            np.array([(1.0, 0.0) if each is None else each.pixel_of_phase() for each in (vertical, horizontal)]),
             np.array([vertical is not None, horizontal is not None]),
             np.array(projector_from_camera.rotation),
             np.array(projector_from_camera.translation_mm),
@@ -153,14 +166,6 @@ def triangulate_with_projector(
         shape[0],
     )
     return ProjectorDepth(read_only(depth), read_only(sigma), read_only(fate), read_only(residual) if both else None)
-
-
-def pixel_of_phase(phase_map: PhaseMap | None) -> tuple[float, float]:
-    """Return projector pixels per radian, and the pixel at phase 0: pixel = phase · scale + offset; (1, 0) for no map."""
-    if phase_map is None:
-        return 1.0, 0.0
-    scale = phase_map.pitch_px / tau
-    return scale, -phase_map.details.get("origin_rad", 0.0) * scale
 
 
 def lens_of(pinhole: PinholeCamera) -> tuple[FloatArray, FloatArray]:
@@ -196,21 +201,42 @@ def reconstruct_with_projector(
     ReconstructError
         The projector or the camera is not calibrated, the images have another size, or no ray meets its column.
     """
+    made = measured_with_projector(phase_map, cameras, settings, rectifier, direction)
+    lost = {state.words: made.rejected[state.words] for state in list(ProjectorFate)[2:]}
+    if sum(lost.values()) == np.count_nonzero(made.fate != PointState.NO_PHASE):
+        most = max(lost, key=lambda reason: lost[reason])
+        raise ReconstructError(
+            f"Camera {phase_map.camera!r} and the projector give no points: {lost[most]} pixels are {most}."
+            if lost[most]
+            else f"Camera {phase_map.camera!r} has no pixel with a phase.",
+            "Check shift_sign, the pitches and that the calibration belongs to these images.",
+        )
+    return made
+
+
+def measured_with_projector(
+    phase_map: PhaseMap,
+    cameras: CameraArrayCalibration,
+    settings: ReconstructSettings | None = None,
+    rectifier: Rectifier | None = None,
+    direction: Direction = "vertical",
+) -> ProjectorReconstruction:
+    """Do what `reconstruct_with_projector` does, but return an empty cloud with the fate of every pixel where no ray meets its column.
+
+    Raises
+    ------
+    ReconstructError
+        The projector or the camera is not calibrated, or the images have another size.
+    """
     settings = settings or ReconstructSettings()
     camera, projector = calibrated(phase_map, cameras)
     rays = (rectifier or Rectifier(cameras)).rays(camera.name)
     made = triangulate_with_projector(phase_map, camera, projector, settings, rays, direction)
-    if not (made.fate == ProjectorFate.POINT).any():
-        most = max(made.rejected, key=lambda reason: made.rejected[reason])
-        raise ReconstructError(
-            f"Camera {camera.name!r} and the projector give no points: {made.rejected[most]} pixels are {most}."
-            if made.rejected[most]
-            else f"Camera {camera.name!r} has no pixel with a phase.",
-            "Check shift_sign, the pitches and that the calibration belongs to these images.",
-        )
     cleaned = clean_with_projector(made.depth_mm, made.sigma_mm, made.depth_mm > 0, (camera, projector), rays, settings)
     cloud = projector_points(cleaned, made.sigma_mm, np.asarray(cleaned.depth_mm > 0), phase_map, cameras, rays)
-    return ProjectorReconstruction(cloud, made.rejected | cleaned.rejected, made.residual_rms_px)
+    met = np.array([OF_POINT[state] for state in ProjectorFate], np.uint8)[made.fate]
+    fate = read_only(np.where(made.depth_mm > 0, cleaned.fate, met))
+    return ProjectorReconstruction(cloud, made.rejected | cleaned.rejected, made.residual_rms_px, fate)
 
 
 def calibrated(phase_map: PhaseMap, cameras: CameraArrayCalibration) -> tuple[CameraCalibration, ProjectorCalibration]:

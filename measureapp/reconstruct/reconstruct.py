@@ -9,7 +9,7 @@ from math import degrees
 
 import numpy as np
 
-from measureapp.arrays import FloatArray, IntArray, in_bands, read_only
+from measureapp.arrays import BoolArray, FloatArray, IntArray, in_bands, read_only
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.cloud import PointCloud
 from measureapp.data.phase import PhaseMap, PixelState
@@ -124,6 +124,7 @@ class _Work:
     ) -> None:
         self.names, self.phase_maps, self.rectifier, self.settings = names, phase_maps, rectifier, settings
         self.views = {name: PhaseView.of(phase_maps[name], settings.max_phase_step_rad) for name in names}
+        self.witnesses = dict(self.views)  # of points of later cameras; without pixels that two others contradict
         maps_across = {name: each for name in names if (each := phase_maps[name].across) is not None}
         self.views_across = {name: PhaseView.of(each, settings.max_phase_step_rad) for name, each in maps_across.items()}
         self.across: dict[tuple[str, str], FloatArray] = {}
@@ -162,8 +163,10 @@ class _Work:
         for place, other in enumerate(others):
             self.matched[name, other] = view.matched[place]
             self.shifts[name, other] = [view.shifts[place]]
-        found = check_across(name, others, view, self.views_across, self.rectifier, self.settings)
-        self.across |= {(name, other): shifts for other, shifts in found.items()}
+        found = check_across(name, others, view, self.views, self.views_across, self.covered, self.rectifier, self.settings)
+        self.across |= {(name, other): shifts for other, shifts in found.shifts.items()}
+        if found.set_aside.any():
+            self.witnesses[name] = self._without(name, found.set_aside)
         self._drop_seen_before(number, others, view)
         cameras = self.rectifier.cameras.cameras
         camera_from_reference = cameras[name].reference_from_camera.inverse()
@@ -172,6 +175,12 @@ class _Work:
         grid = cleaned(view.depth_mm, view.sigma_mm, view.others, view.fate, lens, centres, self.settings)
         self.fates[name] = view.fate
         self.grids[name] = (grid, others)
+
+    def _without(self, name: str, pixels: BoolArray) -> PhaseView:
+        """Return the phase of a camera without some pixels."""
+        seen = self.phase_maps[name]
+        state = np.where(pixels, np.uint8(PixelState.OUT_OF_RANGE), seen.state)
+        return PhaseView.of(replace(seen, state=state), self.settings.max_phase_step_rad)
 
     def _skip(self, number: int) -> IntArray:
         """Return the fate of pixels that are not matched: they have no phase, or take part in points already; 0 for all others."""
@@ -188,10 +197,11 @@ class _Work:
         return marked
 
     def _drop_seen_before(self, number: int, others: tuple[str, ...], view: DepthMap) -> None:
-        """Leave only points whose surroundings no camera before has a phase of."""
+        """Leave only points whose surroundings no camera before has a phase of, or which something hides from it."""
         name = self.names[number]
         for earlier in self.names[:number]:
-            shifts = keep_new(name, earlier, view, self.views, self.rectifier, self.settings)
+            measured = self.grids[earlier][0] if earlier in self.grids else None
+            shifts = keep_new(name, earlier, view, self.views | {earlier: self.witnesses[earlier]}, measured, self.rectifier, self.settings)
             if len(others) == 1:  # the points are of one pair alone: what the earlier camera sees tests that pair
                 self.shifts[name, others[0]].append(shifts)
 

@@ -11,6 +11,7 @@ from measureapp.arrays import BoolArray
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.point_state import PointState
 from measureapp.errors import ReconstructError
+from measureapp.reconstruct.projector import ProjectorFate
 from measureapp.reconstruct.reconstruct import Reconstruction
 from measureapp.reconstruct.settings import ReconstructSettings
 
@@ -27,11 +28,11 @@ OF_PHASE = {
     PixelState.BLOOMING: "Beside a saturated pixel that spills over. Add a shorter exposure.",
 }
 OF_POINT = {
-    PointState.UNMATCHED: "No other camera has the projector column {column:.2f} on the epipolar line: it is hidden from them, or out of their "
-    "images. Add a viewpoint.",
-    PointState.AMBIGUOUS: "The projector column {column:.2f} occurs at several places of an epipolar line, or hardly changes along it: a wrong "
-    "fringe order, or fringes along the line.",
-    PointState.CONTRADICTED: "Another camera sees a projector column there that differs from {column:.2f} by more than {sigmas:g} standard "
+    PointState.UNMATCHED: "No other camera has the {lit} on the epipolar line: it is hidden from them, or out of their images. "
+    "Add a viewpoint.",
+    PointState.AMBIGUOUS: "The {lit} occurs at several places of an epipolar line, or hardly changes along it: a wrong fringe order, or "
+    "fringes along the line.",
+    PointState.CONTRADICTED: "Another camera sees a projector line there that differs from {lit} by more than {sigmas:g} standard "
     "deviations plus {px:g} px: reflections, or a camera that moved. Look at the epipolar residual of the view.",
     PointState.UNCERTAIN: "The predicted standard deviation exceeds {max_sigma:g} mm: phase noise {sigma:.4f} rad. Add a longer exposure.",
     PointState.FLYING: "Fewer than {neighbours} of 24 places around it lie on the same surface: it is at a border or alone.",
@@ -41,6 +42,21 @@ OF_POINT = {
     PointState.ISLAND: "Its group has fewer than {island} pixels without a neighbour.",
     PointState.SEEN_BY_ANOTHER: "A camera before this one has the surface: its point stands in that camera's image.",
     PointState.VALID: "It has a point.",
+}
+
+OF_POINT_WITH_PROJECTOR = OF_POINT | {
+    PointState.UNMATCHED: "The viewing ray does not meet the {lit} before the camera and inside the projector's image: a wrong fringe order, "
+    "light by a reflection, or the calibration of another projector.",
+    PointState.AMBIGUOUS: "The viewing ray runs nearly along the surface that the {lit} lights, so that it tells no depth. Move the projector "
+    "or the camera apart, or add fringes of the other direction.",
+    PointState.CONTRADICTED: "The {lit} belong to no point of the viewing ray, by more than {sigmas:g} standard deviations plus {px:g} px: "
+    "reflections, or a projector or camera that moved.",
+    PointState.UNCERTAIN: "The predicted standard deviation exceeds {max_sigma:g} mm and three times the median of the view: phase noise "
+    "{sigma:.4f} rad. Add a longer exposure.",
+    PointState.PARTNER_GRAZING: "The projector lights the surface more than {partner:g}° off its normal.",
+}
+OF_POINT_OF_NOBODY = OF_POINT | {
+    PointState.UNMATCHED: "One camera alone sees the {lit} and has no depth of it. Add a second camera, or calibrate the projector.",
 }
 
 
@@ -78,12 +94,43 @@ def why(
         raise ReconstructError(
             f"Camera {camera!r} has no pixel in row {row}, column {column}.", f"Its images have {height} rows and {width} columns."
         )
-    values = _values(phase_map, row, column, settings or ReconstructSettings())
+    values = _values(phase_map, settings or ReconstructSettings(), row, column)
     point = PointState(int(fate[row, column]))
     if point == PointState.NO_PHASE:
         state = PixelState(int(phase_map.state[row, column]))
         return HoleReason("decode", _word(state), OF_PHASE[state].format(**values))
-    return HoleReason(_stage(point), _word(point), OF_POINT[point].format(**values))
+    sentence = _sentences(made)[point].format(lit=lit_by(phase_map, row, column), **values)
+    return HoleReason(_stage(point), _word(point), sentence + _aside(phase_map, made, point, row, column))
+
+
+def lit_by(phase_map: PhaseMap, row: int, column: int) -> str:
+    """Return which line of the projector lights a pixel, in words: its column, its row, or both."""
+    seen = [each for each in (phase_map, phase_map.across) if each is not None and each.state[row, column] == PixelState.VALID]
+    return "projector " + " and ".join(f"{line_of(each)} {each.column_at(row, column):.2f}" for each in seen)
+
+
+def line_of(phase_map: PhaseMap) -> str:
+    """Return what the fringes of a map number: columns or rows."""
+    return "column" if phase_map.direction == "vertical" else "row"
+
+
+def _sentences(made: Reconstruction) -> dict[PointState, str]:
+    """Return the sentences for what a camera was reconstructed with: others, the projector, or nothing."""
+    if len(made.fates) > 1:
+        return OF_POINT
+    return OF_POINT_WITH_PROJECTOR if any(state.words in made.rejected for state in ProjectorFate) else OF_POINT_OF_NOBODY
+
+
+def _aside(phase_map: PhaseMap, made: Reconstruction, point: PointState, row: int, column: int) -> str:
+    """Return what else bears on a pixel with a phase: pairs that were not matched, and fringes of the other direction without one."""
+    told = ""
+    if point == PointState.UNMATCHED:
+        skipped = [pair for pair in made.pairs if pair.skipped and phase_map.camera in pair.names]
+        told += "".join(f" {' and '.join(pair.names)} were not matched: {pair.skipped}." for pair in skipped)
+    across = phase_map.across
+    if across is not None and across.state[row, column] != PixelState.VALID:
+        told += f" The fringes across give no {line_of(across)} there: {_word(PixelState(int(across.state[row, column])))}."
+    return told
 
 
 def shares_of_region(
@@ -131,13 +178,12 @@ def _images(phase_maps: Mapping[str, PhaseMap], made: Reconstruction, camera: st
     return np.asarray(made.fates[camera]), phase_maps[camera]
 
 
-def _values(phase_map: PhaseMap, row: int, column: int, settings: ReconstructSettings) -> dict[str, float]:
+def _values(phase_map: PhaseMap, settings: ReconstructSettings, row: int, column: int) -> dict[str, float]:
     return {
         "grey": float(phase_map.grey[row, column]),
         "saturation": phase_map.saturation,
         "modulation": float(phase_map.modulation[row, column]),
         "sigma": float(phase_map.sigma_rad[row, column]),
-        "column": float(phase_map.phase_rad[row, column]) * phase_map.pitch_px / (2 * np.pi),
         "sigmas": settings.agreement_sigmas,
         "px": settings.agreement_px,
         "max_sigma": settings.max_sigma_mm,

@@ -13,7 +13,7 @@ from measureapp.data.cloud import PROJECTOR_BIT, PointCloud, joined
 from measureapp.data.phase import PhaseMap
 from measureapp.data.point_state import PointState
 from measureapp.progress import NoProgress, PartOf, Progress
-from measureapp.reconstruct.projector import reconstruct_with_projector
+from measureapp.reconstruct.projector import measured_with_projector, reconstruct_with_projector
 from measureapp.reconstruct.projector_fill import FillSettings, ProjectorAgreement, fill_with_projector
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
 from measureapp.reconstruct.rectifier import Rectifier
@@ -71,10 +71,32 @@ def reconstruct_view_with_projector(
 
 def _alone(phase_map: PhaseMap, cameras: CameraArrayCalibration, settings: ReconstructSettings, rectifier: Rectifier) -> ProjectorView:
     made = reconstruct_with_projector(phase_map, cameras, settings, rectifier, phase_map.direction)
+    return ProjectorView(Reconstruction(made.cloud, (), made.rejected, {phase_map.camera: made.fate}), {}, len(made.cloud))
+
+
+def looked_at_alone(
+    phase_map: PhaseMap, cameras: CameraArrayCalibration | None = None, settings: ReconstructSettings | None = None
+) -> Reconstruction:
+    """Say what becomes of the pixels of a single camera: with a calibrated projector its points, without one that there are none.
+
+    Parameters
+    ----------
+    cameras : the calibration; None where there is none
+
+    Raises
+    ------
+    ReconstructError
+        The camera is not in the calibration, or its images have another size.
+    """
+    if cameras is not None and cameras.projector is not None:
+        made = measured_with_projector(phase_map, cameras, settings, direction=phase_map.direction)
+        return Reconstruction(made.cloud, (), made.rejected, {phase_map.camera: made.fate})
     fate = np.where(phase_map.valid, np.uint8(PointState.UNMATCHED), np.uint8(PointState.NO_PHASE))
-    fate[made.cloud.pixel[:, 0], made.cloud.pixel[:, 1]] = PointState.VALID
-    reconstruction = Reconstruction(made.cloud, (), made.rejected, {phase_map.camera: read_only(fate)})
-    return ProjectorView(reconstruction, {}, len(made.cloud))
+    nothing = np.zeros((0, 3))
+    empty = PointCloud(
+        nothing, nothing, np.zeros(0), np.zeros(0), np.zeros((0, 2), np.int32), np.zeros(0, np.uint8), "camera", phase_map.viewpoint_id
+    )
+    return Reconstruction(empty, (), {"unmatched": int(phase_map.valid.sum())}, {phase_map.camera: read_only(fate)})
 
 
 def _depth_of(name: str, cloud: PointCloud, cameras: CameraArrayCalibration, shape: tuple[int, ...]) -> tuple[FloatArray, FloatArray]:

@@ -133,6 +133,19 @@ def test_the_deviation_of_a_reading_is_its_scatter():
     assert np.std(values) == pytest.approx(np.mean(deviations), rel=0.2)
 
 
+def test_fringes_that_start_dark_place_the_projector_at_the_same_pixels(captured):
+    problem, phases = captured
+
+    def dark(phase: PhaseMap) -> PhaseMap:
+        shifted = np.where(phase.valid, phase.phase_rad - np.float32(np.pi), 0).astype(np.float32)
+        return replace(phase, phase_rad=shifted, details={"origin_rad": -np.pi})
+
+    phase = phases["left", "00"]
+    bright = projector_sighting(problem.sightings[0], phase)
+    shifted = projector_sighting(problem.sightings[0], replace(dark(phase), across=dark(phase.across)))
+    assert np.abs(shifted.corners_px - bright.corners_px).max() < 1e-3
+
+
 def test_fringes_in_one_direction_do_not_place_the_projector(captured):
     problem, phases = captured
     one_way = {key: replace(phase, across=None) for key, phase in phases.items()}

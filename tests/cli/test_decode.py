@@ -108,3 +108,15 @@ def test_the_recorded_real_set_decodes_from_its_manifest(tmp_path: Path, capsys:
     assert json.loads(capsys.readouterr().out)["cameras"]["one"]["decoded_px"] == pytest.approx(214_654, rel=0.001)
     manifest.write_text(manifest.read_text().replace("shift_sign = 1", "shift_sign = -1"))
     assert "against the Gray code" in refused(capsys, "decode", manifest, "--out", tmp_path / "other")
+
+
+def test_the_guard_against_blooming_is_chosen_from_the_images_or_refused_in_words(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    manifest = write_paper_set(tmp_path / "images")
+    asked = ["decode", str(manifest), "--out", str(tmp_path / "maps"), "--json", "--blooming-px"]
+    assert main([*asked, "auto"]) == 0
+    assert json.loads(capsys.readouterr().out)["settings"]["blooming_radius_px"] == 0
+    for wrong in ("17", "-1", "far"):
+        assert main([*asked, wrong]) != 0
+        assert "no radius" in json.loads(capsys.readouterr().out)["error"]["message"]

@@ -139,3 +139,11 @@ def test_a_view_of_a_project_is_explained_and_an_unclear_question_refused(demo: 
     assert "view99" in _told(["why", str(demo.folder), "--view", "view99"], capsys, 2)["error"]["message"]
     with_cameras = ["why", str(demo.folder), "--view", "view01", "--cameras", "cameras.json"]
     assert "--cameras" in _told(with_cameras, capsys, 2)["error"]["hint"]
+
+
+def test_images_of_a_single_camera_need_no_calibration(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    alone = ["why", str(write_paper_set(tmp_path))]
+    shares = _told(alone, capsys)["cameras"]["left"]["shares"]
+    assert set(shares) <= {"unmatched", "edge", "order conflict", "out of range"} and shares["unmatched"] > 0.9
+    told = _told([*alone, "--pixel", "20,100"], capsys)["pixel"]
+    assert told["stage"] == "match" and "One camera alone sees the projector column" in told["sentence"]

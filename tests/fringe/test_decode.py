@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from measureapp.arrays import FloatArray
-from measureapp.data.fringe import FringeStack, PatternSet
+from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternSet, PhaseShiftGroup
 from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.data.phase import PixelState
 from measureapp.errors import DecodeError
@@ -182,7 +182,7 @@ def test_patterns_that_start_with_a_trough_are_recognised(sets: dict[str, Patter
         images[:, :bits] = 220 - images[:, :bits]
         decoded = decode(stack_of(images, patterns))["left"]
         assert decoded.details["origin_rad"] == pytest.approx(-pi)
-        error = decoded.phase_rad + pi - column * tau / patterns.finest_pitch_px
+        error = (decoded.column_px - column) * tau / patterns.finest_pitch_px
         assert decoded.valid.mean() > 0.97, name
         assert np.abs(error[decoded.valid]).max() < 0.3, name
 
@@ -193,6 +193,29 @@ def test_the_wrong_shift_sign_is_recognised_against_a_gray_code(sets: dict[str, 
     with pytest.raises(DecodeError, match="against the Gray code") as raised:
         decode(stack_of(images, patterns.model_copy(update={"shift_sign": 1})))
     assert "shift_sign" in raised.value.hint
+
+
+@pytest.mark.parametrize("trough", [False, True], ids=["crest", "trough"])
+@pytest.mark.parametrize("complementary", [False, True], ids=["plain", "complementary"])
+@pytest.mark.parametrize(("steps", "shift_sign"), [(3, -1), (4, 1), (5, 1), (8, -1)])
+def test_noise_free_borders_that_fall_exactly_on_pixels_are_read_rightly(
+    steps: int, shift_sign: int, complementary: bool, trough: bool
+) -> None:
+    planes = GrayCodeGroup(planes=6 if complementary else 5, complementary=complementary)
+    patterns = PatternSet(
+        name="exact", projector_px=1024, shift_sign=shift_sign, groups=(PhaseShiftGroup(pitch_px=32, steps=steps), planes)
+    )
+    column = np.repeat(np.arange(1024.0)[None], 20, axis=0)
+    images = images_of(column, patterns, seed=None)
+    if trough:
+        images[:, :steps] = images_of(column + 16, patterns, seed=None)[:, :steps]
+    decoded = decode(stack_of(images, patterns))["left"]
+    assert decoded.origin_rad == pytest.approx(-pi if trough else 0.0)
+    assert decoded.valid.all()
+    rounding = 2 / steps * (0.5 * steps) / 80 * 32 / tau  # no grey level is off by more than half of one
+    assert np.abs(decoded.column_px - column).max() < rounding
+    with pytest.raises(DecodeError, match="against the Gray code"):
+        decode(stack_of(images, patterns.model_copy(update={"shift_sign": -shift_sign})))
 
 
 def test_images_that_do_not_fit_the_set_are_refused() -> None:

@@ -9,13 +9,13 @@ import pytest
 from measureapp.fringe.kernels import orders, solving, summing
 from measureapp.pipeline.warm_up import warm_up
 from measureapp.progress import CallbackProgress, Cancelled
-from measureapp.reconstruct.kernels import binning, both, cleaning, fusing, islands, matching, slopes
+from measureapp.reconstruct.kernels import across, binning, both, cleaning, fusing, islands, matching, sightlines, slopes
 from measureapp.reconstruct.reconstruct import reconstruct
 from measureapp.register import kernels as register_kernels
 from measureapp.register.prepare import prepare
 from tests.reconstruct.conftest import make_head, plane
 
-MEASURING = (summing, solving, orders, binning, both, cleaning, fusing, islands, matching, slopes, register_kernels)
+MEASURING = (summing, solving, orders, across, binning, both, cleaning, fusing, islands, matching, sightlines, slopes, register_kernels)
 
 
 def compiled(module: ModuleType) -> dict[str, int]:

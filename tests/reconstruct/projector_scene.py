@@ -122,6 +122,7 @@ class ProjectorHead:
                 pitch_px=PITCH_PX,
                 projector_px=projector_px,
                 details={"origin_rad": origin_rad},
+                direction="horizontal" if axis else "vertical",
                 across=other,
             )
 

@@ -279,6 +279,17 @@ def test_horizontal_fringes_see_across_the_epipolar_lines_what_vertical_ones_can
     assert two.pairs[0].across_px is not None and two.pairs[0].across_px < 0.03
 
 
+def test_two_cameras_alarm_for_a_turned_one_when_fringes_of_both_directions_show_it(head: Head, rectifier: Rectifier) -> None:
+    maps = {name: each for name, each in both_directions(head, plane(550, 0.2, 0.1)).items() if name != "upper"}
+    straight = reconstruct(maps, head.cameras, rectifier=rectifier).pairs[0]
+    assert straight.epipolar_px is not None and straight.epipolar_rms_px is not None
+    assert straight.epipolar_px < 0.01 < straight.epipolar_rms_px  # phase noise is seen, and known as such
+    shaken = reconstruct(maps, turned(head, "right", (0.3 / 511, 0, 0))).pairs[0]
+    assert shaken.epipolar_px == pytest.approx(0.3, abs=0.05)
+    one_direction = {name: replace(each, across=None) for name, each in maps.items()}
+    assert reconstruct(one_direction, head.cameras, rectifier=rectifier).pairs[0].epipolar_px is None
+
+
 def test_points_whose_horizontal_phases_differ_are_contradicted(head: Head, rectifier: Rectifier) -> None:
     maps = both_directions(head, plane(550, 0.2, 0.1))
     across = maps["left"].across

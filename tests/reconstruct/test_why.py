@@ -5,13 +5,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.point_state import PointState
 from measureapp.errors import ReconstructError
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
 from measureapp.reconstruct.settings import ReconstructSettings
 from measureapp.reconstruct.why import OF_PHASE, OF_POINT, shares_of_region, shares_of_view, why
+from measureapp.reconstruct.with_projector import looked_at_alone
 from tests.reconstruct.conftest import Head, plane
+from tests.reconstruct.projector_scene import ProjectorHead
+from tests.reconstruct.projector_scene import make_head as make_projector_head
 
 View = tuple[dict[str, PhaseMap], Reconstruction]
 SETTINGS = ReconstructSettings(min_island_px=100)
@@ -64,3 +68,77 @@ def test_places_outside_the_view_are_refused_in_words(view: View) -> None:
         why(*view, "front", 0, 0)
     with pytest.raises(ReconstructError, match="region has no pixel"):
         shares_of_region(*view, "left", (5, 5, 5, 9))
+
+
+@pytest.fixture(scope="module")
+def projector_head() -> ProjectorHead:
+    return make_projector_head()
+
+
+def alone(phase_map: PhaseMap, cameras: CameraArrayCalibration | None) -> View:
+    return {phase_map.camera: phase_map}, looked_at_alone(phase_map, cameras)
+
+
+def test_a_single_camera_without_a_projector_is_explained_up_to_its_phase(projector_head: ProjectorHead) -> None:
+    seen = projector_head.phase_maps(plane(550, 0.2, 0.1))["left"]
+    row, column = (int(value) for value in np.argwhere(seen.valid)[len(np.argwhere(seen.valid)) // 2])
+    for cameras in (None, projector_head.without_projector()):
+        view = alone(seen, cameras)
+        said = why(*view, "left", row, column)
+        assert (said.stage, said.reason) == ("match", "unmatched")
+        assert f"projector column {seen.column_at(row, column):.2f}" in said.sentence and "calibrate the projector" in said.sentence
+        shares = shares_of_view(*view)["left"]
+        assert shares["unmatched"] == pytest.approx(float(seen.valid.mean()))
+
+
+def test_a_single_camera_with_the_projector_has_points_and_the_reasons_of_their_geometry(projector_head: ProjectorHead) -> None:
+    seen = projector_head.phase_maps(plane(550, 0.2, 0.1), across=True)["left"]
+    across = seen.across
+    assert across is not None
+    row, column = (int(value) for value in np.argwhere(seen.valid)[len(np.argwhere(seen.valid)) // 2])
+    box = (slice(row - 8, row + 8), slice(column - 8, column + 8))
+    wrong, behind = across.phase_rad.copy(), seen.phase_rad.copy()
+    wrong[box] += np.float32(1.5)
+    torn = replace(seen, across=replace(across, phase_rad=wrong))
+    made = looked_at_alone(seen, projector_head.cameras)
+    assert (made.fates["left"] == PointState.VALID).sum() == len(made.cloud) > 0.9 * seen.valid.sum()
+    assert why({"left": seen}, made, "left", row, column).stage == "point"
+    said = why(*alone(torn, projector_head.cameras), "left", row, column)
+    assert said.reason == "contradicted"
+    assert f"column {seen.column_at(row, column):.2f} and row" in said.sentence
+    behind[box] = np.float32(200 * np.pi)  # a column that lies behind the camera
+    said = why(*alone(replace(seen, phase_rad=behind, across=None), projector_head.cameras), "left", row, column)
+    assert said.reason == "unmatched" and "viewing ray does not meet" in said.sentence
+
+
+def test_a_camera_and_a_projector_without_any_point_are_explained_all_the_same(projector_head: ProjectorHead) -> None:
+    seen = projector_head.phase_maps(plane(550, 0.2, 0.1))["left"]
+    beyond = replace(seen, phase_rad=np.where(seen.valid, np.float32(400 * np.pi), np.float32(0)))
+    made = looked_at_alone(beyond, projector_head.cameras)
+    assert len(made.cloud) == 0
+    assert shares_of_view({"left": beyond}, made)["left"]["unmatched"] == pytest.approx(float(seen.valid.mean()))
+
+
+def test_horizontal_fringes_are_explained_by_rows_and_by_the_pairs_they_cannot_match(head: Head) -> None:
+    maps = {name: replace(each, direction="horizontal") for name, each in head.phase_maps(plane(550, 0.2, 0.1), horizontal=True).items()}
+    maps["upper"] = replace(maps["upper"], state=np.full_like(maps["upper"].state, PixelState.SHADOW))
+    made = reconstruct(maps, head.cameras)
+    row, column = (int(value) for value in np.argwhere(maps["left"].valid)[3000])
+    said = why(maps, made, "left", row, column)
+    assert said.reason == "unmatched"
+    assert f"projector row {maps['left'].column_at(row, column):.2f}" in said.sentence
+    assert "left and right were not matched: epipolar lines" in said.sentence
+
+
+def test_fringes_of_both_directions_tell_column_and_row_and_what_one_of_them_lacks(head: Head) -> None:
+    across = head.phase_maps(plane(550, 0.2, 0.1), horizontal=True)
+    state = across["left"].state.copy()
+    state[100:120, 100:140] = PixelState.SATURATED
+    across["left"] = replace(across["left"], state=state)
+    maps = {
+        name: replace(each, across=replace(across[name], direction="horizontal"))
+        for name, each in head.phase_maps(plane(550, 0.2, 0.1)).items()
+    }
+    made = reconstruct(maps, head.cameras)
+    assert "give no row there: saturated" in why(maps, made, "left", 110, 120).sentence
+    assert "give no row" not in why(maps, made, "left", 140, 120).sentence

@@ -115,8 +115,13 @@ def vote(
 
 
 @njit(**OPTIONS)
-def apply_verdicts(places: Any, verdicts: Any, lowest: Any, highest: Any, start: int, stop: int, phase: Any, state: Any) -> int:
-    """Change orders and reasons (flat maps) as the window said; returns how many pixels changed their order."""
+def apply_verdicts(
+    places: Any, verdicts: Any, order_steps: Any, lowest: Any, highest: Any, start: int, stop: int, phase: Any, state: Any
+) -> int:
+    """Change orders and reasons (flat maps) as the window said; returns how many pixels changed their order.
+
+    ``order_steps`` (2 · MOST_ORDERS + 1,) float32 holds what the phase changes by, in radians, for every change of order.
+    """
     repaired = 0
     for i in range(start, stop):
         k = places[i]
@@ -126,7 +131,7 @@ def apply_verdicts(places: Any, verdicts: Any, lowest: Any, highest: Any, start:
             state[k] = CONFLICT
             continue
         if verdicts[i] != STANDS:
-            phase[k] += TAU * np.float32(verdicts[i])
+            phase[k] += order_steps[verdicts[i] + MOST_ORDERS]
             repaired += 1
         state[k] = OUTSIDE if phase[k] < lowest or phase[k] > highest else VALID
     return repaired

@@ -21,7 +21,7 @@ class Layout(NamedTuple):
 
 
 class Sums(NamedTuple):
-    """What is summed over the exposures taken; W pixels, M = 1 where all groups take the same exposures, otherwise G."""
+    """What is summed over the exposures taken, each times its weight; W pixels, M = 1 where all groups take the same exposures, otherwise G."""
 
     sine: Any  # (G, W) int16 or float32, Σ I sin
     cosine: Any  # (G, W) int16 or float32, Σ I cos
@@ -39,6 +39,7 @@ class Rule(NamedTuple):
     finest: Any  # int, group of the finest pitch
     limit: Any  # of the images' type: largest grey level that is not saturated
     first_only: Any  # bool, the brightest exposure instead of all
+    weights: Any  # (E,) uint8, how often an exposure counts in the sums
 
 
 class Scratch(NamedTuple):
@@ -66,9 +67,11 @@ class Model(NamedTuple):
     gain: Any  # float32, variance in grey levels squared per grey level
     floor: Any  # float32, variance in the dark in grey levels squared
     black: Any  # float32, grey level of no light
-    count: Any  # (2^E,) float32, how many exposures a set of them has
-    to_longest: Any  # (2^E,) float32, the longest exposure over the sum of a set
-    to_brightest: Any  # (2^E,) float32, the longest exposure of a set over its sum
+    count: Any  # (2^E,) float32, Σw of the exposures of a set
+    shot: Any  # (2^E,) float32, Σw²t / Σwt of a set: shot noise of the sum over that of an image as bright
+    dark: Any  # (2^E,) float32, Σw² of a set
+    to_longest: Any  # (2^E,) float32, the longest exposure over Σwt of a set
+    to_brightest: Any  # (2^E,) float32, the longest exposure of a set over its Σwt
     first: Any  # (2^E,) int8, the longest exposure of a set, -1 for none
     beyond: Any  # float32, grey of a pixel saturated in all exposures, scaled to the longest
     least_modulation: Any  # float32, grey levels

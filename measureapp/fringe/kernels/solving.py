@@ -190,16 +190,18 @@ def least_modulation(sums: Any, off: int, n: int, alike: int, layout: Any, model
 @njit(**INNER)
 def weigh(sums: Any, off: int, n: int, alike: int, layout: Any, model: Any, work: Any) -> None:
     """Put the variance of the grey levels' sums into ``work.noise``; where groups decide apart, into their powers instead."""
-    noise, count = work.noise, work.count
+    noise, count, shot, dark = work.noise, work.count, work.weight, work.wrapped
     gain, floor, black = model.gain, model.floor, model.black
     apart = sums.total.shape[0] > 1
     for m in range(sums.total.shape[0]):
         total = sums.total[m, off : off + n]
         each = np.float32(1) / np.float32(layout.steps[m if apart else model.finest])
         look_up(model.count, sums.taken[m, off : off + n], alike, n, count)
+        look_up(model.shot, sums.taken[m, off : off + n], alike, n, shot)
+        look_up(model.dark, sums.taken[m, off : off + n], alike, n, dark)
         for j in range(n):
             light = np.float32(total[j]) * each - count[j] * black
-            noise[j] = max(light, np.float32(0)) * gain + count[j] * floor
+            noise[j] = max(light, np.float32(0)) * gain * shot[j] + dark[j] * floor
         if apart:
             power = work.power[m]
             for j in range(n):

@@ -77,7 +77,7 @@ def extremes(images: Any, layout: Any, begin: int, n: int, scratch: Any) -> None
 
 @njit(**INNER)
 def add_group(images: Any, layout: Any, g: int, begin: int, n: int, sums: Any, off: int, take: Any, everywhere: bool) -> None:
-    """Add the sine and cosine sums of one group of one exposure, of all pixels or of those taken."""
+    """Add the sine and cosine sums of one group of one exposure, of all pixels once or as often as ``take`` says."""
     p = layout.first_image[g]
     sine = sums.sine[g, off : off + n]
     cosine = sums.cosine[g, off : off + n]
@@ -108,7 +108,7 @@ def add_group(images: Any, layout: Any, g: int, begin: int, n: int, sums: Any, o
 
 @njit(**INNER)
 def add_images(images: Any, first: int, count: int, begin: int, n: int, total: Any, take: Any, everywhere: bool) -> None:
-    """Add consecutive images to one sum, of all pixels or of those taken."""
+    """Add consecutive images to one sum, of all pixels once or as often as ``take`` says."""
     kind = total.dtype.type
     q = first
     while q < first + count:
@@ -169,12 +169,15 @@ def take_some(
         for j in range(n):
             bloomed[j] |= take[j] & np.uint8(near[j] != 0)
             take[j] &= np.uint8(near[j] == 0)
-    add_taken(images, layout, rule, m, begin, n, sums, off, take, False)
     for j in range(n):
         zero[j] |= take[j] & np.uint8(taken[j] == 0) & np.uint8(low[j] == 0)
     bit = np.uint16(1 << exposure)
     for j in range(n):
         taken[j] |= bit * np.uint16(take[j])
+    weight = rule.weights[exposure]
+    for j in range(n):
+        take[j] *= weight
+    add_taken(images, layout, rule, m, begin, n, sums, off, take, False)
 
 
 @njit(**INNER)
@@ -198,8 +201,12 @@ def accumulate(
     clean = top <= rule.limit
     together = clean and alike >= 0 and not done and blocked.shape[0] == 0 and (alike > 0 or bottom > 0)
     if together:
+        weight = rule.weights[exposure]
+        if weight > 1:
+            for j in range(n):
+                scratch.take[j] = weight
         for m in range(sums.total.shape[0]):
-            add_taken(images, layout, rule, m, begin, n, sums, off, scratch.take, True)
+            add_taken(images, layout, rule, m, begin, n, sums, off, scratch.take, weight == 1)
         sums.alike[chunk] = alike | (1 << exposure)
     if clean and bottom > 0 and (together or done):
         return n

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from measureapp.reconstruct.kernels.across import check_across
 from measureapp.reconstruct.kernels.binning import LEAST_SINE, LINES_PER_CELL, fill_table, rectified_lines, spread_table
 from measureapp.reconstruct.kernels.both import fuse_both
 from measureapp.reconstruct.kernels.cleaning import count_points, gather_points, invert, judge
 from measureapp.reconstruct.kernels.covered import mark_covered
-from measureapp.reconstruct.kernels.fusing import check_across, fuse, observe, resample
+from measureapp.reconstruct.kernels.fusing import fuse, observe, resample
 from measureapp.reconstruct.kernels.islands import drop_islands, find_runs
 from measureapp.reconstruct.kernels.matching import match
 from measureapp.reconstruct.kernels.seen import BLANK, MATCHED, PARTLY, REPEATS, SEEN, WITHOUT_PARTNER
+from measureapp.reconstruct.kernels.sightlines import hidden_points
 from measureapp.reconstruct.kernels.slopes import slopes
 
 __all__ = [
@@ -29,6 +31,7 @@ __all__ = [
     "fuse",
     "fuse_both",
     "gather_points",
+    "hidden_points",
     "invert",
     "judge",
     "mark_covered",

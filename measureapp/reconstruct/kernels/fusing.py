@@ -295,68 +295,6 @@ def observe(
 
 
 @njit(**LOOP)
-def check_across(
-    rays: Any,
-    phase: Any,  # (H, W) float32, of the fringes of the other direction
-    sigma: Any,
-    state: Any,
-    depth: Any,  # in and out (H, W) float32, 0 for none
-    z_sigma: Any,
-    bits: Any,
-    bit: int,  # of the other camera in `bits`
-    other: Any,  # what `see` needs of the other camera, with its phase of the other direction
-    sigmas: Any,
-    tolerance_px: Any,
-    sample: int,
-    row_start: int,
-    row_stop: int,
-    fate: Any,  # in and out (H, W) uint8
-    shifts: Any,  # out (rows of samples, columns of samples, 2) float32, px across the epipolar line and variance
-) -> None:
-    """Compare the phases that two cameras see, across the epipolar lines, at their common points: where they differ, there is none."""
-    there_phase, there_pixels, turn, frame, there_frame, grid, stride, baseline = (
-        other[0],
-        other[3],
-        other[5],
-        other[6],
-        other[7],
-        other[8],
-        other[9],
-        other[10],
-    )
-    for y in range(row_start, row_stop):
-        for x in range(phase.shape[1]):
-            z = float(depth[y, x])
-            if z <= 0 or (bits[y, x] >> bit) & 1 == 0 or state[y, x] != 0:
-                continue
-            nx, ny = rays[y, x, 0], rays[y, x, 1]
-            rz = turn[2, 0] * nx + turn[2, 1] * ny + turn[2, 2]
-            here = (turn[0, 0] * nx + turn[0, 1] * ny + turn[0, 2]) / rz
-            row = frame[0] * (turn[1, 0] * nx + turn[1, 1] * ny + turn[1, 2]) / rz - frame[2]
-            place = there_frame[0] * (here - baseline / (rz * z)) - there_frame[1]
-            u, v, to_u, to_v = native_pixel(grid, stride, place, row)
-            sight, value, noise = look(there_phase, other[1], other[2], there_pixels, other[4], u, v)
-            if sight != SEEN:
-                continue
-            below_u, below_v, _u, _v = native_pixel(grid, stride, place, row + 1.0)
-            j, k = int(u + 0.5), int(v + 0.5)
-            gx, gy = there_pixels[k, j, SLOPE_X], there_pixels[k, j, SLOPE_Y]
-            along = gx * to_u + gy * to_v
-            across = gx * (below_u - u) + gy * (below_v - v)
-            if abs(across) < 1e-6:
-                continue
-            excess = value - phase[y, x]
-            spread = noise + float(sigma[y, x]) ** 2 + (along * there_frame[0] * baseline * z_sigma[y, x] / (rz * z * z)) ** 2
-            if y % sample == 0 and x % sample == 0:
-                shifts[y // sample, x // sample, 0] = excess / across
-                shifts[y // sample, x // sample, 1] = spread / across**2
-            if abs(excess) > sigmas * np.sqrt(spread) + tolerance_px * np.hypot(along, across):
-                depth[y, x] = 0
-                z_sigma[y, x] = 0
-                fate[y, x] = CONTRADICTED
-
-
-@njit(**LOOP)
 def resample(
     phase: Any,
     sigma: Any,

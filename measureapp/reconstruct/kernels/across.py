@@ -1,0 +1,159 @@
+"""Compiled loop that compares, at points, what their cameras see of the fringes across the epipolar lines."""
+# One loop over pixels, as in `fusing`.
+# ruff: noqa: PLR0912, PLR0915
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numba import njit
+
+from measureapp.data.point_state import PointState
+from measureapp.reconstruct.kernels.fusing import look, native_pixel, see
+from measureapp.reconstruct.kernels.options import INLINE
+from measureapp.reconstruct.kernels.seen import SEEN
+from measureapp.reconstruct.kernels.slopes import SLOPE_X, SLOPE_Y
+
+CONTRADICTED = np.uint8(PointState.CONTRADICTED)
+NOTHING, AGREES, DIFFERS = 0, 1, 2
+
+
+@njit(**INLINE)
+def see_across(nx: Any, ny: Any, z: Any, z_sigma: Any, other: Any) -> Any:
+    """Look with another camera at the point at depth ``z`` of the ray (nx, ny).
+
+    Returns (BLANK | SEEN | PARTLY, phase, its variance with that of the depth, its slope per pixel across the epipolar line, its
+    steepness per pixel in any direction, image place u, v).
+    """
+    phase, sigma, state, pixels, quad, turn, frame, there_frame, grid, stride, baseline = other
+    rz = turn[2, 0] * nx + turn[2, 1] * ny + turn[2, 2]
+    here = (turn[0, 0] * nx + turn[0, 1] * ny + turn[0, 2]) / rz
+    row = frame[0] * (turn[1, 0] * nx + turn[1, 1] * ny + turn[1, 2]) / rz - frame[2]
+    place = there_frame[0] * (here - baseline / (rz * z)) - there_frame[1]
+    u, v, to_u, to_v = native_pixel(grid, stride, place, row)
+    sight, value, noise = look(phase, sigma, state, pixels, quad, u, v)
+    along, across = 0.0, 0.0
+    if sight == SEEN:
+        below_u, below_v, _u, _v = native_pixel(grid, stride, place, row + 1.0)
+        j, k = int(u + 0.5), int(v + 0.5)
+        gx, gy = pixels[k, j, SLOPE_X], pixels[k, j, SLOPE_Y]
+        along = gx * to_u + gy * to_v
+        across = gx * (below_u - u) + gy * (below_v - v)
+        noise += (along * there_frame[0] * baseline * z_sigma / (rz * z * z)) ** 2
+    return sight, value, noise, across, np.hypot(along, across), u, v
+
+
+@njit(**INLINE)
+def release(covered: Any, width: Any, u: Any, v: Any) -> None:
+    """Give the pixels around an image place free for other points."""
+    j, i = int(u + 0.5), int(v + 0.5)
+    height = len(covered) // width
+    for k in range(max(i - 1, 0), min(i + 2, height)):
+        for m in range(max(j - 1, 0), min(j + 2, width)):
+            covered[k * width + m] = 0
+
+
+@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+def check_across(
+    rays: Any,
+    own: Any,  # (phase, sigma) of this camera along the epipolar lines, (H, W) float32
+    own_across: Any,  # (phase, sigma, state) of this camera, across them
+    depth: Any,  # in and out (H, W) float32, 0 for none
+    z_sigma: Any,  # in and out
+    pair_gain: Any,  # in and out, see `fuse`
+    bits: Any,  # in and out
+    places: Any,  # (K,) int64, of the cameras with phases across, which bit of `bits` they are
+    sights: Any,  # per other camera: what `see` needs of it
+    sights_across: Any,  # per one of the K: the same, with its phases across
+    widths: Any,  # (M,) int64 of the other cameras' images
+    sigmas: Any,
+    tolerance_px: Any,
+    sample: int,
+    row_start: int,
+    row_stop: int,
+    fate: Any,  # in and out (H, W) uint8
+    covered: Any,  # in and out per other camera (H · W,) uint8, 0 for its pixels that take part no longer
+    set_aside: Any,  # out (H, W) bool, the others agree against this camera
+    shifts: Any,  # out (K, rows of samples, columns of samples, 2) float32, px across the epipolar line and variance
+) -> None:
+    """Let the cameras of a point vote about it with their phases across the epipolar lines.
+
+    A camera that differs from this one takes part no longer, where another one agrees with this one; the depth is solved again
+    without it. Where two others agree with each other against this one, the point is theirs: it is set aside here. Else
+    there is none.
+    """
+    count = len(places)
+    verdict = np.zeros(count, np.int64)
+    value, noise = np.zeros(count), np.zeros(count)
+    steep, u, v = np.zeros(count), np.zeros(count), np.zeros(count)
+    for y in range(row_start, row_stop):
+        for x in range(depth.shape[1]):
+            z = float(depth[y, x])
+            if z <= 0 or own_across[2][y, x] != 0:
+                continue
+            nx, ny = rays[y, x, 0], rays[y, x, 1]
+            seen_phase, seen_noise = own_across[0][y, x], float(own_across[1][y, x]) ** 2
+            agree, differ = 1, 0
+            for k in range(count):
+                verdict[k] = NOTHING
+                if (bits[y, x] >> places[k]) & 1 == 0:
+                    continue
+                sight, value[k], noise[k], across, steep[k], u[k], v[k] = see_across(nx, ny, z, z_sigma[y, x], sights_across[k])
+                if sight != SEEN or abs(across) < 1e-6:
+                    continue
+                excess, spread = value[k] - seen_phase, noise[k] + seen_noise
+                if y % sample == 0 and x % sample == 0:
+                    shifts[k, y // sample, x // sample, 0] = excess / across
+                    shifts[k, y // sample, x // sample, 1] = spread / across**2
+                if abs(excess) > sigmas * np.sqrt(spread) + tolerance_px * steep[k]:
+                    verdict[k] = DIFFERS
+                    differ += 1
+                else:
+                    verdict[k] = AGREES
+                    agree += 1
+            if differ == 0:
+                continue
+            if agree >= 2 and agree > differ:
+                taking = 0
+                for k in range(count):
+                    if verdict[k] == DIFFERS:
+                        bits[y, x] &= ~np.uint8(1 << places[k])
+                        release(covered[places[k]], widths[places[k]], u[k], v[k])
+                zz, zd, dd = 0.0, 0.0, 1.0 / (float(own[1][y, x]) ** 2 + 1e-20)
+                rz, rd, gain_of_one = 0.0, 0.0, 0.0
+                for c in range(len(sights)):
+                    if (bits[y, x] >> c) & 1 == 0:
+                        continue
+                    sight, e, _along, g, variance, _here, _there, _line = see(own[0][y, x], nx, ny, z, sights[c])
+                    if sight != SEEN:
+                        continue
+                    weight = 1.0 / (variance + 1e-20)
+                    zz += weight * g * g
+                    zd -= weight * g
+                    dd += weight
+                    rz -= weight * g * e
+                    rd += weight * e
+                    taking += 1
+                    gain_of_one = g
+                determinant = zz * dd - zd * zd
+                if taking > 0 and determinant > 0:
+                    depth[y, x] = z + (rz * dd - zd * rd) / determinant
+                    z_sigma[y, x] = np.sqrt(dd / determinant)
+                    if len(pair_gain) > 0:
+                        pair_gain[y, x] = gain_of_one
+                    continue
+            against = 0
+            for k in range(count):
+                for m in range(k):
+                    if verdict[k] == DIFFERS and verdict[m] == DIFFERS:
+                        limit = sigmas * np.sqrt(noise[k] + noise[m]) + tolerance_px * max(steep[k], steep[m])
+                        against += int(abs(value[k] - value[m]) <= limit)
+            if against > 0 and agree == 1:
+                set_aside[y, x] = True
+                for k in range(count):
+                    if verdict[k] == DIFFERS:
+                        release(covered[places[k]], widths[places[k]], u[k], v[k])
+            depth[y, x] = 0
+            z_sigma[y, x] = 0
+            fate[y, x] = CONTRADICTED
