@@ -352,12 +352,11 @@ def solve(
     work: Any,
     start: int,
     stop: int,
-    every: int,
     maps: Any,
     counts: Any,  # (states + 1,) int64, gains the pixels of every state, and complete ones last
 ) -> None:
-    """Turn the sums of pixels ``start … stop`` into their maps, of one chunk in ``every``."""
-    for chunk in range(start, stop, CHUNK * every):
+    """Turn the sums of pixels ``start … stop`` into their maps."""
+    for chunk in range(start, stop, CHUNK):
         alike = sums.alike[(chunk - base) // CHUNK]
         for begin in range(chunk, min(chunk + CHUNK, stop), BLOCK):
             off, n = begin - base, min(BLOCK, stop - begin)
