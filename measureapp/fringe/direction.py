@@ -235,4 +235,3 @@ def _flat(images: ImageArray) -> ImageArray:
     flat = np.ascontiguousarray(images).view()
     flat.flags.writeable = False
     return flat
-

@@ -29,6 +29,6 @@ class MapMemory:
         except IndexError:
             memory = np.empty(size, np.uint8)
         # Views of this array refer to it, and not past it to the memory, because a memoryview stands between them.
-        array = np.frombuffer(memoryview(memory), dtype, count) if count else np.empty(0, dtype)
+        array = np.frombuffer(memory.data, dtype, count) if count else np.empty(0, dtype)
         weakref.finalize(array, free.append, memory).atexit = False
         return array

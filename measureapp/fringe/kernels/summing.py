@@ -71,8 +71,8 @@ def extremes(images: Any, layout: Any, begin: int, n: int, scratch: Any) -> None
         for p in range(first, last + 1, 2):
             one, two = images[p, begin : begin + n], images[min(p + 1, last), begin : begin + n]
             for j in range(n):
-                high[j] = max(high[j], max(one[j], two[j]))
-                low[j] = min(low[j], min(one[j], two[j]))
+                high[j] = max(high[j], one[j], two[j])
+                low[j] = min(low[j], one[j], two[j])
     high = scratch.high[0]
     for j in range(n):
         peak[j] = high[j]
@@ -218,6 +218,17 @@ def take_some(
 
 
 @njit(**INNER)
+def take_all(images: Any, exposure: int, layout: Any, rule: Any, begin: int, n: int, scratch: Any, sums: Any, off: int) -> None:
+    """Add one exposure that all pixels can take where they took different ones before."""
+    bit = np.uint16(1 << exposure)
+    for m in range(sums.total.shape[0]):
+        add_taken(images, layout, rule, m, begin, n, sums, off, scratch.take, True, False)
+        taken = sums.taken[m, off : off + n]
+        for j in range(n):
+            taken[j] |= bit
+
+
+@njit(**INNER)
 def accumulate(
     images: Any,  # (P, N) of one exposure
     exposure: int,
@@ -249,6 +260,9 @@ def accumulate(
     elif exposure == 0:
         clear(sums, off, n)
     if clean and bottom > 0 and (together or done):
+        return n
+    if clean and bottom > 0 and alike < 0 and blocked.shape[0] == 0 and not rule.first_only:
+        take_all(images, exposure, layout, rule, begin, n, scratch, sums, off)
         return n
     extremes(images, layout, begin, n, scratch)
     low, peak, limit = scratch.low, scratch.peak, rule.limit
@@ -296,9 +310,7 @@ def add_exposures(
             following, at = e + 1, begin
             if following == images.shape[0] or (rule.first_only and e == 0):
                 following, at = 0, begin + CHUNK
-            good = accumulate(
-                images[e], exposure + e, blocked, layout, rule, begin, n, scratch, sums, off, images[following], at
-            )
+            good = accumulate(images[e], exposure + e, blocked, layout, rule, begin, n, scratch, sums, off, images[following], at)
             seen[sampled, 0, exposure + e] += n
             seen[sampled, 1, exposure + e] += good
 
