@@ -13,8 +13,8 @@ from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.errors import DecodeError
 from measureapp.fringe.absolute import GRAY_SLACK_CYCLES, make_maps, make_model, make_work, plan_of, sampled_chunks, with_origin
 from measureapp.fringe.blooming import near_saturation
-from measureapp.fringe.kernels import solving, summing
-from measureapp.fringe.kernels.records import CHUNK, STRIPE, Layout, Maps, Model, Sums
+from measureapp.fringe.kernels import decoding, solving, summing
+from measureapp.fringe.kernels.records import CHUNK, Layout, Maps, Model, Sums
 from measureapp.fringe.map_memory import MapMemory
 from measureapp.fringe.order_vote import VoteLimits, settle_orders
 from measureapp.fringe.recipe import Recipe
@@ -73,14 +73,10 @@ class DirectionDecoder:
         maps = make_maps(self._dtype, self._pixels, self._memory)
 
         def work(start: int, stop: int) -> tuple[IntArray, IntArray]:
-            """Sum and solve stripe by stripe, so that the sums stay in cache."""
             seen, counts = self._nothing_seen(), np.zeros(COUNTERS, np.int64)
             scratch, blocks = recipe.scratch(self._dtype), make_work(len(layout.steps))
-            sums = recipe.sums(self._dtype, STRIPE, self._memory)
-            for begin in range(start, stop, STRIPE):
-                end = min(begin + STRIPE, stop)
-                summing.add_exposures(flat, 0, NOWHERE, layout, self._rule, scratch, sums, begin, begin, end, seen)
-                solving.solve(sums, begin, layout, model, blocks, begin, end, maps, counts)
+            sums = recipe.sums(self._dtype, CHUNK, self._memory)
+            decoding.sum_and_solve(flat, NOWHERE, layout, self._rule, model, scratch, sums, blocks, start, stop, maps, seen, counts)
             return seen, counts
 
         done = self._in_bands(work)
