@@ -2,8 +2,8 @@
 
 Sums live in a chunk that stays in cache when all exposures are at hand, or in arrays of the whole image while exposures arrive
 one by one; the same code works on both, so that both give the same. The readable statement stands in `phase_shift.py` and the tests.
-Kernels release the interpreter, so that bands run on threads; those that call each other share one file, because only a change of
-its own file makes numba compile a kernel anew. Inner functions are forced inline: a call would count the references of every array.
+Kernels release the interpreter, so that bands run on threads. Inner functions are forced inline: a call would count the references
+of every array.
 """
 # The innermost loops become SIMD code only when they are plain loops over one index.
 
