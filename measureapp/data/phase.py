@@ -39,7 +39,7 @@ class PhaseMap:
     exposure_index: IntArray  # (H, W) int8, exposure taken (paper's rule) or longest unsaturated one; -1 for none
     pitch_px: float
     projector_px: int
-    valid_ratio_exposures: tuple[float, ...] = ()  # paper's figure 13, long to short
+    valid_ratio_exposures: tuple[float, ...] = ()  # paper's figure 13, long to short; by the paper's rule an estimate
     valid_ratio_composite: float = 0.0
     details: dict[str, float] = field(default_factory=dict)
     saturation: float = 255.0  # grey level of a saturated pixel

@@ -11,6 +11,7 @@ from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.phase import PixelState
 from measureapp.errors import DecodeError
 from measureapp.fringe.kernels.records import BLOCK, CHUNK, RESIDUAL_SCALE, Layout, Maps, Model, Work
+from measureapp.fringe.map_memory import MapMemory
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.unwrap import HeterodynePlan, extent_px, plan_heterodyne
 
@@ -23,9 +24,9 @@ ORIGINS = (0.0, -0.5)  # cycles: the patterns start with a crest, or with a trou
 LUT_LENGTH = 1024
 NORMAL_QUANTILE = 3.09  # one pixel without fringes in a thousand is taken for one with fringes
 SAMPLED_CHUNKS = 32
-USABLE = (PixelState.VALID, PixelState.ORDER_CONFLICT, PixelState.OUT_OF_RANGE)
+USABLE = np.isin(np.arange(len(PixelState)), (PixelState.VALID, PixelState.ORDER_CONFLICT, PixelState.OUT_OF_RANGE))  # by state
 
-Solve = Callable[[Model, Layout, int], None]  # fills the maps of one chunk in so many
+Solve = Callable[[Model, Layout], Maps]  # returns the maps of a sample: whole chunks, one after the other
 
 
 def make_model(recipe: Recipe, plan: HeterodynePlan | None, decides_later: bool) -> Model:
@@ -115,16 +116,16 @@ def _correction_table(recipe: Recipe) -> FloatArray:
     return (table / (2 * np.pi)).astype(np.float32)
 
 
-def make_maps(dtype: np.dtype[np.unsignedinteger], pixels: int) -> Maps:
+def make_maps(dtype: np.dtype[np.unsignedinteger], pixels: int, memory: MapMemory) -> Maps:
     """Return room for the maps of one camera."""
     return Maps(
-        phase=np.empty(pixels, np.float32),
-        sigma=np.empty(pixels, np.float32),
-        modulation=np.empty(pixels, dtype),
-        grey=np.empty(pixels, np.uint16),
-        state=np.empty(pixels, np.uint8),
-        exposure=np.empty(pixels, np.int8),
-        residual=np.empty(pixels, np.int8),
+        phase=memory.empty(pixels, np.float32),
+        sigma=memory.empty(pixels, np.float32),
+        modulation=memory.empty(pixels, dtype),
+        grey=memory.empty(pixels, np.uint16),
+        state=memory.empty(pixels, np.uint8),
+        exposure=memory.empty(pixels, np.int8),
+        residual=memory.empty(pixels, np.int8),
     )
 
 
@@ -140,7 +141,13 @@ def plan_of(recipe: Recipe) -> HeterodynePlan | None:
     return None if recipe.gray_code else plan_heterodyne(recipe.patterns)
 
 
-def with_origin(model: Model, plan: HeterodynePlan | None, layout: Layout, solve: Solve, maps: Maps) -> Model:
+def sampled_chunks(pixels: int) -> list[tuple[int, int]]:
+    """Return first pixel and end of the chunks that tell where the fringes start, evenly over the image."""
+    step = CHUNK * max(1, -(-pixels // CHUNK) // SAMPLED_CHUNKS)
+    return [(begin, min(begin + CHUNK, pixels)) for begin in range(0, pixels, step)]
+
+
+def with_origin(model: Model, plan: HeterodynePlan | None, layout: Layout, solve: Solve) -> Model:
     """Return the model with the phase at which the fringes start, told from a sample of the image.
 
     Raises
@@ -148,25 +155,19 @@ def with_origin(model: Model, plan: HeterodynePlan | None, layout: Layout, solve
     DecodeError
         The phase runs against the Gray code: the shift sign of the images is wrong.
     """
-    every = max(1, -(-len(maps.state) // CHUNK) // SAMPLED_CHUNKS)
-    chosen = [slice(begin, begin + CHUNK) for begin in range(0, len(maps.state), CHUNK * every)]
     looking = model._replace(undecided=True)
     if plan is None:
         planes = layout.planes[:-1] if model.complementary else layout.planes
-        solve(looking._replace(complementary=False), layout._replace(planes=planes), every)
-        return model._replace(
-            origin=np.float32(_gray_origin([maps.phase[each] for each in chosen], [_usable(maps, each) for each in chosen]))
-        )
+        maps = solve(looking._replace(complementary=False), layout._replace(planes=planes))
+        chunks = range(0, len(maps.state), CHUNK)
+        numbered, usable = ([every[begin : begin + CHUNK] for begin in chunks] for every in (maps.phase, USABLE[maps.state]))
+        return model._replace(origin=np.float32(_gray_origin(numbered, usable)))
     spread = []
     for origin in ORIGINS:
-        solve(looking._replace(origin=np.float32(origin), watched=len(plan.combinations) - 1), layout, every)
-        left = np.concatenate([np.abs(maps.residual[each][_usable(maps, each)].astype(np.float32)) for each in chosen])
+        maps = solve(looking._replace(origin=np.float32(origin), watched=len(plan.combinations) - 1), layout)
+        left = np.abs(maps.residual[USABLE[maps.state]].astype(np.float32))
         spread.append(float(left.mean()) / RESIDUAL_SCALE if left.size else 0.0)
     return model._replace(origin=np.float32(ORIGINS[int(np.argmin(spread))]))
-
-
-def _usable(maps: Maps, where: slice) -> BoolArray:
-    return np.isin(maps.state[where], USABLE)
 
 
 def _gray_origin(numbered: list[FloatArray], usable: list[BoolArray]) -> float:

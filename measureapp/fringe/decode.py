@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from measureapp.data.fringe import FringeStack
 from measureapp.data.phase import PhaseMap
+from measureapp.fringe.map_memory import MapMemory
 from measureapp.fringe.patterns import check_determines_phase
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.stack_checks import check_shapes
@@ -11,7 +12,9 @@ from measureapp.fringe.streaming import direction_decoders, joined
 from measureapp.progress import NoProgress, Progress
 
 
-def decode(stack: FringeStack, settings: DecodeSettings | None = None, progress: Progress | None = None) -> dict[str, PhaseMap]:
+def decode(
+    stack: FringeStack, settings: DecodeSettings | None = None, progress: Progress | None = None, memory: MapMemory | None = None
+) -> dict[str, PhaseMap]:
     """Decode the images of every camera.
 
     Exposures are combined within 2 % of the least phase noise (4 % for brackets of five octaves and more, `exposure_weights`), the
@@ -24,6 +27,7 @@ def decode(stack: FringeStack, settings: DecodeSettings | None = None, progress:
     stack : images (exposures, patterns, height, width), uint8 or uint16, per camera
     settings : None for the defaults
     progress : told after each camera; where the task can be cancelled
+    memory : of maps of earlier viewpoints, to be used again; None: fresh from the system
 
     Raises
     ------
@@ -37,14 +41,14 @@ def decode(stack: FringeStack, settings: DecodeSettings | None = None, progress:
     maps = {}
     for number, camera in enumerate(stack.images):
         progress.report(number, len(stack.images), f"decoding {camera}")
-        maps[camera] = decode_camera(stack, camera, settings)
+        maps[camera] = decode_camera(stack, camera, settings, memory)
     progress.report(len(stack.images), len(stack.images), "decoded")
     return maps
 
 
-def decode_camera(stack: FringeStack, camera: str, settings: DecodeSettings) -> PhaseMap:
+def decode_camera(stack: FringeStack, camera: str, settings: DecodeSettings, memory: MapMemory | None = None) -> PhaseMap:
     """Decode the images of one camera; `decode` checks them first."""
     images = stack.images[camera]
     bracket = (stack.exposures_us, float(stack.saturation))
-    decoders = direction_decoders(stack.patterns, bracket, settings, camera, stack.viewpoint_id, images)
+    decoders = direction_decoders(stack.patterns, bracket, settings, camera, stack.viewpoint_id, images, memory or MapMemory())
     return joined([decoder.decode(images) for decoder in decoders])

@@ -11,10 +11,11 @@ import numpy as np
 from measureapp.arrays import ImageArray, IntArray, in_bands, read_only
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.errors import DecodeError
-from measureapp.fringe.absolute import GRAY_SLACK_CYCLES, Solve, make_maps, make_model, make_work, plan_of, with_origin
+from measureapp.fringe.absolute import GRAY_SLACK_CYCLES, make_maps, make_model, make_work, plan_of, sampled_chunks, with_origin
 from measureapp.fringe.blooming import near_saturation
-from measureapp.fringe.kernels import solving, summing
-from measureapp.fringe.kernels.records import CHUNK, STRIPE, Layout, Maps, Model, Sums
+from measureapp.fringe.kernels import decoding, solving, summing
+from measureapp.fringe.kernels.records import CHUNK, Layout, Maps, Model, Sums
+from measureapp.fringe.map_memory import MapMemory
 from measureapp.fringe.order_vote import VoteLimits, order_steps, settle_orders
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.unwrap import extent_px
@@ -35,14 +36,24 @@ class DirectionDecoder:
     camera, viewpoint_id : named in the phase map
     shape : (height, width)
     dtype : of the images, uint8 or uint16
+    memory : where the maps are made
     """
 
-    def __init__(self, recipe: Recipe, camera: str, viewpoint_id: str, shape: tuple[int, int], dtype: np.dtype[np.unsignedinteger]) -> None:
+    def __init__(
+        self,
+        recipe: Recipe,
+        camera: str,
+        viewpoint_id: str,
+        shape: tuple[int, int],
+        dtype: np.dtype[np.unsignedinteger],
+        memory: MapMemory,
+    ) -> None:
         self._recipe, self._camera, self._viewpoint_id = recipe, camera, viewpoint_id
         self._shape, self._dtype = shape, np.dtype(dtype)
         self._pixels = shape[0] * shape[1]
         self._layout, self._rule = recipe.layout(), recipe.rule(self._dtype)
-        self._good = np.zeros(len(recipe.exposures_us), np.int64)
+        self._memory = memory
+        self._seen = self._nothing_seen()
         self._sums: Sums | None = None
 
     def decode(self, images: ImageArray) -> PhaseMap:
@@ -52,55 +63,62 @@ class DirectionDecoder:
                 self.add(exposure, images[exposure])
             return self.finish()
         flat = _flat(images.reshape(*images.shape[:2], self._pixels))
-        maps = make_maps(self._dtype, self._pixels)
+        recipe, layout = self._recipe, self._layout
 
-        def work(model: Model, layout: Layout, start: int, stop: int, every: int) -> tuple[IntArray, IntArray]:
-            """Sum and solve stripe by stripe, so that the sums stay in cache."""
-            good, counts = np.zeros(len(flat), np.int64), np.zeros(COUNTERS, np.int64)
-            scratch, blocks = self._recipe.scratch(self._dtype), make_work(len(layout.steps))
-            size = CHUNK if every > 1 else STRIPE
-            sums = self._recipe.sums(self._dtype, size)
-            for begin in range(start, stop, size * every):
-                end = min(begin + size, stop)
-                summing.add_exposures(flat, 0, NOWHERE, layout, self._rule, scratch, sums, begin, begin, end, good)
-                solving.solve(sums, begin, layout, model, blocks, begin, end, 1, maps, counts)
-            return good, counts
+        def sum_sample(sample: Sums, first: int, begin: int, end: int) -> None:
+            scratch, base = recipe.scratch(self._dtype), begin - first
+            summing.add_exposures(flat, 0, NOWHERE, layout, self._rule, scratch, sample, base, begin, end, self._nothing_seen())
 
-        model = self._model(lambda model, layout, every: _ignore(work(model, layout, 0, self._pixels, every)), maps)
-        done = self._in_bands(lambda start, stop: work(model, self._layout, start, stop, 1))
-        self._good = np.sum([good for good, _ in done], axis=0)
+        model = self._model(sum_sample)
+        maps = make_maps(self._dtype, self._pixels, self._memory)
+
+        def work(start: int, stop: int) -> tuple[IntArray, IntArray]:
+            seen, counts = self._nothing_seen(), np.zeros(COUNTERS, np.int64)
+            scratch, blocks = recipe.scratch(self._dtype), make_work(len(layout.steps))
+            sums = recipe.sums(self._dtype, CHUNK, self._memory)
+            decoding.sum_and_solve(flat, NOWHERE, layout, self._rule, model, scratch, sums, blocks, start, stop, maps, seen, counts)
+            return seen, counts
+
+        done = self._in_bands(work)
+        self._seen = np.sum([seen for seen, _ in done], axis=0)
         return self._phase_map(maps, model, np.sum([counts for _, counts in done], axis=0))
 
     def add(self, exposure: int, images: ImageArray) -> None:
         """Add the images (P, H, W) of one exposure to the sums."""
         if self._sums is None:
-            self._sums = self._recipe.sums(self._dtype, self._pixels)
+            self._sums = self._recipe.sums(self._dtype, self._pixels, self._memory)
         sums, recipe = self._sums, self._recipe
         flat = _flat(images.reshape(1, len(images), self._pixels))
         radius = recipe.settings.blooming_radius_px
         blocked = near_saturation(flat[0], self._shape, self._layout, self._rule, radius) if radius else NOWHERE
 
         def work(start: int, stop: int) -> IntArray:
-            good = np.zeros(len(self._good), np.int64)
+            seen = self._nothing_seen()
             scratch = recipe.scratch(self._dtype)
-            summing.add_exposures(flat, exposure, blocked, self._layout, self._rule, scratch, sums, 0, start, stop, good)
-            return good
+            summing.add_exposures(flat, exposure, blocked, self._layout, self._rule, scratch, sums, 0, start, stop, seen)
+            return seen
 
-        self._good += np.sum(self._in_bands(work), axis=0)
+        self._seen += np.sum(self._in_bands(work), axis=0)
 
     def finish(self) -> PhaseMap:
         """Turn the sums into the phase map."""
         assert self._sums is not None
         sums = self._sums
-        maps = make_maps(self._dtype, self._pixels)
 
-        def work(model: Model, layout: Layout, start: int, stop: int, every: int) -> IntArray:
-            counts, blocks = np.zeros(COUNTERS, np.int64), make_work(len(layout.steps))
-            solving.solve(sums, 0, layout, model, blocks, start, stop, every, maps, counts)
+        def copy_sample(sample: Sums, first: int, begin: int, end: int) -> None:
+            for whole, part in zip(sums[:-1], sample[:-1], strict=True):
+                part[..., first : first + end - begin] = whole[..., begin:end]
+            sample.alike[first // CHUNK] = sums.alike[begin // CHUNK]
+
+        model = self._model(copy_sample)
+        maps = make_maps(self._dtype, self._pixels, self._memory)
+
+        def work(start: int, stop: int) -> IntArray:
+            counts, blocks = np.zeros(COUNTERS, np.int64), make_work(len(self._layout.steps))
+            solving.solve(sums, 0, self._layout, model, blocks, start, stop, maps, counts)
             return counts
 
-        model = self._model(lambda model, layout, every: _ignore(work(model, layout, 0, self._pixels, every)), maps)
-        done = self._in_bands(lambda start, stop: work(model, self._layout, start, stop, 1))
+        done = self._in_bands(work)
         self._sums = None
         return self._phase_map(maps, model, np.sum(done, axis=0))
 
@@ -109,10 +127,39 @@ class DirectionDecoder:
         chunks = -(-self._pixels // CHUNK)
         return in_bands(lambda start, stop: work(start * CHUNK, min(stop * CHUNK, self._pixels)), chunks)
 
-    def _model(self, solve: Solve, maps: Maps) -> Model:
+    def _nothing_seen(self) -> IntArray:
+        """Return counters for `summing.add_exposures`."""
+        return np.zeros((2, 2, len(self._recipe.exposures_us)), np.int64)
+
+    def _model(self, fill: Callable[[Sums, int, int, int], None]) -> Model:
+        """Return what turns sums into phase.
+
+        Its origin is told from some chunks; ``fill(sums, first, begin, end)`` puts the sums of pixels ``begin … end`` at ``first``.
+        """
         plan = plan_of(self._recipe)
         model = make_model(self._recipe, plan, decides_later=self._recipe.settings.vote_radius > 0)
-        return with_origin(model, plan, self._layout, solve, maps)
+        chunks = sampled_chunks(self._pixels)
+        pixels, memory = sum(end - begin for begin, end in chunks), MapMemory()
+        sample = self._recipe.sums(self._dtype, pixels, memory)
+        for number, (begin, end) in enumerate(chunks):
+            fill(sample, number * CHUNK, begin, end)
+
+        def solve(trial: Model, layout: Layout) -> Maps:
+            maps = make_maps(self._dtype, pixels, memory)
+            solving.solve(sample, 0, layout, trial, make_work(len(layout.steps)), 0, pixels, maps, np.zeros(COUNTERS, np.int64))
+            return maps
+
+        return with_origin(model, plan, self._layout, solve)
+
+    def _valid_ratios(self) -> tuple[float, ...]:
+        """Return the share of pixels above zero and unsaturated in every exposure.
+
+        Where one exposure is enough, that of the shorter ones is estimated from the chunks looked at; what is unsaturated in a longer
+        exposure is so in a shorter one, too.
+        """
+        (due, good), (sampled, found) = self._seen
+        share = np.divide(found, sampled, out=np.ones(len(good)), where=sampled > 0)
+        return tuple(float(ratio) for ratio in (good + (self._pixels - due) * share) / self._pixels)
 
     def _phase_map(self, maps: Maps, model: Model, counts: IntArray) -> PhaseMap:
         recipe = self._recipe
@@ -136,7 +183,7 @@ class DirectionDecoder:
             exposure_index=read_only(maps.exposure.reshape(self._shape)),
             pitch_px=recipe.patterns.finest_pitch_px,
             projector_px=extent_px(recipe.patterns),
-            valid_ratio_exposures=tuple(float(count / self._pixels) for count in self._good),
+            valid_ratio_exposures=self._valid_ratios(),
             valid_ratio_composite=complete / self._pixels,
             details={
                 "decoded_ratio": float(states[PixelState.VALID] / self._pixels),
@@ -185,7 +232,3 @@ def _flat(images: ImageArray) -> ImageArray:
     flat = np.ascontiguousarray(images).view()
     flat.flags.writeable = False
     return flat
-
-
-def _ignore(_result: object) -> None:
-    """Make a function of no value out of one whose value does not matter."""

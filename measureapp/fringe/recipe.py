@@ -10,6 +10,7 @@ from measureapp.data.fringe import Direction, GrayCodeGroup, PatternSet, PhaseSh
 from measureapp.errors import DecodeError
 from measureapp.fringe.exposure_weights import exposure_weights
 from measureapp.fringe.kernels.records import CHUNK, Layout, Rule, Scratch, Sums
+from measureapp.fringe.map_memory import MapMemory
 from measureapp.fringe.noise import CameraNoise
 from measureapp.fringe.phase_shift import shift_weights
 from measureapp.fringe.settings import DecodeSettings
@@ -105,7 +106,7 @@ class Recipe:
         top = min(int(np.ceil(self.saturation)) - 1, int(np.iinfo(dtype).max))
         return Rule(self.finest, dtype.type(top), self.settings.rule == "paper", np.array(self.weights, np.uint8))
 
-    def sums(self, dtype: np.dtype[np.unsignedinteger], pixels: int) -> Sums:
+    def sums(self, dtype: np.dtype[np.unsignedinteger], pixels: int, memory: MapMemory) -> Sums:
         """Return room for the sums of so many pixels: whole numbers where these are exact and cannot overflow."""
         steps = [group.steps for group in self.groups]
         short = dtype == np.uint8 and set(steps) == {4} and 255 * 4 * sum(self.weights) <= LARGEST_SHORT
@@ -113,13 +114,13 @@ class Recipe:
         planes = self.gray_code.planes if self.gray_code else 0
         chunks = -(-pixels // CHUNK)
         return Sums(
-            sine=np.empty((groups, pixels), kind),
-            cosine=np.empty((groups, pixels), kind),
-            total=np.empty((apart, pixels), kind),
-            planes=np.empty((planes, pixels), kind),
-            taken=np.empty((apart, pixels), np.uint16),
-            zero=np.empty(pixels, np.uint8),
-            bloomed=np.empty(pixels, np.uint8),
+            sine=memory.empty(groups * pixels, kind).reshape(groups, pixels),
+            cosine=memory.empty(groups * pixels, kind).reshape(groups, pixels),
+            total=memory.empty(apart * pixels, kind).reshape(apart, pixels),
+            planes=memory.empty(planes * pixels, kind).reshape(planes, pixels),
+            taken=memory.empty(apart * pixels, np.uint16).reshape(apart, pixels),
+            zero=memory.empty(pixels, np.uint8),
+            bloomed=memory.empty(pixels, np.uint8),
             alike=np.empty(chunks, np.int64),
         )
 

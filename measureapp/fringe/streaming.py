@@ -11,6 +11,7 @@ from measureapp.data.fringe import PatternSet
 from measureapp.data.phase import PhaseMap
 from measureapp.errors import DecodeError
 from measureapp.fringe.direction import DirectionDecoder
+from measureapp.fringe.map_memory import MapMemory
 from measureapp.fringe.patterns import check_determines_phase
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.settings import DecodeSettings
@@ -26,6 +27,7 @@ class StreamingDecoder:
     saturation : grey level from which a pixel counts as saturated
     settings : None for the defaults
     viewpoint_id : named in the phase maps
+    memory : of maps of earlier viewpoints, to be used again; None: fresh from the system
 
     Raises
     ------
@@ -40,10 +42,12 @@ class StreamingDecoder:
         saturation: float,
         settings: DecodeSettings | None = None,
         viewpoint_id: str = "",
+        memory: MapMemory | None = None,
     ) -> None:
         check_determines_phase(patterns)
         self._patterns, self._exposures_us, self._saturation = patterns, exposures_us, saturation
         self._settings, self._viewpoint_id = settings or DecodeSettings(), viewpoint_id
+        self._memory = memory or MapMemory()
         self._decoders: dict[str, list[DirectionDecoder]] = {}
         self._shapes: dict[str, tuple[tuple[int, ...], str]] = {}
         self._added: dict[str, int] = {}
@@ -65,7 +69,7 @@ class StreamingDecoder:
         self._check_images(camera, images)
         if camera not in self._decoders:
             self._decoders[camera] = direction_decoders(
-                self._patterns, (self._exposures_us, self._saturation), self._settings, camera, self._viewpoint_id, images
+                self._patterns, (self._exposures_us, self._saturation), self._settings, camera, self._viewpoint_id, images, self._memory
             )
         for decoder in self._decoders[camera]:
             decoder.add(exposure_index, images)
@@ -102,6 +106,7 @@ def direction_decoders(
     camera: str,
     viewpoint_id: str,
     images: ImageArray,
+    memory: MapMemory,
 ) -> list[DirectionDecoder]:
     """Return one decoder for each direction of a set, vertical first; ``bracket`` is the exposures and the saturation."""
     made, corrected = [], 0
@@ -111,7 +116,7 @@ def direction_decoders(
             own = settings.phase_correction[corrected : corrected + len(recipe.groups)]
             corrected += len(recipe.groups)
             recipe = replace(recipe, settings=settings.model_copy(update={"phase_correction": own}))
-        made.append(DirectionDecoder(recipe, camera, viewpoint_id, (images.shape[-2], images.shape[-1]), images.dtype))
+        made.append(DirectionDecoder(recipe, camera, viewpoint_id, (images.shape[-2], images.shape[-1]), images.dtype, memory))
     return made
 
 

@@ -10,6 +10,7 @@ from types import TracebackType
 from measureapp.acquire.capture import ExposureTaken
 from measureapp.data.fringe import FringeStack
 from measureapp.data.phase import PhaseMap
+from measureapp.fringe.map_memory import MapMemory
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.stack_checks import check_stack
 from measureapp.fringe.streaming import StreamingDecoder
@@ -27,7 +28,7 @@ class LiveDecoding:
     """Sums every exposure as soon as it is complete, and takes the phase after the last; a context that ends its thread."""
 
     def __init__(self, settings: DecodeSettings | None = None) -> None:
-        self._settings = settings
+        self._settings, self._memory = settings, MapMemory()
         self._pool = ThreadPoolExecutor(1, "live-decoding")
         self._viewpoints: dict[str, _Viewpoint] = {}
 
@@ -40,7 +41,9 @@ class LiveDecoding:
     def exposure_taken(self, taken: ExposureTaken) -> None:
         """Begin to sum an exposure; returns at once. The first one of a viewpoint begins it anew. Raises DecodeError."""
         if taken.level == 0:
-            decoder = StreamingDecoder(taken.patterns, taken.exposures_us, taken.saturation, self._settings, taken.viewpoint_id)
+            decoder = StreamingDecoder(
+                taken.patterns, taken.exposures_us, taken.saturation, self._settings, taken.viewpoint_id, self._memory
+            )
             self._viewpoints[taken.viewpoint_id] = _Viewpoint(decoder)
         viewpoint = self._viewpoints[taken.viewpoint_id]
         for camera, images in taken.images.items():

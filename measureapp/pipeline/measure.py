@@ -27,6 +27,7 @@ from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, DecodeError, ReconstructError, RegistrationError
 from measureapp.fringe.bracket import BracketLimits
 from measureapp.fringe.decode import decode
+from measureapp.fringe.map_memory import MapMemory
 from measureapp.fringe.patterns import pattern_images
 from measureapp.fringe.stack_checks import check_stack
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
@@ -69,6 +70,7 @@ class _Processing:
         self._project, self._calibration, self._on_event, self._watch = project, calibration, on_event, watch
         self._rectifier = None if calibration is None else Rectifier(calibration.cameras)
         self._live = None if calibration is None else live
+        self._memory = MapMemory()
 
     def exposure_taken(self, taken: ExposureTaken) -> None:
         """Decode it on another thread."""
@@ -103,7 +105,7 @@ class _Processing:
             try:
                 decoded = None if self._live is None else self._live.maps(stack)
                 maps, last_image_s = decoded or (None, 0.0)
-                view = cloud_of_view(stack, self._calibration, progress, self._rectifier, maps)
+                view = cloud_of_view(stack, self._calibration, progress, self._rectifier, maps, self._memory)
             except (DecodeError, ReconstructError) as error:
                 self._on_event(ViewpointFailed(stack.viewpoint_id, str(error)))
                 return
@@ -188,13 +190,19 @@ def cloud_of_view(
     progress: Progress,
     rectifier: Rectifier,
     maps: Mapping[str, PhaseMap] | None = None,
+    memory: MapMemory | None = None,
 ) -> ViewResult:
-    """Decode (where ``maps`` were not decoded already), match, triangulate and judge one viewpoint. Raises DecodeError, ReconstructError."""
+    """Decode (where ``maps`` were not decoded already, in ``memory``), match, triangulate and judge one viewpoint.
+
+    Raises
+    ------
+    DecodeError, ReconstructError
+    """
     if stack.readback is None:
         raise ReconstructError(f"{stack.viewpoint_id} has no read-back of the axes.", "Only stacks taken by a rig can be placed.")
     if maps is None:
         check_stack(stack)
-        maps = decode(stack, None, PartOf(progress, 0.0, 0.5))
+        maps = decode(stack, None, PartOf(progress, 0.0, 0.5), memory)
     result = reconstruct(maps, calibration.cameras, progress=PartOf(progress, 0.5, 1.0), rectifier=rectifier)
     findings = diagnose(maps, calibration.cameras) if _looks_wrong(result, maps) else ()
     for finding in findings:

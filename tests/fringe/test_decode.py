@@ -100,6 +100,20 @@ def test_valid_ratios_count_pixels_above_zero_and_below_saturation() -> None:
     assert decoded.valid_ratio_exposures == pytest.approx(counted)
 
 
+def test_valid_ratios_by_the_papers_rule_are_estimated_where_a_longer_exposure_serves() -> None:
+    column = ramp(400, 512)  # 100 chunks of pixels
+    mean, modulation = np.full(column.shape, 150.0), np.full(column.shape, 100.0)
+    mean[100:150], modulation[100:150] = 300, 200  # saturates the longest exposures
+    mean[:, ::50], modulation[:, ::50] = 14, 9  # falls to zero in the short ones
+    images = images_of(column, PAPER_PATTERNS, EXPOSURES_US, mean, modulation)
+    decoded = decode(stack_of(images.copy(), exposures_us=EXPOSURES_US), DecodeSettings(rule="paper"))["left"]
+    counted = ((images > 0) & (images < 255)).all(axis=1).mean(axis=(1, 2))
+    chunks = 88  # that the longest exposure serves, 11 of them looked at; in each a share of 2 % may be zero
+    spread = np.sqrt(0.02 / (2048 * chunks / 8))
+    assert decoded.valid_ratio_exposures == pytest.approx(counted, abs=4 * spread)
+    assert decoded.valid_ratio_exposures[0] == pytest.approx(counted[0])  # nothing to estimate
+
+
 def test_one_pitch_may_take_another_exposure_where_exposures_are_chosen_per_frequency() -> None:
     column = ramp(20, 200)
     images = images_of(column, PAPER_PATTERNS, EXPOSURES_US, seed=None)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 CHUNK = 2048  # pixels whose images of all exposures pass through the processor's nearest cache together
-STRIPE = 32 * CHUNK  # pixels whose sums stay in the second cache until they are solved
+LOOKED_AT = 8  # of how many chunks one is counted that needs no further exposure
 BLOCK = 1024  # of a chunk, for the arithmetic after the sums
 RESIDUAL_SCALE = 120.0  # a rounding residual of ±1 cycle in eight bits
 

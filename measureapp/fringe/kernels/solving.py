@@ -160,6 +160,21 @@ def look_up(table: Any, taken: Any, alike: int, n: int, out: Any) -> None:
 
 
 @njit(**INNER)
+def common(sums: Any, off: int, n: int) -> Any:
+    """Return the exposures that all pixels of a block took, as bits; -1 where they differ or some have a reason of their own."""
+    zero, bloomed = sums.zero[off : off + n], sums.bloomed[off : off + n]
+    first = sums.taken[0, off]
+    marked, differs = np.uint8(0), np.uint16(0)
+    for j in range(n):
+        marked |= zero[j] | bloomed[j]
+    for m in range(sums.taken.shape[0]):
+        taken = sums.taken[m, off : off + n]
+        for j in range(n):
+            differs |= taken[j] ^ first
+    return np.int64(first) if marked == 0 and differs == 0 else np.int64(-1)
+
+
+@njit(**INNER)
 def least_modulation(sums: Any, off: int, n: int, alike: int, layout: Any, model: Any, work: Any) -> None:
     """Put the least modulation of all groups, at the longest exposure taken, into ``work.modulation``."""
     modulation, part = work.modulation, work.weight
@@ -318,7 +333,7 @@ def keep(begin: int, n: int, model: Any, work: Any, maps: Any, state: Any) -> No
 
 
 @njit(**INNER)
-def tally(sums: Any, off: int, n: int, alike: int, state: Any, counts: Any) -> None:
+def tally(sums: Any, off: int, n: int, alike: int, work: Any, state: Any, counts: Any) -> None:
     """Count the pixels of every state, and last those with an exposure above zero in all groups."""
     lost = np.int32(0)
     for j in range(n):
@@ -333,15 +348,16 @@ def tally(sums: Any, off: int, n: int, alike: int, state: Any, counts: Any) -> N
     if alike >= 0:
         counts[-1] += n if alike > 0 else 0
         return
+    zero, complete = sums.zero[off : off + n], work.code[0]
+    for j in range(n):
+        complete[j] = np.int32(zero[j] == 0)
+    for m in range(sums.taken.shape[0]):
+        taken = sums.taken[m, off : off + n]
+        for j in range(n):
+            complete[j] &= np.int32(taken[j] != 0)
     whole = np.int32(0)
-    zero = sums.zero[off : off + n]
     for j in range(n):
-        whole += np.int32(zero[j] == 0)
-    for j in range(n):
-        missing = False
-        for m in range(sums.taken.shape[0]):
-            missing |= sums.taken[m, off + j] == 0
-        whole -= np.int32(missing)  # a pixel without exposure has no zero either
+        whole += complete[j]
     counts[-1] += whole
 
 
@@ -354,15 +370,16 @@ def solve(
     work: Any,
     start: int,
     stop: int,
-    every: int,
     maps: Any,
     counts: Any,  # (states + 1,) int64, gains the pixels of every state, and complete ones last
 ) -> None:
-    """Turn the sums of pixels ``start … stop`` into their maps, of one chunk in ``every``."""
-    for chunk in range(start, stop, CHUNK * every):
-        alike = sums.alike[(chunk - base) // CHUNK]
+    """Turn the sums of pixels ``start … stop`` into their maps."""
+    for chunk in range(start, stop, CHUNK):
         for begin in range(chunk, min(chunk + CHUNK, stop), BLOCK):
             off, n = begin - base, min(BLOCK, stop - begin)
+            alike = sums.alike[(chunk - base) // CHUNK]
+            if alike < 0:
+                alike = common(sums, off, n)
             for g in range(layout.steps.shape[0]):
                 sine, cosine = sums.sine[g, off : off + n], sums.cosine[g, off : off + n]
                 wrap(sine, cosine, n, model.sine_sign, model.origin, work.phase[g], work.power[g])
@@ -379,4 +396,4 @@ def solve(
             judge(sums, off, n, alike, model, work, state)
             keep(begin, n, model, work, maps, state)
             draw(sums, off, begin, n, alike, layout, model, work, maps)
-            tally(sums, off, n, alike, state, counts)
+            tally(sums, off, n, alike, work, state, counts)

@@ -1,9 +1,9 @@
 """Compiled loops that sum the images of one pixel over the exposures it takes, chunk by chunk.
 
-Sums live in a stripe that stays in cache when all exposures are at hand, or in arrays of the whole image while exposures arrive
+Sums live in a chunk that stays in cache when all exposures are at hand, or in arrays of the whole image while exposures arrive
 one by one; the same code works on both, so that both give the same. The readable statement stands in `phase_shift.py` and the tests.
-Kernels release the interpreter, so that bands run on threads; those that call each other share one file, because only a change of
-its own file makes numba compile a kernel anew. Inner functions are forced inline: a call would count the references of every array.
+Kernels release the interpreter, so that bands run on threads. Inner functions are forced inline: a call would count the references
+of every array.
 """
 # The innermost loops become SIMD code only when they are plain loops over one index.
 
@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.fringe.kernels.records import CHUNK
+from measureapp.fringe.kernels.prefetch import LINE, will_read
+from measureapp.fringe.kernels.records import CHUNK, LOOKED_AT
 
 # With the error model of Python a division is a branch, and the loop around it stays scalar.
 ENTRY: dict[str, Any] = {"nogil": True, "_nrt": False, "cache": True, "error_model": "numpy", "fastmath": True}
@@ -28,20 +29,26 @@ def clear(sums: Any, off: int, n: int) -> None:
     sums.cosine[:, off : off + n] = 0
     sums.total[:, off : off + n] = 0
     sums.planes[:, off : off + n] = 0
-    sums.alike[off // CHUNK] = 0
 
 
 @njit(**INNER)
-def bounds(images: Any, layout: Any, begin: int, n: int) -> Any:
-    """Return the brightest and the darkest grey level of all sinusoids of a chunk."""
+def bounds(images: Any, layout: Any, begin: int, n: int, ahead: Any, at: int) -> Any:
+    """Return the brightest and the darkest grey level of all sinusoids of a chunk; asks for the chunk ``at`` of the images ``ahead``."""
     top = images[layout.first_image[0], begin]
     bottom = top
+    wanted = at + CHUNK <= ahead.shape[1]
     for g in range(layout.steps.shape[0]):
         for p in range(layout.first_image[g], layout.first_image[g] + layout.steps[g]):
+            if wanted:
+                coming = ahead[p]
+                for k in range(0, CHUNK, LINE // coming.itemsize):
+                    will_read(coming, at + k)
             row = images[p, begin : begin + n]
+            high, low = row[0], row[0]
             for j in range(n):
-                top = max(top, row[j])
-                bottom = min(bottom, row[j])
+                high = max(high, row[j])
+                low = min(low, row[j])
+            top, bottom = max(top, high), min(bottom, low)
     return top, bottom
 
 
@@ -60,12 +67,12 @@ def extremes(images: Any, layout: Any, begin: int, n: int, scratch: Any) -> None
         if g == 0:
             for j in range(n):
                 low[j] = row[j]
-        for p in range(first, first + layout.steps[g]):
-            row = images[p, begin : begin + n]
+        last = first + layout.steps[g] - 1
+        for p in range(first, last + 1, 2):
+            one, two = images[p, begin : begin + n], images[min(p + 1, last), begin : begin + n]
             for j in range(n):
-                high[j] = max(high[j], row[j])
-            for j in range(n):
-                low[j] = min(low[j], row[j])
+                high[j] = max(high[j], one[j], two[j])
+                low[j] = min(low[j], one[j], two[j])
     high = scratch.high[0]
     for j in range(n):
         peak[j] = high[j]
@@ -76,26 +83,49 @@ def extremes(images: Any, layout: Any, begin: int, n: int, scratch: Any) -> None
 
 
 @njit(**INNER)
-def add_group(images: Any, layout: Any, g: int, begin: int, n: int, sums: Any, off: int, take: Any, everywhere: bool) -> None:
-    """Add the sine and cosine sums of one group of one exposure, of all pixels once or as often as ``take`` says."""
-    p = layout.first_image[g]
-    sine = sums.sine[g, off : off + n]
-    cosine = sums.cosine[g, off : off + n]
+def begin_quad(a: Any, b: Any, c: Any, d: Any, n: int, sine: Any, cosine: Any, total: Any, counted: bool) -> None:
+    """Begin the sums of a group of four images with one exposure of all pixels; ``total`` only where it is ``counted``."""
     kind = sine.dtype.type
-    if layout.steps[g] == 4:
-        a = images[p, begin : begin + n]
-        b = images[p + 1, begin : begin + n]
-        c = images[p + 2, begin : begin + n]
-        d = images[p + 3, begin : begin + n]
-        if everywhere:
+    if counted:
+        for j in range(n):
+            sine[j] = kind(b[j]) - kind(d[j])
+            cosine[j] = kind(a[j]) - kind(c[j])
+            total[j] = (kind(a[j]) + kind(b[j])) + (kind(c[j]) + kind(d[j]))
+    else:
+        for j in range(n):
+            sine[j] = kind(b[j]) - kind(d[j])
+            cosine[j] = kind(a[j]) - kind(c[j])
+
+
+@njit(**INNER)
+def add_quad(
+    a: Any, b: Any, c: Any, d: Any, n: int, sine: Any, cosine: Any, total: Any, counted: bool, take: Any, everywhere: bool
+) -> None:
+    """Add a group of four images of one exposure, of all pixels once or as often as ``take`` says."""
+    kind = sine.dtype.type
+    if everywhere and counted:
+        for j in range(n):
+            sine[j] += kind(b[j]) - kind(d[j])
+            cosine[j] += kind(a[j]) - kind(c[j])
+            total[j] += (kind(a[j]) + kind(b[j])) + (kind(c[j]) + kind(d[j]))
+    elif everywhere:
+        for j in range(n):
+            sine[j] += kind(b[j]) - kind(d[j])
+            cosine[j] += kind(a[j]) - kind(c[j])
+    else:
+        for j in range(n):
+            sine[j] += kind(take[j]) * (kind(b[j]) - kind(d[j]))
+            cosine[j] += kind(take[j]) * (kind(a[j]) - kind(c[j]))
+        if counted:
             for j in range(n):
-                sine[j] += kind(b[j]) - kind(d[j])
-                cosine[j] += kind(a[j]) - kind(c[j])
-        else:
-            for j in range(n):
-                sine[j] += kind(take[j]) * (kind(b[j]) - kind(d[j]))
-                cosine[j] += kind(take[j]) * (kind(a[j]) - kind(c[j]))
-        return
+                total[j] += kind(take[j]) * ((kind(a[j]) + kind(b[j])) + (kind(c[j]) + kind(d[j])))
+
+
+@njit(**INNER)
+def add_weighted(images: Any, layout: Any, g: int, begin: int, n: int, sine: Any, cosine: Any, take: Any, everywhere: bool) -> None:
+    """Add a group of any number of images of one exposure, of all pixels once or as often as ``take`` says."""
+    kind = sine.dtype.type
+    p = layout.first_image[g]
     for q in range(p, p + layout.steps[g]):
         row = images[q, begin : begin + n]
         weight_s = layout.sines[q]
@@ -110,21 +140,7 @@ def add_group(images: Any, layout: Any, g: int, begin: int, n: int, sums: Any, o
 def add_images(images: Any, first: int, count: int, begin: int, n: int, total: Any, take: Any, everywhere: bool) -> None:
     """Add consecutive images to one sum, of all pixels once or as often as ``take`` says."""
     kind = total.dtype.type
-    q = first
-    while q < first + count:
-        if first + count - q >= 4:
-            a = images[q, begin : begin + n]
-            b = images[q + 1, begin : begin + n]
-            c = images[q + 2, begin : begin + n]
-            d = images[q + 3, begin : begin + n]
-            if everywhere:
-                for j in range(n):
-                    total[j] += (kind(a[j]) + kind(b[j])) + (kind(c[j]) + kind(d[j]))
-            else:
-                for j in range(n):
-                    total[j] += kind(take[j]) * ((kind(a[j]) + kind(b[j])) + (kind(c[j]) + kind(d[j])))
-            q += 4
-            continue
+    for q in range(first, first + count):
         row = images[q, begin : begin + n]
         if everywhere:
             for j in range(n):
@@ -132,21 +148,45 @@ def add_images(images: Any, first: int, count: int, begin: int, n: int, total: A
         else:
             for j in range(n):
                 total[j] += kind(row[j]) * kind(take[j])
-        q += 1
 
 
 @njit(**INNER)
-def add_taken(images: Any, layout: Any, rule: Any, m: int, begin: int, n: int, sums: Any, off: int, take: Any, everywhere: bool) -> None:
-    """Add all that one decision about an exposure covers: every group, or group ``m`` where each decides for itself."""
+def add_taken(
+    images: Any, layout: Any, rule: Any, m: int, begin: int, n: int, sums: Any, off: int, take: Any, everywhere: bool, fresh: bool
+) -> None:
+    """Add all that one decision about an exposure covers: every group, or group ``m`` where each decides for itself.
+
+    Sums that are ``fresh`` hold nothing of use yet; only where pixels are taken ``everywhere``.
+    """
     joint = sums.total.shape[0] == 1
     for g in range(layout.steps.shape[0]):
-        if joint or g == m:
-            add_group(images, layout, g, begin, n, sums, off, take, everywhere)
-    g = rule.finest if joint else m
-    add_images(images, layout.first_image[g], layout.steps[g], begin, n, sums.total[m, off : off + n], take, everywhere)
+        if not joint and g != m:
+            continue
+        counted = not joint or g == rule.finest
+        sine, cosine, total = sums.sine[g, off : off + n], sums.cosine[g, off : off + n], sums.total[m, off : off + n]
+        p = layout.first_image[g]
+        if layout.steps[g] == 4:
+            a, b = images[p, begin : begin + n], images[p + 1, begin : begin + n]
+            c, d = images[p + 2, begin : begin + n], images[p + 3, begin : begin + n]
+            if fresh:
+                begin_quad(a, b, c, d, n, sine, cosine, total, counted)
+            else:
+                add_quad(a, b, c, d, n, sine, cosine, total, counted, take, everywhere)
+            continue
+        if fresh:
+            sine[:] = 0
+            cosine[:] = 0
+        add_weighted(images, layout, g, begin, n, sine, cosine, take, everywhere)
+        if counted:
+            if fresh:
+                total[:] = 0
+            add_images(images, p, layout.steps[g], begin, n, total, take, everywhere)
     if joint or m == rule.finest:
         for b in range(layout.planes.shape[0]):
-            add_images(images, layout.planes[b], 1, begin, n, sums.planes[b, off : off + n], take, everywhere)
+            plane = sums.planes[b, off : off + n]
+            if fresh:
+                plane[:] = 0
+            add_images(images, layout.planes[b], 1, begin, n, plane, take, everywhere)
 
 
 @njit(**INNER)
@@ -177,7 +217,37 @@ def take_some(
     weight = rule.weights[exposure]
     for j in range(n):
         take[j] *= weight
-    add_taken(images, layout, rule, m, begin, n, sums, off, take, False)
+    add_taken(images, layout, rule, m, begin, n, sums, off, take, False, False)
+
+
+@njit(**INNER)
+def take_all(images: Any, exposure: int, layout: Any, rule: Any, begin: int, n: int, scratch: Any, sums: Any, off: int) -> None:
+    """Add one exposure that all pixels can take where they took different ones before."""
+    bit = np.uint16(1 << exposure)
+    weight = rule.weights[exposure]
+    for j in range(n):
+        scratch.take[j] = weight
+    for m in range(sums.total.shape[0]):
+        add_taken(images, layout, rule, m, begin, n, sums, off, scratch.take, weight == 1, False)
+        taken = sums.taken[m, off : off + n]
+        for j in range(n):
+            taken[j] |= bit
+
+
+@njit(**INNER)
+def take_together(images: Any, exposure: int, layout: Any, rule: Any, begin: int, n: int, scratch: Any, sums: Any, off: int) -> None:
+    """Add one exposure that all pixels can take and that took the same ones before; the first one begins the sums."""
+    weight = rule.weights[exposure]
+    if weight > 1:
+        if exposure == 0:
+            clear(sums, off, n)
+        for j in range(n):
+            scratch.take[j] = weight
+    for m in range(sums.total.shape[0]):
+        if exposure == 0 and weight == 1:
+            add_taken(images, layout, rule, m, begin, n, sums, off, scratch.take, True, True)
+        else:
+            add_taken(images, layout, rule, m, begin, n, sums, off, scratch.take, weight == 1, False)
 
 
 @njit(**INNER)
@@ -192,23 +262,25 @@ def accumulate(
     scratch: Any,
     sums: Any,
     off: int,
+    ahead: Any,  # (P, N) of the exposure that will be read next
+    at: int,  # the chunk of it
 ) -> Any:
     """Add one exposure of ``n`` pixels to their sums; returns how many of them are above zero and unsaturated in it."""
     chunk = off // CHUNK
     alike = sums.alike[chunk]
     done = rule.first_only and alike > 0
-    top, bottom = bounds(images, layout, begin, n)
+    top, bottom = bounds(images, layout, begin, n, ahead, at)
     clean = top <= rule.limit
     together = clean and alike >= 0 and not done and blocked.shape[0] == 0 and (alike > 0 or bottom > 0)
     if together:
-        weight = rule.weights[exposure]
-        if weight > 1:
-            for j in range(n):
-                scratch.take[j] = weight
-        for m in range(sums.total.shape[0]):
-            add_taken(images, layout, rule, m, begin, n, sums, off, scratch.take, weight == 1)
+        take_together(images, exposure, layout, rule, begin, n, scratch, sums, off)
         sums.alike[chunk] = alike | (1 << exposure)
+    elif exposure == 0:
+        clear(sums, off, n)
     if clean and bottom > 0 and (together or done):
+        return n
+    if clean and bottom > 0 and alike < 0 and blocked.shape[0] == 0 and not rule.first_only:
+        take_all(images, exposure, layout, rule, begin, n, scratch, sums, off)
         return n
     extremes(images, layout, begin, n, scratch)
     low, peak, limit = scratch.low, scratch.peak, rule.limit
@@ -239,15 +311,26 @@ def add_exposures(
     base: int,  # pixel that the sums begin with
     start: int,
     stop: int,
-    good: Any,  # (all exposures,) int64, gains the pixels above zero and unsaturated
+    seen: Any,  # (2, 2, all exposures) int64, gains the pixels looked at, and those above zero and unsaturated: due, and of the sample
 ) -> None:
-    """Add exposures of pixels ``start … stop``, whole chunks, to their sums; the first exposure begins them anew."""
+    """Add exposures of pixels ``start … stop``, whole chunks, to their sums; the first exposure begins them anew.
+
+    Where one exposure is enough, chunks that have one are not looked at any more, but for a sample that is counted.
+    """
     for begin in range(start, stop, CHUNK):
-        n = min(CHUNK, stop - begin)
+        n, off = min(CHUNK, stop - begin), begin - base
         if exposure == 0:
-            clear(sums, begin - base, n)
+            sums.alike[off // CHUNK] = 0
         for e in range(images.shape[0]):
-            good[exposure + e] += accumulate(images[e], exposure + e, blocked, layout, rule, begin, n, scratch, sums, begin - base)
+            sampled = np.int64(rule.first_only and sums.alike[off // CHUNK] > 0)
+            if sampled and (begin // CHUNK) % LOOKED_AT != 0:
+                continue
+            following, at = e + 1, begin
+            if following == images.shape[0] or (rule.first_only and e == 0):
+                following, at = 0, begin + CHUNK
+            good = accumulate(images[e], exposure + e, blocked, layout, rule, begin, n, scratch, sums, off, images[following], at)
+            seen[sampled, 0, exposure + e] += n
+            seen[sampled, 1, exposure + e] += good
 
 
 @njit(**ENTRY)

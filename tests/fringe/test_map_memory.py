@@ -1,0 +1,45 @@
+"""Memory that is given out again only when nobody looks at it any more."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from measureapp.data.pattern_sets import PAPER_PATTERNS
+from measureapp.fringe.decode import decode
+from measureapp.fringe.map_memory import MapMemory
+from tests.fringe.conftest import images_of, ramp, stack_of
+
+
+def address(array: np.ndarray) -> int:
+    return int(array.__array_interface__["data"][0])
+
+
+def test_memory_is_not_given_out_again_while_a_view_of_it_lives() -> None:
+    memory = MapMemory()
+    first = memory.empty(100, np.float32)
+    place = address(first)
+    part = first.reshape(10, 10).view()[3:5]
+    del first
+    assert address(memory.empty(100, np.float32)) != place
+    del part
+    again = memory.empty(200, np.uint16)  # as many bytes
+    assert address(again) == place
+    assert again.dtype == np.uint16 and again.shape == (200,) and again.flags.writeable
+
+
+def test_an_array_without_elements_can_be_had() -> None:
+    assert MapMemory().empty(0, np.int16).shape == (0,)
+
+
+def test_maps_that_are_held_do_not_change_when_another_view_is_decoded_in_the_same_memory() -> None:
+    memory = MapMemory()
+    first = stack_of(images_of(ramp(), PAPER_PATTERNS))
+    other = stack_of(images_of(ramp(first=300, last=800), PAPER_PATTERNS))
+    held = decode(first, memory=memory)["left"]
+    phase = held.phase_rad.copy()
+    decode(other, memory=memory)
+    fresh = decode(other)["left"]
+    again = decode(other, memory=memory)["left"]  # in the memory of the one before
+    assert np.array_equal(held.phase_rad, phase)
+    for name in ("phase_rad", "sigma_rad", "modulation", "grey", "state", "exposure_index"):
+        assert np.array_equal(getattr(again, name), getattr(fresh, name)), name
