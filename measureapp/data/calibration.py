@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -54,6 +54,26 @@ class ProjectorCalibration:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class LabelledCovariance:
+    """What a calibration leaves uncertain, with the name of every row: "left.fx", …, "right.x_mm", …; lengths in mm, angles in rad."""
+
+    parameters: tuple[str, ...]
+    covariance: FloatArray  # (C, C), symmetric
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "covariance", read_only(self.covariance, np.float64, (len(self.parameters),) * 2))
+
+    def rows_of(self, labels: Sequence[str]) -> FloatArray:
+        """Return the covariance (L, L) of chosen parameters in the order of ``labels``; zero for those it does not have."""
+        place = {label: index for index, label in enumerate(self.parameters)}
+        there = [index for index, label in enumerate(labels) if label in place]
+        chosen = [place[labels[index]] for index in there]
+        result = np.zeros((len(labels), len(labels)))
+        result[np.ix_(there, there)] = self.covariance[np.ix_(chosen, chosen)]
+        return result
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class CameraArrayCalibration:
     """All cameras of the head, and its projector where it is calibrated, in the reference camera's frame `camera`."""
 
@@ -62,6 +82,7 @@ class CameraArrayCalibration:
     pair_rms_px: Mapping[str, float] = field(default_factory=dict)  # "left-right" -> rms
     provenance: Provenance = field(default_factory=Provenance)
     projector: ProjectorCalibration | None = None
+    covariance: LabelledCovariance | None = None  # of cameras and projector; None where it is not known
 
     def __post_init__(self) -> None:
         if self.reference not in self.cameras:

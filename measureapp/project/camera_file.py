@@ -10,15 +10,18 @@ from typing import Any
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, ProjectorCalibration, Provenance
+from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, LabelledCovariance, ProjectorCalibration, Provenance
 from measureapp.errors import FrameMismatch, InputError
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.atomic import write_json
 
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2  # 2 may have `covariance` and `provenance.settings`; files of version 1 are read as they are
+READABLE_VERSIONS = (1, 2)
 DISTORTION_LENGTHS = (4, 5, 8, 12, 14)
 FILE_FIELDS = {"schema_version", "reference", "cameras", "pair_rms_px", "provenance", "projector"}
+FILE_FIELDS_SINCE_2 = {"covariance"}
+COVARIANCE_FIELDS = {"parameters", "matrix"}
 LENS_FIELDS = ("width", "height", "matrix", "distortion")
 CAMERA_FIELDS = {*LENS_FIELDS, "reference_from_camera", "standard_deviations", "rms_px", "serial"}
 PROJECTOR_FIELDS = {*LENS_FIELDS, "reference_from_projector", "name", "standard_deviations", "provenance"}
@@ -60,6 +63,11 @@ def cameras_document(calibration: CameraArrayCalibration) -> dict[str, Any]:
     }
     if calibration.projector is not None:
         document["projector"] = _projector_document(calibration.projector)
+    if calibration.covariance is not None:
+        document["covariance"] = {
+            "parameters": list(calibration.covariance.parameters),
+            "matrix": calibration.covariance.covariance.tolist(),
+        }
     return document
 
 
@@ -100,12 +108,11 @@ def _camera_document(camera: CameraCalibration) -> dict[str, Any]:
 
 def cameras_from(document: Any, source: str = "cameras.json") -> CameraArrayCalibration:
     """Return the calibration of a JSON document; raises InputError naming ``source`` and the field."""
-    _known(document, FILE_FIELDS, source, "the file")
-    if document.get("schema_version") != SCHEMA_VERSION:
-        raise InputError(
-            f"{source}: schema_version is {document.get('schema_version')!r}, not {SCHEMA_VERSION}.",
-            "Write the file again with this version.",
-        )
+    _known(document, FILE_FIELDS | FILE_FIELDS_SINCE_2, source, "the file")
+    version = document.get("schema_version")
+    if version not in READABLE_VERSIONS or isinstance(version, bool):
+        raise InputError(f"{source}: schema_version is {version!r}, not 1 or {SCHEMA_VERSION}.", "Write the file again with this version.")
+    _known(document, FILE_FIELDS | (FILE_FIELDS_SINCE_2 if version >= 2 else set()), source, "a file of schema_version 1")
     cameras = _field(document, "cameras", source)
     if not isinstance(cameras, Mapping) or not cameras:
         raise InputError(f"{source}: cameras names no camera.", 'Give {"left": {…}, …}.')
@@ -120,7 +127,30 @@ def cameras_from(document: Any, source: str = "cameras.json") -> CameraArrayCali
     projector = _projector(document["projector"], source) if "projector" in document else None
     if projector is not None and projector.name in made:
         raise InputError(f"{source}: projector.name is {projector.name!r}, which is a camera's.", "Give the projector a name of its own.")
-    return CameraArrayCalibration(str(reference), made, pairs, _provenance(provenance, source, "provenance"), projector)
+    covariance = _covariance(document["covariance"], made, projector, source) if "covariance" in document else None
+    return CameraArrayCalibration(str(reference), made, pairs, _provenance(provenance, source, "provenance"), projector, covariance)
+
+
+def _covariance(
+    entry: Any, cameras: Mapping[str, CameraCalibration], projector: ProjectorCalibration | None, source: str
+) -> LabelledCovariance:
+    _known(entry, COVARIANCE_FIELDS, source, "covariance")
+    labels = _field(entry, "parameters", source, "covariance.")
+    owners = {*cameras, *(() if projector is None else (projector.name,))}
+    if not isinstance(labels, list) or not all(isinstance(label, str) and label.rpartition(".")[0] in owners for label in labels):
+        raise InputError(
+            f"{source}: covariance.parameters names something that is no camera's.", 'Give names such as "left.fx" or "right.x_mm".'
+        )
+    if len(set(labels)) < len(labels):
+        raise InputError(f"{source}: covariance.parameters names a parameter twice.", "Name each parameter once.")
+    matrix = _array(_field(entry, "matrix", source, "covariance."), (len(labels),) * 2, source, "covariance.matrix")
+    scale = np.sqrt(np.maximum(np.diag(matrix), 0))
+    whitened = matrix / np.outer(np.where(scale > 0, scale, 1.0), np.where(scale > 0, scale, 1.0))
+    if not np.allclose(whitened, whitened.T, atol=1e-9) or (len(labels) and np.linalg.eigvalsh(whitened)[0] < -1e-6):
+        raise InputError(
+            f"{source}: covariance.matrix is not a covariance: it must be symmetric and without negative variances.", "Calibrate again."
+        )
+    return LabelledCovariance(tuple(labels), matrix)
 
 
 def _camera(name: str, entry: Any, reference: str, source: str) -> CameraCalibration:

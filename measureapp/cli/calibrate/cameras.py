@@ -81,7 +81,7 @@ def _problem(files: BoardImages, board: BoardDescription, reference: str, distor
         progress.report(done, total, f"board in {files.path(camera, position).name}")
         try:
             found = find_board(image, board)
-            draft.add(camera, _view(position), found.corners_px, found.ids)
+            draft.add(camera, _view(position), found.corners_px, found.ids, found.sigma_px)
         except CalibrationError as error:
             draft.reject(camera, _view(position), error.message.rstrip("."))
     return draft.problem()
