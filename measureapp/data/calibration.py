@@ -13,6 +13,7 @@ from measureapp.errors import CalibrationError
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, rotation_about
 
+NO_VARIANCE = 1e-12  # share of the largest: rounding of a combination that is exactly known
 SAME_STATION_MM, SAME_STATION_RAD = 0.01, 2e-5
 
 
@@ -22,9 +23,11 @@ class Provenance:
 
     created: str = ""  # ISO 8601
     method: str = ""
-    inputs: Mapping[str, str] = field(default_factory=dict)  # name -> checksum or serial number
+    inputs: Mapping[str, str] = field(default_factory=dict)  # file or image -> checksum, device -> serial number
     temperature_c: float | None = None  # of the room or the head, where it was measured
     valid_days: float | None = None  # after `created`; None: until something says otherwise
+    arguments: tuple[str, ...] = ()  # of the command that made it, where it was one
+    folder: str = ""  # in which that command ran, seen from the folder of the calibration; the names of `inputs` start there
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -62,6 +65,15 @@ class LabelledCovariance:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "covariance", read_only(self.covariance, np.float64, (len(self.parameters),) * 2))
+
+    @property
+    def root(self) -> FloatArray:
+        """Columns (C, K) whose products sum to the covariance: changes of the parameters that are independent of each other, one σ each."""
+        scale = np.sqrt(np.maximum(np.diag(self.covariance), 0))
+        scale = np.where(scale > 0, scale, 1.0)
+        values, vectors = np.linalg.eigh(self.covariance / np.outer(scale, scale))
+        kept = values > NO_VARIANCE * max(float(values[-1]), 0.0)
+        return np.asarray(scale[:, None] * vectors[:, kept] * np.sqrt(values[kept]))
 
     def rows_of(self, labels: Sequence[str]) -> FloatArray:
         """Return the covariance (L, L) of chosen parameters in the order of ``labels``; zero for those it does not have."""

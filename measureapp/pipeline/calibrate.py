@@ -14,15 +14,16 @@ from measureapp.calibrate.board import find_board
 from measureapp.calibrate.board_pose import board_pose
 from measureapp.calibrate.camera_array import CameraArrayProblem, CameraArraySolution
 from measureapp.calibrate.camera_array import solve as solve_cameras
-from measureapp.calibrate.camera_prior import CameraPrior, pose_by_cameras
+from measureapp.calibrate.camera_prior import pose_by_cameras
 from measureapp.calibrate.joint import RigObservation, solve_rig
 from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.sightings import FoundBoard, Rejection, sighting_of
 from measureapp.data.board import BoardDescription, BoardView
-from measureapp.data.calibration import CameraArrayCalibration, Provenance
+from measureapp.data.calibration import CameraArrayCalibration, LabelledCovariance, Provenance
 from measureapp.data.rig import RigDescription
 from measureapp.errors import CalibrationError
 from measureapp.progress import PartOf, Progress
+from measureapp.project.frame_store import checksum
 
 DETECTION_THREADS = 2
 STRAIGHTNESS_MM = 0.003  # usual of a ground rail over the travel of a calibration
@@ -59,14 +60,19 @@ def calibrate_from_views(views: Sequence[BoardView], board: BoardDescription, ri
     cameras = _with_serials(solved.calibration, rig)
     solved = replace(solved, calibration=cameras)
     observations = _observations(views, found, solved)
-    prior = CameraPrior(solved.parameters, solved.covariance)
+    prior = LabelledCovariance(solved.parameters, solved.covariance)
     solution = solve_rig(observations, cameras, noise=expected_noise(rig), camera_prior=prior, progress=PartOf(progress, 0.8, 1.0))
     provenance = Provenance(
         created=datetime.now(UTC).isoformat(timespec="seconds"),
         method=solution.calibration.provenance.method,
-        inputs={camera.name: camera.serial for camera in rig.cameras} | {"board views": str(len(views))},
+        inputs={camera.name: camera.serial for camera in rig.cameras} | checksums_of(views),
     )
     return CalibratedRig(solved, replace(solution, calibration=replace(solution.calibration, provenance=provenance)))
+
+
+def checksums_of(views: Sequence[BoardView]) -> dict[str, str]:
+    """Return "view/camera" -> checksum of every image, which is how a project stores them."""
+    return {f"{view.viewpoint_id}/{camera}": checksum(np.asarray(pixels)) for view in views for camera, pixels in view.images.items()}
 
 
 def expected_noise(rig: RigDescription) -> AxisNoise:

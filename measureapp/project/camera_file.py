@@ -16,7 +16,7 @@ from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.atomic import write_json
 
-SCHEMA_VERSION = 2  # 2 may have `covariance` and `provenance.settings`; files of version 1 are read as they are
+SCHEMA_VERSION = 2  # 2 may have `covariance`, and in `provenance` the command that made it; files of version 1 are read as they are
 READABLE_VERSIONS = (1, 2)
 DISTORTION_LENGTHS = (4, 5, 8, 12, 14)
 FILE_FIELDS = {"schema_version", "reference", "cameras", "pair_rms_px", "provenance", "projector"}
@@ -25,7 +25,7 @@ COVARIANCE_FIELDS = {"parameters", "matrix"}
 LENS_FIELDS = ("width", "height", "matrix", "distortion")
 CAMERA_FIELDS = {*LENS_FIELDS, "reference_from_camera", "standard_deviations", "rms_px", "serial"}
 PROJECTOR_FIELDS = {*LENS_FIELDS, "reference_from_projector", "name", "standard_deviations", "provenance"}
-PROVENANCE_FIELDS = {"created", "method", "inputs", "temperature_c", "valid_days"}
+PROVENANCE_FIELDS = {"created", "method", "inputs", "temperature_c", "valid_days", "arguments", "folder"}
 
 
 def write_cameras(path: Path, calibration: CameraArrayCalibration) -> None:
@@ -84,7 +84,8 @@ def _projector_document(projector: ProjectorCalibration) -> dict[str, Any]:
 def _provenance_document(provenance: Provenance) -> dict[str, Any]:
     document: dict[str, Any] = {"created": provenance.created, "method": provenance.method, "inputs": dict(provenance.inputs)}
     optional = {"temperature_c": provenance.temperature_c, "valid_days": provenance.valid_days}
-    return document | {name: float(value) for name, value in optional.items() if value is not None}
+    document |= {name: float(value) for name, value in optional.items() if value is not None}
+    return document | ({"arguments": list(provenance.arguments), "folder": provenance.folder} if provenance.arguments else {})
 
 
 def _lens_document(pinhole: PinholeCamera) -> dict[str, Any]:
@@ -188,7 +189,10 @@ def _projector(entry: Any, source: str) -> ProjectorCalibration:
 def _provenance(entry: Any, source: str, place: str) -> Provenance:
     _known(entry, PROVENANCE_FIELDS, source, place)
     optional = {name: entry[name] for name in ("temperature_c", "valid_days") if entry.get(name) is not None}
-    return Provenance(**{**entry, **_numbers(optional, source, place)})
+    arguments = entry.get("arguments", [])
+    if not isinstance(arguments, list) or not all(isinstance(one, str) for one in arguments):
+        raise InputError(f"{source}: {place}.arguments is not a list of words.", "Give what was typed, word by word.")
+    return Provenance(**{**entry, **_numbers(optional, source, place), "arguments": tuple(arguments)})
 
 
 def _pinhole(entry: Mapping[str, Any], source: str, place: str) -> PinholeCamera:

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.calibrate.options import NO_BOARD, BoardChoice, CamerasOption, ImagesOption, OutOption, RobotPosesOption, with_board
-from measureapp.cli.calibrate.pose_options import AnglesOption, GuidePositionsOption
+from measureapp.cli.calibrate.option_groups import with_groups
+from measureapp.cli.calibrate.options import Answer, BoardSource
+from measureapp.cli.calibrate.pose_options import RigTables, rig_sightings
 from measureapp.cli.main import OUT_OF_TOLERANCE
-from measureapp.cli.reply import JsonOption, TerminalProgress, jsonable, reply
+from measureapp.cli.reply import TerminalProgress
 from measureapp.errors import InputError, MeasureError
 
 if TYPE_CHECKING:
@@ -23,31 +24,22 @@ def register(group: typer.Typer) -> None:
     """Add the command."""
 
     @group.command()
-    @with_board
+    @with_groups
     def check(
+        ctx: typer.Context,
+        tables: RigTables,
+        source: BoardSource,
+        answer: Answer,
         calibration: Annotated[Path, typer.Option(help="What `calibrate rig --out` wrote.")],
-        robot_poses: RobotPosesOption,
-        guide_positions: GuidePositionsOption,
-        angles: AnglesOption,
-        images: ImagesOption = None,
-        cameras: CamerasOption = None,
-        board: BoardChoice = NO_BOARD,
         limit_mm: Annotated[float, typer.Option(min=1e-6, help="Largest deviation of the board in a view, mm.")] = 0.5,
-        out: OutOption = None,
-        as_json: JsonOption = False,
     ) -> None:
         """Compare a few views of a board on the table with the calibrated rig; exit code 1 where it no longer holds."""
         from measureapp.calibrate.quick_check import quick_check
-        from measureapp.cli.calibrate.pose_options import rig_sightings
-        from measureapp.project.atomic import write_json
 
-        tables = (robot_poses, guide_positions, angles)
-        observations, seen = rig_sightings(tables, images, cameras, board, "the check of the rig", TerminalProgress())
+        observations, seen = rig_sightings(tables, source, "the check of the rig", TerminalProgress())
         found = quick_check(observations, read_rig_answer(calibration, seen.cameras), seen.board, limit_mm=limit_mm)
         document = check_answer(found) | {"images_rejected": seen.rejected}
-        if out is not None:
-            write_json(out, {"schema_version": 1, **jsonable(document)})
-        reply(document, "\n".join(_lines(document)), as_json)
+        answer.give(ctx, document, _lines(document))
         if not found.good:
             raise typer.Exit(OUT_OF_TOLERANCE)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import re
 from collections.abc import Iterator, Sequence
 from datetime import UTC, datetime
@@ -11,7 +10,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.calibrate.options import NO_BOARD, BoardChoice, CamerasOption, OutOption, with_board
+from measureapp.cli.calibrate.made_from import MadeFrom, made_from
+from measureapp.cli.calibrate.option_groups import with_groups
+from measureapp.cli.calibrate.options import BoardChoice, CamerasOption, OutOption
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 from measureapp.errors import InputError
 
@@ -25,11 +26,12 @@ def register(group: typer.Typer) -> None:
     """Add the command."""
 
     @group.command()
-    @with_board
+    @with_groups
     def projector(
+        ctx: typer.Context,
+        board: BoardChoice,
         manifests: Annotated[list[Path], typer.Argument(help="MANIFEST.toml of the fringes on the board, one per board position.")],
         cameras: CamerasOption = None,
-        board: BoardChoice = NO_BOARD,
         projector_px: Annotated[
             str | None, typer.Option("--projector-px", help="Columns x rows of the projector, such as 1024x768; default: of the manifests.")
         ] = None,
@@ -40,7 +42,8 @@ def register(group: typer.Typer) -> None:
         """Calibrate the projector from vertical and horizontal fringes on a board, and write it into cameras.json.
 
         With --cameras these stay as they are and the projector is added; their covariance in cameras.json is carried on. Without,
-        cameras and projector are calibrated together. The board is found in the mean of the sinusoidal images.
+        cameras and projector are calibrated together. The board is found in the mean of the sinusoidal images. Write to another
+        file than --cameras, so that `calibrate again` finds its inputs unchanged.
         """
         from measureapp.pipeline.projector import ProjectorRequest, calibrate_projector
         from measureapp.project.camera_file import read_cameras, write_cameras
@@ -52,9 +55,9 @@ def register(group: typer.Typer) -> None:
             distortion_count=distortion,
         )
         head = calibrate_projector(_stacks(manifests), len(manifests), request, TerminalProgress())
-        calibration = _dated(head.calibration, manifests)
+        calibration = head.calibration
         if out is not None:
-            write_cameras(out, calibration)
+            write_cameras(out, _dated(calibration, made_from(ctx, out)))
         document = projector_answer(head, manifests) | {"files": {} if out is None else {"cameras": out}}
         reply(document, "\n".join(_lines(document)), as_json)
 
@@ -73,8 +76,8 @@ def _size(text: str) -> tuple[int, int]:
     return int(match[1]), int(match[2])
 
 
-def _dated(calibration: CameraArrayCalibration, manifests: Sequence[Path]) -> CameraArrayCalibration:
-    """Return the calibration with the projector's date and the checksums of its manifests."""
+def _dated(calibration: CameraArrayCalibration, made: MadeFrom) -> CameraArrayCalibration:
+    """Return the calibration with the projector's date and what it was made from; with that of the cameras where they came with it."""
     from dataclasses import replace
 
     if calibration.projector is None:  # pragma: no cover - `solve_head` always gives one
@@ -82,9 +85,16 @@ def _dated(calibration: CameraArrayCalibration, manifests: Sequence[Path]) -> Ca
     provenance = replace(
         calibration.projector.provenance,
         created=datetime.now(UTC).isoformat(timespec="seconds"),
-        inputs={str(path): hashlib.sha256(path.read_bytes()).hexdigest() for path in manifests},
+        inputs=made.inputs,
+        arguments=made.arguments,
+        folder=made.folder,
     )
-    return replace(calibration, projector=replace(calibration.projector, provenance=provenance))
+    given = calibration.provenance.arguments  # of cameras that were calibrated before
+    return replace(
+        calibration,
+        projector=replace(calibration.projector, provenance=provenance),
+        provenance=calibration.provenance if given else replace(provenance, method=calibration.provenance.method),
+    )
 
 
 def projector_answer(head: HeadSolution, manifests: Sequence[Path]) -> dict[str, Any]:
