@@ -147,7 +147,11 @@ def _covariance(
     matrix = _array(_field(entry, "matrix", source, "covariance."), (len(labels),) * 2, source, "covariance.matrix")
     scale = np.sqrt(np.maximum(np.diag(matrix), 0))
     whitened = matrix / np.outer(np.where(scale > 0, scale, 1.0), np.where(scale > 0, scale, 1.0))
-    if not np.allclose(whitened, whitened.T, atol=1e-9) or (len(labels) and np.linalg.eigvalsh(whitened)[0] < -1e-6):
+    if (
+        np.any(np.diag(matrix) < 0)
+        or not np.allclose(whitened, whitened.T, atol=1e-9)
+        or (len(labels) and np.linalg.eigvalsh(whitened)[0] < -1e-6)
+    ):
         raise InputError(
             f"{source}: covariance.matrix is not a covariance: it must be symmetric and without negative variances.", "Calibrate again."
         )

@@ -42,7 +42,23 @@ def register(group: typer.Typer) -> None:
 
 def rig_answer(solution: RigSolution) -> dict[str, Any]:
     """Return the JSON answer of a solution."""
+    from measureapp.calibrate.rig_limits import rig_limits
+
     return _parts(solution.calibration) | {
+        "limits": [
+            {
+                "name": one.name,
+                "unit": one.unit,
+                "asked": one.asked,
+                "sigma": one.sigma,
+                "axes_allow": one.axes_allow,
+                "images_and_cameras_add": one.beyond,
+                "met": one.met,
+                "met_beyond_axes": one.met_beyond,
+                "sentence": one.sentence,
+            }
+            for one in rig_limits(solution)
+        ],
         "stages": _parts(solution.stages),
         "guide_from_board": solution.guide_from_board.matrix,
         "standard_deviations": dict(solution.standard_deviations),
@@ -82,6 +98,7 @@ def _parts(solved: Any | RigStages) -> dict[str, Any]:
 def _lines(document: dict[str, Any]) -> list[str]:
     lines = [f"Rig from {len(document['sightings'])} sightings; residuals {document['sigma_ratio']:.2f} times what was expected."]
     lines += [f"  {name:<28} ± {value:.3g}" for name, value in document["standard_deviations"].items()]
+    lines += [f"  {one['sentence']}" for one in document["limits"]]
     lines.append(
         f"  a guide taken to run along +Y with scale 1 would have cost {document['paper_cost_mm']:.3f} mm over the travel of these views"
     )
