@@ -64,7 +64,7 @@ def rig_calibration_from(document: Mapping[str, Any], cameras: CameraArrayCalibr
         hand_eye=HandEye(**hand_eye),
         guide=LinearGuide(**guide),
         axis=RotationAxis(**axis),
-        provenance=Provenance(**document["provenance"]),
+        provenance=Provenance(**document["provenance"] | {"arguments": tuple(document["provenance"].get("arguments", ()))}),
         stations=tuple(RobotStation(transform_from(station["read"]), transform_from(station["true"])) for station in document["stations"]),
     )
 
