@@ -118,14 +118,6 @@ def _check(problem: CameraArrayProblem) -> None:
         require_known(problem.known, problem.sizes_px)
     if len(problem.sizes_px) > 1:
         require_unambiguous(problem.board, "a calibration of several cameras")
-    first: dict[tuple[str, bytes], str] = {}
-    for one in problem.sightings:
-        same = first.setdefault((one.camera, one.corners_px.tobytes()), one.view)
-        if same != one.view:
-            raise CalibrationError(
-                f"Views {same} and {one.view} of camera {one.camera!r} are the same image: it would count twice.",
-                "Give every image once.",
-            )
 
 
 def _started(problem: CameraArrayProblem, progress: Progress) -> tuple[list[Sighting], list[Rejection], BundleState, tuple[LoopCheck, ...]]:

@@ -69,6 +69,7 @@ def calibrate_projector(stacks: Iterable[FringeStack], positions: int, request: 
         found = _boards(stack, view, request.board, missed)
         sightings += found
         read += _readings(stack, found, request.decoding, part)
+    _require_different(sightings)
     known = request.cameras
     if known is not None:
         sizes = {name: (known.cameras[name].pinhole.width_px, known.cameras[name].pinhole.height_px) for name in known.names}
@@ -82,6 +83,18 @@ def calibrate_projector(stacks: Iterable[FringeStack], positions: int, request: 
         known=known,
     )
     return solve_head(problem, read, size_px, PartOf(progress, 0.9, 1.0))
+
+
+def _require_different(sightings: list[Sighting]) -> None:
+    """Refuse a position that was given twice: it would count twice."""
+    first: dict[tuple[str, bytes], str] = {}
+    for one in sightings:
+        same = first.setdefault((one.camera, one.corners_px.tobytes()), one.view)
+        if same != one.view:
+            raise CalibrationError(
+                f"Views {same} and {one.view} of camera {one.camera!r} are the same image: it would count twice.",
+                "Give every position of the board once.",
+            )
 
 
 def board_image(stack: FringeStack, camera: str, exposure: int) -> ImageArray:
