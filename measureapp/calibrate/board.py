@@ -8,18 +8,21 @@ import numpy as np
 from measureapp.arrays import FloatArray, ImageArray, IntArray
 from measureapp.calibrate.board_charuco import find_charuco
 from measureapp.calibrate.board_circles import find_circles
-from measureapp.calibrate.board_quality import missing, nothing_sharp, require_usable
+from measureapp.calibrate.board_part import find_part
+from measureapp.calibrate.board_quality import TELLING_SHARE, missing, nothing_sharp, poor_image, require_plain, require_usable
 from measureapp.calibrate.board_refine import mark_sigmas
-from measureapp.calibrate.board_squares import find_squares
+from measureapp.calibrate.board_squares import find_squares, squares_in_sight
 from measureapp.calibrate.sightings import FoundBoard
-from measureapp.data.board import BoardDescription, CharucoDescription, CirclesDescription
+from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
 from measureapp.errors import CalibrationError
 
 PRECISION_REACH = 0.3  # half the side of the patch that says how well a mark is known, over the distance of marks
 
 
 def find_board(image: ImageArray, board: BoardDescription) -> FoundBoard:
-    """Find the marks of ``board``: all of them, or of a ChArUco board those in sight, each with its standard deviation.
+    """Find the marks of ``board``, each with its standard deviation: all of them, or those in sight where it can be told which they are.
+
+    Any part of a ChArUco board can be told; of a checkerboard one that shows where the board ends; a circle grid must be seen whole.
 
     Parameters
     ----------
@@ -49,7 +52,21 @@ def _marks(grey: ImageArray, board: BoardDescription) -> tuple[IntArray, FloatAr
     if isinstance(board, CharucoDescription):
         return find_charuco(grey, board)
     whole = find_circles(grey, board) if isinstance(board, CirclesDescription) else find_squares(grey, board)
-    return None if whole is None else (np.arange(board.count), *whole)
+    if whole is not None:
+        return np.arange(board.count), *whole
+    if not isinstance(board, CheckerboardDescription):
+        return None
+    squares = squares_in_sight(grey)
+    if squares is None or squares.count < TELLING_SHARE * board.count:
+        raise missing(grey, board)
+    require_plain(grey, squares.corners_px)
+    try:
+        part = find_part(grey, board, squares)
+    except CalibrationError as error:
+        raise poor_image(grey, board) or error from error
+    if part is None:
+        raise missing(grey, board, squares)
+    return part
 
 
 def detect(image: ImageArray, board: BoardDescription) -> FloatArray:

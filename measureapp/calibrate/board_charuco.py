@@ -21,7 +21,7 @@ EDGE_PX = 1.0  # half the width of a sharp edge, kept out of the refining window
 def find_charuco(grey: ImageArray, board: CharucoDescription) -> tuple[IntArray, FloatArray, float] | None:
     """Find ids (N,), corners (N, 2) to sub-pixel and the smallest distance of neighbours, px; None with fewer than six corners.
 
-    Markers are looked for in a shrunk image; only where that shows too few of them in the full one. Corners that were refined onto
+    Markers are looked for in a shrunk image; only where that shows too few of them, but some, in the full one. Corners that were refined onto
     something else count as not seen.
 
     Raises
@@ -36,7 +36,7 @@ def find_charuco(grey: ImageArray, board: CharucoDescription) -> tuple[IntArray,
         _require_own(board, markers)
         if ids is not None and len(ids) >= LEAST_CORNERS:
             break
-        if longest >= max(grey.shape):
+        if longest >= max(grey.shape) or markers is None or not len(markers):
             return None
     order = np.argsort(np.ravel(ids))
     known = np.ravel(ids)[order].astype(np.int64)

@@ -15,6 +15,7 @@ SEARCH_PX = 1300
 BLOCK_SHARE = 0.12  # side of the neighbourhood that says what is dark, over the longer side
 DARKER = 12  # grey levels
 LEAST_AREA_PX = 20.0
+LEAST_FILL = 0.2  # of its box: an ellipse three times as long as wide, lying across, fills 0.47
 ROUNDNESS = 0.12  # how far the area may be from that of the ellipse with the same moments
 LIKE_THE_MEDIAN = 4.0  # areas of the circles of one board differ by no more
 NEXT_SHARE = 0.3  # how far off its place a circle may lie, over the distance of circles
@@ -78,10 +79,12 @@ def _blobs(small: ImageArray) -> FloatArray:
     dark = (small.astype(np.int16) + DARKER < level).astype(np.uint8)
     count, labels, stats, centres = cv2.connectedComponentsWithStats(dark, connectivity=4)
     good = []
-    for label in range(1, count):
+    sides = np.sort(stats[:, 2:4], axis=1)
+    likely = (stats[:, 4] >= LEAST_AREA_PX) & (sides[:, 1] <= 6 * sides[:, 0]) & (sides[:, 1] <= max(small.shape) / 6)
+    full = stats[:, 4] / (sides[:, 0] * sides[:, 1])  # π / 4 of the box of an upright ellipse, less of one that lies across it
+    likely &= (full > LEAST_FILL) & (np.arange(count) > 0)
+    for label in np.flatnonzero(likely):
         left, top, width, height, area = stats[label]
-        if area < LEAST_AREA_PX or max(width, height) > 6 * min(width, height) or max(width, height) > max(small.shape) / 6:
-            continue
         moments = cv2.moments((labels[top : top + height, left : left + width] == label).astype(np.uint8), binaryImage=True)
         spread = moments["mu20"] * moments["mu02"] - moments["mu11"] ** 2
         if abs(4 * np.pi * np.sqrt(max(spread, 0.0)) / area**2 - 1) < ROUNDNESS:  # the area of that ellipse is 4π √det / area

@@ -9,7 +9,7 @@ from measureapp.arrays import FloatArray, ImageArray, IntArray
 from measureapp.calibrate.board_charuco import charuco_instead
 from measureapp.calibrate.board_circles import circles_in_sight
 from measureapp.calibrate.board_refine import homography, local_axes, mapped
-from measureapp.calibrate.board_squares import blurred, levels_at, squares_in_sight
+from measureapp.calibrate.board_squares import SquaresInSight, blurred, levels_at
 from measureapp.calibrate.sightings import BoardRefused
 from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
 
@@ -51,8 +51,8 @@ def require_usable(grey: ImageArray, board: BoardDescription, ids: IntArray, cor
             "wrong board",
         )
     _require_levels(grey, corners_px, _half_white(board) * spacing)
-    if isinstance(board, CheckerboardDescription):
-        _require_plain(grey, corners_px.reshape(board.rows, board.columns, 2))
+    if isinstance(board, CheckerboardDescription) and len(ids) == board.count:
+        require_plain(grey, corners_px.reshape(board.rows, board.columns, 2))
     width = edge_width(grey, board, corners_px, axes)
     widest = max(WIDEST_EDGE_PX, WIDEST_EDGE_SHARE * spacing)
     if width > widest:
@@ -79,8 +79,21 @@ def edge_width(grey: ImageArray, board: BoardDescription, corners_px: FloatArray
     return max(_profile_width(_profiles(grey, *places)) for places in _edges(board, corners_px, axes))
 
 
-def missing(grey: ImageArray, board: BoardDescription) -> BoardRefused:
-    """Return what is to be said of an image in which ``board`` was not found."""
+def missing(grey: ImageArray, board: BoardDescription, squares: SquaresInSight | None = None) -> BoardRefused:
+    """Return what is to be said of an image in which ``board`` was not found; ``squares`` is what was found of a checkerboard instead."""
+    return (
+        poor_image(grey, board)
+        or _seen_instead(grey, board, squares)
+        or BoardRefused(
+            f"The {board.label} was not found.",
+            "The whole board must be visible, sharp and not over-exposed; check the kind of board and its size.",
+            "not found",
+        )
+    )
+
+
+def poor_image(grey: ImageArray, board: BoardDescription) -> BoardRefused | None:
+    """Return what is wrong with the image as a whole, if anything is."""
     sample = grey[::4, ::4]
     bright = float(np.percentile(sample, 99))
     if bright < DARK_LEVEL:
@@ -92,11 +105,7 @@ def missing(grey: ImageArray, board: BoardDescription) -> BoardRefused:
         )
     if nothing_sharp(grey):
         return BoardRefused(f"The {board.label} was not found: nothing in the image is sharp, it is blurred.", BLURRED, "blurred")
-    return _seen_instead(grey, board) or BoardRefused(
-        f"The {board.label} was not found.",
-        "The whole board must be visible, sharp and not over-exposed; check the kind of board and its size.",
-        "not found",
-    )
+    return None
 
 
 def _half_white(board: BoardDescription) -> float:
@@ -121,7 +130,7 @@ def _require_levels(grey: ImageArray, corners_px: FloatArray, reach_px: float) -
         raise BoardRefused(f"The board is too dark: its white is {np.median(bright):.0f} of 255.", EXPOSED_MORE, "too dark")
 
 
-def _require_plain(grey: ImageArray, grid: FloatArray) -> None:
+def require_plain(grey: ImageArray, grid: FloatArray) -> None:
     """Refuse squares with something printed in them, which draws the corners to itself."""
     right, down = grid[:-1, 1:] - grid[:-1, :-1], grid[1:, :-1] - grid[:-1, :-1]
     middles = grid[:-1, :-1] + 0.5 * right + 0.5 * down
@@ -190,7 +199,7 @@ def nothing_sharp(grey: ImageArray) -> bool:
     return bool(high - low > DARK_LEVEL and GAUSSIAN_RISE * (high - low) / (np.sqrt(2 * np.pi) * steepest) > WIDEST_EDGE_PX)
 
 
-def _seen_instead(grey: ImageArray, board: BoardDescription) -> BoardRefused | None:
+def _seen_instead(grey: ImageArray, board: BoardDescription, squares: SquaresInSight | None) -> BoardRefused | None:
     """Say what kind of grid there is instead of ``board``."""
     if isinstance(board, CharucoDescription):
         return charuco_instead(grey, board)
@@ -200,12 +209,11 @@ def _seen_instead(grey: ImageArray, board: BoardDescription) -> BoardRefused | N
             return None
         (columns, rows), count = circles
         return _another(board, f"{columns} × {rows} circles", count, whole=count == columns * rows, larger=count > board.count)
-    squares = squares_in_sight(grey)
-    if squares is None or squares[1] < TELLING_SHARE * board.count:
+    if squares is None:
         return None
-    (longer, shorter), count, whole = squares
+    longer, shorter = squares.size
     larger = longer > max(board.columns, board.rows) or shorter > min(board.columns, board.rows)
-    return _another(board, f"{longer} × {shorter} corners", count, whole=whole and count == longer * shorter, larger=larger)
+    return _another(board, f"{longer} × {shorter} corners", squares.count, whole=squares.is_whole, larger=larger)
 
 
 def _another(board: BoardDescription, looks_like: str, count: int, *, whole: bool, larger: bool) -> BoardRefused:

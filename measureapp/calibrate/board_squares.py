@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import cv2
 import numpy as np
 
@@ -14,7 +16,35 @@ SEED = (3, 3)  # corners of the smallest grid that tells of another or a hidden 
 PROBE_SHARE = 0.28  # of a square: where the four squares round a corner are sampled
 LEAST_CONTRAST = 0.35  # of the seed's corners
 LEAST_ROW_SHARE = 0.5  # of the corners of a further row must be there
+RING_SHARES = (0.5, 0.88)  # of a square behind the last row of corners: within the outermost squares
+MARGIN_SHARES = (1.12, 1.5)  # beyond them
+LEAST_RUN, LEAST_RUN_SHARE = 4, 0.4  # neighbouring squares of a side, and share of the side, that must look like the end of a board
 GROW_UNTIL = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 20, 1e-2)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SquaresInSight:
+    """A grid of squares of unknown size; its rows and columns turn as x and y of the image do."""
+
+    corners_px: FloatArray  # (R, C, 2), full-size pixels, to a pixel or so
+    there: BoolArray  # (R, C), which of them were found, not only expected
+    even_dark: bool  # whether the square between the first two corners of the first two rows is dark
+    ends_in_white: tuple[bool, ...]  # behind the last row of the grid turned by 0 to 3 quarters (`numpy.rot90`): the board ends there
+
+    @property
+    def count(self) -> int:
+        """How many corners were found."""
+        return int(self.there.sum())
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Corners along the longer and the shorter side."""
+        return max(self.there.shape), min(self.there.shape)
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether it ends in white all round and has every corner."""
+        return all(self.ends_in_white) and bool(self.there.all())
 
 
 def find_squares(grey: ImageArray, board: BoardDescription) -> tuple[FloatArray, float] | None:
@@ -50,30 +80,30 @@ def full_size(points: FloatArray, scale: float) -> FloatArray:
     return (points + 0.5) / scale - 0.5
 
 
-def squares_in_sight(grey: ImageArray) -> tuple[tuple[int, int], int, bool] | None:
-    """Look for any grid of squares: its corners (longer side, shorter side), how many of them are there, and whether it ends in white.
-
-    A grid that ends in a white margin all round is a board that is seen whole.
-    """
-    small, _ = shrunk(grey, SEARCH_PX)
+def squares_in_sight(grey: ImageArray) -> SquaresInSight | None:
+    """Look for any grid of squares, from 3 × 3 corners outwards as far as it reaches."""
+    small, scale = shrunk(grey, SEARCH_PX)
     found, seed, meta = cv2.findChessboardCornersSBWithMeta(small, SEED, cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_LARGER)
     if not found or len(seed) != meta.size:
         return None
     grid: FloatArray = np.asarray(seed, np.float64).reshape(*meta.shape, 2)
+    along, down = grid[0, -1] - grid[0, 0], grid[-1, 0] - grid[0, 0]
+    if along[0] * down[1] - along[1] * down[0] < 0:
+        grid = grid[::-1]
     contrast = float(np.median(np.abs(_contrasts(small, grid))))
     there = np.ones(grid.shape[:2], bool)
     for _ in range(4):  # each side in turn is the last row
         grid, there = _grown(small, np.rot90(grid), np.rot90(there), contrast)
-    size = there.shape
-    return (max(size), min(size)), int(there.sum()), _ends_in_white(small, grid)
+    levels = levels_at(blurred(small), _cells(grid))
+    even = np.indices(levels.shape).sum(axis=0) % 2 == 0
+    sides = tuple(_ends_in_white(small, np.rot90(grid, quarter), np.rot90(there, quarter)) for quarter in range(4))
+    return SquaresInSight(full_size(grid, scale), there, bool(levels[even].mean() < levels[~even].mean()), sides)
 
 
 def _search(picture: ImageArray, board: BoardDescription) -> FloatArray | None:
-    size = (board.columns, board.rows)
-    found, corners = cv2.findChessboardCornersSB(picture, size, flags=cv2.CALIB_CB_NORMALIZE_IMAGE)  # `refined` does better than ACCURACY
-    if not found:
-        flags = cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_FAST_CHECK
-        found, corners = cv2.findChessboardCorners(picture, size, flags=flags)
+    found, corners = cv2.findChessboardCornersSB(  # `refined` does better than CALIB_CB_ACCURACY
+        picture, (board.columns, board.rows), flags=cv2.CALIB_CB_NORMALIZE_IMAGE
+    )
     return np.asarray(corners, np.float64).reshape(-1, 2) if found else None
 
 
@@ -95,8 +125,7 @@ def _from_black_corner(grey: ImageArray, corners: FloatArray, board: BoardDescri
     if board.is_symmetric:
         return corners
     grid = corners.reshape(board.rows, board.columns, 2)
-    centres = (grid[:-1, :-1] + grid[1:, :-1] + grid[:-1, 1:] + grid[1:, 1:]) / 4
-    levels = levels_at(blurred(grey), centres)
+    levels = levels_at(blurred(grey), _cells(grid))
     like_first = np.indices(levels.shape).sum(axis=0) % 2 == 0
     if levels[like_first].mean() > levels[~like_first].mean():
         return corners[::-1]
@@ -146,15 +175,35 @@ def _grown(picture: ImageArray, grid: FloatArray, there: BoolArray, contrast: fl
         grid, there = longer, np.concatenate([there, corner[None]])
 
 
-def _ends_in_white(picture: ImageArray, grid: FloatArray) -> bool:
-    """Whether beyond the ring of squares outside the corners everything is as bright as white squares are."""
+def _ends_in_white(picture: ImageArray, grid: FloatArray, there: BoolArray) -> bool:
+    """Whether behind the last row there is one more row of squares, black and white in turn, and then nothing but white.
+
+    Part of the side may be hidden. A white cover is not taken for the margin unless its edge follows the squares' along that part
+    within a fifth of a square.
+    """
     smooth = blurred(picture)
-    inner = (grid[:-1, :-1] + grid[1:, :-1] + grid[:-1, 1:] + grid[1:, 1:]) / 4
-    limit = (np.percentile(levels_at(smooth, inner), 10) + np.percentile(levels_at(smooth, inner), 90)) / 2
-    for _ in range(4):
-        grid = np.rot90(grid)
-        beyond = grid[-1] + 1.5 * (grid[-1] - grid[-2])
-        beyond = beyond[np.all((beyond > 0) & (beyond < np.array(picture.shape[::-1]) - 1), axis=1)]
-        if 2 * len(beyond) < grid.shape[1] or (levels_at(smooth, beyond) < limit).mean() > 0.2:
-            return False
-    return True
+    inner = levels_at(smooth, _cells(grid))
+    limit = (np.percentile(inner, 10) + np.percentile(inner, 90)) / 2
+    step = grid[-1] - grid[-2]
+    start, onwards = (grid[-1, :-1] + grid[-1, 1:]) / 2, (step[:-1] + step[1:]) / 2
+    size = np.array(picture.shape[::-1]) - 1
+    known = there[-1, :-1] & there[-1, 1:]
+    bright = {}
+    for share in (*RING_SHARES, *MARGIN_SHARES):
+        row = start + share * onwards
+        known &= np.all((row > 0) & (row < size), axis=1)
+        bright[share] = levels_at(smooth, row) > limit
+    known &= np.all([bright[share] for share in MARGIN_SHARES], axis=0)
+    odd = np.arange(len(start)) % 2 == 1
+    turns = [known & np.all([bright[share] == (odd == other) for share in RING_SHARES], axis=0) for other in (False, True)]
+    return max(_longest_run(one) for one in turns) >= max(LEAST_RUN, LEAST_RUN_SHARE * len(start))
+
+
+def _longest_run(mask: BoolArray) -> int:
+    ends = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(int)))
+    return int(np.max(ends[1::2] - ends[::2], initial=0))
+
+
+def _cells(grid: FloatArray) -> FloatArray:
+    """The middles (R - 1, C - 1, 2) of the squares between the corners of a grid (R, C, 2)."""
+    return np.asarray((grid[:-1, :-1] + grid[1:, :-1] + grid[:-1, 1:] + grid[1:, 1:]) / 4)

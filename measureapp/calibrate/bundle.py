@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 
@@ -43,6 +44,7 @@ class Sight:
     corners_px: FloatArray  # (N, 2)
     used: BoolArray  # (N,)
     ids: IntArray | None = None  # (N,), which corners of the board they are; None: all, in order
+    spread: FloatArray | None = None  # (N,), standard deviations over the camera's usual one; None: all have that
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,6 +102,10 @@ class Bundle:
         """Return the standard deviation of one coordinate of a corner in a camera."""
         return self.sigmas_px[camera] if self.sigmas_px else 1.0
 
+    def sigmas_of(self, sight: Sight) -> FloatArray:
+        """Return the standard deviation (N,) of one coordinate of every corner of a sight."""
+        return self.sigma_px(sight.camera) * spread_of(sight)
+
     def corners_mm(self, state: BundleState, sight: Sight) -> FloatArray:
         """Return the corners of a sight on the board as bowed in ``state`` (N, 3)."""
         corners = np.array(_of(self.flat_mm, sight))
@@ -132,7 +138,7 @@ class Bundle:
         hessian, gradient = np.zeros((size, size)), np.zeros(size)
         for sight in self.sights:
             residual, jacobian, index = self.linearised(state, sight)
-            sigma = self.sigma_px(sight.camera)
+            sigma = self.sigmas_of(sight)
             weight = self._weight(np.linalg.norm(residual, axis=1) / sigma) * sight.used / sigma**2
             weighted = (jacobian * weight[:, None, None]).reshape(-1, len(index))
             flat = jacobian.reshape(-1, len(index))
@@ -145,7 +151,7 @@ class Bundle:
 
     def _whitened(self, state: BundleState, sight: Sight) -> FloatArray:
         """The lengths of the residuals that count, in standard deviations."""
-        return np.asarray(np.linalg.norm(self.residuals(state, sight)[sight.used], axis=1) / self.sigma_px(sight.camera))
+        return np.asarray(np.linalg.norm(self.residuals(state, sight)[sight.used], axis=1) / self.sigmas_of(sight)[sight.used])
 
     def linearised(self, state: BundleState, sight: Sight) -> tuple[FloatArray, FloatArray, IntArray]:
         """Return residuals (N, 2), their derivatives (N, 2, K) and which parameters these are (K,): lens, board pose and the others."""
@@ -191,11 +197,18 @@ class Bundle:
 
 
 def adjust(
-    board: BoardDescription, sights: Sequence[Sight], start: BundleState, *, free_bow: bool, progress: Progress | None = None
+    board: BoardDescription,
+    sights: Sequence[Sight],
+    start: BundleState,
+    *,
+    free_bow: bool,
+    known_cameras: int = 0,
+    progress: Progress | None = None,
 ) -> tuple[Minimum[BundleState], Bundle]:
     """Minimise the robust reprojection error over lenses, camera poses, board poses and, where asked, the board's bow.
 
     Each camera's noise is estimated from its own residuals, and the adjustment repeated until the noise no longer changes.
+    The first ``known_cameras`` stay as they are.
 
     Returns
     -------
@@ -205,11 +218,22 @@ def adjust(
     state = start
     for _ in range(NOISE_ROUNDS):
         bundle = robust_bundle(board, sights, state, free_bow=free_bow)
-        minimum = minimise(state, bundle.linearise, bundle.cost, bundle.moved, progress=progress)
+        held = bundle.layout.lens_at(known_cameras) if known_cameras else 0
+        minimum = minimise(state, partial(_linearised_beyond, bundle, held), bundle.cost, bundle.moved, progress=progress)
         state = minimum.state
         if np.allclose(robust_sigmas(bundle, state), bundle.sigmas_px, rtol=SAME_NOISE):
             break
     return minimum, bundle
+
+
+def _linearised_beyond(bundle: Bundle, held: int, state: BundleState) -> NormalEquations:
+    """Return the normal equations in which the first ``held`` parameters do not move."""
+    normal = bundle.linearise(state)
+    if not held:
+        return normal
+    hessian, gradient = np.eye(len(normal.gradient)), np.zeros(len(normal.gradient))
+    hessian[held:, held:], gradient[held:] = normal.hessian[held:, held:], normal.gradient[held:]
+    return NormalEquations(hessian, gradient, normal.cost)
 
 
 def robust_bundle(board: BoardDescription, sights: Sequence[Sight], state: BundleState, *, free_bow: bool) -> Bundle:
@@ -223,8 +247,13 @@ def robust_sigmas(bundle: Bundle, state: BundleState) -> tuple[float, ...]:
     """Return each camera's standard deviation of one pixel coordinate, by the median of the absolute residuals."""
     seen: list[list[FloatArray]] = [[] for _ in state.pinholes]
     for sight in bundle.sights:
-        seen[sight.camera].append(bundle.residuals(state, sight)[sight.used].ravel())
-    return tuple(max(1.4826 * float(np.median(np.abs(np.concatenate(own)))), LEAST_SIGMA_PX) for own in seen)
+        seen[sight.camera].append((bundle.residuals(state, sight) / spread_of(sight)[:, None])[sight.used].ravel())
+    return tuple(max(1.4826 * float(np.median(np.abs(np.concatenate(own)))), LEAST_SIGMA_PX) if own else LEAST_SIGMA_PX for own in seen)
+
+
+def spread_of(sight: Sight) -> FloatArray:
+    """Return the standard deviation (N,) of every corner over the usual one of its camera."""
+    return np.ones(len(sight.corners_px)) if sight.spread is None else sight.spread
 
 
 def _of(marks: FloatArray, sight: Sight) -> FloatArray:

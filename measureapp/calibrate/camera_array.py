@@ -13,14 +13,16 @@ from measureapp.calibrate.board import require_unambiguous
 from measureapp.calibrate.bundle import Bundle, BundleState, Sight, adjust
 from measureapp.calibrate.camera import FIXED_COEFFICIENTS, LEAST_VIEWS, calibrate_camera, with_known_lens
 from measureapp.calibrate.camera_cleaning import Cleaned, CornerRejection, Names, cleaned, compacted
+from measureapp.calibrate.camera_known import LARGEST_DISTORTION, completed, padded, poses_seen, require_known
 from measureapp.calibrate.camera_pairs import LoopCheck, contradictions, loops, placed_from_reference
 from measureapp.calibrate.least_squares import Minimum
 from measureapp.calibrate.poses import inverted
 from measureapp.calibrate.projection import intrinsic_names
-from measureapp.calibrate.sightings import Rejection, Sighting, ViewResidual, rms
+from measureapp.calibrate.sightings import Rejection, Sighting, ViewResidual, rms, spreads
 from measureapp.data.board import BoardDescription
-from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, Provenance
+from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, LabelledCovariance, Provenance
 from measureapp.errors import CalibrationError
+from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, orthonormalised
 from measureapp.progress import NoProgress, PartOf, Progress
 
@@ -42,6 +44,7 @@ class CameraArrayProblem:
     rejected: tuple[Rejection, ...] = ()
     distortion_count: int = 5  # 4, 5 or 8 coefficients
     free_bow: bool = True  # estimate the board's departure from flat, where there are enough sightings
+    known: CameraArrayCalibration | None = None  # cameras that are kept as they are; those to find come after them in `sizes_px`
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -82,7 +85,11 @@ def solve(problem: CameraArrayProblem, progress: Progress | None = None, before:
     _check(problem)
     sightings, rejected, start, checks = _started(problem, before, PartOf(progress, 0.0, 0.4))
     cameras, views = _indices(problem, sightings)
-    sights = [Sight(cameras[one.camera], views[one.view], one.corners_px, np.ones(len(one.corners_px), bool), one.ids) for one in sightings]
+    sights = [
+        Sight(cameras[one.camera], views[one.view], one.corners_px, np.ones(len(one.corners_px), bool), one.ids, spread)
+        for one, spread in zip(sightings, spreads(sightings), strict=True)
+    ]
+    known = 0 if problem.known is None else sum(name in problem.known.cameras for name in cameras)
     names: Names = (tuple(cameras), tuple(views))
     free_bow = problem.free_bow and len(sights) >= LEAST_SIGHTS_FOR_BOW
     if free_bow and before is not None:
@@ -90,16 +97,16 @@ def solve(problem: CameraArrayProblem, progress: Progress | None = None, before:
     corners: list[CornerRejection] = []
     for number in range(ROUNDS):
         part = PartOf(progress, 0.4 + 0.6 * number / ROUNDS, 0.4 + 0.6 * (number + 1) / ROUNDS, "bundle: ")
-        minimum, bundle = adjust(problem.board, sights, start, free_bow=free_bow, progress=part)
+        minimum, bundle = adjust(problem.board, sights, start, free_bow=free_bow, known_cameras=known, progress=part)
         found = cleaned(bundle, minimum.state, names)
         if not found.anything:
             break
         rejected, corners = rejected + found.rejected, _still_used(corners, found)
-        start, sights, names = compacted(minimum.state, found.kept, names)
+        start, sights, names = compacted(minimum.state, found.kept, names, known)
     else:  # the last round's finds are left out as well, so the solution must not contain them
-        minimum, bundle = adjust(problem.board, sights, start, free_bow=free_bow, progress=progress)
+        minimum, bundle = adjust(problem.board, sights, start, free_bow=free_bow, known_cameras=known, progress=progress)
     progress.report(1, 1)
-    return _solution(bundle, minimum, names, rejected, corners, checks)
+    return _solution(bundle, minimum, names, rejected, corners, checks, problem.known)
 
 
 def _still_used(corners: list[CornerRejection], found: Cleaned) -> list[CornerRejection]:
@@ -113,6 +120,8 @@ def _check(problem: CameraArrayProblem) -> None:
         raise CalibrationError(f"{problem.distortion_count} distortion coefficients are not offered.", "Choose 4, 5 or 8.")
     if problem.reference not in problem.sizes_px:
         raise CalibrationError(f"The reference camera {problem.reference!r} has no images.", "Name one of the cameras given.")
+    if problem.known is not None:
+        require_known(problem.known, problem.sizes_px)
     if len(problem.sizes_px) > 1:
         require_unambiguous(problem.board, "a calibration of several cameras")
 
@@ -123,31 +132,42 @@ def _started(
     """Calibrate every camera alone, or take its lens from ``before``, and chain them: the start values of the bundle."""
     order = (problem.reference, *(name for name in problem.sizes_px if name != problem.reference))
     rejected = list(problem.rejected)
-    solutions = {}
+    known = {} if problem.known is None else problem.known.cameras
+    count = max([problem.distortion_count, *(len(camera.pinhole.distortion) for camera in known.values())])
+    count = min(count, LARGEST_DISTORTION)
+    lenses: list[PinholeCamera] = []
+    poses: dict[str, dict[str, RigidTransform]] = {}
     for done, camera in enumerate(order):
         progress.report(done, len(order), f"camera {camera}")
         own = [sighting for sighting in problem.sightings if sighting.camera == camera]
+        if camera in known:
+            lenses.append(padded(known[camera].pinhole, count))
+            poses[camera] = poses_seen(own, known[camera], problem.board)
+            continue
         if len(own) < LEAST_VIEWS:
             raise CalibrationError(
                 f"Camera {camera!r} has {len(own)} views of the board; at least {LEAST_VIEWS} are needed.",
                 "Add views with the board tilted in different directions.",
             )
         if before is None:
-            solutions[camera] = calibrate_camera(own, problem.board, problem.sizes_px[camera], problem.distortion_count)
+            alone = calibrate_camera(own, problem.board, problem.sizes_px[camera], count)
         else:
-            solutions[camera] = with_known_lens(own, problem.board, before.calibration.cameras[camera].pinhole)
-        rejected += solutions[camera].rejected
-    poses = {camera: dict(solutions[camera].camera_from_board) for camera in order}
+            alone = with_known_lens(own, problem.board, before.calibration.cameras[camera].pinhole)
+        rejected += alone.rejected
+        lenses.append(alone.pinhole)
+        poses[camera] = dict(alone.camera_from_board)
     for rejection in contradictions(poses):
         poses[rejection.camera].pop(rejection.view, None)
         rejected.append(rejection)
-    placed = placed_from_reference(poses, problem.reference)
+    placed = placed_from_reference(
+        poses, problem.reference, {name: known[name].reference_from_camera.matrix for name in order if name in known}
+    )
     sightings = [sighting for sighting in problem.sightings if sighting.view in poses[sighting.camera]]
     boards: dict[str, FloatArray] = {}
     for sighting in sorted(sightings, key=lambda sighting: order.index(sighting.camera)):
         boards.setdefault(sighting.view, placed[sighting.camera] @ poses[sighting.camera][sighting.view].matrix)
     state = BundleState(
-        tuple(solutions[camera].pinhole for camera in order),
+        tuple(lenses),
         np.array([placed[camera] for camera in order]),
         np.array([boards[view] for view in dict.fromkeys(sighting.view for sighting in sightings)]),
         np.array(problem.board.bow_mm),
@@ -168,25 +188,38 @@ def _solution(
     rejected: list[Rejection],
     corners: list[CornerRejection],
     checks: tuple[LoopCheck, ...],
+    known: CameraArrayCalibration | None,
 ) -> CameraArraySolution:
     state, (cameras, views) = minimum.state, names
     variance = bundle.variance(state)
-    covariance = minimum.covariance(variance)[: bundle.layout.boards_at, : bundle.layout.boards_at]
+    labels = _labels(bundle, cameras)
+    covariance = minimum.covariance(variance)
+    if known is None:
+        covariance = covariance[: len(labels), : len(labels)]
+    else:
+        given = sum(name in known.cameras for name in cameras)
+        covariance = completed(covariance, bundle, minimum, variance, known.covariance, labels, bundle.layout.lens_at(given))
     sigmas = np.sqrt(variance) * np.array(bundle.sigmas_px)
     counts = [sum(int(sight.used.sum()) for sight in bundle.sights if sight.camera == camera) for camera in range(len(cameras))]
-    labels = _labels(bundle, cameras)
     deviations = dict(zip(labels, np.sqrt(np.diag(covariance)), strict=True))
     residuals = [bundle.residuals(state, sight)[sight.used] for sight in bundle.sights]
     calibrations = {}
     for index, name in enumerate(cameras):
+        if known is not None and name in known.cameras:
+            calibrations[name] = known.cameras[name]
+            continue
         own = np.concatenate([values for values, sight in zip(residuals, bundle.sights, strict=True) if sight.camera == index])
         mine = {key.removeprefix(f"{name}."): float(value) for key, value in deviations.items() if key.startswith(f"{name}.")}
         _check_lens(name, state, index, mine)
         place = RigidTransform(orthonormalised(state.reference_from_camera[index]), "camera", name)
         calibrations[name] = CameraCalibration(name, state.pinholes[index], place, mine, rms(own))
-    array = CameraArrayCalibration(
-        cameras[0], calibrations, _pair_rms(bundle, residuals, cameras), Provenance(method="Zhang, then bundle adjustment of all cameras")
-    )
+    own_rows = [index for index, label in enumerate(labels) if label not in BOW_NAMES]
+    left_uncertain = LabelledCovariance(tuple(labels[index] for index in own_rows), covariance[np.ix_(own_rows, own_rows)])
+    if known is None:
+        method = Provenance(method="Zhang, then bundle adjustment of all cameras")
+        array = CameraArrayCalibration(cameras[0], calibrations, _pair_rms(bundle, residuals, cameras), method, covariance=left_uncertain)
+    else:
+        array = replace(known, cameras=calibrations, covariance=None if known.covariance is None else left_uncertain)
     return CameraArraySolution(
         calibration=array,
         joint_rms_px=rms(np.concatenate(residuals)),

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray
-from measureapp.calibrate.bundle import POSE, Bundle, BundleState, Sight
+from measureapp.calibrate.bundle import POSE, Bundle, BundleState, Sight, spread_of
 from measureapp.calibrate.camera import BAD_VIEW_FACTOR, BAD_VIEW_FLOOR_PX, LEAST_VIEWS, bad_view_reason
 from measureapp.calibrate.sightings import Rejection, rms
 from measureapp.errors import CalibrationError
@@ -54,7 +54,7 @@ class _Alone:
     information: FloatArray  # (6, 6) of the board's pose
     gradient: FloatArray  # (6,)
     far: BoolArray  # (N,), corners too far off
-    limit_px: float  # beyond which a corner is far
+    limits_px: FloatArray  # (N,), beyond which a corner is far
 
     @property
     def rms_px(self) -> float:
@@ -82,7 +82,7 @@ def cleaned(bundle: Bundle, state: BundleState, names: Names) -> Cleaned:
         for corner in np.flatnonzero(one.far & one.sight.used):
             distance = float(np.linalg.norm(one.residuals_px[corner]))
             number = int(corner if one.sight.ids is None else one.sight.ids[corner])
-            reason = f"lies {distance:.2f} px from where it should; {one.limit_px:.2f} px is the limit"
+            reason = f"lies {distance:.2f} px from where it should; {one.limits_px[corner]:.2f} px is the limit"
             found.corners.append(CornerRejection(camera, view, number, distance, reason))
         found.kept.append(replace(one.sight, used=one.sight.used & ~one.far))
     return found
@@ -91,19 +91,20 @@ def cleaned(bundle: Bundle, state: BundleState, names: Names) -> Cleaned:
 def _alone(bundle: Bundle, state: BundleState, sight: Sight) -> _Alone:
     residual, jacobian, _ = bundle.linearised(state, sight)
     by_board = jacobian[:, :, bundle.layout.lens : bundle.layout.lens + POSE]
-    sigma = bundle.sigma_px(sight.camera)
-    left, far, limit_px = residual, np.zeros(len(residual), bool), BAD_VIEW_FLOOR_PX
+    sigma, spread = bundle.sigmas_of(sight), spread_of(sight)
+    left, far, limits_px = residual, np.zeros(len(residual), bool), BAD_VIEW_FLOOR_PX * spread
     for _ in range(3):  # far corners spoil the step, so they are left out of the next
         used = sight.used & ~far
-        flat, values = by_board[used].reshape(-1, POSE) / sigma, residual[used].ravel() / sigma
+        flat = (by_board[used] / sigma[used, None, None]).reshape(-1, POSE)
+        values = (residual[used] / sigma[used, None]).ravel()
         information, gradient = flat.T @ flat, flat.T @ values
         if np.count_nonzero(used) < POSE:
-            return _Alone(sight, residual, information, gradient, sight.used, limit_px)
+            return _Alone(sight, residual, information, gradient, sight.used, limits_px)
         left = residual - by_board @ np.linalg.solve(information, gradient)
-        spread = max(1.4826 * float(np.median(np.abs(left[sight.used]))), sigma)
-        limit_px = max(FAR_CORNER_FACTOR * spread, BAD_VIEW_FLOOR_PX)
-        far = np.linalg.norm(left, axis=1) > limit_px
-    return _Alone(sight, left, information, gradient, far, limit_px)
+        usual = max(1.4826 * float(np.median(np.abs((left / spread[:, None])[sight.used]))), bundle.sigma_px(sight.camera))
+        limits_px = np.maximum(FAR_CORNER_FACTOR * usual * spread, BAD_VIEW_FLOOR_PX)
+        far = np.linalg.norm(left, axis=1) > limits_px
+    return _Alone(sight, left, information, gradient, far, limits_px)
 
 
 def _misfits(one: _Alone, median_px: float, names: Names, found: Cleaned) -> bool:
@@ -149,9 +150,9 @@ def _against_others(one: _Alone, view: Sequence[_Alone]) -> tuple[float, FloatAr
     return float(change @ np.linalg.solve(both, change)), change
 
 
-def compacted(state: BundleState, sights: Sequence[Sight], names: Names) -> tuple[BundleState, list[Sight], Names]:
-    """Drop board positions no camera sees any more. Raises CalibrationError where too few are left."""
-    for camera, name in enumerate(names[0]):
+def compacted(state: BundleState, sights: Sequence[Sight], names: Names, known_cameras: int) -> tuple[BundleState, list[Sight], Names]:
+    """Drop board positions no camera sees any more. Raises CalibrationError where too few are left for a camera that is not known."""
+    for camera, name in list(enumerate(names[0]))[known_cameras:]:
         left = sum(sight.camera == camera for sight in sights)
         if left < LEAST_VIEWS:
             raise CalibrationError(

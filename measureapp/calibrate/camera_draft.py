@@ -29,9 +29,9 @@ class CameraArrayDraft:
         self._sightings: dict[tuple[str, str], Sighting] = {}
         self._rejected: dict[tuple[str, str], Rejection] = {}
 
-    def add(self, camera: str, view: str, corners_px: FloatArray, ids: IntArray | None = None) -> None:
-        """Add the corners seen by one camera; ``ids`` says which they are, where it did not see all."""
-        self.add_sighting(Sighting(camera, view, corners_px, ids))
+    def add(self, camera: str, view: str, corners_px: FloatArray, ids: IntArray | None = None, sigma_px: FloatArray | None = None) -> None:
+        """Add the corners seen by one camera; ``ids`` says which they are, where it did not see all; ``sigma_px`` (N,) how exact."""
+        self.add_sighting(Sighting(camera, view, corners_px, ids, sigma_px))
 
     def add_sighting(self, sighting: Sighting) -> None:
         """Add what one camera saw in one view."""

@@ -87,15 +87,15 @@ def _blamed(view: str, pairs: Mapping[tuple[str, str], bool]) -> list[Rejection]
     return [Rejection(camera, view, reason) for camera in blamed]
 
 
-def placed_from_reference(poses: Poses, reference: str) -> dict[str, FloatArray]:
-    """Return reference_from_camera (4, 4) of every camera, chained over the pairs with most shared views.
+def placed_from_reference(poses: Poses, reference: str, given: Mapping[str, FloatArray]) -> dict[str, FloatArray]:
+    """Return reference_from_camera (4, 4) of every camera: as ``given``, or chained over the pairs with most shared views.
 
     Raises
     ------
     CalibrationError
         A camera shares no board position with the others.
     """
-    placed: dict[str, FloatArray] = {reference: np.eye(4)}
+    placed: dict[str, FloatArray] = {reference: np.eye(4)} | dict(given)
     while len(placed) < len(poses):
         shared = {(known, new): sum(view in poses[new] for view in poses[known]) for known in placed for new in poses if new not in placed}
         known, new = max(shared, key=lambda pair: shared[pair])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,14 +17,6 @@ from measureapp.geometry.transform import RigidTransform, orthonormalised
 
 POSE_NAMES = ("rotation_x_rad", "rotation_y_rad", "rotation_z_rad", "x_mm", "y_mm", "z_mm")
 BOW_LABELS = ("board.bow_xx_mm", "board.bow_xy_mm", "board.bow_yy_mm")
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class CameraPrior:
-    """The labelled covariance of the cameras as their calibration gives it: "left.fx", …, "right.x_mm", …, and the board's bow."""
-
-    parameters: tuple[str, ...]
-    covariance: FloatArray  # (C, C)
 
 
 def pose_by_cameras(

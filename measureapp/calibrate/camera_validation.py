@@ -18,11 +18,11 @@ import numpy as np
 from scipy.spatial import ConvexHull, Delaunay
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.bundle import POSE, Bundle, BundleState, Layout, Sight
+from measureapp.calibrate.bundle import POSE, Bundle, BundleState, Layout, Sight, spread_of
 from measureapp.calibrate.camera import LEAST_VIEWS
 from measureapp.calibrate.camera_array import BOW_NAMES, CameraArrayProblem, CameraArraySolution, solve
 from measureapp.calibrate.camera_uncertainty import projection_covariance, projection_difference
-from measureapp.calibrate.sightings import Sighting
+from measureapp.calibrate.sightings import Sighting, spreads
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.errors import CalibrationError
@@ -150,7 +150,8 @@ def _as_solved(problem: CameraArrayProblem, solution: CameraArraySolution) -> Ca
 
 def _without(sighting: Sighting, corners: set[int]) -> Sighting:
     keep = ~np.isin(sighting.known_ids, list(corners))
-    return replace(sighting, corners_px=sighting.corners_px[keep], ids=sighting.known_ids[keep], sigma_px=None)
+    sigma = None if sighting.sigma_px is None else sighting.sigma_px[keep]
+    return replace(sighting, corners_px=sighting.corners_px[keep], ids=sighting.known_ids[keep], sigma_px=sigma)
 
 
 def _only(problem: CameraArrayProblem, views: list[str]) -> CameraArrayProblem:
@@ -160,11 +161,14 @@ def _only(problem: CameraArrayProblem, views: list[str]) -> CameraArrayProblem:
 
 def _held_back(view: str, problem: CameraArrayProblem, trained: CameraArraySolution, whole: CameraArraySolution) -> HeldBackView:
     names = list(trained.calibration.names)
-    seen = [one for one in problem.sightings if one.view == view]
-    sights = tuple(Sight(names.index(one.camera), 0, one.corners_px, np.ones(len(one.corners_px), bool), one.ids) for one in seen)
+    sights = tuple(
+        Sight(names.index(one.camera), 0, one.corners_px, np.ones(len(one.corners_px), bool), one.ids, spread)
+        for one, spread in zip(problem.sightings, spreads(problem.sightings), strict=True)
+        if one.view == view
+    )
     free_bow = any(name in BOW_NAMES for name in trained.parameters)
     bundle, state = _one_view(trained.calibration, trained.board, whole.boards[view].matrix, sights, free_bow)
-    sigmas = np.concatenate([np.full(2 * len(sight.corners_px), trained.sigmas_px[names[sight.camera]]) for sight in sights])
+    sigmas = np.concatenate([np.repeat(trained.sigmas_px[names[sight.camera]] * spread_of(sight), 2) for sight in sights])
     residuals, by_board, by_rest = _linearised(bundle, state)
     for _ in range(POSE_STEPS):
         step = -np.linalg.lstsq(by_board / sigmas[:, None], residuals / sigmas, rcond=None)[0]

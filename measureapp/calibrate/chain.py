@@ -154,6 +154,11 @@ class Chain:
             start, lambda state: self._normal(state, priors), lambda state: self._cost(state, priors), self.moved, progress=progress
         )
 
+    def curvature(self, state: ChainState) -> Minimum[ChainState]:
+        """Return ``state`` as if it were the minimum, for the covariance there."""
+        normal = self._normal(state, self._priors())
+        return Minimum(state, normal.hessian, normal.cost, 0)
+
     def _priors(self) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Inverse covariances of the robot's rotations (G, G) and translations (G, G), and of the cameras (C, C)."""
         turn, shift = self.noise.robot_covariances(self.approached)

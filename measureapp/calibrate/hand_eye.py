@@ -11,6 +11,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.axis_noise import AxisNoise
 from measureapp.calibrate.board_pose import BoardPose
+from measureapp.calibrate.cameras_carried import cost_beyond_cameras, with_cameras
 from measureapp.calibrate.chain import POSE_LABELS, Chain, ChainState, Free, poses_of, roots_of
 from measureapp.calibrate.hand_eye_methods import METHODS
 from measureapp.calibrate.least_squares import Minimum
@@ -18,7 +19,7 @@ from measureapp.calibrate.motions import Degeneracy, motions_between
 from measureapp.calibrate.pose_checks import board_deviations, check_direction, check_units
 from measureapp.calibrate.poses import mean_pose, stacked
 from measureapp.calibrate.robot_world import ROBOT_WORLD_METHODS
-from measureapp.data.calibration import HandEye
+from measureapp.data.calibration import HandEye, LabelledCovariance
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform, orthonormalised
 from measureapp.progress import NoProgress, Progress
@@ -34,6 +35,8 @@ class HandEyeProblem:
     base_from_flange: tuple[RigidTransform, ...]
     boards: tuple[BoardPose, ...]
     noise: AxisNoise = field(default_factory=AxisNoise)
+    by_cameras: FloatArray | None = None  # (N, 6, C), change of the board poses with the parameters of ``camera_prior``
+    camera_prior: LabelledCovariance | None = None  # what the calibration of the cameras leaves uncertain
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -158,14 +161,16 @@ def _refined(
         table_group=np.zeros(count, np.intp),
         noise=problem.noise,
         free=Free(guide=False, axis=False),
+        by_cameras=problem.by_cameras,
     )
     x = start.flange_from_camera.matrix
     board = mean_pose(robot @ x @ camera)
     minimum = chain.adjusted(
         ChainState(x, np.array([0.0, 1, 0]), 1.0, np.zeros(3), np.array([0.0, 0, 1]), board, np.zeros((count, 6)), np.zeros(0))
     )
-    variance = minimum.cost / max(chain.freedom(), 1)
-    covariance = minimum.covariance(max(variance, 1.0))[:6, :6]
+    beyond = cost_beyond_cameras(chain, minimum, minimum.covariance(1.0), problem.camera_prior)
+    variance = max(beyond / max(chain.freedom(), 1), 1.0)
+    covariance = with_cameras(chain, minimum, minimum.covariance(variance), variance, problem.camera_prior)[:6, :6]
     deviations = np.sqrt(np.diag(covariance))
     refined = _estimate(minimum.state.flange_from_camera, robot, camera)
     hand_eye = HandEye(

@@ -10,11 +10,10 @@ import numpy as np
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.calibrate.axis_noise import SAME_POSE, AxisNoise, approaches_of
 from measureapp.calibrate.board_pose import BoardPose
-from measureapp.calibrate.camera_prior import CameraPrior
 from measureapp.calibrate.chain import Chain, ChainState, Free, groups_of, poses_of, roots_of
 from measureapp.calibrate.joint_solution import RigSolution, solution_of
 from measureapp.calibrate.rig import RigStages, stages_of
-from measureapp.data.calibration import CameraArrayCalibration
+from measureapp.data.calibration import CameraArrayCalibration, LabelledCovariance
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError
 from measureapp.progress import NoProgress, Progress
@@ -35,7 +34,7 @@ class RigObservation:
     name: str
     readback: AxisReadback
     board: BoardPose
-    by_cameras: FloatArray | None = None  # (6, C), change of the board pose with the parameters of a `CameraPrior`
+    by_cameras: FloatArray | None = None  # (6, C), change of the board pose with the parameters of a `LabelledCovariance`
 
 
 class RigDraft:
@@ -80,7 +79,7 @@ def solve_rig(
     cameras: CameraArrayCalibration,
     *,
     noise: AxisNoise | None = None,
-    camera_prior: CameraPrior | None = None,
+    camera_prior: LabelledCovariance | None = None,
     free_cameras: bool = False,
     progress: Progress | None = None,
 ) -> RigSolution:
@@ -150,7 +149,7 @@ def _spans(readbacks: Sequence[AxisReadback]) -> tuple[float, float]:
     return float(np.ptp([one.table_rad for one in readbacks])), float(np.ptp([one.guide_mm for one in readbacks]))
 
 
-def _chain(observations: Sequence[RigObservation], noise: AxisNoise, free: Free, freed: CameraPrior | None) -> Chain:
+def _chain(observations: Sequence[RigObservation], noise: AxisNoise, free: Free, freed: LabelledCovariance | None) -> Chain:
     robot = np.array([observation.readback.base_from_flange.matrix for observation in observations])
     table = np.array([observation.readback.table_rad for observation in observations])
     slide = np.array([observation.readback.guide_mm for observation in observations])

@@ -9,14 +9,24 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.axis_noise import SAME_POSE
-from measureapp.calibrate.camera_prior import CameraPrior, cameras_moved
-from measureapp.calibrate.chain import POSE, POSE_LABELS, Chain, ChainState, groups_of
+from measureapp.calibrate.camera_prior import cameras_moved
+from measureapp.calibrate.cameras_carried import cost_beyond_cameras, with_cameras
+from measureapp.calibrate.chain import POSE_LABELS, Chain, ChainState, groups_of
 from measureapp.calibrate.least_squares import Minimum
 from measureapp.calibrate.linear_guide import paper_error_mm
 from measureapp.calibrate.observability import WeakDirection, unseen, weakest
 from measureapp.calibrate.poses import change_between, moved
 from measureapp.calibrate.rig import RigStages
-from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, Provenance, RigCalibration, RobotStation, RotationAxis
+from measureapp.data.calibration import (
+    CameraArrayCalibration,
+    HandEye,
+    LabelledCovariance,
+    LinearGuide,
+    Provenance,
+    RigCalibration,
+    RobotStation,
+    RotationAxis,
+)
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform, orthonormalised
 
@@ -68,7 +78,7 @@ def solution_of(
     *,
     rejected: dict[str, str],
     not_seen: tuple[str, ...],
-    camera_prior: CameraPrior | None,
+    camera_prior: LabelledCovariance | None,
 ) -> RigSolution:
     """Return the calibrated rig at the minimum of ``chain``.
 
@@ -79,11 +89,11 @@ def solution_of(
     """
     state = minimum.state
     plain = _given_cameras(chain, minimum, 1.0)
-    ratio = float(np.sqrt(_cost_beyond_cameras(chain, minimum, plain, camera_prior) / max(chain.freedom(), 1)))
+    ratio = float(np.sqrt(cost_beyond_cameras(chain, minimum, plain, camera_prior) / max(chain.freedom(), 1)))
     count = len(chain.labels)
     variance = _variance(ratio, chain.freedom())
     given_cameras = plain * variance
-    joint = _with_cameras(chain, minimum, given_cameras, variance, camera_prior)
+    joint = with_cameras(chain, minimum, given_cameras, variance, camera_prior)
     covariance = joint[:count, :count]
     if camera_prior is not None and chain.cameras_freed:
         cameras = cameras_moved(cameras, camera_prior.parameters, state.camera_changes)
@@ -150,35 +160,7 @@ def _given_cameras(chain: Chain, minimum: Minimum[ChainState], variance: float) 
         raise CalibrationError(f"The sightings do not determine the rig: {lost}.", error.hint) from error
 
 
-def _by_cameras(chain: Chain) -> FloatArray:
-    """Return what the parameters of the cameras take from the whitened residuals, (6 N + K, C)."""
-    seen = (chain.roots @ np.asarray(chain.by_cameras)).reshape(POSE * len(chain.guide_mm), -1)
-    return np.vstack([seen, np.zeros((chain.table_angles, seen.shape[1]))])
-
-
-def _cost_beyond_cameras(chain: Chain, minimum: Minimum[ChainState], covariance: FloatArray, camera_prior: CameraPrior | None) -> float:
-    """Return the sum of squares without what errors of the cameras within their covariance explain: as if they had been freed."""
-    if camera_prior is None or chain.cameras_freed or chain.by_cameras is None:
-        return minimum.cost
-    jacobian, seen = chain.jacobian(minimum.state), _by_cameras(chain)
-    mixed = jacobian.T @ seen
-    normal = np.linalg.inv(camera_prior.covariance) + seen.T @ seen - mixed.T @ covariance @ mixed
-    pull = seen.T @ chain.residuals(minimum.state)
-    return max(minimum.cost - float(pull @ np.linalg.solve(normal, pull)), 0.0)
-
-
-def _with_cameras(
-    chain: Chain, minimum: Minimum[ChainState], covariance: FloatArray, variance: float, camera_prior: CameraPrior | None
-) -> FloatArray:
-    """Add K Σ Kᵀ for cameras that are not freed, K being the change of the solution with their parameters."""
-    if camera_prior is None or chain.cameras_freed or chain.by_cameras is None:
-        return covariance
-    jacobian, seen = chain.jacobian(minimum.state), _by_cameras(chain)
-    gain = covariance / variance @ (jacobian.T @ seen)
-    return np.asarray(covariance + gain @ camera_prior.covariance @ gain.T)
-
-
-def _joint_labels(chain: Chain, camera_prior: CameraPrior | None) -> tuple[str, ...]:
+def _joint_labels(chain: Chain, camera_prior: LabelledCovariance | None) -> tuple[str, ...]:
     robot = tuple(f"robot {number + 1}.{label}" for number in range(chain.robot_poses) for label in POSE_LABELS)
     table = tuple(f"table {number + 1}.angle_rad" for number in range(chain.table_angles))
     cameras = camera_prior.parameters if camera_prior is not None and chain.cameras_freed else ()

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
 import numpy as np
 
-from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.arrays import FloatArray
 from measureapp.errors import CalibrationError
 from measureapp.progress import NoProgress, Progress
 
@@ -125,8 +125,6 @@ def minimise_residuals(
     moved: Callable[[State, FloatArray], State],
     steps: FloatArray,
     *,
-    together: Sequence[IntArray] = (),
-    rows_of: Callable[[int], BoolArray] | None = None,
     iterations: int = 60,
     progress: Progress | None = None,
 ) -> Minimum[State]:
@@ -136,26 +134,13 @@ def minimise_residuals(
     ----------
     residuals : gives the whitened residuals (M,) of a state
     steps : (P,) step of the difference of every parameter
-    together : sets of parameters that never touch the same residual: they are shifted at once
-    rows_of : for a parameter of such a set, the mask (M,) of the residuals it touches
     """
-    alone = np.setdiff1d(np.arange(len(steps)), np.concatenate([np.empty(0, int), *together]))
-
-    def difference(state: State, chosen: IntArray) -> FloatArray:
-        shift = np.zeros(len(steps))
-        shift[chosen] = steps[chosen]
-        return residuals(moved(state, shift)) - residuals(moved(state, -shift))
 
     def linearise(state: State) -> NormalEquations:
         at = residuals(state)
         jacobian = np.zeros((len(at), len(steps)))
-        for parameter in alone:
-            jacobian[:, parameter] = difference(state, np.array([parameter])) / (2 * steps[parameter])
-        for chosen in together:
-            change = difference(state, chosen)
-            for parameter in chosen:
-                rows = rows_of(int(parameter)) if rows_of else np.ones(len(at), bool)
-                jacobian[rows, parameter] = change[rows] / (2 * steps[parameter])
+        for parameter, shift in enumerate(np.diag(steps)):
+            jacobian[:, parameter] = (residuals(moved(state, shift)) - residuals(moved(state, -shift))) / (2 * steps[parameter])
         return NormalEquations(jacobian.T @ jacobian, jacobian.T @ at, float(at @ at))
 
     def cost_of(state: State) -> float:

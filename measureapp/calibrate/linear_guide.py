@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.poses import stacked
-from measureapp.data.calibration import HandEye, LinearGuide
+from measureapp.data.calibration import HandEye, LabelledCovariance, LinearGuide
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform
 
@@ -37,6 +37,8 @@ class GuideProblem:
 
     observations: tuple[GuideObservation, ...]
     hand_eye: HandEye
+    by_cameras: FloatArray | None = None  # (N, 6, C), change of the board poses with the parameters of ``camera_prior``
+    camera_prior: LabelledCovariance | None = None  # what the calibration of the cameras leaves uncertain
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -105,10 +107,20 @@ def solve(problem: GuideProblem) -> GuideSolution:
     boards = robot @ problem.hand_eye.flange_from_camera.matrix @ camera
     slide = np.array([observation.guide_mm for observation in problem.observations])
     turn = _turns(boards)
-    return _fitted(boards[:, :3, 3], slide, turn, stroke)
+    return _fitted(boards[:, :3, 3], slide, turn, stroke, _by_cameras(problem, robot, slide))
 
 
-def _fitted(boards_mm: FloatArray, slide: FloatArray, turn: FloatArray, stroke: float) -> GuideSolution:
+def _by_cameras(problem: GuideProblem, robot: FloatArray, slide: FloatArray) -> FloatArray:
+    """Return the covariance (3, 3) of the travel per displayed millimetre that the cameras' own uncertainty adds."""
+    if problem.by_cameras is None or problem.camera_prior is None:
+        return np.zeros((3, 3))
+    turned = robot[:, :3, :3] @ problem.hand_eye.flange_from_camera.rotation @ problem.by_cameras[:, 3:]  # (N, 3, C)
+    away = slide - slide.mean()
+    travel = -np.tensordot(away, turned, 1) / float(away @ away)
+    return np.asarray(travel @ problem.camera_prior.covariance @ travel.T)
+
+
+def _fitted(boards_mm: FloatArray, slide: FloatArray, turn: FloatArray, stroke: float, by_cameras: FloatArray) -> GuideSolution:
     away = slide - slide.mean()
     travel = -(away @ (boards_mm - boards_mm.mean(axis=0))) / float(away @ away)
     scale = float(np.linalg.norm(travel))
@@ -123,7 +135,16 @@ def _fitted(boards_mm: FloatArray, slide: FloatArray, turn: FloatArray, stroke: 
     aside = np.linalg.norm(residual + along[:, None] * direction, axis=1)
     freedom = 3 * len(slide) - 6
     sigma = float(np.sqrt(np.sum(residual**2) / freedom / float(away @ away)))
-    guide = LinearGuide(direction, scale, sigma / scale, sigma, float(np.sqrt(np.mean(aside**2))))
+    across = np.eye(3) - np.outer(direction, direction)
+    turned = float(np.linalg.eigvalsh(across @ by_cameras @ across)[-1])  # variance of the direction in which it is least certain
+    stretched = float(direction @ by_cameras @ direction)
+    guide = LinearGuide(
+        direction,
+        scale,
+        float(np.sqrt(sigma**2 + turned)) / scale,
+        float(np.sqrt(sigma**2 + stretched)),
+        float(np.sqrt(np.mean(aside**2))),
+    )
     warnings = [] if stroke >= ADVISED_STROKE_MM else [f"The positions span only {stroke:.0f} mm: spread them over more of the stroke."]
     if turn.max() > LARGEST_TURN_RAD:
         warnings.append(f"The board seems to turn by up to {np.rad2deg(turn.max()):.2f}°: it moved, or the hand-eye transform is wrong.")

@@ -6,10 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from measureapp.calibrate.camera_array import CameraArrayProblem, CameraArraySolution, solve
-from measureapp.calibrate.projector_sightings import PROJECTOR, projector_sighting
+from measureapp.calibrate.projector_sightings import PROJECTOR
 from measureapp.calibrate.sightings import Rejection, Sighting
 from measureapp.data.calibration import CameraArrayCalibration, ProjectorCalibration, Provenance
-from measureapp.data.phase import PhaseMap
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Progress
@@ -23,13 +22,13 @@ class HeadSolution:
     solution: CameraArraySolution  # of the bundle, in which the projector is a camera called `PROJECTOR`
 
 
-def with_projector(problem: CameraArrayProblem, phases: Mapping[tuple[str, str], PhaseMap], size_px: tuple[int, int]) -> CameraArrayProblem:
+def with_projector(problem: CameraArrayProblem, read: Sequence[Sighting | Rejection], size_px: tuple[int, int]) -> CameraArrayProblem:
     """Return the problem with the projector as one more camera.
 
     Parameters
     ----------
-    phases : (camera, view) -> phase of the vertical fringes with that of the horizontal ones in its ``across``. Where several
-        cameras have phases of a view, the one with most marks speaks for the projector.
+    read : what `projector_sighting` made of the phases in every camera and view; where several cameras have phases of a view, the
+        one with most marks speaks for the projector
     size_px : width and height of the projector's image
 
     Raises
@@ -40,38 +39,37 @@ def with_projector(problem: CameraArrayProblem, phases: Mapping[tuple[str, str],
     if PROJECTOR in problem.sizes_px:
         raise CalibrationError(f"A camera is called {PROJECTOR!r}.", "Give the camera another name.")
     seen: dict[str, list[Sighting]] = {}
-    missed: dict[str, Rejection] = {}
-    for sighting in problem.sightings:
-        if (sighting.camera, sighting.view) not in phases:
-            continue
-        found = projector_sighting(sighting, phases[sighting.camera, sighting.view])
-        if isinstance(found, Rejection):
-            missed[sighting.view] = found
-        else:
-            seen.setdefault(sighting.view, []).append(found)
+    for one in read:
+        if isinstance(one, Sighting):
+            seen.setdefault(one.view, []).append(one)
+    missed = {one.view: one for one in read if isinstance(one, Rejection) and one.view not in seen}
     best = [max(found, key=lambda one: len(one.corners_px)) for found in seen.values()]
     return replace(
         problem,
         sizes_px={**problem.sizes_px, PROJECTOR: size_px},
         sightings=(*problem.sightings, *best),
-        rejected=(*problem.rejected, *(missed[view] for view in missed if view not in seen)),
+        rejected=(*problem.rejected, *missed.values()),
     )
 
 
 def solve_head(
     problem: CameraArrayProblem,
-    phases: Mapping[tuple[str, str], PhaseMap],
+    read: Sequence[Sighting | Rejection],
     size_px: tuple[int, int],
     progress: Progress | None = None,
 ) -> HeadSolution:
-    """Calibrate cameras and projector together.
+    """Calibrate cameras and projector together, or the projector alone where the problem's cameras are known.
+
+    Parameters
+    ----------
+    read : what `projector_sighting` made of the phases in every camera and view
 
     Raises
     ------
     CalibrationError
         As `camera_array.solve`; for the projector as for any camera.
     """
-    solution = solve(with_projector(problem, phases, size_px), progress)
+    solution = solve(with_projector(problem, read, size_px), progress)
     return HeadSolution(as_head(solution.calibration), solution)
 
 

@@ -21,7 +21,7 @@ from measureapp.calibrate.axis_motion import (
 from measureapp.calibrate.board_pose import BoardPose
 from measureapp.calibrate.poses import moved, stacked
 from measureapp.data.board import BoardDescription
-from measureapp.data.calibration import RotationAxis
+from measureapp.data.calibration import LabelledCovariance, RotationAxis
 from measureapp.errors import CalibrationError
 from measureapp.progress import NoProgress, Progress
 
@@ -43,6 +43,15 @@ class AxisProblem:
     free_angles: bool = False  # estimate the angles, even where they were read back
     frame: str = "camera"
     closure_radius_mm: float = CLOSURE_RADIUS_MM
+    by_cameras: FloatArray | None = None  # (n, 6, C), change of ``poses`` with the parameters of ``camera_prior``
+    camera_prior: LabelledCovariance | None = None  # what the calibration of the cameras leaves uncertain
+
+    @property
+    def changes_by_cameras(self) -> FloatArray:
+        """Changes (K, n, 6) of the poses by errors of the cameras that are independent of each other, one standard deviation each."""
+        if self.by_cameras is None or self.camera_prior is None:
+            return np.empty((0, len(self.poses), 6))
+        return np.moveaxis(self.by_cameras @ self.camera_prior.root, -1, 0)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -194,8 +203,22 @@ def _maximum_likelihood(problem: AxisProblem, corners: FloatArray, start: Turnin
     turning = minimum.state
     foot = _foot(turning.point_mm, turning.direction, corners)
     covariance = _carried_along(covariance, float(turning.direction @ (foot - turning.point_mm)))
+    covariance = covariance + _spread_by_cameras(problem, turning, foot, free)
     axis = _axis(problem, corners, foot, turning.direction, covariance)
     return _estimate(axis, corners, turning.angles_rad), covariance, variance
+
+
+def _spread_by_cameras(problem: AxisProblem, turning: Turning, foot: FloatArray, free: bool) -> FloatArray:
+    """Return the covariance (4, 4) of direction and foot that the cameras' uncertainty adds: the axis with each of their errors in turn."""
+    poses = stacked(pose.camera_from_board for pose in problem.poses)
+    roots = np.array([np.linalg.cholesky(pose.information).T for pose in problem.poses])
+    basis, spread = across(turning.direction), np.zeros((AXIS_PARAMETERS, AXIS_PARAMETERS))
+    for change in problem.changes_by_cameras:
+        other = most_likely_from_poses(turning, moved(poses, change), roots, free)[0].state
+        other_foot = other.point_mm + other.direction * float(turning.direction @ (foot - other.point_mm))
+        shift = np.concatenate([basis @ other.direction, basis @ (other_foot - foot)])
+        spread += np.outer(shift, shift)
+    return spread
 
 
 def _by_circles(problem: AxisProblem, corners: FloatArray, power: float, likely: AxisEstimate, variance: float) -> AxisEstimate:
@@ -220,10 +243,12 @@ def _redrawn(problem: AxisProblem, corners: FloatArray, variance: float, generat
     if not problem.poses:
         return corners + generator.normal(scale=np.sqrt(variance), size=corners.shape)
     result = []
-    for pose, points in zip(problem.poses, corners, strict=True):
+    together = problem.changes_by_cameras
+    common = np.tensordot(generator.normal(size=len(together)), together, 1)
+    for pose, points, shared in zip(problem.poses, corners, common, strict=True):
         covariance = variance * np.linalg.inv(pose.information)
         origin = pose.camera_from_board.translation_mm
-        change = moved(np.eye(4), generator.multivariate_normal(np.zeros(6), covariance, method="cholesky"))
+        change = moved(np.eye(4), shared + generator.multivariate_normal(np.zeros(6), covariance, method="cholesky"))
         result.append((points - origin) @ change[:3, :3].T + origin + change[:3, 3])
     return np.array(result)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -19,6 +20,9 @@ class BoardRefused(CalibrationError):
     def __init__(self, message: str, hint: str, cause: Cause) -> None:
         super().__init__(message, hint)
         self.cause: Cause = cause
+
+
+LARGEST_SPREAD = 5.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -63,6 +67,22 @@ class Sighting:
 def sighting_of(camera: str, view: str, found: FoundBoard) -> Sighting:
     """Return what was found in an image as the sighting of a camera."""
     return Sighting(camera, view, found.corners_px, found.ids, found.sigma_px)
+
+
+def spreads(sightings: Sequence[Sighting]) -> list[FloatArray | None]:
+    """Return the standard deviations (N,) of every sighting's corners over the median of its camera; None where none were estimated.
+
+    Only their ratios are taken from the images: the level of a camera's noise follows from the residuals of the adjustment.
+    Ratios stay within a factor of `LARGEST_SPREAD` of one, since the level of a single view is itself an estimate.
+    """
+    known: dict[str, list[FloatArray]] = {}
+    for one in sightings:
+        if one.sigma_px is not None:
+            known.setdefault(one.camera, []).append(one.sigma_px)
+    usual = {camera: float(np.median(np.concatenate(values))) for camera, values in known.items()}
+    return [
+        None if one.sigma_px is None else np.clip(one.sigma_px / usual[one.camera], 1 / LARGEST_SPREAD, LARGEST_SPREAD) for one in sightings
+    ]
 
 
 def shared_corners(first: Sighting, second: Sighting) -> tuple[IntArray, IntArray, IntArray]:

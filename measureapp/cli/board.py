@@ -7,7 +7,8 @@ from typing import Annotated
 
 import typer
 
-from measureapp.cli.calibrate.options import NO_BOARD, BoardChoice, with_board
+from measureapp.cli.calibrate.option_groups import with_groups
+from measureapp.cli.calibrate.options import BoardChoice
 from measureapp.cli.reply import JsonOption, reply
 
 
@@ -20,10 +21,10 @@ def register(app: typer.Typer) -> None:
         """Calibration boards."""
 
     @group.command()
-    @with_board
+    @with_groups
     def export(
         out: Annotated[Path, typer.Option("--out", help="SVG file to write; print it at 100 % and check its line of 100 mm.")],
-        board: BoardChoice = NO_BOARD,
+        board: BoardChoice,
         as_json: JsonOption = False,
     ) -> None:
         """Draw a board to print at true scale."""

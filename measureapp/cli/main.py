@@ -50,7 +50,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     as_json = "--json" in arguments
     _write_what_can_be_written()
     try:
-        outcome = build()(args=arguments, prog_name="measureapp", standalone_mode=False)
+        outcome = build()(args=arguments, obj=tuple(arguments), prog_name="measureapp", standalone_mode=False)
         return outcome if isinstance(outcome, int) else DONE
     except typer.Exit as stop:
         return stop.exit_code

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -14,6 +14,7 @@ from measureapp.errors import CalibrationError
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, rotation_about
 
+NO_VARIANCE = 1e-12  # share of the largest: rounding of a combination that is exactly known
 SAME_STATION_MM, SAME_STATION_RAD = 0.01, 2e-5
 
 
@@ -23,9 +24,11 @@ class Provenance:
 
     created: str = ""  # ISO 8601
     method: str = ""
-    inputs: Mapping[str, str] = field(default_factory=dict)  # name -> checksum or serial number
+    inputs: Mapping[str, str] = field(default_factory=dict)  # file or image -> checksum, device -> serial number
     temperature_c: float | None = None  # of the room or the head, where it was measured
     valid_days: float | None = None  # after `created`; None: until something says otherwise
+    arguments: tuple[str, ...] = ()  # of the command that made it, where it was one
+    folder: str = ""  # in which that command ran, seen from the folder of the calibration; the names of `inputs` start there
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -56,6 +59,35 @@ class ProjectorCalibration:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class LabelledCovariance:
+    """What a calibration leaves uncertain, with the name of every row: "left.fx", …, "right.x_mm", …; lengths in mm, angles in rad."""
+
+    parameters: tuple[str, ...]
+    covariance: FloatArray  # (C, C), symmetric
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "covariance", read_only(self.covariance, np.float64, (len(self.parameters),) * 2))
+
+    @property
+    def root(self) -> FloatArray:
+        """Columns (C, K) whose products sum to the covariance: changes of the parameters that are independent of each other, one σ each."""
+        scale = np.sqrt(np.maximum(np.diag(self.covariance), 0))
+        scale = np.where(scale > 0, scale, 1.0)
+        values, vectors = np.linalg.eigh(self.covariance / np.outer(scale, scale))
+        kept = values > NO_VARIANCE * max(float(values[-1]), 0.0)
+        return np.asarray(scale[:, None] * vectors[:, kept] * np.sqrt(values[kept]))
+
+    def rows_of(self, labels: Sequence[str]) -> FloatArray:
+        """Return the covariance (L, L) of chosen parameters in the order of ``labels``; zero for those it does not have."""
+        place = {label: index for index, label in enumerate(self.parameters)}
+        there = [index for index, label in enumerate(labels) if label in place]
+        chosen = [place[labels[index]] for index in there]
+        result = np.zeros((len(labels), len(labels)))
+        result[np.ix_(there, there)] = self.covariance[np.ix_(chosen, chosen)]
+        return result
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class CameraArrayCalibration:
     """All cameras of the head, and its projector where it is calibrated, in the reference camera's frame `camera`."""
 
@@ -64,6 +96,7 @@ class CameraArrayCalibration:
     pair_rms_px: Mapping[str, float] = field(default_factory=dict)  # "left-right" -> rms
     provenance: Provenance = field(default_factory=Provenance)
     projector: ProjectorCalibration | None = None
+    covariance: LabelledCovariance | None = None  # of cameras and projector; None where it is not known
 
     def __post_init__(self) -> None:
         if self.reference not in self.cameras:

@@ -15,12 +15,12 @@ from measureapp.calibrate.board import find_board
 from measureapp.calibrate.board_pose import board_pose
 from measureapp.calibrate.camera_array import CameraArrayProblem, CameraArraySolution
 from measureapp.calibrate.camera_array import solve as solve_cameras
-from measureapp.calibrate.camera_prior import CameraPrior, pose_by_cameras
+from measureapp.calibrate.camera_prior import pose_by_cameras
 from measureapp.calibrate.joint import RigObservation, solve_rig
 from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.sightings import FoundBoard, Rejection, sighting_of
 from measureapp.data.board import BoardDescription, BoardView
-from measureapp.data.calibration import Provenance
+from measureapp.data.calibration import LabelledCovariance, Provenance
 from measureapp.data.conditions import LensSetting
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.rig import RigDescription
@@ -87,7 +87,7 @@ def rig_with_cameras(
     CalibrationError
         The sightings do not determine the rig.
     """
-    prior = CameraPrior(solved.parameters, solved.covariance)
+    prior = LabelledCovariance(solved.parameters, solved.covariance)
     observations = _observations(readbacks, found, solved)
     return CalibratedRig(solved, solve_rig(observations, solved.calibration, noise=noise, camera_prior=prior, progress=progress))
 
@@ -99,10 +99,15 @@ def _provenance(method: str, rig: RigDescription, views: Sequence[BoardView]) ->
     return Provenance(
         created=max((conditions.taken_at for conditions in recorded), default=datetime.now(UTC).isoformat(timespec="seconds")),
         method=method,
-        inputs={f"{view.viewpoint_id}/{camera}": checksum(np.asarray(pixels)) for view in views for camera, pixels in view.images.items()},
+        inputs=checksums_of(views),
         temperature_c=median(warm) if warm else None,
         valid_days=rig.calibration_rules.valid_days,
     )
+
+
+def checksums_of(views: Sequence[BoardView]) -> dict[str, str]:
+    """Return "view/camera" -> checksum of every image, which is how a project stores them."""
+    return {f"{view.viewpoint_id}/{camera}": checksum(np.asarray(pixels)) for view in views for camera, pixels in view.images.items()}
 
 
 def expected_noise(rig: RigDescription) -> AxisNoise:

@@ -10,20 +10,23 @@ from typing import Any
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, ProjectorCalibration, Provenance
+from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, LabelledCovariance, ProjectorCalibration, Provenance
 from measureapp.data.conditions import LensSetting
 from measureapp.errors import FrameMismatch, InputError
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.atomic import write_json
 
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2  # 2 may have `covariance`, and in `provenance` the command that made it; files of version 1 are read as they are
+READABLE_VERSIONS = (1, 2)
 DISTORTION_LENGTHS = (4, 5, 8, 12, 14)
 FILE_FIELDS = {"schema_version", "reference", "cameras", "pair_rms_px", "provenance", "projector"}
+FILE_FIELDS_SINCE_2 = {"covariance"}
+COVARIANCE_FIELDS = {"parameters", "matrix"}
 LENS_FIELDS = ("width", "height", "matrix", "distortion")
 CAMERA_FIELDS = {*LENS_FIELDS, "reference_from_camera", "standard_deviations", "rms_px", "serial", "focus_mm", "f_number"}
 PROJECTOR_FIELDS = {*LENS_FIELDS, "reference_from_projector", "name", "standard_deviations", "provenance"}
-PROVENANCE_FIELDS = {"created", "method", "inputs", "temperature_c", "valid_days"}
+PROVENANCE_FIELDS = {"created", "method", "inputs", "temperature_c", "valid_days", "arguments", "folder"}
 
 
 def write_cameras(path: Path, calibration: CameraArrayCalibration) -> None:
@@ -61,6 +64,11 @@ def cameras_document(calibration: CameraArrayCalibration) -> dict[str, Any]:
     }
     if calibration.projector is not None:
         document["projector"] = _projector_document(calibration.projector)
+    if calibration.covariance is not None:
+        document["covariance"] = {
+            "parameters": list(calibration.covariance.parameters),
+            "matrix": calibration.covariance.covariance.tolist(),
+        }
     return document
 
 
@@ -77,7 +85,8 @@ def _projector_document(projector: ProjectorCalibration) -> dict[str, Any]:
 def _provenance_document(provenance: Provenance) -> dict[str, Any]:
     document: dict[str, Any] = {"created": provenance.created, "method": provenance.method, "inputs": dict(provenance.inputs)}
     optional = {"temperature_c": provenance.temperature_c, "valid_days": provenance.valid_days}
-    return document | {name: float(value) for name, value in optional.items() if value is not None}
+    document |= {name: float(value) for name, value in optional.items() if value is not None}
+    return document | ({"arguments": list(provenance.arguments), "folder": provenance.folder} if provenance.arguments else {})
 
 
 def _lens_document(pinhole: PinholeCamera) -> dict[str, Any]:
@@ -103,12 +112,11 @@ def _camera_document(camera: CameraCalibration) -> dict[str, Any]:
 
 def cameras_from(document: Any, source: str = "cameras.json") -> CameraArrayCalibration:
     """Return the calibration of a JSON document; raises InputError naming ``source`` and the field."""
-    _known(document, FILE_FIELDS, source, "the file")
-    if document.get("schema_version") != SCHEMA_VERSION:
-        raise InputError(
-            f"{source}: schema_version is {document.get('schema_version')!r}, not {SCHEMA_VERSION}.",
-            "Write the file again with this version.",
-        )
+    _known(document, FILE_FIELDS | FILE_FIELDS_SINCE_2, source, "the file")
+    version = document.get("schema_version")
+    if version not in READABLE_VERSIONS or isinstance(version, bool):
+        raise InputError(f"{source}: schema_version is {version!r}, not 1 or {SCHEMA_VERSION}.", "Write the file again with this version.")
+    _known(document, FILE_FIELDS | (FILE_FIELDS_SINCE_2 if version >= 2 else set()), source, "a file of schema_version 1")
     cameras = _field(document, "cameras", source)
     if not isinstance(cameras, Mapping) or not cameras:
         raise InputError(f"{source}: cameras names no camera.", 'Give {"left": {…}, …}.')
@@ -123,7 +131,34 @@ def cameras_from(document: Any, source: str = "cameras.json") -> CameraArrayCali
     projector = _projector(document["projector"], source) if "projector" in document else None
     if projector is not None and projector.name in made:
         raise InputError(f"{source}: projector.name is {projector.name!r}, which is a camera's.", "Give the projector a name of its own.")
-    return CameraArrayCalibration(str(reference), made, pairs, _provenance(provenance, source, "provenance"), projector)
+    covariance = _covariance(document["covariance"], made, projector, source) if "covariance" in document else None
+    return CameraArrayCalibration(str(reference), made, pairs, _provenance(provenance, source, "provenance"), projector, covariance)
+
+
+def _covariance(
+    entry: Any, cameras: Mapping[str, CameraCalibration], projector: ProjectorCalibration | None, source: str
+) -> LabelledCovariance:
+    _known(entry, COVARIANCE_FIELDS, source, "covariance")
+    labels = _field(entry, "parameters", source, "covariance.")
+    owners = {*cameras, *(() if projector is None else (projector.name,))}
+    if not isinstance(labels, list) or not all(isinstance(label, str) and label.rpartition(".")[0] in owners for label in labels):
+        raise InputError(
+            f"{source}: covariance.parameters names something that is no camera's.", 'Give names such as "left.fx" or "right.x_mm".'
+        )
+    if len(set(labels)) < len(labels):
+        raise InputError(f"{source}: covariance.parameters names a parameter twice.", "Name each parameter once.")
+    matrix = _array(_field(entry, "matrix", source, "covariance."), (len(labels),) * 2, source, "covariance.matrix")
+    scale = np.sqrt(np.maximum(np.diag(matrix), 0))
+    whitened = matrix / np.outer(np.where(scale > 0, scale, 1.0), np.where(scale > 0, scale, 1.0))
+    if (
+        np.any(np.diag(matrix) < 0)
+        or not np.allclose(whitened, whitened.T, atol=1e-9)
+        or (len(labels) and np.linalg.eigvalsh(whitened)[0] < -1e-6)
+    ):
+        raise InputError(
+            f"{source}: covariance.matrix is not a covariance: it must be symmetric and without negative variances.", "Calibrate again."
+        )
+    return LabelledCovariance(tuple(labels), matrix)
 
 
 def _camera(name: str, entry: Any, reference: str, source: str) -> CameraCalibration:
@@ -163,7 +198,10 @@ def _projector(entry: Any, source: str) -> ProjectorCalibration:
 def _provenance(entry: Any, source: str, place: str) -> Provenance:
     _known(entry, PROVENANCE_FIELDS, source, place)
     optional = {name: entry[name] for name in ("temperature_c", "valid_days") if entry.get(name) is not None}
-    return Provenance(**{**entry, **_numbers(optional, source, place)})
+    arguments = entry.get("arguments", [])
+    if not isinstance(arguments, list) or not all(isinstance(one, str) for one in arguments):
+        raise InputError(f"{source}: {place}.arguments is not a list of words.", "Give what was typed, word by word.")
+    return Provenance(**{**entry, **_numbers(optional, source, place), "arguments": tuple(arguments)})
 
 
 def _pinhole(entry: Mapping[str, Any], source: str, place: str) -> PinholeCamera:

@@ -92,7 +92,7 @@ def rig_calibration_from(document: Mapping[str, Any], cameras: CameraArrayCalibr
         hand_eye=hand_eye_from(document["hand_eye"]),
         guide=guide_from(document["guide"]),
         axis=axis_from(document["axis"]),
-        provenance=Provenance(**document["provenance"]),
+        provenance=Provenance(**document["provenance"] | {"arguments": tuple(document["provenance"].get("arguments", ()))}),
         stations=tuple(RobotStation(transform_from(station["read"]), transform_from(station["true"])) for station in document["stations"]),
     )
 

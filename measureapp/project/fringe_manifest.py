@@ -112,6 +112,11 @@ def read_manifest(path: Path) -> FringeStack:
     return stack
 
 
+def manifest_files(path: Path) -> tuple[Path, ...]:
+    """Return every image a manifest names. Raises InputError as `parse_manifest`."""
+    return tuple(_files(path, list(parse_manifest(path).exposure)))
+
+
 def parse_manifest(path: Path) -> FringeManifest:
     """Read the file alone, without its images; raises InputError."""
     try:

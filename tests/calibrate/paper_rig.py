@@ -9,12 +9,12 @@ import numpy as np
 
 from measureapp.calibrate.axis_noise import AxisNoise
 from measureapp.calibrate.board_pose import board_pose, stated_pose
-from measureapp.calibrate.camera_prior import POSE_NAMES, CameraPrior, cameras_moved, derivatives, pose_by_cameras
+from measureapp.calibrate.camera_prior import POSE_NAMES, cameras_moved, derivatives, pose_by_cameras
 from measureapp.calibrate.joint import RigObservation, solve_rig
 from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.poses import change_between
 from measureapp.data.board import CheckerboardDescription
-from measureapp.data.calibration import CameraArrayCalibration
+from measureapp.data.calibration import CameraArrayCalibration, LabelledCovariance
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.plan import Viewpoint
 from measureapp.geometry.transform import RigidTransform
@@ -81,7 +81,7 @@ def corners_of(
     return seen
 
 
-def camera_prior_of(cameras: CameraArrayCalibration, poses: list[RigidTransform], sigma_px: float) -> CameraPrior:
+def camera_prior_of(cameras: CameraArrayCalibration, poses: list[RigidTransform], sigma_px: float) -> LabelledCovariance:
     """Return the covariance that a bundle adjustment over ``poses`` would give."""
     reference = f"{cameras.reference}."
     first = [derivatives(stated_pose(poses[0], 1.0, 1.0), camera, BOARD)[2][:-3] for camera in cameras.cameras.values()]
@@ -100,7 +100,7 @@ def camera_prior_of(cameras: CameraArrayCalibration, poses: list[RigidTransform]
             continue
         normal -= mixed.T @ np.linalg.solve(by_pose, mixed)  # the board's pose is not given
     scale = np.sqrt(np.diag(normal))
-    return CameraPrior(tuple(labels), sigma_px**2 * np.linalg.inv(normal / np.outer(scale, scale)) / np.outer(scale, scale))
+    return LabelledCovariance(tuple(labels), sigma_px**2 * np.linalg.inv(normal / np.outer(scale, scale)) / np.outer(scale, scale))
 
 
 @dataclass
@@ -109,7 +109,7 @@ class Run:
 
     cell: Cell
     solution: RigSolution
-    prior: CameraPrior
+    prior: LabelledCovariance
     observations: list[RigObservation]
     cameras: CameraArrayCalibration  # as they were calibrated before
 

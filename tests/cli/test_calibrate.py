@@ -208,6 +208,11 @@ def test_the_recorded_pairs_are_calibrated_from_the_command_line(capsys, tmp_pat
     calibration = read_cameras(out)
     assert calibration.names == ("left", "right")
     assert len(calibration.provenance.inputs) == 26
+    assert len(calibration.covariance.parameters) == 24  # two lenses of nine parameters and the right camera's place
+    code, again = run(capsys, "again", out)
+    assert code == 0, again["differences"][:3]
+    assert again["same"]
+    assert again["inputs"] == 26
 
 
 def test_one_camera_alone_is_calibrated(capsys, tmp_path, small_head):

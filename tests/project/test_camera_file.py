@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, Provenance
+from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, LabelledCovariance, Provenance
 from measureapp.errors import InputError
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
@@ -39,6 +40,48 @@ def test_a_written_calibration_reads_back_as_it_was(calibration, tmp_path):
     again = read_cameras(path)
     assert cameras_document(again) == cameras_document(calibration)
     assert [entry.name for entry in tmp_path.iterdir()] == ["cameras.json"]
+
+
+def with_covariance(calibration):
+    covariance = LabelledCovariance(("left.fx", "right.x_mm"), np.array([[0.0625, 0.01], [0.01, 0.04]]))
+    return replace(calibration, covariance=covariance)
+
+
+def test_the_covariance_of_the_cameras_reads_back_bit_for_bit(calibration, tmp_path):
+    write_cameras(tmp_path / "cameras.json", with_covariance(calibration))
+    again = read_cameras(tmp_path / "cameras.json").covariance
+    assert again.parameters == ("left.fx", "right.x_mm")
+    np.testing.assert_array_equal(again.covariance, with_covariance(calibration).covariance.covariance)
+
+
+def test_files_of_version_1_are_still_read_and_have_no_covariance(calibration, tmp_path):
+    document = cameras_document(calibration) | {"schema_version": 1}
+    (tmp_path / "cameras.json").write_text(json.dumps(document))
+    assert read_cameras(tmp_path / "cameras.json").covariance is None
+    document["covariance"] = {"parameters": [], "matrix": []}
+    (tmp_path / "cameras.json").write_text(json.dumps(document))
+    with pytest.raises(InputError, match="unknown field 'covariance'"):
+        read_cameras(tmp_path / "cameras.json")
+
+
+@pytest.mark.parametrize(
+    ("parameters", "matrix", "said"),
+    [
+        (["left.fx"], [[1, 2], [2, 1]], "covariance.matrix is not 1 × 1 numbers"),
+        (["left.fx", "left.fx"], [[1, 0], [0, 1]], "twice"),
+        (["upper.fx"], [[1]], "no camera's"),
+        (["left.fx", "right.fx"], [[1, 2], [2, 1]], "not a covariance"),
+        (["left.fx", "right.fx"], [[1, 0.5], [0.2, 1]], "not a covariance"),
+        (["left.fx"], [[-1]], "not a covariance"),
+        (["left.fx"], [[None]], "covariance.matrix is not"),
+        (None, [[1]], "no camera's"),
+    ],
+)
+def test_a_covariance_that_cannot_be_one_is_named(calibration, tmp_path, parameters, matrix, said):
+    document = cameras_document(calibration) | {"covariance": {"parameters": parameters, "matrix": matrix}}
+    (tmp_path / "cameras.json").write_text(json.dumps(document))
+    with pytest.raises(InputError, match=said):
+        read_cameras(tmp_path / "cameras.json")
 
 
 def test_a_foreign_file_with_the_needed_fields_only_is_read(calibration, tmp_path):

@@ -1,4 +1,4 @@
-"""`calibrate cameras|axis|hand-eye|guide|rig|check|history|collect`: from recorded images, tables or a session; and what was said of them since."""
+"""`calibrate …`: calibrations from recorded images, tables or a session; whether they still hold, and what was said of them since."""
 
 from __future__ import annotations
 
@@ -7,9 +7,11 @@ import typer
 
 def register(app: typer.Typer) -> None:
     """Add the command group."""
-    from measureapp.cli.calibrate import axis, cameras, check, collect, guide, hand_eye, history, rig
+    from measureapp.cli.calibrate import again, axis, cameras, check, collect, guide, hand_eye, history, projector, rig
 
-    group = typer.Typer(help="Calibrate cameras, rotation axis, hand-eye, guide or the whole rig; check them.", no_args_is_help=True)
-    for command in (cameras, axis, hand_eye, guide, rig, check, history, collect):
+    group = typer.Typer(
+        help="Calibrate cameras, projector, rotation axis, hand-eye, guide or the whole rig; check them.", no_args_is_help=True
+    )
+    for command in (cameras, projector, axis, hand_eye, guide, rig, collect, check, history, again):
         command.register(group)
     app.add_typer(group, name="calibrate")

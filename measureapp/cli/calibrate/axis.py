@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.calibrate.options import NO_BOARD, BoardChoice, CamerasOption, ImagesOption, OutOption, with_board
-from measureapp.cli.reply import JsonOption, TerminalProgress, jsonable, reply
+from measureapp.cli.calibrate.option_groups import with_groups
+from measureapp.cli.calibrate.options import Answer, BoardSource
+from measureapp.cli.reply import TerminalProgress
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
@@ -22,38 +23,31 @@ def register(group: typer.Typer) -> None:
     """Add the command."""
 
     @group.command()
-    @with_board
+    @with_groups
     def axis(
+        ctx: typer.Context,
+        source: BoardSource,
+        answer: Answer,
         corners: Annotated[Path | None, typer.Option(help="Corners: position,corner,x_mm,y_mm,z_mm[,angle_deg].")] = None,
-        images: ImagesOption = None,
-        cameras: CamerasOption = None,
-        board: BoardChoice = NO_BOARD,
         angles: Annotated[Path | None, typer.Option(help="Table angles: position,angle_deg, in the order of the images.")] = None,
         power: Annotated[float, typer.Option(help="p of the distance weighting, above 1.")] = 2.0,
         free_angles: Annotated[bool, typer.Option("--free-angles", help="Estimate the angles as well.")] = False,
         closure_radius_mm: Annotated[float, typer.Option(min=1e-3, help="Radius at which the closure is told, mm.")] = 250.0,
-        out: OutOption = None,
-        as_json: JsonOption = False,
     ) -> None:
         """Find the rotation axis by least squares, distance weighting and maximum likelihood."""
         from dataclasses import replace
 
         from measureapp.calibrate.rotation_axis import solve
-        from measureapp.project.atomic import write_json
 
         if not 1 < power < 100:
             raise InputError(f"--power {power:g} is not above 1.", "The paper's weighting needs p > 1; 2 is usual.")
-        if (corners is None) == (not images):
+        if (corners is None) == (not source.images):
             raise InputError("Give either --corners or --images.", "With --images also --cameras, --board and --square-mm.")
         progress = TerminalProgress()
-        problem, rejected = (
-            (_from_corners(corners, angles), []) if corners is not None else _from_images(images, cameras, board, angles, progress)
-        )
+        problem, rejected = (_from_corners(corners, angles), []) if corners is not None else _from_images(source, angles, progress)
         solution = solve(replace(problem, power=power, free_angles=free_angles, closure_radius_mm=closure_radius_mm))
         document = axis_answer(solution, problem.frame) | {"rejected": rejected}
-        if out is not None:
-            write_json(out, {"schema_version": 1, **jsonable(document)})
-        reply(document, "\n".join(_lines(document)), as_json)
+        answer.give(ctx, document, _lines(document))
 
 
 def _from_corners(corners: Path, angles: Path | None) -> AxisProblem:
@@ -72,21 +66,23 @@ def _from_corners(corners: Path, angles: Path | None) -> AxisProblem:
     return AxisProblem(table.corners_mm, known)
 
 
-def _from_images(
-    images: list[str] | None, cameras: Path | None, board: BoardChoice, angles: Path | None, progress: Progress
-) -> tuple[AxisProblem, list[dict[str, Any]]]:
+def _from_images(source: BoardSource, angles: Path | None, progress: Progress) -> tuple[AxisProblem, list[dict[str, Any]]]:
+    from dataclasses import replace
+
     from measureapp.calibrate.rotation_axis import problem_from_poses
     from measureapp.cli.calibrate.sightings import poses_from_images
     from measureapp.project.tables import read_angles
 
-    seen = poses_from_images(images, cameras, board, "the rotation axis", progress)
+    seen = poses_from_images(source, "the rotation axis", progress)
     known: list[float | None] = [None] * seen.positions
     if angles is not None:
         given = list(read_angles(angles).values())
         if len(given) != seen.positions:
             raise InputError(f"{angles} has {len(given)} angles for {seen.positions} positions.", "Give one angle per position.")
         known = list(given)
-    return problem_from_poses(list(seen.poses.values()), seen.board, [known[position] for position in seen.poses]), seen.rejected
+    problem = problem_from_poses(list(seen.poses.values()), seen.board, [known[position] for position in seen.poses])
+    cameras_say = seen.uncertainty(seen.poses)
+    return replace(problem, by_cameras=cameras_say.by_cameras, camera_prior=cameras_say.prior), seen.rejected
 
 
 def axis_answer(solution: AxisSolution, frame: str) -> dict[str, Any]:

@@ -10,12 +10,15 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from measureapp.cli.calibrate.camera_quality import quality_answer, quality_lines, quality_of, serials_of, write_map
-from measureapp.cli.calibrate.options import NO_BOARD, BoardChoice, ImagesOption, OutOption, with_board
+from measureapp.cli.calibrate.made_from import MadeFrom, made_from
+from measureapp.cli.calibrate.option_groups import with_groups
+from measureapp.cli.calibrate.options import BoardChoice, ImagesOption, OutOption
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 if TYPE_CHECKING:
     from measureapp.calibrate.camera_array import CameraArrayProblem, CameraArraySolution
     from measureapp.data.board import BoardDescription
+    from measureapp.data.calibration import CameraArrayCalibration
     from measureapp.progress import Progress
     from measureapp.project.board_images import BoardImages
 
@@ -24,10 +27,11 @@ def register(group: typer.Typer) -> None:
     """Add the command."""
 
     @group.command()
-    @with_board
+    @with_groups
     def cameras(
+        ctx: typer.Context,
+        board: BoardChoice,
         images: ImagesOption = None,
-        board: BoardChoice = NO_BOARD,
         out: OutOption = None,
         reference: Annotated[str | None, typer.Option(help="Reference camera; default: the first given.")] = None,
         distortion: Annotated[int, typer.Option(help="Distortion coefficients: 4, 5 or 8.")] = 5,
@@ -51,7 +55,7 @@ def register(group: typer.Typer) -> None:
         numbers = serials_of(serial or (), files.cameras)
         progress = TerminalProgress()
         problem = _problem(files, description, reference or files.cameras[0], distortion, PartOf(progress, 0.0, 0.6))
-        solution = _dated(solve(problem, PartOf(progress, 0.6, 0.7)), files, numbers, temperature_c, valid_days)
+        solution = _dated(solve(problem, PartOf(progress, 0.6, 0.7)), numbers, temperature_c, valid_days)
         quality = quality_of(problem, solution, standoff_mm, PartOf(progress, 0.7, 1.0))
         written: dict[str, Path] = {}
         if uncertainty_map is not None:
@@ -60,7 +64,7 @@ def register(group: typer.Typer) -> None:
             write_camera_inputs(corners_out, problem)
             written["corners"] = corners_out
         if out is not None:
-            write_cameras(out, solution.calibration)
+            write_cameras(out, _with_inputs(solution.calibration, made_from(ctx, out)))
             written["cameras"] = out
         document = cameras_answer(solution, files) | quality_answer(quality) | {"files": written}
         reply(document, "\n".join([*_lines(solution, document), *quality_lines(quality), *_written(written)]), as_json)
@@ -81,7 +85,7 @@ def _problem(files: BoardImages, board: BoardDescription, reference: str, distor
         progress.report(done, total, f"board in {files.path(camera, position).name}")
         try:
             found = find_board(image, board)
-            draft.add(camera, _view(position), found.corners_px, found.ids)
+            draft.add(camera, _view(position), found.corners_px, found.ids, found.sigma_px)
         except CalibrationError as error:
             draft.reject(camera, _view(position), error.message.rstrip("."))
     return draft.problem()
@@ -91,17 +95,24 @@ def _view(position: int) -> str:
     return f"{position + 1:02d}"
 
 
+def _with_inputs(calibration: CameraArrayCalibration, made: MadeFrom) -> CameraArrayCalibration:
+    from dataclasses import replace
+
+    return replace(
+        calibration,
+        provenance=replace(calibration.provenance, inputs=made.inputs, arguments=made.arguments, folder=made.folder),
+    )
+
+
 def _dated(
-    solution: CameraArraySolution, files: BoardImages, serials: Mapping[str, str], temperature_c: float | None, valid_days: float | None
+    solution: CameraArraySolution, serials: Mapping[str, str], temperature_c: float | None, valid_days: float | None
 ) -> CameraArraySolution:
-    """Return the solution with today's date, the checksums of its images and the cameras' serial numbers."""
-    import hashlib
+    """Return the solution with today's date and the cameras' serial numbers."""
     from dataclasses import replace
 
     provenance = replace(
         solution.calibration.provenance,
         created=datetime.now(UTC).isoformat(timespec="seconds"),
-        inputs={path.name: hashlib.sha256(path.read_bytes()).hexdigest() for paths in files.files.values() for path in paths},
         temperature_c=temperature_c,
         valid_days=valid_days,
     )

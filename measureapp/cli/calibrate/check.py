@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import json
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.calibrate.options import NO_BOARD, BoardChoice, CamerasOption, ImagesOption, OutOption, with_board
+from measureapp.cli.calibrate.option_groups import with_groups
+from measureapp.cli.calibrate.options import Answer, BoardSource
+from measureapp.cli.calibrate.pose_options import RigTables, rig_sightings
 from measureapp.cli.main import OUT_OF_TOLERANCE
-from measureapp.cli.reply import JsonOption, TerminalProgress, jsonable, reply
+from measureapp.cli.reply import TerminalProgress
 from measureapp.errors import InputError, MeasureError
 
 if TYPE_CHECKING:
@@ -18,55 +21,57 @@ if TYPE_CHECKING:
     from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
 
 
-CheckRobotPoses = Annotated[Path | None, typer.Option("--robot-poses", help="base_from_flange: name,x_mm,y_mm,z_mm,qw,qx,qy,qz.")]
-CheckGuidePositions = Annotated[Path | None, typer.Option("--guide-positions", help="Slide positions: name,position_mm.")]
-CheckAngles = Annotated[
-    Path | None, typer.Option("--angles", help="Table angles: position,angle_deg, in the order of the sorted robot pose names.")
-]
+@dataclass(frozen=True, kw_only=True, slots=True)
+class RigFiles:
+    """The calibrated rig and where every axis was, where the rig does not tell itself."""
+
+    calibration: Annotated[Path | None, typer.Option(help="What `calibrate rig --out` wrote.")] = None
+    robot_poses: Annotated[Path | None, typer.Option("--robot-poses", help="base_from_flange: name,x_mm,y_mm,z_mm,qw,qx,qy,qz.")] = None
+    guide_positions: Annotated[Path | None, typer.Option("--guide-positions", help="Slide positions: name,position_mm.")] = None
+    angles: Annotated[
+        Path | None, typer.Option("--angles", help="Table angles: position,angle_deg, in the order of the sorted robot pose names.")
+    ] = None
+
+    def given(self) -> list[str]:
+        """Return the options that were given."""
+        return [f"--{name.replace('_', '-')}" for name in asdict(self) if getattr(self, name) is not None]
+
+    def needed(self) -> tuple[Path, RigTables]:
+        """Return the calibration and the tables. Raises InputError naming what is missing."""
+        if self.calibration is None or self.robot_poses is None or self.guide_positions is None or self.angles is None:
+            missing = next(name for name, value in asdict(self).items() if value is None)
+            raise InputError(f"--{missing.replace('_', '-')} is missing.", "Give it, or check the rig of a project with --project DIR.")
+        return self.calibration, RigTables(robot_poses=self.robot_poses, guide_positions=self.guide_positions, angles=self.angles)
 
 
 def register(group: typer.Typer) -> None:
     """Add the command."""
 
     @group.command()
-    @with_board
+    @with_groups
     def check(
+        ctx: typer.Context,
+        files: RigFiles,
+        source: BoardSource,
+        answer: Answer,
         project: Annotated[
             Path | None, typer.Option("--project", help="Project whose calibration and board are checked on its rig; needs no files.")
         ] = None,
         rig: Annotated[str | None, typer.Option("--rig", help="With --project: another description of its rig.")] = None,
-        calibration: Annotated[Path | None, typer.Option(help="What `calibrate rig --out` wrote.")] = None,
-        robot_poses: CheckRobotPoses = None,
-        guide_positions: CheckGuidePositions = None,
-        angles: CheckAngles = None,
-        images: ImagesOption = None,
-        cameras: CamerasOption = None,
-        board: BoardChoice = NO_BOARD,
         limit_mm: Annotated[float, typer.Option(min=1e-6, help="Largest deviation of the board in a view, mm.")] = 0.5,
-        out: OutOption = None,
-        as_json: JsonOption = False,
     ) -> None:
         """Compare a few views of a board on the table with the calibrated rig; exit code 1 where it no longer holds.
 
         With --project the rig takes the views itself; otherwise they come from files.
         """
-        from measureapp.project.atomic import write_json
-
-        files = {"--calibration": calibration, "--robot-poses": robot_poses, "--guide-positions": guide_positions, "--angles": angles}
         if project is not None:
-            surplus = [name for name, value in ({**files, "--images": images, "--cameras": cameras}).items() if value is not None]
+            surplus = [*files.given(), *(["--images"] if source.images else []), *(["--cameras"] if source.cameras else [])]
             if surplus:
                 raise InputError(f"{surplus[0]} does not go with --project.", "Check the rig of a project, or give all files.")
             document = check_answer(_checked_on_rig(project, rig, limit_mm)) | {"images_rejected": []}
         else:
-            missing = [name for name, value in files.items() if value is None]
-            if calibration is None or robot_poses is None or guide_positions is None or angles is None:
-                raise InputError(f"{missing[0]} is missing.", "Give it, or check the rig of a project with --project DIR.")
-            tables = (robot_poses, guide_positions, angles)
-            document = _checked_files(calibration, tables, images, cameras, board, limit_mm)
-        if out is not None:
-            write_json(out, {"schema_version": 1, **jsonable(document)})
-        reply(document, "\n".join(_lines(document)), as_json)
+            document = _checked_files(files, source, limit_mm)
+        answer.give(ctx, document, _lines(document))
         if not document["good"]:
             raise typer.Exit(OUT_OF_TOLERANCE)
 
@@ -85,13 +90,11 @@ def _checked_on_rig(folder: Path, rig: str | None, limit_mm: float) -> QuickChec
         connected.close()
 
 
-def _checked_files(
-    calibration: Path, tables: tuple[Path, Path, Path], images: list[str] | None, cameras: Path | None, board: BoardChoice, limit_mm: float
-) -> dict[str, Any]:
+def _checked_files(files: RigFiles, source: BoardSource, limit_mm: float) -> dict[str, Any]:
     from measureapp.calibrate.quick_check import quick_check
-    from measureapp.cli.calibrate.pose_options import rig_sightings
 
-    observations, seen = rig_sightings(tables, images, cameras, board, "the check of the rig", TerminalProgress())
+    calibration, tables = files.needed()
+    observations, seen = rig_sightings(tables, source, "the check of the rig", TerminalProgress())
     found = quick_check(observations, read_rig_answer(calibration, seen.cameras), seen.board, limit_mm=limit_mm)
     return check_answer(found) | {"images_rejected": seen.rejected}
 

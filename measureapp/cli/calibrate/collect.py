@@ -7,8 +7,9 @@ from typing import Annotated
 
 import typer
 
-from measureapp.cli.calibrate.options import NO_BOARD, BoardChoice, CamerasOption, ImagesOption, with_board
-from measureapp.cli.calibrate.pose_options import RobotAlikeMm, RobotRepeatMm, RobotSigmaDeg, RobotSigmaMm
+from measureapp.cli.calibrate.option_groups import with_groups
+from measureapp.cli.calibrate.options import BoardSource
+from measureapp.cli.calibrate.pose_options import RobotNoise
 from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
@@ -17,16 +18,15 @@ def register(group: typer.Typer) -> None:
     """Add the command."""
 
     @group.command()
-    @with_board
+    @with_groups
     def collect(
         kind: Annotated[str, typer.Argument(help="cameras, axis, hand-eye, guide or rig.")],
         session: Annotated[Path, typer.Option(help="Folder of the session: a new one starts it, one that is there is continued.")],
-        images: ImagesOption = None,
+        source: BoardSource,
+        noise: RobotNoise,
         views: Annotated[
             Path | None, typer.Option(help="Project whose stored views of the board are added; board and axis errors are then its rig's.")
         ] = None,
-        board: BoardChoice = NO_BOARD,
-        cameras: CamerasOption = None,
         hand_eye: Annotated[Path | None, typer.Option(help="Calibrated hand-eye transform, for the guide.")] = None,
         robot_poses: Annotated[Path | None, typer.Option(help="base_from_flange: one line per board position.")] = None,
         guide_positions: Annotated[Path | None, typer.Option(help="Slide positions: one line per board position.")] = None,
@@ -34,10 +34,6 @@ def register(group: typer.Typer) -> None:
         reference: Annotated[str | None, typer.Option(help="Reference camera; default: the first given.")] = None,
         distortion: Annotated[int, typer.Option(help="Distortion coefficients: 4, 5 or 8.")] = 5,
         standoff_mm: Annotated[float | None, typer.Option(min=1e-3, help="Distance at which parts are measured.")] = None,
-        robot_sigma_mm: RobotSigmaMm = 0.2,
-        robot_sigma_deg: RobotSigmaDeg = 0.012,
-        robot_repeat_mm: RobotRepeatMm = 0.01,
-        robot_alike_mm: RobotAlikeMm = 300.0,
         remove: Annotated[list[str] | None, typer.Option(help="Observation to take out; once per observation.")] = None,
         undo: Annotated[bool, typer.Option("--undo", help="Take back the last change of the session.")] = False,
         redo: Annotated[bool, typer.Option("--redo", help="Do again what was undone last.")] = False,
@@ -55,14 +51,12 @@ def register(group: typer.Typer) -> None:
         """
         from measureapp.cli.calibrate.collect_answer import collect_answer, collect_lines
         from measureapp.cli.calibrate.collect_session import Given, Sources, add_sources, opened, previous_result
-        from measureapp.cli.calibrate.pose_options import axis_noise
         from measureapp.pipeline import collecting
         from measureapp.progress import PartOf
 
         progress = TerminalProgress()
-        noise = axis_noise(robot_sigma_mm, robot_sigma_deg, robot_repeat_mm, robot_alike_mm)
-        sources = Sources(tuple(images or ()), views, collecting.ReadbackFiles(robot_poses, guide_positions, angles))
-        given = Given(kind, board, cameras, hand_eye, reference, distortion, standoff_mm, noise)
+        sources = Sources(tuple(source.images or ()), views, collecting.ReadbackFiles(robot_poses, guide_positions, angles))
+        given = Given(kind, source.board, source.cameras, hand_eye, reference, distortion, standoff_mm, noise.axis_noise())
         collection = opened(session, given, sources)
         steps = {"undone": [collection.undo().observation] if undo else [], "redone": [collection.redo().observation] if redo else []}
         steps |= {"added": add_sources(collection, sources, PartOf(progress, 0.0, 0.6)), "removed": list(remove or ())}

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, cast, get_args
 
-from measureapp.cli.calibrate.options import NO_BOARD, BoardChoice
+from measureapp.cli.calibrate.options import BoardChoice
 from measureapp.errors import InputError
 from measureapp.pipeline.calibrate import expected_noise
 from measureapp.pipeline.collecting import Collection, Kind, ReadbackFiles, Setup, add_recorded, add_views, read_result, result_of
@@ -65,7 +65,7 @@ class Given:
         rig = None if project is None else project.rig()
         return Setup(
             kind=cast(Kind, self.kind),
-            board=self.board.description() if self.board != NO_BOARD or project is None else project.settings.board,
+            board=self.board.description() if self.board != BoardChoice() or project is None else project.settings.board,
             camera_names=(first, *(name for name in names if name != first)),
             cameras=None if self.cameras is None else read_cameras(self.cameras),
             hand_eye=None if self.hand_eye is None else _hand_eye(self.hand_eye),

@@ -9,18 +9,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.calibrate.options import (
-    NO_BOARD,
-    BoardChoice,
-    BoardPosesOption,
-    CamerasOption,
-    ImagesOption,
-    OutOption,
-    RobotPosesOption,
-    with_board,
-)
+from measureapp.cli.calibrate.option_groups import with_groups
+from measureapp.cli.calibrate.options import Answer, BoardPosesOption, BoardSource, RobotPosesOption
 from measureapp.cli.calibrate.pose_options import GuidePositionsOption
-from measureapp.cli.reply import JsonOption, TerminalProgress, jsonable, reply
+from measureapp.cli.reply import TerminalProgress
 from measureapp.errors import InputError, MeasureError
 
 if TYPE_CHECKING:
@@ -32,34 +24,32 @@ def register(group: typer.Typer) -> None:
     """Add the command."""
 
     @group.command()
-    @with_board
+    @with_groups
     def guide(
+        ctx: typer.Context,
+        source: BoardSource,
+        answer: Answer,
         robot_poses: RobotPosesOption,
         guide_positions: GuidePositionsOption,
         hand_eye: Annotated[Path, typer.Option(help="What `calibrate hand-eye --out` wrote, or a pose table of one pose.")],
         board_poses: BoardPosesOption = None,
-        images: ImagesOption = None,
-        cameras: CamerasOption = None,
-        board: BoardChoice = NO_BOARD,
-        out: OutOption = None,
-        as_json: JsonOption = False,
     ) -> None:
         """Find the guide's direction and scale from a board that stands still."""
         from measureapp.calibrate.linear_guide import GuideObservation, GuideProblem, solve
         from measureapp.cli.calibrate.sightings import named_board_poses, read_robot_poses, same_names
-        from measureapp.project.atomic import write_json
         from measureapp.project.tables import read_guide
 
         robot, slide = read_robot_poses(robot_poses), read_guide(guide_positions)
         same_names(guide_positions, tuple(robot), tuple(slide))
-        boards, rejected = named_board_poses(tuple(robot), board_poses, images, cameras, board, (1.0, 1.0), TerminalProgress())
-        names = [name for name in robot if name in boards]
-        observations = tuple(GuideObservation(robot[name], slide[name], boards[name].camera_from_board) for name in names)
-        solution = solve(GuideProblem(observations, read_hand_eye(hand_eye)))
-        document = guide_answer(solution, names) | {"rejected": rejected}
-        if out is not None:
-            write_json(out, {"schema_version": 1, **jsonable(document)})
-        reply(document, "\n".join(_lines(document)), as_json)
+        seen = named_board_poses(tuple(robot), board_poses, source, (1.0, 1.0), TerminalProgress())
+        names = list(seen.poses)
+        observations = tuple(GuideObservation(robot[name], slide[name], seen.poses[name].camera_from_board) for name in names)
+        solution = solve(GuideProblem(observations, read_hand_eye(hand_eye), seen.cameras.by_cameras, seen.cameras.prior))
+        document = guide_answer(solution, names) | {
+            "camera_uncertainty_carried_on": seen.cameras.prior is not None,
+            "rejected": seen.rejected,
+        }
+        answer.give(ctx, document, _lines(document))
 
 
 def read_hand_eye(path: Path) -> HandEye:

@@ -7,19 +7,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.calibrate.options import (
-    NO_BOARD,
-    BoardChoice,
-    BoardPosesOption,
-    CamerasOption,
-    ImagesOption,
-    OutOption,
-    RobotPosesOption,
-    with_board,
-)
-from measureapp.cli.calibrate.pose_options import RobotAlikeMm, RobotRepeatMm, RobotSigmaDeg, RobotSigmaMm
+from measureapp.cli.calibrate.option_groups import with_groups
+from measureapp.cli.calibrate.options import Answer, BoardPosesOption, BoardSource, RobotPosesOption
+from measureapp.cli.calibrate.pose_options import RobotNoise
 from measureapp.cli.main import OUT_OF_TOLERANCE
-from measureapp.cli.reply import JsonOption, TerminalProgress, jsonable, reply
+from measureapp.cli.reply import TerminalProgress
 
 if TYPE_CHECKING:
     from measureapp.calibrate.hand_eye import HandEyeEstimate, HandEyeSolution
@@ -29,40 +21,33 @@ def register(group: typer.Typer) -> None:
     """Add the command."""
 
     @group.command("hand-eye")
-    @with_board
+    @with_groups
     def hand_eye(
+        ctx: typer.Context,
+        source: BoardSource,
+        noise_of_robot: RobotNoise,
+        answer: Answer,
         robot_poses: RobotPosesOption,
         board_poses: BoardPosesOption = None,
-        images: ImagesOption = None,
-        cameras: CamerasOption = None,
-        board: BoardChoice = NO_BOARD,
-        robot_sigma_mm: RobotSigmaMm = 0.2,
-        robot_sigma_deg: RobotSigmaDeg = 0.012,
-        robot_repeat_mm: RobotRepeatMm = 0.01,
-        robot_alike_mm: RobotAlikeMm = 300.0,
         board_sigma_mm: Annotated[float, typer.Option(min=1e-6, help="The same of the board poses of a table, mm.")] = 0.05,
         board_sigma_deg: Annotated[float, typer.Option(min=1e-6, help="The same of the board poses of a table, degrees.")] = 0.01,
-        out: OutOption = None,
-        as_json: JsonOption = False,
     ) -> None:
         """Find flange_from_camera by seven methods, then refine it jointly."""
         from measureapp.calibrate.hand_eye import HandEyeProblem, solve
-        from measureapp.cli.calibrate.pose_options import axis_noise
         from measureapp.cli.calibrate.sightings import named_board_poses, read_robot_poses
-        from measureapp.project.atomic import write_json
 
         robot = read_robot_poses(robot_poses)
         noise = (board_sigma_mm, board_sigma_deg)
-        boards, rejected = named_board_poses(tuple(robot), board_poses, images, cameras, board, noise, TerminalProgress())
-        names = [name for name in robot if name in boards]
-        expected = axis_noise(robot_sigma_mm, robot_sigma_deg, robot_repeat_mm, robot_alike_mm)
-        solution = solve(HandEyeProblem(tuple(robot[name] for name in names), tuple(boards[name] for name in names), expected))
-        document = hand_eye_answer(solution, names) | {"rejected": rejected}
-        if out is not None:
-            write_json(
-                out, {"schema_version": 1, "flange_from_camera": solution.refined.flange_from_camera.matrix.tolist(), **jsonable(document)}
-            )
-        reply(document, "\n".join(_lines(document)), as_json)
+        seen = named_board_poses(tuple(robot), board_poses, source, noise, TerminalProgress())
+        names = list(seen.poses)
+        expected = noise_of_robot.axis_noise()
+        flanges = tuple(robot[name] for name in names)
+        solution = solve(HandEyeProblem(flanges, tuple(seen.poses.values()), expected, seen.cameras.by_cameras, seen.cameras.prior))
+        document = hand_eye_answer(solution, names) | {
+            "camera_uncertainty_carried_on": seen.cameras.prior is not None,
+            "rejected": seen.rejected,
+        }
+        answer.give(ctx, document, _lines(document), {"flange_from_camera": solution.refined.flange_from_camera.matrix})
         if solution.degeneracy.verdict != "good":
             raise typer.Exit(OUT_OF_TOLERANCE)
 

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import functools
-import inspect
 import re
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from measureapp.cli.reply import JsonOption, jsonable, reply
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
@@ -36,24 +35,17 @@ OutOption = Annotated[Path | None, typer.Option("--out", help="File to write.")]
 RobotPosesOption = Annotated[Path, typer.Option("--robot-poses", help="base_from_flange: name,x_mm,y_mm,z_mm,qw,qx,qy,qz.")]
 BoardPosesOption = Annotated[Path | None, typer.Option("--board-poses", help="camera_from_board, with the names of the robot poses.")]
 KINDS = {"": "checkerboard", "checkerboard": "checkerboard", "checker": "checkerboard", "charuco": "charuco", "circles": "circles"}
-BOARD_OPTIONS = {
-    "board": (BoardOption, None),
-    "square_mm": (SquareOption, None),
-    "marker_mm": (MarkerOption, None),
-    "dictionary": (DictionaryOption, "5X5_250"),
-    "diameter_mm": (DiameterOption, None),
-}
 
 
 @dataclass(frozen=True, slots=True)
 class BoardChoice:
     """The board as the options of a command name it; checked when the board is asked for."""
 
-    board: str | None = None
-    square_mm: float | None = None
-    marker_mm: float | None = None
-    dictionary: str = "5X5_250"
-    diameter_mm: float | None = None
+    board: BoardOption = None
+    square_mm: SquareOption = None
+    marker_mm: MarkerOption = None
+    dictionary: DictionaryOption = "5X5_250"
+    diameter_mm: DiameterOption = None
 
     def description(self) -> BoardDescription:
         """Return the board. Raises InputError naming the option that is wrong or missing."""
@@ -94,25 +86,28 @@ class BoardChoice:
         return value
 
 
-NO_BOARD = BoardChoice()
+@dataclass(frozen=True, slots=True)
+class BoardSource:
+    """Images of a board taken by calibrated cameras."""
+
+    images: ImagesOption = None
+    cameras: CamerasOption = None
+    board: BoardChoice = field(default_factory=BoardChoice)
 
 
-def with_board(command: Callable[..., None]) -> Callable[..., None]:
-    """Give a command the options of the board in place of its parameter ``board``, which receives them as one `BoardChoice`."""
-    hints = get_type_hints(command, include_extras=True)
-    options = [
-        inspect.Parameter(name, inspect.Parameter.POSITIONAL_OR_KEYWORD, default=default, annotation=annotation)
-        for name, (annotation, default) in BOARD_OPTIONS.items()
-    ]
-    parameters: list[inspect.Parameter] = []
-    for name, parameter in inspect.signature(command).parameters.items():
-        parameters += options if name == "board" else [parameter.replace(annotation=hints[name])]
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """How a command answers: a file where one is asked for, and JSON or lines on standard output."""
 
-    @functools.wraps(command)
-    def wrapped(**given: Any) -> None:
-        chosen = BoardChoice(**{name: given.pop(name) for name in BOARD_OPTIONS})
-        command(**given, board=chosen)
+    out: OutOption = None
+    as_json: JsonOption = False
 
-    wrapped.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters} | {"return": None}
-    wrapped.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
-    return wrapped
+    def give(self, ctx: typer.Context, document: Mapping[str, Any], lines: Sequence[str], extra: Mapping[str, Any] | None = None) -> None:
+        """Write the file, with ``extra`` before the answer and what it was made from behind it, and print the answer."""
+        from measureapp.cli.calibrate.made_from import made_from
+        from measureapp.project.atomic import write_json
+
+        if self.out is not None:
+            made = made_from(ctx, self.out)
+            write_json(self.out, {"schema_version": 1, **jsonable(extra or {}), **jsonable(document), "made_from": made.document()})
+        reply(document, "\n".join(lines), self.as_json)

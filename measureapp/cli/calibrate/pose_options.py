@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from measureapp.cli.calibrate.options import RobotPosesOption
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
     from measureapp.calibrate.axis_noise import AxisNoise
     from measureapp.calibrate.joint import RigObservation
-    from measureapp.cli.calibrate.options import BoardChoice
+    from measureapp.cli.calibrate.options import BoardSource
     from measureapp.cli.calibrate.sightings import PosesFromImages
     from measureapp.progress import Progress
 
@@ -33,34 +34,41 @@ RobotAlikeMm = Annotated[
 ]
 
 
-def axis_noise(sigma_mm: float, sigma_deg: float, repeat_mm: float, alike_mm: float, table_arcsec: float = 10.0) -> AxisNoise:
-    """Return the noise of the axes as the options state it; rotations repeat and resemble each other as positions do."""
-    from measureapp.calibrate.axis_noise import ALIKE_MM, ALIKE_TURN, AxisNoise
+@dataclass(frozen=True, kw_only=True, slots=True)
+class RobotNoise:
+    """How the robot errs; rotations repeat and resemble each other as positions do."""
 
-    return AxisNoise(
-        robot_mm=sigma_mm,
-        robot_rad=math.radians(sigma_deg),
-        table_rad=math.radians(table_arcsec / 3600),
-        robot_repeat_mm=repeat_mm,
-        robot_repeat_rad=math.radians(sigma_deg) * repeat_mm / sigma_mm,
-        robot_alike_mm=alike_mm,
-        robot_alike_turn=ALIKE_TURN * alike_mm / ALIKE_MM,
-    )
+    robot_sigma_mm: RobotSigmaMm = 0.2
+    robot_sigma_deg: RobotSigmaDeg = 0.012
+    robot_repeat_mm: RobotRepeatMm = 0.01
+    robot_alike_mm: RobotAlikeMm = 300.0
+
+    def axis_noise(self, table_arcsec: float = 10.0) -> AxisNoise:
+        """Return the noise of all axes."""
+        from measureapp.calibrate.axis_noise import ALIKE_MM, ALIKE_TURN, AxisNoise
+
+        return AxisNoise(
+            robot_mm=self.robot_sigma_mm,
+            robot_rad=math.radians(self.robot_sigma_deg),
+            table_rad=math.radians(table_arcsec / 3600),
+            robot_repeat_mm=self.robot_repeat_mm,
+            robot_repeat_rad=math.radians(self.robot_sigma_deg) * self.robot_repeat_mm / self.robot_sigma_mm,
+            robot_alike_mm=self.robot_alike_mm,
+            robot_alike_turn=ALIKE_TURN * self.robot_alike_mm / ALIKE_MM,
+        )
 
 
-def rig_sightings(
-    tables: tuple[Path, Path, Path],
-    images: Sequence[str] | None,
-    cameras: Path | None,
-    board: BoardChoice,
-    purpose: str,
-    progress: Progress,
-) -> tuple[list[RigObservation], PosesFromImages]:
+@dataclass(frozen=True, kw_only=True, slots=True)
+class RigTables:
+    """Where every axis was, per sighting of the board."""
+
+    robot_poses: RobotPosesOption
+    guide_positions: GuidePositionsOption
+    angles: AnglesOption
+
+
+def rig_sightings(tables: RigTables, source: BoardSource, purpose: str, progress: Progress) -> tuple[list[RigObservation], PosesFromImages]:
     """Return the sightings of the board with the read-back of every axis.
-
-    Parameters
-    ----------
-    tables : files of robot poses, slide positions and table angles
 
     Raises
     ------
@@ -72,16 +80,21 @@ def rig_sightings(
     from measureapp.data.fringe import AxisReadback
     from measureapp.project.tables import read_angles, read_guide
 
-    robot_poses, guide_positions, angles = tables
-    robot, slide, table = read_robot_poses(robot_poses), read_guide(guide_positions), list(read_angles(angles).values())
+    robot, slide = read_robot_poses(tables.robot_poses), read_guide(tables.guide_positions)
+    table = list(read_angles(tables.angles).values())
     names = tuple(robot)
-    same_names(guide_positions, names, tuple(slide))
-    seen = poses_from_images(images, cameras, board, purpose, progress)
+    same_names(tables.guide_positions, names, tuple(slide))
+    seen = poses_from_images(source, purpose, progress)
     for what, count in (("images per camera", seen.positions), ("table angles", len(table))):
         if count != len(names):
             raise InputError(f"{count} {what} do not belong to {len(names)} robot poses.", "Give one of each per robot pose.")
     observations = [
-        RigObservation(names[position], AxisReadback(robot[names[position]], slide[names[position]], table[position]), pose)
+        RigObservation(
+            names[position],
+            AxisReadback(robot[names[position]], slide[names[position]], table[position]),
+            pose,
+            seen.by_cameras.get(position),
+        )
         for position, pose in seen.poses.items()
     ]
     return observations, seen

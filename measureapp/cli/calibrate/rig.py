@@ -6,16 +6,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.calibrate.options import NO_BOARD, BoardChoice, CamerasOption, ImagesOption, OutOption, RobotPosesOption, with_board
-from measureapp.cli.calibrate.pose_options import (
-    AnglesOption,
-    GuidePositionsOption,
-    RobotAlikeMm,
-    RobotRepeatMm,
-    RobotSigmaDeg,
-    RobotSigmaMm,
-)
-from measureapp.cli.reply import JsonOption, TerminalProgress, jsonable, reply
+from measureapp.cli.calibrate.option_groups import with_groups
+from measureapp.cli.calibrate.options import Answer, BoardSource
+from measureapp.cli.calibrate.pose_options import RigTables, RobotNoise, rig_sightings
+from measureapp.cli.reply import TerminalProgress
 
 if TYPE_CHECKING:
     from measureapp.calibrate.joint_solution import RigSolution
@@ -26,40 +20,45 @@ def register(group: typer.Typer) -> None:
     """Add the command."""
 
     @group.command()
-    @with_board
+    @with_groups
     def rig(
-        robot_poses: RobotPosesOption,
-        guide_positions: GuidePositionsOption,
-        angles: AnglesOption,
-        images: ImagesOption = None,
-        cameras: CamerasOption = None,
-        board: BoardChoice = NO_BOARD,
-        robot_sigma_mm: RobotSigmaMm = 0.2,
-        robot_sigma_deg: RobotSigmaDeg = 0.012,
-        robot_repeat_mm: RobotRepeatMm = 0.01,
-        robot_alike_mm: RobotAlikeMm = 300.0,
+        ctx: typer.Context,
+        tables: RigTables,
+        source: BoardSource,
+        robot: RobotNoise,
+        answer: Answer,
         table_sigma_arcsec: Annotated[float, typer.Option(min=1e-6, help="Standard deviation of table angles, seconds of arc.")] = 10.0,
-        out: OutOption = None,
-        as_json: JsonOption = False,
     ) -> None:
         """Find hand-eye transform, guide and rotation axis together from images of one board fixed on the table."""
         from measureapp.calibrate.joint import solve_rig
-        from measureapp.cli.calibrate.pose_options import axis_noise, rig_sightings
-        from measureapp.project.atomic import write_json
 
-        tables = (robot_poses, guide_positions, angles)
-        observations, seen = rig_sightings(tables, images, cameras, board, "the calibration of the rig", TerminalProgress())
-        noise = axis_noise(robot_sigma_mm, robot_sigma_deg, robot_repeat_mm, robot_alike_mm, table_sigma_arcsec)
-        solution = solve_rig(observations, seen.cameras, noise=noise, progress=TerminalProgress())
-        document = rig_answer(solution) | {"images_rejected": seen.rejected}
-        if out is not None:
-            write_json(out, {"schema_version": 1, **jsonable(document)})
-        reply(document, "\n".join(_lines(document)), as_json)
+        observations, seen = rig_sightings(tables, source, "the calibration of the rig", TerminalProgress())
+        noise = robot.axis_noise(table_sigma_arcsec)
+        solution = solve_rig(observations, seen.cameras, noise=noise, camera_prior=seen.cameras.covariance, progress=TerminalProgress())
+        carried_on = {"camera_uncertainty_carried_on": seen.cameras.covariance is not None}
+        document = rig_answer(solution) | carried_on | {"images_rejected": seen.rejected}
+        answer.give(ctx, document, _lines(document))
 
 
 def rig_answer(solution: RigSolution) -> dict[str, Any]:
     """Return the JSON answer of a solution."""
+    from measureapp.calibrate.rig_limits import rig_limits
+
     return _parts(solution.calibration) | {
+        "limits": [
+            {
+                "name": one.name,
+                "unit": one.unit,
+                "asked": one.asked,
+                "sigma": one.sigma,
+                "axes_allow": one.axes_allow,
+                "images_and_cameras_add": one.beyond,
+                "met": one.met,
+                "met_beyond_axes": one.met_beyond,
+                "sentence": one.sentence,
+            }
+            for one in rig_limits(solution)
+        ],
         "stages": _parts(solution.stages),
         "guide_from_board": solution.guide_from_board.matrix,
         "standard_deviations": dict(solution.standard_deviations),
@@ -99,6 +98,7 @@ def _parts(solved: Any | RigStages) -> dict[str, Any]:
 def _lines(document: dict[str, Any]) -> list[str]:
     lines = [f"Rig from {len(document['sightings'])} sightings; residuals {document['sigma_ratio']:.2f} times what was expected."]
     lines += [f"  {name:<28} ± {value:.3g}" for name, value in document["standard_deviations"].items()]
+    lines += [f"  {one['sentence']}" for one in document["limits"]]
     lines.append(
         f"  a guide taken to run along +Y with scale 1 would have cost {document['paper_cost_mm']:.3f} mm over the travel of these views"
     )

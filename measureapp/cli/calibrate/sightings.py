@@ -3,23 +3,35 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
+from measureapp.arrays import FloatArray
 from measureapp.calibrate.board import find_board, require_unambiguous
 from measureapp.calibrate.board_pose import BoardPose, board_pose, stated_pose, with_seen_noise
+from measureapp.calibrate.camera_prior import pose_by_cameras
 from measureapp.calibrate.sightings import FoundBoard
-from measureapp.cli.calibrate.options import BoardChoice
+from measureapp.cli.calibrate.options import BoardSource
 from measureapp.data.board import BoardDescription
-from measureapp.data.calibration import CameraArrayCalibration
+from measureapp.data.calibration import CameraArrayCalibration, LabelledCovariance
 from measureapp.errors import CalibrationError, InputError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Progress
 from measureapp.project.board_images import BoardImages, find_board_images
 from measureapp.project.camera_file import read_cameras
 from measureapp.project.tables import read_poses, require_millimetres
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CameraUncertainty:
+    """How board poses move with the cameras, and what the cameras' calibration leaves uncertain; both None where that is not known."""
+
+    by_cameras: FloatArray | None = None  # (N, 6, C)
+    prior: LabelledCovariance | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -31,11 +43,25 @@ class PosesFromImages:
     positions: int
     poses: dict[int, BoardPose]
     rejected: list[dict[str, Any]]
+    by_cameras: dict[int, FloatArray]  # (6, C), change of each pose with the cameras; empty where cameras.json holds no covariance
+
+    def uncertainty(self, positions: Iterable[int]) -> CameraUncertainty:
+        """Return what the cameras leave uncertain in the poses of ``positions``, in this order."""
+        if not self.by_cameras:
+            return CameraUncertainty()
+        return CameraUncertainty(np.array([self.by_cameras[position] for position in positions]), self.cameras.covariance)
 
 
-def poses_from_images(
-    images: Sequence[str] | None, cameras: Path | None, board: BoardChoice, purpose: str, progress: Progress
-) -> PosesFromImages:
+@dataclass(frozen=True, slots=True, eq=False)
+class NamedBoardPoses:
+    """The board pose of every robot pose."""
+
+    poses: dict[str, BoardPose]
+    rejected: list[dict[str, Any]]
+    cameras: CameraUncertainty  # in the order of ``poses``
+
+
+def poses_from_images(source: BoardSource, purpose: str, progress: Progress) -> PosesFromImages:
     """Find the board in all images and its pose at every position; the noise of the corners is that of all residuals.
 
     Raises
@@ -45,18 +71,20 @@ def poses_from_images(
     CalibrationError
         The board is symmetric.
     """
-    if cameras is None:
+    if source.cameras is None:
         raise InputError("--images need --cameras.", "Calibrate the cameras first: `measureapp calibrate cameras`.")
-    description = board.description()
+    description = source.board.description()
     require_unambiguous(description, purpose)
-    array = read_cameras(cameras)
-    files = find_board_images(images or ())
+    array = read_cameras(source.cameras)
+    files = find_board_images(source.images or ())
     unknown = [name for name in files.cameras if name not in array.cameras]
     if unknown:
-        raise InputError(f"{cameras} has no camera {unknown[0]!r}.", "It has: " + ", ".join(array.cameras) + ".")
+        raise InputError(f"{source.cameras} has no camera {unknown[0]!r}.", "It has: " + ", ".join(array.cameras) + ".")
     found, rejected = _corners(files, array, description, progress)
     poses = {position: _pose(seen, array, description) for position, seen in sorted(found.items())}
-    return PosesFromImages(description, array, files.positions, with_seen_noise(poses), rejected)
+    prior = array.covariance
+    by_cameras = {} if prior is None else {at: _by_cameras(pose, found[at], array, description, prior) for at, pose in poses.items()}
+    return PosesFromImages(description, array, files.positions, with_seen_noise(poses), rejected, by_cameras)
 
 
 def _corners(
@@ -87,15 +115,19 @@ def _pose(seen: dict[str, FoundBoard], array: CameraArrayCalibration, board: Boa
     return board_pose(corners, array, board, ids={camera: found.ids for camera, found in seen.items()})
 
 
+def _by_cameras(
+    pose: BoardPose, seen: dict[str, FoundBoard], array: CameraArrayCalibration, board: BoardDescription, prior: LabelledCovariance
+) -> FloatArray:
+    return pose_by_cameras(pose, {camera: found.ids for camera, found in seen.items()}, array, board, prior.parameters)
+
+
 def named_board_poses(
     names: Sequence[str],
     board_poses: Path | None,
-    images: Sequence[str] | None,
-    cameras: Path | None,
-    board: BoardChoice,
+    source: BoardSource,
     noise: tuple[float, float],
     progress: Progress,
-) -> tuple[dict[str, BoardPose], list[dict[str, Any]]]:
+) -> NamedBoardPoses:
     """Return the board pose of every robot pose, from a table or from images in the order of the sorted names.
 
     ``noise`` is the standard deviation (mm, degrees) of poses from a table.
@@ -105,17 +137,20 @@ def named_board_poses(
     InputError
         Neither or both sources were given, or names or counts do not fit.
     """
-    if (board_poses is None) == (not images):
+    if (board_poses is None) == (not source.images):
         raise InputError("Give either --board-poses or --images.", "With --images also --cameras, --board and --square-mm.")
     if board_poses is not None:
         table = read_poses(board_poses, "camera", "board")
         require_millimetres(board_poses, table)
         same_names(board_poses, names, tuple(table))
-        return {name: stated_pose(table[name], math.radians(noise[1]), noise[0]) for name in names}, []
-    seen = poses_from_images(images, cameras, board, "this calibration", progress)
+        return NamedBoardPoses(
+            {name: stated_pose(table[name], math.radians(noise[1]), noise[0]) for name in names}, [], CameraUncertainty()
+        )
+    seen = poses_from_images(source, "this calibration", progress)
     if seen.positions != len(names):
         raise InputError(f"{seen.positions} images do not belong to {len(names)} robot poses.", "Give one image per camera and robot pose.")
-    return {names[position]: pose for position, pose in seen.poses.items()}, seen.rejected
+    poses = {names[position]: pose for position, pose in seen.poses.items()}
+    return NamedBoardPoses(poses, seen.rejected, seen.uncertainty(seen.poses))
 
 
 def read_robot_poses(path: Path) -> dict[str, RigidTransform]:

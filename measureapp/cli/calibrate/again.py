@@ -1,0 +1,101 @@
+"""`calibrate again`: does a stored calibration follow from its stored inputs, to the last bit?"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from measureapp.cli.calibrate.made_from import made_from_document
+from measureapp.cli.main import OUT_OF_TOLERANCE, build
+from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+from measureapp.errors import InputError
+
+if TYPE_CHECKING:
+    from measureapp.project.differences import Difference
+
+MOST_SHOWN = 10
+
+
+def register(group: typer.Typer) -> None:
+    """Add the command."""
+
+    @group.command()
+    def again(
+        calibration: Annotated[Path, typer.Argument(help="What a `calibrate` command wrote with --out, or a project's folder.")],
+        as_json: JsonOption = False,
+    ) -> None:
+        """Solve a stored calibration again from its inputs and compare every number; exit code 1 where one differs.
+
+        The inputs are checked against the checksums stored with the calibration first. Nothing is written.
+        """
+        if calibration.is_dir():
+            differences, compared, inputs = _project_again(calibration)
+        else:
+            differences, compared, inputs = _file_again(calibration)
+        document = {
+            "same": not differences,
+            "numbers": compared,
+            "inputs": inputs,
+            "differences": [{"place": one.place, "stored": one.stored, "again": one.again} for one in differences],
+        }
+        reply(document, "\n".join(_lines(calibration, document)), as_json)
+        if differences:
+            raise typer.Exit(OUT_OF_TOLERANCE)
+
+
+def _file_again(calibration: Path) -> tuple[Sequence[Difference], int, int]:
+    from measureapp.project.differences import compared
+
+    stored = _json(calibration)
+    made = made_from_document(stored, calibration)
+    folder = calibration.resolve().parent / made.folder
+    made.require_same_inputs(folder)
+    with tempfile.TemporaryDirectory() as place:
+        written = Path(place) / "again.json"
+        arguments = (*made.arguments, "--out", str(written))
+        with contextlib.chdir(folder), Path(os.devnull).open("w", encoding="utf-8") as nowhere, contextlib.redirect_stdout(nowhere):
+            # a poor verdict (exit code 1) is not raised in this mode and is no obstacle
+            build()(args=list(arguments), obj=arguments, prog_name="measureapp", standalone_mode=False)
+        solved = _json(written)
+    used = made_from_document(solved, calibration).inputs
+    further = sorted(set(used) - set(made.inputs))
+    if further:
+        raise InputError(
+            f"{folder / further[0]} is read now, the calibration was made without it.", "Move files that came later out of the pattern."
+        )
+    found, count = compared(stored, solved)
+    return found, count, len(made.inputs)
+
+
+def _project_again(folder: Path) -> tuple[Sequence[Difference], int, int]:
+    from measureapp.pipeline.again import calibration_again
+    from measureapp.project.folder import ProjectFolder
+
+    result = calibration_again(ProjectFolder.open(folder), TerminalProgress())
+    return result.differences, result.numbers, result.images
+
+
+def _json(path: Path) -> Any:
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give the path of a stored calibration.") from error
+    except ValueError as error:
+        raise InputError(f"{path} is not JSON: {error}.", "Give what a `calibrate` command wrote with --out.") from error
+
+
+def _lines(calibration: Path, document: dict[str, Any]) -> list[str]:
+    inputs = f"{document['inputs']} inputs have the checksums stored with it"
+    if document["same"]:
+        return [f"{calibration}: all {document['numbers']} numbers follow again from its inputs, bit for bit; its {inputs}."]
+    found = document["differences"]
+    lines = [f"{calibration}: {len(found)} of {document['numbers']} numbers come out differently, though its {inputs}."]
+    lines += [f"  {one['place']}: {one['stored']!r} is stored, {one['again']!r} follows" for one in found[:MOST_SHOWN]]
+    return lines + ([f"  and {len(found) - MOST_SHOWN} more"] if len(found) > MOST_SHOWN else [])

@@ -1,0 +1,175 @@
+"""From fringe images of the board at several positions to the calibrated projector."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from measureapp.arrays import ImageArray
+from measureapp.calibrate.board import find_board, require_unambiguous
+from measureapp.calibrate.camera_array import CameraArrayProblem
+from measureapp.calibrate.projector_array import HeadSolution, solve_head
+from measureapp.calibrate.projector_sightings import projector_sighting
+from measureapp.calibrate.sightings import Rejection, Sighting, sighting_of
+from measureapp.data.board import BoardDescription
+from measureapp.data.calibration import CameraArrayCalibration
+from measureapp.data.fringe import FringeStack, PhaseShiftGroup
+from measureapp.errors import CalibrationError, DecodeError, InputError
+from measureapp.fringe.decode import decode
+from measureapp.fringe.settings import DecodeSettings
+from measureapp.progress import PartOf, Progress
+
+LEAST_POSITIONS = 3
+NOT_KNOWN = (0, 0)
+
+
+@dataclass(frozen=True, slots=True)
+class ProjectorRequest:
+    """What is calibrated: the projector before known cameras, or projector and cameras together."""
+
+    board: BoardDescription
+    cameras: CameraArrayCalibration | None  # None: the cameras are calibrated from the same images
+    projector_px: tuple[int, int] | None = None  # width and height; None: what the stacks say
+    distortion_count: int = 5
+    decoding: DecodeSettings = field(default_factory=DecodeSettings)
+
+
+def calibrate_projector(stacks: Iterable[FringeStack], positions: int, request: ProjectorRequest, progress: Progress) -> HeadSolution:
+    """Find the board in the mean image of each stack, read the projector's pixels at its marks, and solve.
+
+    Parameters
+    ----------
+    stacks : one per board position, with vertical and horizontal fringes; taken one after the other, none is kept
+    positions : how many there are
+
+    Raises
+    ------
+    CalibrationError
+        Fewer than three positions, fringes in one direction only, a symmetric board, or what is seen does not determine the projector.
+    InputError
+        The stacks have other cameras or another size than the calibrated ones, or differ in the projector's size.
+    """
+    require_unambiguous(request.board, "the calibration of the projector")
+    if positions < LEAST_POSITIONS:
+        raise CalibrationError(
+            f"{positions} positions of the board do not determine the projector.",
+            f"Record vertical and horizontal fringes on the board at {LEAST_POSITIONS} positions at least, better 12, tilted differently.",
+        )
+    sightings: list[Sighting] = []
+    missed: list[Rejection] = []
+    read: list[Sighting | Rejection] = []
+    sizes: dict[str, tuple[int, int]] = {}
+    size_px = request.projector_px or NOT_KNOWN
+    for number, stack in enumerate(stacks):
+        view, part = f"{number + 1:02d}", PartOf(progress, 0.9 * number / positions, 0.9 * (number + 1) / positions)
+        size_px = _size_of(stack, size_px, given=request.projector_px is not None)
+        _require_same_cameras(stack, sizes, request.cameras)
+        found = _boards(stack, view, request.board, missed)
+        sightings += found
+        read += _readings(stack, found, request.decoding, part)
+    _require_different(sightings)
+    known = request.cameras
+    if known is not None:
+        sizes = {name: (known.cameras[name].pinhole.width_px, known.cameras[name].pinhole.height_px) for name in known.names}
+    problem = CameraArrayProblem(
+        board=request.board,
+        reference=next(iter(sizes)),
+        sizes_px=sizes,
+        sightings=tuple(sightings),
+        rejected=tuple(missed),
+        distortion_count=request.distortion_count,
+        known=known,
+    )
+    return solve_head(problem, read, size_px, PartOf(progress, 0.9, 1.0))
+
+
+def _require_different(sightings: list[Sighting]) -> None:
+    """Refuse a position that was given twice: it would count twice."""
+    first: dict[tuple[str, bytes], str] = {}
+    for one in sightings:
+        same = first.setdefault((one.camera, one.corners_px.tobytes()), one.view)
+        if same != one.view:
+            raise CalibrationError(
+                f"Views {same} and {one.view} of camera {one.camera!r} are the same image: it would count twice.",
+                "Give every position of the board once.",
+            )
+
+
+def board_image(stack: FringeStack, camera: str, exposure: int) -> ImageArray:
+    """Return the mean (H, W) of the sinusoidal images of one exposure: the board in even light; full scale where one is saturated."""
+    images = stack.images[camera][exposure]
+    groups = [group for group in stack.patterns.groups for _ in range(group.count)]
+    sinusoids = [number for number, group in enumerate(groups) if isinstance(group, PhaseShiftGroup)]
+    mean = np.zeros(images.shape[1:], np.float32)
+    clipped = np.zeros(images.shape[1:], bool)
+    for number in sinusoids:
+        mean += images[number]
+        clipped |= images[number] >= stack.saturation
+    levels = np.round(mean * (255.0 / stack.saturation / len(sinusoids)))
+    return np.where(clipped, 255, levels).astype(np.uint8)
+
+
+def _boards(stack: FringeStack, view: str, board: BoardDescription, missed: list[Rejection]) -> list[Sighting]:
+    """The board in every camera, in the longest exposure that allows it."""
+    found = []
+    for camera in stack.images:
+        reason = ""
+        for exposure in range(len(stack.exposures_us)):
+            try:
+                found.append(sighting_of(camera, view, find_board(board_image(stack, camera, exposure), board)))
+                break
+            except CalibrationError as error:
+                reason = reason or error.message.rstrip(".")
+        else:
+            missed.append(Rejection(camera, view, reason))
+    return found
+
+
+def _readings(stack: FringeStack, found: list[Sighting], settings: DecodeSettings, progress: Progress) -> list[Sighting | Rejection]:
+    if not found:
+        progress.report(1, 1)
+        return []
+    seeing = replace(stack, images={one.camera: stack.images[one.camera] for one in found})
+    try:
+        phases = decode(seeing, settings, progress)
+    except DecodeError as error:
+        return [Rejection(one.camera, one.view, error.message.rstrip(".")) for one in found]
+    return [projector_sighting(one, phases[one.camera]) for one in found]
+
+
+def _size_of(stack: FringeStack, before: tuple[int, int], *, given: bool) -> tuple[int, int]:
+    patterns = stack.patterns
+    if len(patterns.directions) < 2:
+        raise CalibrationError(
+            f"{stack.viewpoint_id} has {patterns.directions[0]} fringes only; the projector needs those of both directions.",
+            "Record vertical and horizontal fringes at every position: `measureapp patterns export` writes such a set.",
+        )
+    if given:
+        return before
+    size = (patterns.projector_px, patterns.projector_rows or patterns.projector_px)
+    if before not in (NOT_KNOWN, size):
+        raise InputError(
+            f"The fringes of {stack.viewpoint_id} run over {size[0]} × {size[1]} px of the projector, those before over "
+            f"{before[0]} × {before[1]} px.",
+            "Give stacks of one projector, or its size by --projector-px.",
+        )
+    return size
+
+
+def _require_same_cameras(stack: FringeStack, sizes: dict[str, tuple[int, int]], known: CameraArrayCalibration | None) -> None:
+    for camera, images in stack.images.items():
+        if known is not None and camera not in known.cameras:
+            raise InputError(
+                f"{stack.viewpoint_id} has images of camera {camera!r}, which is not calibrated.",
+                "The calibration has: " + ", ".join(known.names) + ".",
+            )
+        size = (images.shape[3], images.shape[2])
+        lens = None if known is None else known.cameras[camera].pinhole
+        expected = sizes.setdefault(camera, size) if lens is None else (lens.width_px, lens.height_px)
+        if size != expected:
+            raise InputError(
+                f"The images of camera {camera!r} in {stack.viewpoint_id} are {size[0]} × {size[1]} px, not {expected[0]} × {expected[1]} px.",
+                "Give images of one resolution, that of the calibrated camera.",
+            )

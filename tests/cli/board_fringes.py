@@ -1,0 +1,67 @@
+"""Renders fringes of both directions on a board before the virtual rig's head, and writes them as users record them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from measureapp.data.pattern_sets import PATTERN_SETS
+from measureapp.fringe.patterns import pattern_images
+from measureapp.geometry.transform import RigidTransform, rotation_about
+from measureapp.project.pattern_files import manifest_skeleton
+from measureapp.project.rig_file import read_rig
+from measureapp.simulate.optics import Lights, PrintedBoard, exposed, projected
+from measureapp.simulate.options import LightSettings, RigErrors
+from measureapp.simulate.sensor import SensorSettings, read_out
+from measureapp.simulate.truth import Truth, draw_truth
+from measureapp.simulate.world import PAPER_BOARD
+
+PATTERNS = PATTERN_SETS["three-close-both"]
+EXPOSURE_US = 60_000
+RIG = read_rig("paper").at_resolution("quarter")
+
+
+def true_head(seed: int) -> Truth:
+    """Draw a rig; its cameras, projector and their places are the truth to find."""
+    return draw_truth(RIG, PAPER_BOARD, RigErrors(), seed)
+
+
+def board_poses(truth: Truth, count: int, generator: np.random.Generator) -> list[RigidTransform]:
+    """Draw places of the board in the light of the projector, tilted by 15° to 40°."""
+    light = truth.camera_from_projector
+    poses = []
+    for number in range(count):
+        azimuth = 2.4 * number + generator.uniform(-0.3, 0.3)
+        tilt = np.deg2rad(generator.uniform(15, 40))
+        turn = (
+            light.rotation
+            @ rotation_about([np.cos(azimuth), np.sin(azimuth), 0], tilt)
+            @ rotation_about([0, 0, 1], generator.uniform(-0.4, 0.4))
+        )
+        centre = light.apply(np.array([[*generator.uniform(-25, 25, 2), RIG.standoff_mm + generator.uniform(-50, 50)]]))[0]
+        poses.append(RigidTransform.from_parts(turn, centre - turn @ PAPER_BOARD.middle_mm, "camera", "board"))
+    return poses
+
+
+def write_stacks(folder: Path, truth: Truth, poses: list[RigidTransform], cameras: tuple[str, ...] = ("left", "right")) -> list[Path]:
+    """Write one folder of images with its MANIFEST.toml per pose; return the manifests."""
+    shown = projected(pattern_images(PATTERNS, RIG.projector.width_px, RIG.projector.height_px), LightSettings())
+    printed = PrintedBoard(PAPER_BOARD, 0.0)
+    manifests = []
+    for number, pose in enumerate(poses):
+        place = folder / f"position{number:02d}"
+        lights = Lights(truth.projector, pose.inverse() @ truth.camera_from_projector, RIG.standoff_mm)
+        for name in cameras:
+            camera = truth.calibration.cameras.cameras[name]
+            light = np.empty((camera.pinhole.height_px, camera.pinhole.width_px, 4), np.float32)
+            printed.lit(camera.pinhole, pose.inverse() @ camera.reference_from_camera, lights, light)
+            images = place / name / str(EXPOSURE_US)
+            images.mkdir(parents=True)
+            for pattern, lit in enumerate(shown):
+                seen = read_out(exposed(light, lit, EXPOSURE_US, LightSettings()), 8, SensorSettings(), 1000 * number + pattern + len(name))
+                cv2.imwrite(str(images / f"{pattern:03d}.png"), seen)
+        manifests.append(place / "MANIFEST.toml")
+        manifests[-1].write_text(manifest_skeleton(PATTERNS, cameras, (EXPOSURE_US,)))
+    return manifests

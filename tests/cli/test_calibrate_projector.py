@@ -1,0 +1,131 @@
+"""`measureapp calibrate projector` from recorded fringes on a board, as users run it."""
+
+from __future__ import annotations
+
+import json
+import shutil
+
+import numpy as np
+import pytest
+
+from measureapp.cli import main
+from measureapp.project.camera_file import read_cameras, write_cameras
+from tests.cli.board_fringes import board_poses, true_head, write_stacks
+
+SEED, POSITIONS = 3, 8
+BOARD = ("--board", "14x11", "--square-mm", "15")
+MOST_SIGMAS = 4.0  # of 12 parameters; noise alone passes it once in 1300 calibrations
+
+
+def run(capsys, *arguments):
+    code = main(["calibrate", "projector", *map(str, arguments), "--json"])
+    return code, json.loads(capsys.readouterr().out)
+
+
+@pytest.fixture(scope="module")
+def truth():
+    return true_head(SEED)
+
+
+@pytest.fixture(scope="module")
+def manifests(truth, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("fringes")
+    return write_stacks(folder, truth, board_poses(truth, POSITIONS, np.random.default_rng(SEED)))
+
+
+def in_sigmas(truth, projector):
+    """Errors of lens and place over their stated standard deviations."""
+    matrix = projector.pinhole.matrix - truth.projector.matrix
+    errors = {"fx": matrix[0, 0], "fy": matrix[1, 1], "cx": matrix[0, 2], "cy": matrix[1, 2]}
+    errors |= dict(zip(("k1", "k2", "p1", "p2", "k3"), projector.pinhole.distortion - truth.projector.distortion, strict=True))
+    shift = projector.reference_from_projector.translation_mm - truth.camera_from_projector.translation_mm
+    errors |= dict(zip(("x_mm", "y_mm", "z_mm"), shift, strict=True))
+    return np.array([error / projector.standard_deviations[name] for name, error in errors.items()])
+
+
+def test_cameras_and_projector_are_recovered_together_and_serve_reconstruct(capsys, truth, manifests, tmp_path):
+    code, answer = run(capsys, *manifests, *BOARD, "--out", tmp_path / "cameras.json")
+    assert code == 0, answer
+    found = read_cameras(tmp_path / "cameras.json")
+    assert np.abs(in_sigmas(truth, found.projector)).max() < MOST_SIGMAS
+    assert set(found.cameras) == {"left", "right"}
+    assert any(name.startswith("projector.") for name in found.covariance.parameters)
+    assert answer["projector"]["views"] == POSITIONS
+    assert answer["camera_uncertainty_carried_on"]
+    options = ["--cameras", str(tmp_path / "cameras.json"), "--out", str(tmp_path / "board.ply"), "--projector", "--json"]
+    assert main(["reconstruct", str(manifests[0]), *options]) == 0
+    agreement = json.loads(capsys.readouterr().out)["projector"]["agreement"]
+    assert agreement
+
+
+def test_known_cameras_stay_as_they_are_and_their_uncertainty_is_carried_on(capsys, truth, manifests, tmp_path):
+    code, answer = run(capsys, *manifests, *BOARD, "--out", tmp_path / "together.json")
+    assert code == 0, answer
+    code, answer = run(capsys, *manifests, *BOARD, "--cameras", tmp_path / "together.json", "--out", tmp_path / "added.json")
+    assert code == 0, answer
+    together, added = read_cameras(tmp_path / "together.json"), read_cameras(tmp_path / "added.json")
+    for name, camera in together.cameras.items():
+        np.testing.assert_array_equal(added.cameras[name].pinhole.matrix, camera.pinhole.matrix)
+        np.testing.assert_array_equal(added.cameras[name].reference_from_camera.matrix, camera.reference_from_camera.matrix)
+    assert np.abs(in_sigmas(truth, added.projector)).max() < MOST_SIGMAS
+
+    exact = truth.calibration.cameras
+    write_cameras(tmp_path / "exact.json", exact)
+    code, answer = run(capsys, *manifests, *BOARD, "--cameras", tmp_path / "exact.json", "--out", tmp_path / "conditional.json")
+    assert code == 0, answer
+    conditional = read_cameras(tmp_path / "conditional.json")
+    assert not answer["camera_uncertainty_carried_on"]
+    assert conditional.covariance is None
+    assert set(conditional.cameras) == set(exact.cameras)  # also the one without fringes
+    assert np.abs(in_sigmas(truth, conditional.projector)).max() < MOST_SIGMAS
+    for name in ("fx", "x_mm", "z_mm"):
+        assert conditional.projector.standard_deviations[name] < added.projector.standard_deviations[name]
+
+
+def test_too_few_positions_are_refused(capsys, manifests):
+    code, answer = run(capsys, *manifests[:2], *BOARD)
+    assert code == 2
+    assert "2 positions of the board do not determine the projector" in answer["error"]["message"]
+
+
+def test_one_position_given_again_and_again_is_refused(capsys, manifests):
+    code, answer = run(capsys, *[manifests[0]] * 4, *BOARD)
+    assert code == 2
+    assert "Views 01 and 02" in answer["error"]["message"]
+
+
+def test_fringes_of_one_direction_are_refused(capsys, manifests, tmp_path):
+    copied = []
+    for number, manifest in enumerate(manifests[:3]):
+        place = tmp_path / f"p{number}"
+        shutil.copytree(manifest.parent, place)
+        groups = (place / "MANIFEST.toml").read_text().split("\n  [[exposure.group]]")
+        kept = [group for group in groups if 'direction = "horizontal"' not in group]
+        (place / "MANIFEST.toml").write_text("\n  [[exposure.group]]".join(kept))
+        copied.append(place / "MANIFEST.toml")
+    code, answer = run(capsys, *copied, *BOARD)
+    assert code == 2
+    assert "has vertical fringes only" in answer["error"]["message"]
+
+
+def test_a_board_of_another_size_is_refused(capsys, manifests):
+    code, answer = run(capsys, *manifests[:3], "--board", "9x6", "--square-mm", "15")
+    assert code == 2
+    assert "0 views of the board" in answer["error"]["message"] or "was not found" in answer["error"]["message"]
+
+
+def test_cameras_of_another_resolution_are_refused(capsys, truth, manifests, tmp_path):
+    write_cameras(tmp_path / "cameras.json", truth.calibration.cameras)
+    document = json.loads((tmp_path / "cameras.json").read_text())
+    document["cameras"]["left"]["width"] *= 2
+    (tmp_path / "cameras.json").write_text(json.dumps(document))
+    code, answer = run(capsys, *manifests[:3], *BOARD, "--cameras", tmp_path / "cameras.json")
+    assert code == 2
+    assert "'left'" in answer["error"]["message"]
+
+
+@pytest.mark.parametrize("size", ["1024", "0x768", "1024x-3", "wide"])
+def test_a_projector_size_that_is_none_is_refused(capsys, manifests, size):
+    code, answer = run(capsys, *manifests[:3], *BOARD, "--projector-px", size)
+    assert code == 2
+    assert "--projector-px" in answer["error"]["message"]
