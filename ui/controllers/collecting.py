@@ -1,0 +1,385 @@
+"""Collecting views of the board for one calibration: taking or reading them, taking them back, solving meanwhile."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from datetime import UTC, datetime
+from pathlib import Path
+from queue import SimpleQueue
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtGui import QImage
+
+from measureapp.errors import CalibrationError, InputError, MeasureError
+from ui.controllers import collecting_work as work
+from ui.controllers.collecting_nouns import Kept, Kind, LiveImage, RigSetup, SeenView, Start
+from ui.controllers.jobs import JobRunner
+from ui.controllers.rig_connection import VIRTUAL, RigConnection
+from ui.controllers.seen_views import seen_view
+from ui.look.demo_settings import DemoSettings
+from ui.session import Session
+from ui.workers.job import Job
+from ui.workers.mailbox import Mailboxes
+
+if TYPE_CHECKING:
+    from measureapp.data.calibration import RigCalibration
+    from measureapp.data.plan import Viewpoint
+    from measureapp.data.rig import RigDescription
+    from measureapp.pipeline.collecting.collection import Collection
+    from measureapp.pipeline.collecting.observation import Observation
+    from measureapp.pipeline.collecting.solved import Solved
+
+SESSIONS = Path("MeasureApp") / "calibrations"  # below the user's home, where no project is open
+IMAGES_KEPT = 9  # in memory, of those looked at last
+LEAST_VIEWS = 3
+
+
+class CollectingController(QObject):
+    """One calibration in the making. Pages watch `changed`; every change is on disk before anybody hears of it."""
+
+    changed = Signal()  # views, advice or what is being done
+    begun = Signal()  # there is a collection
+    progressed = Signal(float, str)
+    told = Signal(str, str, str)  # text, hint, level
+
+    def __init__(self, kind: Kind, session: Session, collecting: JobRunner, solving: JobRunner, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.kind = kind
+        self._session, self._collecting, self._solving = session, collecting, solving
+        self._job: Job | None = None  # that takes or reads images
+        self._solver: Job | None = None
+        self._stale = False  # something changed since the solver began
+        self._forget()
+
+    def _forget(self) -> None:
+        self._live: Mailboxes[LiveImage] = Mailboxes()
+        self._changes: work.Changes = SimpleQueue()
+        self.collection: Collection | None = None
+        self.solved: Solved | None = None
+        self.unsolved: MeasureError | None = None
+        self._rig: RigDescription | None = None
+        self._connection: RigConnection | None = None
+        self._thumbnails: dict[tuple[str, str], QImage] = {}
+        self._newest: dict[str, LiveImage] = {}
+        self._images: OrderedDict[tuple[str, str], np.ndarray] = OrderedDict()
+        self.views: tuple[SeenView, ...] = ()
+
+    # what there is
+
+    @property
+    def cameras(self) -> tuple[str, ...]:
+        """The cameras that are being collected from."""
+        return () if self.collection is None else self.collection.setup.camera_names
+
+    @property
+    def from_rig(self) -> bool:
+        """Whether the rig takes the images."""
+        return self._rig is not None
+
+    @property
+    def is_collecting(self) -> bool:
+        """Whether images are being taken or read."""
+        return self._job is not None
+
+    @property
+    def is_solving(self) -> bool:
+        """Whether a solution is being computed."""
+        return self._solver is not None
+
+    @property
+    def truth(self) -> RigCalibration | None:
+        """What the virtual rig really is; for showing beside a result, never for finding one."""
+        return None if self._connection is None else self._connection.truth
+
+    @property
+    def rig(self) -> RigDescription | None:
+        """The rig that takes the images."""
+        return self._rig
+
+    @property
+    def remaining(self) -> int:
+        """How many views the rig has still to take."""
+        return len(self._viewpoints_left())
+
+    def newest_image(self, camera: str) -> LiveImage | None:
+        """Return the newest image of a camera while its board is still looked for."""
+        return self._newest.get(camera)
+
+    def take_live(self) -> bool:
+        """Take the newest images out of their mailbox; tells whether there were any."""
+        found = self._live.take_all()
+        self._newest.update(found)
+        return bool(found)
+
+    def image(self, id_: str, camera: str) -> np.ndarray | None:
+        """Return the image of one camera in a view, or None where it has none (or it cannot be read)."""
+        if (id_, camera) not in self._images and self.collection is not None:
+            stored = self.collection.observation(id_).images.get(camera)
+            if stored is None:
+                return None
+            try:
+                self._remember(id_, camera, stored.pixels())
+            except MeasureError as error:
+                self.told.emit(error.message, error.hint, "error")
+                return None
+        return self._images.get((id_, camera))
+
+    def size_px(self, camera: str) -> tuple[int, int] | None:
+        """Return width and height of a camera's images."""
+        return None if self.collection is None else self.collection.size_px(camera)
+
+    def _remember(self, id_: str, camera: str, pixels: np.ndarray) -> None:
+        self._images[id_, camera] = pixels
+        while len(self._images) > IMAGES_KEPT:
+            self._images.popitem(last=False)
+
+    # beginning
+
+    def rig_setup(self, settings: DemoSettings) -> RigSetup | None:
+        """Return which rig can take the images; None while it is not loaded."""
+        rig = self._session.rig
+        if rig is None:
+            return None
+        from measureapp.project.folder import DEFAULT_BOARD, ProjectFolder
+
+        board = ProjectFolder.open(self._project).settings.board if self._project is not None else DEFAULT_BOARD
+        return RigSetup(rig.name, rig.driver == VIRTUAL, self._project is not None, settings.resolution, settings.seed, board)
+
+    @property
+    def _project(self) -> Path | None:
+        folder = self._session.folder
+        return folder if folder is not None and (folder / "project.json").is_file() else None
+
+    def kept(self) -> Kept | None:
+        """Return the newest session of this kind that holds views."""
+        from measureapp.pipeline.collecting.collection import Collection
+
+        for folder in sorted(self._sessions().glob(f"{self.kind}-*"), reverse=True):
+            if Collection.is_in(folder):
+                views = len(tuple((folder / "observations").glob("*.json")))
+                saved = datetime.fromtimestamp((folder / "session.json").stat().st_mtime, UTC)
+                return Kept(folder, views, saved.isoformat()) if views else None
+        return None
+
+    def _sessions(self) -> Path:
+        project = self._project
+        return Path.home() / SESSIONS if project is None else project / "calibration" / "sessions"
+
+    def _new_folder(self) -> Path:
+        numbers = [int(path.name.rpartition("-")[2]) for path in self._sessions().glob(f"{self.kind}-*") if path.name[-1].isdigit()]
+        return self._sessions() / f"{self.kind}-{max(numbers, default=0) + 1:03d}"
+
+    def begin(self, start: Start) -> None:
+        """Begin anew; recorded images are read at once."""
+        try:
+            if start.folder is None:
+                self._begin_with_rig(start)
+            else:
+                self._begin_with_images(start)
+        except MeasureError as error:
+            self.told.emit(error.message, error.hint, "error")
+
+    def _begin_with_rig(self, start: Start) -> None:
+        from measureapp.project.atomic import write_text
+
+        rig = self._session.rig
+        if rig is None:
+            raise InputError("No rig is known yet.", "Wait until it is loaded, or use recorded images.")
+        if rig.driver == VIRTUAL and self._project is None:
+            rig = rig.at_resolution(start.resolution).model_copy(update={"driver_settings": {**rig.driver_settings, "seed": start.seed}})
+        names = (rig.reference, *(camera.name for camera in rig.cameras if camera.name != rig.reference))
+        collection = self._created(start, names, rig)
+        write_text(collection.folder / work.RIG_FILE, rig.model_dump_json(indent=2))
+        self._take_over(collection, rig, {})
+
+    def _begin_with_images(self, start: Start) -> None:
+        from measureapp.project.recorded_boards import cameras_of, find_recorded
+
+        assert start.folder is not None
+        positions = find_recorded(start.folder)
+        collection = self._created(start, cameras_of(positions), None)
+        self._take_over(collection, None, {})
+        self._run(f"Reading {start.folder.name}", lambda job: work.read(job, positions, collection, self._changes))
+
+    def _created(self, start: Start, names: tuple[str, ...], rig: RigDescription | None) -> Collection:
+        from measureapp.pipeline.collecting.collection import Collection
+
+        return Collection.create(self._new_folder(), work.setup_for(self.kind, start.board, names, rig, self._session.calibration))
+
+    def resume(self, folder: Path) -> None:
+        """Go on with a session that was kept."""
+        self._collecting.run("Opening the session", lambda job: work.opened(job, folder), self._resumed, on_event=self._happened, quiet=True)
+
+    @Slot(object)
+    def _resumed(self, found: tuple[Collection, RigDescription | None, dict[tuple[str, str], QImage]]) -> None:
+        self._take_over(*found)
+
+    def _take_over(self, collection: Collection, rig: RigDescription | None, thumbnails: dict[tuple[str, str], QImage]) -> None:
+        self._forget()
+        self.collection, self._rig, self._thumbnails = collection, rig, thumbnails
+        self.begun.emit()
+        self._after_change()
+
+    # collecting
+
+    def take(self, most: int | None = None) -> None:
+        """Let the rig take the views that are still missing, at most so many of them."""
+        viewpoints = self._viewpoints_left()[:most]
+        collection, rig = self.collection, self._rig
+        if collection is None or rig is None or self.is_collecting or not viewpoints:
+            return
+        connection, live, changes = self._connection, self._live, self._changes
+
+        def run(job: Job) -> None:
+            job.report(0, 1, "Connecting the rig")
+            connected = connection or work.connected(job, rig, collection.setup.board)
+            work.take(job, connected.rig, viewpoints, collection, live, changes)
+
+        self._run("Taking images of the board", run)
+
+    def _viewpoints_left(self) -> tuple[Viewpoint, ...]:
+        if self.collection is None or self._rig is None:
+            return ()
+        taken = {image.name for view in self.collection.observations if view.standing != "removed" for image in view.images.values()}
+        planned = work.viewpoints_of(self.kind, self._rig, self._session.plan)
+        return tuple(viewpoint for viewpoint in planned if viewpoint.id not in taken)
+
+    def _run(self, title: str, run: work.Work) -> None:
+        self._job = self._collecting.run(title, run, self._collected, on_event=self._happened, on_stopped=self._stopped)
+        self._job.progressed.connect(self.progressed)
+        self._job.failed.connect(self._tell_failure)
+        self.changed.emit()
+
+    def stop(self) -> None:
+        """Stop taking or reading; what was collected is kept."""
+        if self._job is not None:
+            self._job.cancel()
+
+    @Slot(object)
+    def _happened(self, event: object) -> None:
+        match event:
+            case RigConnection():
+                self._connection = event
+            case work.Skipped():
+                self.told.emit(event.error.message, event.error.hint, "warning")
+            case work.Added() if self.collection is not None:
+                for camera, picture in event.thumbnails.items():
+                    self._thumbnails[event.id, camera] = picture
+                    self._remember(event.id, camera, event.images[camera])
+                    newest = self._newest.get(camera)
+                    if newest is not None and newest.view == event.name:
+                        del self._newest[camera]
+                self._after_change()
+
+    @Slot(object)
+    def _collected(self, _nothing: object) -> None:
+        self._end_collecting()
+
+    @Slot()
+    def _stopped(self) -> None:
+        self._end_collecting()
+
+    @Slot(object)
+    def _tell_failure(self, error: MeasureError) -> None:
+        self.told.emit(error.message, error.hint, "error")
+
+    def _end_collecting(self) -> None:
+        self._job = None
+        self._newest.clear()
+        work.make_changes(self._changes)
+        self._after_change()
+
+    # changes
+
+    def remove(self, id_: str) -> None:
+        """Take a view out by hand; `undo` brings it back."""
+        collection = self.collection
+        if collection is not None and collection.observation(id_).standing != "removed":
+            self._change(lambda: collection.remove(id_))
+
+    def undo(self) -> None:
+        """Take the last change back."""
+        if self.collection is not None and self.collection.can_undo:
+            self._change(self.collection.undo)
+
+    def redo(self) -> None:
+        """Make the change that was taken back again."""
+        if self.collection is not None and self.collection.can_redo:
+            self._change(self.collection.redo)
+
+    def _change(self, change: work.Change) -> None:
+        """Change at once, or between two views while they are being added."""
+        if self.is_collecting:
+            self._changes.put(change)
+            return
+        try:
+            change()
+        except MeasureError as error:
+            self.told.emit(error.message, error.hint, "warning")
+        self._after_change()
+
+    def _after_change(self) -> None:
+        self._look_again()
+        if self._solver is not None:
+            self._stale = True
+        else:
+            self._solve()
+        self.changed.emit()
+
+    def _look_again(self) -> None:
+        collection = self.collection
+        self.views = () if collection is None else tuple(self._seen(one) for one in collection.observations)
+
+    def _seen(self, observation: Observation) -> SeenView:
+        pictures = {camera: self._thumbnails[key] for camera in observation.images if (key := (observation.id, camera)) in self._thumbnails}
+        return seen_view(observation, self.solved, pictures)
+
+    # solving meanwhile
+
+    def _solve(self) -> None:
+        """Solve what there is on a thread of its own; the newest result wins."""
+        collection = self.collection
+        self._stale = False
+        if collection is None:
+            return
+        usable = collection.usable
+        if len(usable) < LEAST_VIEWS or (self.solved is not None and self.solved.of == tuple(one.id for one in usable)):
+            return
+        sizes = {camera: size for camera in self.cameras if (size := collection.size_px(camera)) is not None}
+        setup, before = collection.setup, self.solved
+        self._solver = self._solving.run(
+            "Solving", lambda job: work.solved(job, setup, usable, sizes, before), self._show_solved, on_stopped=self._solving_stopped, quiet=True
+        )
+
+    @Slot(object)
+    def _show_solved(self, found: Solved | work.Unsolved) -> None:
+        self._solver = None
+        if isinstance(found, work.Unsolved):
+            self.unsolved = found.error
+            if isinstance(found.error, CalibrationError) and not self.is_collecting:
+                self.solved = None
+        else:
+            self.solved, self.unsolved = found, None
+        self._go_on()
+
+    @Slot()
+    def _solving_stopped(self) -> None:
+        self._solver = None
+        self._go_on()
+
+    def _go_on(self) -> None:
+        if self._stale:
+            self._solve()
+        self._look_again()
+        self.changed.emit()
+
+    def close(self) -> None:
+        """End what runs for this wizard and let the rig go; everything collected is on disk."""
+        for job in (self._job, self._solver):
+            if job is not None:
+                job.cancel()
+        if self._connection is not None:
+            self._connection.rig.close()
+        self._forget()
