@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal, Slot
@@ -16,7 +15,6 @@ from ui.controllers.jobs import JobRunner
 from ui.session import Session
 
 if TYPE_CHECKING:
-    from measureapp.data.calibration import RigCalibration
     from ui.workers.job import Job
 
 
@@ -59,11 +57,10 @@ class CalibratingController(QObject):
         if collection is None or self._job is not None:
             return
         self.result = None
-        setup, usable = collection.setup, collection.usable
-        sizes = self.collecting.sizes_px()
+        snapshot = collection.snapshot()
         before = results.Before(self._session.cameras, self._session.calibration, self.collecting.truth)
         self._job = self._solving.run(
-            "Judging the result", lambda job: results.concluded(job, setup, usable, sizes, before), self._keep, on_stopped=self._stopped, quiet=True
+            "Judging the result", lambda job: results.concluded(job, snapshot, before), self._keep, on_stopped=self._stopped, quiet=True
         )
         self._job.progressed.connect(self.collecting.progressed)
         self._job.failed.connect(self._tell_failure)
@@ -88,7 +85,7 @@ class CalibratingController(QObject):
         if self.result is None or self.collecting.collection is None:
             return False
         try:
-            words = results.accepted(self.result, self.kind, self._session, self.collecting.collection.folder)
+            words = results.accepted(self.result, self._session, self.collecting.collection.folder)
         except MeasureError as error:
             self.collecting.told.emit(error.message, error.hint, "error")
             return False

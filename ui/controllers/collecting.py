@@ -12,7 +12,7 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QImage
 
-from measureapp.errors import CalibrationError, InputError, MeasureError
+from measureapp.errors import InputError, MeasureError
 from ui.controllers import collecting_work as work
 from ui.controllers.collecting_nouns import Kept, Kind, LiveImage, RigSetup, SeenView, Start
 from ui.controllers.jobs import JobRunner
@@ -29,11 +29,9 @@ if TYPE_CHECKING:
     from measureapp.data.rig import RigDescription
     from measureapp.pipeline.collecting.collection import Collection
     from measureapp.pipeline.collecting.observation import Observation
-    from measureapp.pipeline.collecting.solved import Solved
 
 SESSIONS = Path("MeasureApp") / "calibrations"  # below the user's home, where no project is open
 IMAGES_KEPT = 9  # in memory, of those looked at last
-LEAST_VIEWS = 3
 
 
 class CollectingController(QObject):
@@ -49,7 +47,7 @@ class CollectingController(QObject):
         self.kind = kind
         self._session, self._collecting, self._solving = session, collecting, solving
         self._job: Job | None = None  # that takes or reads images
-        self._solver: Job | None = None
+        self._thinker: Job | None = None
         self._stale = False  # something changed since the solver began
         self._forget()
 
@@ -57,8 +55,7 @@ class CollectingController(QObject):
         self._live: Mailboxes[LiveImage] = Mailboxes()
         self._changes: work.Changes = SimpleQueue()
         self.collection: Collection | None = None
-        self.solved: Solved | None = None
-        self.unsolved: MeasureError | None = None
+        self.thought: work.Thought | None = None
         self._rig: RigDescription | None = None
         self._connection: RigConnection | None = None
         self._thumbnails: dict[tuple[str, str], QImage] = {}
@@ -84,9 +81,29 @@ class CollectingController(QObject):
         return self._job is not None
 
     @property
-    def is_solving(self) -> bool:
+    def is_thinking(self) -> bool:
         """Whether a solution is being computed."""
-        return self._solver is not None
+        return self._thinker is not None
+
+    @property
+    def is_solved(self) -> bool:
+        """Whether the views determine the result."""
+        return self.thought is not None and self.thought.solved is not None
+
+    @property
+    def has_enough(self) -> bool:
+        """Whether the coach asks for nothing more."""
+        return self.is_solved and self.thought is not None and self.thought.advice.enough
+
+    @property
+    def can_undo(self) -> bool:
+        """Whether there is a change to take back."""
+        return self.collection is not None and self.collection.can_undo
+
+    @property
+    def can_redo(self) -> bool:
+        """Whether a change was taken back."""
+        return self.collection is not None and self.collection.can_redo
 
     @property
     def truth(self) -> RigCalibration | None:
@@ -322,10 +339,10 @@ class CollectingController(QObject):
 
     def _after_change(self) -> None:
         self._look_again()
-        if self._solver is not None:
+        if self._thinker is not None:
             self._stale = True
         else:
-            self._solve()
+            self._think()
         self.changed.emit()
 
     def _look_again(self) -> None:
@@ -334,50 +351,40 @@ class CollectingController(QObject):
 
     def _seen(self, observation: Observation) -> SeenView:
         pictures = {camera: self._thumbnails[key] for camera in observation.images if (key := (observation.id, camera)) in self._thumbnails}
-        return seen_view(observation, self.solved, pictures)
+        return seen_view(observation, None if self.thought is None else self.thought.solved, pictures)
 
     # solving meanwhile
 
-    def _solve(self) -> None:
-        """Solve what there is on a thread of its own; the newest result wins."""
-        collection = self.collection
+    def _think(self) -> None:
+        """Solve what there is and ask the coach, on a thread of their own; the newest answer wins."""
         self._stale = False
-        if collection is None:
-            return
-        usable = collection.usable
-        if len(usable) < LEAST_VIEWS or (self.solved is not None and self.solved.of == tuple(one.id for one in usable)):
-            return
-        sizes = {camera: size for camera in self.cameras if (size := collection.size_px(camera)) is not None}
-        setup, before = collection.setup, self.solved
-        self._solver = self._solving.run(
-            "Solving", lambda job: work.solved(job, setup, usable, sizes, before), self._show_solved, on_stopped=self._solving_stopped, quiet=True
-        )
+        if self.collection is not None:
+            snapshot = self.collection.snapshot()
+            self._thinker = self._solving.run(
+                "Solving", lambda job: work.thought(job, snapshot), self._show_thought, on_stopped=self._thinking_stopped, quiet=True
+            )
 
     @Slot(object)
-    def _show_solved(self, found: Solved | work.Unsolved) -> None:
-        self._solver = None
-        if isinstance(found, work.Unsolved):
-            self.unsolved = found.error
-            if isinstance(found.error, CalibrationError) and not self.is_collecting:
-                self.solved = None
-        else:
-            self.solved, self.unsolved = found, None
+    def _show_thought(self, found: work.Thought) -> None:
+        self._thinker, self.thought = None, found
+        if self.collection is not None:
+            self.collection.adopt(found.solved)
         self._go_on()
 
     @Slot()
-    def _solving_stopped(self) -> None:
-        self._solver = None
+    def _thinking_stopped(self) -> None:
+        self._thinker = None
         self._go_on()
 
     def _go_on(self) -> None:
         if self._stale:
-            self._solve()
+            self._think()
         self._look_again()
         self.changed.emit()
 
     def close(self) -> None:
         """End what runs for this wizard and let the rig go; everything collected is on disk."""
-        for job in (self._job, self._solver):
+        for job in (self._job, self._thinker):
             if job is not None:
                 job.cancel()
         if self._connection is not None:

@@ -22,9 +22,10 @@ if TYPE_CHECKING:
     from measureapp.data.rig import RigDescription
     from measureapp.devices.rig import Rig
     from measureapp.pipeline.collecting.collection import Collection
-    from measureapp.pipeline.collecting.observation import Observation
+    from measureapp.pipeline.collecting.coaching import Advice
     from measureapp.pipeline.collecting.setup import Setup
     from measureapp.pipeline.collecting.solved import Solved
+    from measureapp.pipeline.collecting.verdict import Verdict
     from measureapp.project.recorded_boards import RecordedPosition
     from ui.controllers.rig_connection import RigConnection
     from ui.workers.job import Job
@@ -57,11 +58,14 @@ class Skipped:
     error: MeasureError
 
 
-@dataclass(frozen=True)
-class Unsolved:
-    """The observations do not determine the result yet, and why."""
+@dataclass(frozen=True, eq=False)
+class Thought:
+    """What was made of the observations: a solution or why there is none, and what to show next."""
 
-    error: MeasureError
+    solved: Solved | None
+    error: MeasureError | None
+    advice: Advice
+    verdict: Verdict | None
 
 
 Change = Callable[[], object]
@@ -155,14 +159,23 @@ def opened(job: Job, folder: Path) -> tuple[Collection, RigDescription | None, d
     return collection, rig, thumbnails_of(job, collection)
 
 
-def solved(job: Job, setup: Setup, observations: tuple[Observation, ...], sizes_px: dict[str, tuple[int, int]], before: Solved | None) -> Solved | Unsolved:
-    """Solve a copy of what was collected, so that collecting goes on meanwhile."""
-    from measureapp.pipeline.collecting.solving import solve
+def thought(job: Job, collection: Collection) -> Thought:
+    """Solve a snapshot and ask the coach, so that collecting goes on meanwhile."""
+    from measureapp.pipeline.collecting.coaching import coach
+    from measureapp.pipeline.collecting.verdict import verdict_of
 
-    try:
-        return solve(setup, observations, sizes_px, before, job)
-    except CalibrationError as error:
-        return Unsolved(error)
+    error: MeasureError | None = None
+    verdict: Verdict | None = None
+    if collection.usable and not collection.is_solved:
+        try:
+            collection.solve(job)
+        except CalibrationError as problem:
+            error = problem
+            collection.adopt(None)
+    job.check()
+    if collection.solved is not None:
+        verdict = verdict_of(collection)
+    return Thought(collection.solved, error, coach(collection), verdict)
 
 
 def connected(job: Job, rig: RigDescription, board: BoardDescription) -> RigConnection:

@@ -1,24 +1,33 @@
-"""What a wizard's last page shows: the verdict, every value, and what changed."""
+"""What a wizard's last page shows: the verdict, every value beside others, and what accepting it does."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from ui.controllers.result_values import Quantity, ValueRow, camera_quantities, rig_quantities, rows_beside
+from measureapp.errors import CalibrationError
+from ui.controllers import result_values as values
+from ui.controllers.collecting_nouns import Kind
+from ui.look.wording import millimetres, quantity
+from ui.session import Session
 
 if TYPE_CHECKING:
-    from measureapp.calibrate.camera_array import CameraArraySolution
     from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
-    from measureapp.pipeline.collecting.observation import Observation
-    from measureapp.pipeline.collecting.setup import Setup
+    from measureapp.pipeline.collecting.collection import Collection
     from measureapp.pipeline.collecting.solved import Solved
     from ui.workers.job import Job
+
+Sign = Literal["pass", "fail", "not proven"]
+SIGNS: Mapping[str, Sign] = {"good": "pass", "usable": "not proven", "poor": "fail"}
+REST_STAYS = "Hand–eye, guide and table axis were found with the earlier cameras: calibrate the rig next."
+RESULT = "result"  # folder of an accepted result that belongs to no project
 
 
 @dataclass(frozen=True, eq=False)
 class Before:
-    """What the result is laid beside: the calibration before it, and the truth of a virtual rig."""
+    """What a result is laid beside: the calibration before it, and the truth of a virtual rig."""
 
     cameras: CameraArrayCalibration | None
     rig: RigCalibration | None
@@ -29,12 +38,116 @@ class Before:
 class Result:
     """One solved calibration, judged."""
 
-    solved: Solved
     verdict: str
-    level: Literal["pass", "fail", "not proven"]
-    rows: tuple[ValueRow, ...]
+    sign: Sign
+    cameras: CameraArrayCalibration
+    rig: RigCalibration | None  # None: the cameras alone
+    rows: tuple[values.ValueRow, ...]
     facts: tuple[tuple[str, str], ...]
-    warnings: tuple[str, ...]
+    left_out: tuple[tuple[str, str], ...]  # view -> reason
     comparison: str
     has_truth: bool
     has_previous: bool
+
+
+def concluded(job: Job, snapshot: Collection, before: Before) -> Result:
+    """Solve from nothing and judge; runs on a job's thread. Raises CalibrationError where there is no answer."""
+    from measureapp.pipeline.collecting.verdict import verdict_of
+
+    solved = snapshot.solve(job, afresh=True)
+    verdict = verdict_of(snapshot)
+    rig = rig_of(snapshot, before.rig)
+    shown = quantities_of(snapshot.setup.kind, rig.cameras if rig is not None else solved.cameras, rig, rig)
+    beside = [
+        () if cameras is None else quantities_of(snapshot.setup.kind, cameras, other, rig)
+        for cameras, other in ((None if before.truth is None else before.truth.cameras, before.truth), (before.cameras, before.rig))
+    ]
+    return Result(
+        verdict.text,
+        SIGNS[verdict.level],
+        solved.cameras if rig is None else rig.cameras,
+        rig,
+        values.rows_beside(shown, *beside),
+        facts_of(snapshot, solved),
+        tuple(solved.rejected.items()),
+        "",
+        bool(beside[0]),
+        bool(beside[1]),
+    )
+
+
+def quantities_of(
+    kind: Kind, cameras: CameraArrayCalibration, rig: RigCalibration | None, found: RigCalibration | None
+) -> tuple[values.Quantity, ...]:
+    """Return what a calibration of this kind tells; an axis is told at the height at which it was ``found``."""
+    if kind == "cameras":
+        return values.camera_quantities(cameras)
+    if rig is None or found is None:
+        return ()
+    height = float(found.axis.point_mm[2])
+    if kind == "hand-eye":
+        return values.hand_eye_quantities(rig.hand_eye)
+    if kind == "guide":
+        return values.guide_quantities(rig.guide)
+    return values.axis_quantities(rig.axis, height) if kind == "axis" else values.rig_quantities(rig, height)
+
+
+def rig_of(snapshot: Collection, before: RigCalibration | None) -> RigCalibration | None:
+    """Return the rig with what was solved in it; None where only the cameras are known."""
+    from measureapp.calibrate.hand_eye import HandEyeSolution
+    from measureapp.calibrate.joint_solution import RigSolution
+    from measureapp.calibrate.linear_guide import GuideSolution
+    from measureapp.calibrate.rig import carry_axis
+    from measureapp.calibrate.rotation_axis import AxisSolution
+
+    solved = snapshot.solved
+    assert solved is not None
+    solution = solved.solution
+    if isinstance(solution, RigSolution):
+        return solution.calibration
+    if snapshot.setup.kind == "cameras":
+        return None if before is None else replace(before, cameras=solved.cameras)
+    if before is None:
+        raise CalibrationError("The rest of the rig is not calibrated yet.", "Calibrate the whole rig first.")
+    if isinstance(solution, HandEyeSolution):
+        return replace(before, hand_eye=solution.hand_eye)
+    if isinstance(solution, GuideSolution):
+        return replace(before, guide=solution.guide)
+    assert isinstance(solution, AxisSolution)
+    readback = snapshot.observation(solved.used[0]).readback.full()
+    return replace(before, axis=carry_axis(solution.best.axis, before.guide_from_camera(readback)))
+
+
+def facts_of(snapshot: Collection, solved: Solved) -> tuple[tuple[str, str], ...]:
+    """Return how the result was found, in a few figures."""
+    facts = [("Views used", f"{len(solved.used)} of {len(snapshot.observations)}")]
+    cameras = solved.camera_solution
+    if cameras is not None:
+        facts += [("Reprojection (rms)", quantity(cameras.joint_rms_px, "px", 3)), ("Noise of a corner (1 σ)", quantity(cameras.sigma_px, "px", 3))]
+        facts += [(f"Camera {name}", quantity(camera.rms_px, "px", 3)) for name, camera in solved.cameras.cameras.items()]
+    if solved.residuals_mm:
+        worst = max(solved.residuals_mm, key=lambda name: solved.residuals_mm[name])
+        facts.append(("Largest residual on the board", f"{millimetres(solved.residuals_mm[worst])} (view {worst})"))
+    return tuple(facts)
+
+
+def accepted(found: Result, session: Session, folder: Path) -> tuple[str, str]:
+    """Make a result the calibration in use, on disk first; returns what to tell. Raises StorageError."""
+    from measureapp.project.atomic import write_json
+    from measureapp.project.camera_file import write_cameras
+    from measureapp.project.documents import rig_calibration_document
+    from measureapp.project.folder import ProjectFolder
+
+    project = session.folder if session.folder is not None and (session.folder / "project.json").is_file() else None
+    place = folder / RESULT if project is None else project / "calibration"
+    if project is not None and found.rig is not None:
+        ProjectFolder.open(project).save_calibration(found.rig)
+    else:
+        write_cameras(place / "cameras.json", found.cameras)
+        if found.rig is not None:
+            write_json(place / "rig.json", rig_calibration_document(found.rig))
+    if found.rig is not None:
+        session.set_calibration(found.rig)
+    else:
+        session.set_cameras(found.cameras)
+    return "The calibration is accepted.", f"It lies in {place}."

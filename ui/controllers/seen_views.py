@@ -25,8 +25,6 @@ VERDICTS: Mapping[str, ViewVerdict] = {
 
 def seen_view(observation: Observation, solved: Solved | None, pictures: Mapping[str, QImage]) -> SeenView:
     """Return one observation as the last solution judges it."""
-    if solved is not None and observation.id in solved.of and observation.standing not in {"removed", "no board"}:
-        observation = solved.judged(observation)
     names = [image.name for image in observation.images.values() if image.name]
     left_out = {} if solved is None else _corners_left_out(observation, solved)
     return SeenView(

@@ -42,6 +42,7 @@ class BoardForm(QWidget):
             length.setDecimals(3)
             length.setSuffix(" mm")
             length.setValue(START[name])
+            length.lineEdit().setTextMargins(6, 0, 0, 0)
         self.dictionary = QComboBox()
         self.dictionary.addItems(list(DICTIONARIES))
         self.dictionary.setCurrentText("5X5_250")

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.look.look import Look
 
-LINE, BAR = 44, 8
+LINE, BAR = 36, 6
 
 
 @dataclass(frozen=True)
@@ -55,16 +55,16 @@ class Gauges(QWidget):
         for place, level in enumerate(self.levels):
             top, right = place * LINE, self.width() - 28
             painter.setPen(theme.colour("text"))
-            words = QRectF(0, top + 4, right, 18)
+            words = QRectF(0, top + 2, right, 18)
             painter.drawText(words, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, level.name)
             painter.setPen(theme.colour("soft"))
             painter.drawText(words, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, level.figure)
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(theme.colour("sunken"))
-            bar = QRectF(0, top + 26, right, BAR)
+            bar = QRectF(0, top + 22, right, BAR)
             painter.drawRoundedRect(bar, BAR / 2, BAR / 2)
             painter.setBrush(theme.colour("verdict_pass" if level.enough else "verdict_not_proven"))
             filled = max(BAR, right * min(1.0, level.share)) if level.share > 0 else 0.0
-            painter.drawRoundedRect(QRectF(0, top + 26, filled, BAR), BAR / 2, BAR / 2)
+            painter.drawRoundedRect(QRectF(0, top + 22, filled, BAR), BAR / 2, BAR / 2)
             if level.enough:
-                self._look.icon("pass", "verdict_pass").paint(painter, QRectF(right + 6, top + 20, 20, 20).toRect())
+                self._look.icon("pass", "verdict_pass").paint(painter, QRectF(right + 6, top + 15, 20, 20).toRect())

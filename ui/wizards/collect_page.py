@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from ui.controllers.collecting import CollectingController, SeenView
+from ui.controllers.collecting import CollectingController
+from ui.controllers.collecting_nouns import SeenView
 from ui.look.look import Look
 from ui.look.wording import quantity, sentence_case, several
 from ui.widgets.basic import Button, clear, column, label, row
 from ui.widgets.board_picture import BoardPicture, Overlay
+from ui.widgets.gauges import Level
 from ui.widgets.image_view import grey_image
 from ui.widgets.segments import Segments
 from ui.widgets.thumbnail_strip import Thumbnail, ThumbnailStrip
 from ui.wizards.coach_panel import CoachPanel
+
+if TYPE_CHECKING:
+    from measureapp.pipeline.collecting.coaching import Gauge
 
 LAYERS = {"corners": "Corners", "coverage": "Coverage", "ghost": "Show next"}
 LAYER_TIPS = {
@@ -106,14 +113,24 @@ class CollectPage(QWidget):
         collecting = self._collecting
         self._offer_cameras(collecting.cameras)
         self.strip.show_thumbnails([self._thumbnail(view) for view in collecting.views])
-        used = [view for view in collecting.views if view.verdict == "pass"]
-        out = len(collecting.views) - len(used)
+        out = sum(view.verdict in {"fail", "not measured"} for view in collecting.views)
         self.count.setText(several(len(collecting.views), "view") + (f", {out} left out" if out else ""))
         self.undo.setEnabled(collecting.can_undo)
         self.redo.setEnabled(collecting.can_redo)
-        self.coach.advise(*collecting.advice)
-        self.coach.judge(collecting.verdict_so_far, collecting.working)
+        self._coach()
         self._show_chosen()
+
+    def _coach(self) -> None:
+        """Say what is missing; the gauges are those of the camera looked at."""
+        thought = self._collecting.thought
+        if thought is not None:
+            camera = self.cameras.value()
+            shown = [gauge for gauge in thought.advice.gauges if gauge.camera in {"", camera}]
+            self.coach.advise(thought.advice.sentences, [Level(one.name, one.value / one.target, gauge_words(one)) for one in shown])
+            self.coach.judge(thought.verdict.text if thought.verdict else "", str(thought.error) if thought.error else "")
+        elif not self._collecting.is_thinking:
+            self.coach.advise((), ())
+            self.coach.judge("", "")
 
     def _offer_cameras(self, names: tuple[str, ...]) -> None:
         if names == self._camera_names or not names:
@@ -125,6 +142,7 @@ class CollectPage(QWidget):
         self._camera_place.addWidget(self.cameras)
 
     def _change_camera(self) -> None:
+        self._coach()
         self.strip.show_thumbnails([self._thumbnail(view) for view in self._collecting.views])
         self._show_chosen()
 
@@ -148,16 +166,21 @@ class CollectPage(QWidget):
             self._draw(newest.pixels, overlay, f"Camera {camera}, {newest.view}: looking for the board")
         elif view is not None:
             pixels = collecting.image(view.id, camera)
-            overlay = Overlay(view.corners_px.get(camera), view.left_out_px.get(camera), None if chosen else collecting.ghost(camera), self._coverage(camera))
+            overlay = Overlay(view.corners_px.get(camera), view.left_out_px.get(camera), None if chosen else self._ghost(camera), self._coverage(camera))
             self._draw(pixels, overlay, f"{view.name}: {self._said(view, camera)}")
         else:
-            self.picture.clear(collecting.working or NOTHING_YET)
+            self.picture.clear(NOTHING_YET)
 
     def _draw(self, pixels: np.ndarray | None, overlay: Overlay, caption: str) -> None:
         if pixels is None:
             self.picture.clear(f"{caption}\nThis camera has no image of this view.")
         else:
             self.picture.show_image(grey_image(pixels), (pixels.shape[1], pixels.shape[0]), overlay, caption)
+
+    def _ghost(self, camera: str) -> np.ndarray | None:
+        thought = self._collecting.thought
+        ghost = None if thought is None else thought.advice.ghost
+        return None if ghost is None else ghost.outlines_px.get(camera)
 
     def _coverage(self, camera: str) -> np.ndarray | None:
         """How often each cell of the image holds corners of the views in use."""
@@ -170,7 +193,7 @@ class CollectPage(QWidget):
         return counts
 
     def _said(self, view: SeenView, camera: str) -> str:
-        reason = view.reasons.get(camera) or view.reason
+        reason = view.reasons.get(camera, "") or (view.reason if view.verdict == "fail" else "")
         residual = view.residuals_px.get(camera)
         figure = f"residual {quantity(residual, 'px', 3)}" if residual is not None else ""
         corners = several(len(view.corners_px[camera]), "corner") if camera in view.corners_px else "no board found"
@@ -182,5 +205,11 @@ class CollectPage(QWidget):
         found = camera in view.corners_px
         verdict = "not measured" if view.removed else view.verdict if found or view.verdict == "fail" else "not proven"
         figure = "Removed" if view.removed else quantity(residual, "px", 3) if residual is not None else "Not used yet" if found else "No board"
-        reason = view.reasons.get(camera, "") or view.reason
-        return Thumbnail(view.id, view.pictures.get(camera, view.empty), figure, verdict, view.name if not reason else reason, view.removed)
+        reason = view.reasons.get(camera, "") or (view.reason if view.verdict == "fail" else "")
+        return Thumbnail(view.id, view.pictures.get(camera, view.empty), figure, verdict, reason or view.name, view.removed)
+
+
+def gauge_words(gauge: Gauge) -> str:
+    """Return how much there is, and of how much while that is not enough: ``12 of 15``, ``24°``."""
+    value, target = (quantity(number, gauge.unit, 0) for number in (gauge.value, gauge.target))
+    return value if gauge.reached else f"{value} of {target}"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ui.controllers.collecting import Kind
+from ui.controllers.collecting_nouns import Kind
 
 
 @dataclass(frozen=True)

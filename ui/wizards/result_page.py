@@ -71,9 +71,10 @@ class ResultPage(QWidget):
         for name, value in result.facts:
             words = row(label(name, "soft"), 0, label(value, "body"))
             self._facts.addLayout(words)
-        for warning in result.warnings:
-            self._facts.addWidget(label(warning, "small", wrap=True))
+        for view, reason in result.left_out:
+            self._facts.addWidget(label(f"View {view} left out: {reason}", "small", wrap=True))
         self.comparison.setText(result.comparison)
+        self._compared.setVisible(bool(result.comparison))
         self._show_rows()
 
     def _show_rows(self) -> None:
@@ -83,7 +84,7 @@ class ResultPage(QWidget):
 
     def _show_sign(self) -> None:
         if self._result is not None:
-            sign = self._result.level
+            sign = self._result.sign
             self.verdict_sign.setPixmap(self._look.icon(sign, "verdict_" + sign.replace(" ", "_")).pixmap(QSize(36, 36)))
             self.verdict_sign.setAlignment(Qt.AlignmentFlag.AlignCenter)
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFileDialog, QFormLayout, QLineEdit, QSpinBox, QWidget
 
 from measureapp.data.board import BoardDescription
-from ui.controllers.collecting import Kept, RigSetup, Setup
+from ui.controllers.collecting_nouns import Kept, RigSetup, Start
 from ui.look.look import Look
 from ui.look.wording import several, when
 from ui.widgets.basic import Button, card, column, label, row
@@ -23,7 +23,7 @@ REAL_HINT = "The robot brings the cameras to the board. Fix the board on the tab
 
 
 class SetupPage(QWidget):
-    """Edits a `Setup`; offers to go on with what was kept."""
+    """Edits a `Start`; offers to go on with what was kept."""
 
     resumeClicked = Signal()
     changed = Signal()
@@ -96,11 +96,11 @@ class SetupPage(QWidget):
             age = when(kept.saved)
             self._kept_words.setText(f"{several(kept.views, 'view')} of an earlier session are kept{f' ({age})' if age else ''}.")
 
-    def value(self) -> Setup:
+    def value(self) -> Start:
         """Return what is set. Raises ValueError where the board's sizes contradict each other."""
         board: BoardDescription = self.board.value()
         folder = Path(self.folder.text().strip()).expanduser() if self.source.value() == IMAGES else None
-        return Setup(board, folder, self.resolution.value(), self.seed.value())
+        return Start(board, folder, self.resolution.value(), self.seed.value())
 
     def problem(self) -> str:
         """Return why one cannot begin yet; empty where one can."""

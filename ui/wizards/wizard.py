@@ -34,7 +34,6 @@ class CalibrationWizard(QDialog):
         self.setMinimumSize(*SMALLEST)
         self.resize(*USUAL)
         self.kind, self.calibrating, self.collecting = kind, calibrating, calibrating.collecting
-        self._enough = False
         self.steps = StepList(look)
         self.setup, self.collect, self.result = SetupPage(look, kind), CollectPage(look, self.collecting), ResultPage(look)
         self.stack = QStackedWidget()
@@ -49,6 +48,8 @@ class CalibrationWizard(QDialog):
         layout.setStretch(1, 1)
         self.setLayout(layout)
         self._connect()
+        self.footer.primary.setDefault(True)
+        self.steps.setFocus()
 
     def _connect(self) -> None:
         collecting, footer = self.collecting, self.footer
@@ -107,9 +108,9 @@ class CalibrationWizard(QDialog):
         begun, views = bool(collecting.cameras), sum(view.verdict == "pass" for view in collecting.views)
         problem = self.setup.problem()
         setup = Step("Set up", "done" if begun else "now", problem if not begun else several(len(collecting.cameras), "camera"))
-        state: StepState = "waiting" if not begun else "done" if collecting.solved is not None and not collecting.advice[0] else "now"
+        state: StepState = "waiting" if not begun else "done" if collecting.has_enough else "now"
         words = f"{several(views, 'view')} in use" if begun else ""
-        result: StepState = "waiting" if found is None else "done" if found.level == "pass" else "problem"
+        result: StepState = "waiting" if found is None else "done" if found.sign == "pass" else "problem"
         return [setup, Step(self.kind.step, state, words), Step("Result", result, {"done": "Good", "problem": "Look at it"}.get(result, ""))]
 
     def _offers(self) -> tuple[str, str, str]:
@@ -118,14 +119,14 @@ class CalibrationWizard(QDialog):
         if self.step == SETUP:
             return ("" if self.setup.problem() else "Begin", "", "")
         if self.step == COLLECT:
-            see = "See the result" if collecting.solved is not None and not collecting.is_collecting else ""
+            see = "See the result" if collecting.is_solved and not collecting.is_collecting else ""
             if collecting.remaining and not collecting.is_collecting:
                 return f"Take {several(collecting.remaining, 'view')}", see, "Take one view"
             return see, "", ""
         if self.calibrating.result is None:
             return "", "Collect more", ""
-        keep = "Keep the old one" if self.calibrating.has_previous else "Discard"
-        if self.calibrating.result.level == "pass":
+        keep = "Keep the old one" if self.calibrating.has_previous else "Not now"
+        if self.calibrating.result.sign == "pass":
             return "Accept", "Collect more", keep
         return "Collect more", "Accept all the same", keep
 
