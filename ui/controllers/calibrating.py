@@ -82,10 +82,10 @@ class CalibratingController(QObject):
 
     def accept(self) -> bool:
         """Make the result the calibration of the session and of the open project; tells whether that worked."""
-        if self.result is None or self.collecting.collection is None:
+        if self.result is None:
             return False
         try:
-            words = results.accepted(self.result, self._session, self.collecting.collection.folder)
+            words = results.accepted(self.result, self._session)
         except MeasureError as error:
             self.collecting.told.emit(error.message, error.hint, "error")
             return False

@@ -162,7 +162,7 @@ def opened(job: Job, folder: Path) -> tuple[Collection, RigDescription | None, d
 def thought(job: Job, collection: Collection) -> Thought:
     """Solve a snapshot and ask the coach, so that collecting goes on meanwhile."""
     from measureapp.pipeline.collecting.coaching import coach
-    from measureapp.pipeline.collecting.verdict import verdict_of
+    from measureapp.pipeline.collecting.verdict import judge
 
     error: MeasureError | None = None
     verdict: Verdict | None = None
@@ -174,7 +174,7 @@ def thought(job: Job, collection: Collection) -> Thought:
             collection.adopt(None)
     job.check()
     if collection.solved is not None:
-        verdict = verdict_of(collection)
+        verdict = judge(collection)
     return Thought(collection.solved, error, coach(collection), verdict)
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
+from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
 from measureapp.errors import CalibrationError
 from ui.controllers import result_values as values
 from ui.controllers.collecting_nouns import Kind
@@ -14,13 +14,12 @@ from ui.look.wording import millimetres, quantity
 from ui.session import Session
 
 if TYPE_CHECKING:
-    from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
     from measureapp.pipeline.collecting.collection import Collection
     from measureapp.pipeline.collecting.solved import Solved
     from ui.workers.job import Job
 
 Sign = Literal["pass", "fail", "not proven"]
-SIGNS: Mapping[str, Sign] = {"good": "pass", "usable": "not proven", "poor": "fail"}
+SIGNS: Mapping[str, Sign] = {"good": "pass", "usable": "not proven", "bad": "fail"}
 REST_STAYS = "Hand–eye, guide and table axis were found with the earlier cameras: calibrate the rig next."
 RESULT = "result"  # folder of an accepted result that belongs to no project
 
@@ -38,8 +37,10 @@ class Before:
 class Result:
     """One solved calibration, judged."""
 
+    snapshot: Collection  # solved
     verdict: str
     sign: Sign
+    reasons: tuple[str, ...]  # why the verdict is what it is, the limits first
     cameras: CameraArrayCalibration
     rig: RigCalibration | None  # None: the cameras alone
     rows: tuple[values.ValueRow, ...]
@@ -52,28 +53,45 @@ class Result:
 
 def concluded(job: Job, snapshot: Collection, before: Before) -> Result:
     """Solve from nothing and judge; runs on a job's thread. Raises CalibrationError where there is no answer."""
-    from measureapp.pipeline.collecting.verdict import verdict_of
+    from measureapp.pipeline.collecting import judge
 
     solved = snapshot.solve(job, afresh=True)
-    verdict = verdict_of(snapshot)
-    rig = rig_of(snapshot, before.rig)
-    shown = quantities_of(snapshot.setup.kind, rig.cameras if rig is not None else solved.cameras, rig, rig)
-    beside = [
-        () if cameras is None else quantities_of(snapshot.setup.kind, cameras, other, rig)
-        for cameras, other in ((None if before.truth is None else before.truth.cameras, before.truth), (before.cameras, before.rig))
-    ]
+    verdict = judge(snapshot)
+    kind, rig = snapshot.setup.kind, rig_of(snapshot, before.rig)
+    cameras = solved.cameras if rig is None else rig.cameras
+    shown, true, previous = (
+        () if one is None else quantities_of(kind, one, other, rig)
+        for one, other in ((cameras, rig), (None if before.truth is None else before.truth.cameras, before.truth), (before.cameras, before.rig))
+    )
     return Result(
-        verdict.text,
+        snapshot,
+        verdict.sentence,
         SIGNS[verdict.level],
-        solved.cameras if rig is None else rig.cameras,
+        (verdict.reason, *verdict.reasons),
+        cameras,
         rig,
-        values.rows_beside(shown, *beside),
+        values.rows_beside(shown, true, previous),
         facts_of(snapshot, solved),
         tuple(solved.rejected.items()),
-        "",
-        bool(beside[0]),
-        bool(beside[1]),
+        compared(snapshot, before),
+        bool(true),
+        bool(previous),
     )
+
+
+def compared(snapshot: Collection, before: Before) -> str:
+    """Return what changed against the calibration before, in a sentence; empty where there was none to compare with."""
+    from measureapp.pipeline.collecting import compare
+
+    rig, kind = before.rig, snapshot.setup.kind
+    links = {} if rig is None else {"rig": rig, "hand-eye": rig.hand_eye, "guide": rig.guide}
+    previous = before.cameras if kind == "cameras" else links.get(kind)
+    if previous is None:
+        return ""
+    try:
+        return compare(previous, snapshot).sentence
+    except CalibrationError as error:
+        return str(error)
 
 
 def quantities_of(
@@ -131,23 +149,25 @@ def facts_of(snapshot: Collection, solved: Solved) -> tuple[tuple[str, str], ...
     return tuple(facts)
 
 
-def accepted(found: Result, session: Session, folder: Path) -> tuple[str, str]:
+def accepted(found: Result, session: Session) -> tuple[str, str]:
     """Make a result the calibration in use, on disk first; returns what to tell. Raises StorageError."""
-    from measureapp.project.atomic import write_json
-    from measureapp.project.camera_file import write_cameras
-    from measureapp.project.documents import rig_calibration_document
+    from measureapp.pipeline.collecting import keep
     from measureapp.project.folder import ProjectFolder
 
     project = session.folder if session.folder is not None and (session.folder / "project.json").is_file() else None
-    place = folder / RESULT if project is None else project / "calibration"
-    if project is not None and found.rig is not None:
-        ProjectFolder.open(project).save_calibration(found.rig)
+    kind, place = found.snapshot.setup.kind, found.snapshot.folder / RESULT
+    cameras, rig = found.cameras, found.rig
+    if kind == "rig":
+        kept = keep(found.snapshot, place if project is None else project)
+        rig = kept if isinstance(kept, RigCalibration) else rig
     else:
-        write_cameras(place / "cameras.json", found.cameras)
-        if found.rig is not None:
-            write_json(place / "rig.json", rig_calibration_document(found.rig))
-    if found.rig is not None:
-        session.set_calibration(found.rig)
+        kept = keep(found.snapshot, place / f"{kind}.json")
+        cameras = kept if isinstance(kept, CameraArrayCalibration) else cameras
+        rig = rig if rig is None else replace(rig, cameras=cameras)
+        if project is not None and rig is not None:
+            ProjectFolder.open(project).save_calibration(rig)
+    if rig is not None:
+        session.set_calibration(rig)
     else:
-        session.set_cameras(found.cameras)
-    return "The calibration is accepted.", f"It lies in {place}."
+        session.set_cameras(cameras)
+    return "The calibration is accepted.", REST_STAYS if kind == "cameras" and rig is not None else f"It lies in {place if project is None else project}."

@@ -127,7 +127,7 @@ class CollectPage(QWidget):
             camera = self.cameras.value()
             shown = [gauge for gauge in thought.advice.gauges if gauge.camera in {"", camera}]
             self.coach.advise(thought.advice.sentences, [Level(one.name, one.value / one.target, gauge_words(one)) for one in shown])
-            self.coach.judge(thought.verdict.text if thought.verdict else "", str(thought.error) if thought.error else "")
+            self.coach.judge(thought.verdict.sentence if thought.verdict else "", str(thought.error) if thought.error else "")
         elif not self._collecting.is_thinking:
             self.coach.advise((), ())
             self.coach.judge("", "")

@@ -29,3 +29,40 @@ CAMERAS = WizardKind(
     True,
     "Show the board",
 )
+RIG = WizardKind(
+    "rig",
+    "Calibrate the whole rig",
+    "Whole rig",
+    "Cameras, hand–eye, linear guide and table axis in one automatic run",
+    "Fix the board on the table. The rig looks at it from all sides, slides along the guide and turns the table, and everything is solved together.",
+    False,
+    "Take the views",
+)
+HAND_EYE = WizardKind(
+    "hand-eye",
+    "Calibrate hand–eye",
+    "Hand–eye",
+    "Where the head sits on the robot's flange",
+    "Finds where the head sits on the flange, with the cameras as they are calibrated. Fix the board on the table; the robot turns the head.",
+    False,
+    "Take the views",
+)
+GUIDE = WizardKind(
+    "guide",
+    "Calibrate the linear guide",
+    "Linear guide",
+    "Direction and scale of the guide",
+    "Finds direction and scale of the guide, with cameras and hand–eye as they are calibrated. Fix the board on the table; the robot slides past.",
+    False,
+    "Take the views",
+)
+AXIS = WizardKind(
+    "axis",
+    "Calibrate the table axis",
+    "Table axis",
+    "Where the rotary table's axis stands",
+    "Finds the table's axis, with cameras and robot as they are calibrated. Fix the board on the table; the table turns it.",
+    False,
+    "Take the views",
+)
+KINDS = (RIG, CAMERAS, HAND_EYE, GUIDE, AXIS)

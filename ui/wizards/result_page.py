@@ -71,6 +71,8 @@ class ResultPage(QWidget):
         for name, value in result.facts:
             words = row(label(name, "soft"), 0, label(value, "body"))
             self._facts.addLayout(words)
+        for words in result.reasons:
+            self._facts.addWidget(label(words, "small", wrap=True))
         for view, reason in result.left_out:
             self._facts.addWidget(label(f"View {view} left out: {reason}", "small", wrap=True))
         self.comparison.setText(result.comparison)
