@@ -18,6 +18,7 @@ class WizardKind:
     purpose: str  # said on the first page
     takes_images: bool  # whether recorded images alone are enough, without read-backs of the axes
     step: str  # the name of the second step
+    needs_rig: bool = False  # it renews one link of a rig that is calibrated
 
 
 CAMERAS = WizardKind(
@@ -46,6 +47,7 @@ HAND_EYE = WizardKind(
     "Finds where the head sits on the flange, with the cameras as they are calibrated. Fix the board on the table; the robot turns the head.",
     False,
     "Take the views",
+    True,
 )
 GUIDE = WizardKind(
     "guide",
@@ -55,6 +57,7 @@ GUIDE = WizardKind(
     "Finds direction and scale of the guide, with cameras and hand–eye as they are calibrated. Fix the board on the table; the robot slides past.",
     False,
     "Take the views",
+    True,
 )
 AXIS = WizardKind(
     "axis",
@@ -64,5 +67,6 @@ AXIS = WizardKind(
     "Finds the table's axis, with cameras and robot as they are calibrated. Fix the board on the table; the table turns it.",
     False,
     "Take the views",
+    True,
 )
 KINDS = (RIG, CAMERAS, HAND_EYE, GUIDE, AXIS)
