@@ -49,6 +49,7 @@ class CollectingController(QObject):
         self._job: Job | None = None  # that takes or reads images
         self._thinker: Job | None = None
         self._stale = False  # something changed since the solver began
+        self._more = 0  # views beyond those planned that are still to be taken
         self._forget()
 
     def _forget(self) -> None:
@@ -94,6 +95,11 @@ class CollectingController(QObject):
     def has_enough(self) -> bool:
         """Whether the coach asks for nothing more."""
         return self.is_solved and self.thought is not None and self.thought.advice.enough
+
+    @property
+    def is_good(self) -> bool:
+        """Whether the views collected so far make a good calibration."""
+        return self.thought is not None and self.thought.verdict is not None and self.thought.verdict.level == "good"
 
     @property
     def can_undo(self) -> bool:
@@ -227,7 +233,9 @@ class CollectingController(QObject):
 
     def resume(self, folder: Path) -> None:
         """Go on with a session that was kept."""
-        self._collecting.run("Opening the session", lambda job: work.opened(job, folder), self._resumed, on_event=self._happened, quiet=True)
+        self._collecting.run(
+            "Opening the session", lambda job: work.opened(job, folder), self._resumed, on_event=self._happened, quiet=True
+        )
 
     @Slot(object)
     def _resumed(self, found: tuple[Collection, RigDescription | None, dict[tuple[str, str], QImage]]) -> None:
@@ -241,9 +249,27 @@ class CollectingController(QObject):
 
     # collecting
 
+    @property
+    def can_take_more(self) -> bool:
+        """Whether the rig can take views beyond those planned that teach something."""
+        return self.thought is not None and self.thought.suggestion is not None
+
+    def take_more(self, count: int) -> None:
+        """Let the rig take views beyond those planned, each where it teaches most after the one before was solved."""
+        self._more = count
+        self._take_suggested()
+
+    def _take_suggested(self) -> None:
+        suggestion = None if self.thought is None else self.thought.suggestion
+        self._more = 0 if suggestion is None else self._more - 1
+        if suggestion is not None:
+            self._take((suggestion.viewpoint,))
+
     def take(self, most: int | None = None) -> None:
-        """Let the rig take the views that are still missing, at most so many of them."""
-        viewpoints = self._viewpoints_left()[:most]
+        """Let the rig take the planned views that are still missing, at most so many of them."""
+        self._take(self._viewpoints_left()[:most])
+
+    def _take(self, viewpoints: tuple[Viewpoint, ...]) -> None:
         collection, rig = self.collection, self._rig
         if collection is None or rig is None or self.is_collecting or not viewpoints:
             return
@@ -271,6 +297,7 @@ class CollectingController(QObject):
 
     def stop(self) -> None:
         """Stop taking or reading; what was collected is kept."""
+        self._more = 0
         if self._job is not None:
             self._job.cancel()
 
@@ -304,9 +331,18 @@ class CollectingController(QObject):
 
     def _end_collecting(self) -> None:
         self._job = None
+        if not any(view.corners_px for view in self.views):
+            self._tell_nothing_found()
         self._newest.clear()
         work.make_changes(self._changes)
         self._after_change()
+
+    def _tell_nothing_found(self) -> None:
+        """Say why no image shows the board, as the first of them puts it."""
+        observations = () if self.collection is None else self.collection.observations
+        refusals = [refusal for one in observations for refusal in one.refused.values()]
+        if refusals:
+            self.told.emit(f"No image shows the board. {refusals[0].message}", refusals[0].hint, "error")
 
     # changes
 
@@ -359,9 +395,9 @@ class CollectingController(QObject):
         """Solve what there is and ask the coach, on a thread of their own; the newest answer wins."""
         self._stale = False
         if self.collection is not None:
-            snapshot = self.collection.snapshot()
+            snapshot, rig = self.collection.snapshot(), None if self._viewpoints_left() else self._rig
             self._thinker = self._solving.run(
-                "Solving", lambda job: work.thought(job, snapshot), self._show_thought, on_stopped=self._thinking_stopped, quiet=True
+                "Solving", lambda job: work.thought(job, snapshot, rig), self._show_thought, on_stopped=self._thinking_stopped, quiet=True
             )
 
     @Slot(object)
@@ -381,6 +417,8 @@ class CollectingController(QObject):
             self._think()
         self._look_again()
         self.changed.emit()
+        if self._more and not self._stale and not self.is_collecting and not self.is_thinking:
+            self._take_suggested()
 
     def close(self) -> None:
         """End what runs for this wizard and let the rig go; everything collected is on disk."""

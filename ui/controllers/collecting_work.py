@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from queue import Empty, SimpleQueue
@@ -21,10 +21,11 @@ if TYPE_CHECKING:
     from measureapp.data.plan import ScanPlan, Viewpoint
     from measureapp.data.rig import RigDescription
     from measureapp.devices.rig import Rig
-    from measureapp.pipeline.collecting.collection import Collection
     from measureapp.pipeline.collecting.coaching import Advice
+    from measureapp.pipeline.collecting.collection import Collection
     from measureapp.pipeline.collecting.setup import Setup
     from measureapp.pipeline.collecting.solved import Solved
+    from measureapp.pipeline.collecting.suggested import Suggestion
     from measureapp.pipeline.collecting.verdict import Verdict
     from measureapp.project.recorded_boards import RecordedPosition
     from ui.controllers.rig_connection import RigConnection
@@ -66,6 +67,7 @@ class Thought:
     error: MeasureError | None
     advice: Advice
     verdict: Verdict | None
+    suggestion: Suggestion | None  # from where the rig should look next, after the planned viewpoints
 
 
 Change = Callable[[], object]
@@ -96,12 +98,25 @@ def viewpoints_of(kind: Kind, rig: RigDescription, plan: ScanPlan | None) -> tup
     """Return from where the rig looks at the board for one kind of calibration."""
     from measureapp.planning.calibration_views import calibration_viewpoints
 
-    return tuple(viewpoint for viewpoint in calibration_viewpoints(rig, plan) if viewpoint.id.startswith(PREFIXES[kind]))
+    chosen = (viewpoint for viewpoint in calibration_viewpoints(rig, plan) if viewpoint.id.startswith(PREFIXES[kind]))
+    return tuple(_without_slide(chosen, rig) if kind == "hand-eye" else chosen)
 
 
-def take(
-    job: Job, rig: Rig, viewpoints: Sequence[Viewpoint], collection: Collection, live: Mailboxes[LiveImage], changes: Changes
-) -> None:
+def _without_slide(viewpoints: Iterable[Viewpoint], rig: RigDescription) -> Iterator[Viewpoint]:
+    """The same looks with the slide at 0, where they can be reached: hand-eye takes the robot's base to stand still."""
+    from measureapp.data.plan import FlangePose
+    from measureapp.geometry.transform import RigidTransform
+    from measureapp.planning.reach import obstacles
+
+    for viewpoint in viewpoints:
+        slid = RigidTransform.from_parts(np.eye(3), np.array([0.0, viewpoint.guide_mm, 0.0]), "base", "base")
+        flange = FlangePose.of(slid @ viewpoint.flange.transform())
+        still = viewpoint.model_copy(update={"flange": flange, "guide_mm": 0.0})
+        if not obstacles(still, rig):
+            yield still
+
+
+def take(job: Job, rig: Rig, viewpoints: Sequence[Viewpoint], collection: Collection, live: Mailboxes[LiveImage], changes: Changes) -> None:
     """Take the board from these viewpoints; every view is kept before the next one begins."""
     from measureapp.acquire.capture import capture_board
 
@@ -159,9 +174,10 @@ def opened(job: Job, folder: Path) -> tuple[Collection, RigDescription | None, d
     return collection, rig, thumbnails_of(job, collection)
 
 
-def thought(job: Job, collection: Collection) -> Thought:
-    """Solve a snapshot and ask the coach, so that collecting goes on meanwhile."""
+def thought(job: Job, collection: Collection, rig: RigDescription | None) -> Thought:
+    """Solve a snapshot and ask the coach, so that collecting goes on meanwhile; with a rig, ask from where it should look next."""
     from measureapp.pipeline.collecting.coaching import coach
+    from measureapp.pipeline.collecting.suggested import suggest_viewpoint
     from measureapp.pipeline.collecting.verdict import judge
 
     error: MeasureError | None = None
@@ -175,7 +191,8 @@ def thought(job: Job, collection: Collection) -> Thought:
     job.check()
     if collection.solved is not None:
         verdict = judge(collection)
-    return Thought(collection.solved, error, coach(collection), verdict)
+    suggestion = None if rig is None else suggest_viewpoint(collection, rig, f"more{len(collection.observations) + 1:02d}")
+    return Thought(collection.solved, error, coach(collection), verdict, suggestion)
 
 
 def connected(job: Job, rig: RigDescription, board: BoardDescription) -> RigConnection:

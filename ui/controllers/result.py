@@ -61,7 +61,11 @@ def concluded(job: Job, snapshot: Collection, before: Before) -> Result:
     cameras = solved.cameras if rig is None else rig.cameras
     shown, true, previous = (
         () if one is None else quantities_of(kind, one, other, rig)
-        for one, other in ((cameras, rig), (None if before.truth is None else before.truth.cameras, before.truth), (before.cameras, before.rig))
+        for one, other in (
+            (cameras, rig),
+            (None if before.truth is None else before.truth.cameras, before.truth),
+            (before.cameras, before.rig),
+        )
     )
     return Result(
         snapshot,
@@ -124,7 +128,8 @@ def rig_of(snapshot: Collection, before: RigCalibration | None) -> RigCalibratio
     if isinstance(solution, RigSolution):
         return solution.calibration
     if snapshot.setup.kind == "cameras":
-        return None if before is None else replace(before, cameras=solved.cameras)
+        same = before is not None and set(before.cameras.cameras) == set(solved.cameras.cameras)
+        return replace(before, cameras=solved.cameras) if before is not None and same else None
     if before is None:
         raise CalibrationError("The rest of the rig is not calibrated yet.", "Calibrate the whole rig first.")
     if isinstance(solution, HandEyeSolution):
@@ -141,11 +146,14 @@ def facts_of(snapshot: Collection, solved: Solved) -> tuple[tuple[str, str], ...
     facts = [("Views used", f"{len(solved.used)} of {len(snapshot.observations)}")]
     cameras = solved.camera_solution
     if cameras is not None:
-        facts += [("Reprojection (rms)", quantity(cameras.joint_rms_px, "px", 3)), ("Noise of a corner (1 σ)", quantity(cameras.sigma_px, "px", 3))]
+        facts += [
+            ("Reprojection (rms)", quantity(cameras.joint_rms_px, "px", 3)),
+            ("Noise of a corner (1 σ)", quantity(cameras.sigma_px, "px", 3)),
+        ]
         facts += [(f"Camera {name}", quantity(camera.rms_px, "px", 3)) for name, camera in solved.cameras.cameras.items()]
     if solved.residuals_mm:
         worst = max(solved.residuals_mm, key=lambda name: solved.residuals_mm[name])
-        facts.append(("Largest residual on the board", f"{millimetres(solved.residuals_mm[worst])} (view {worst})"))
+        facts.append(("Largest residual", f"{millimetres(solved.residuals_mm[worst])}, view {worst}"))
     return tuple(facts)
 
 
@@ -168,6 +176,12 @@ def accepted(found: Result, session: Session) -> tuple[str, str]:
             ProjectFolder.open(project).save_calibration(rig)
     if rig is not None:
         session.set_calibration(rig)
-    else:
+    elif session.calibration is None:
         session.set_cameras(cameras)
-    return "The calibration is accepted.", REST_STAYS if kind == "cameras" and rig is not None else f"It lies in {place if project is None else project}."
+    else:
+        known, found_names = (", ".join(one.names) for one in (session.calibration.cameras, cameras))
+        return "The result is kept, but the rig goes on with its own cameras.", f"It is one of {found_names}; the rig has {known}."
+    return (
+        "The calibration is accepted.",
+        REST_STAYS if kind == "cameras" and rig is not None else f"It lies in {place if project is None else project}.",
+    )

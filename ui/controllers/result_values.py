@@ -59,7 +59,14 @@ def _camera(camera: CameraCalibration, is_reference: bool) -> list[Quantity]:
     names = intrinsic_names(len(lens.distortion))
     values = (lens.matrix[0, 0], lens.matrix[1, 1], lens.matrix[0, 2], lens.matrix[1, 2], *lens.distortion)
     rows = [
-        Quantity(group, LENS_WORDS.get(name, f"Distortion {name}"), "px" if name in LENS_WORDS else "", 2 if name in LENS_WORDS else 5, float(value), sigma.get(name))
+        Quantity(
+            group,
+            LENS_WORDS.get(name, f"Distortion {name}"),
+            "px" if name in LENS_WORDS else "",
+            2 if name in LENS_WORDS else 5,
+            float(value),
+            sigma.get(name),
+        )
         for name, value in zip(names, values, strict=True)
     ]
     place = camera.reference_from_camera
@@ -67,7 +74,9 @@ def _camera(camera: CameraCalibration, is_reference: bool) -> list[Quantity]:
 
 
 def _pose(group: str, shift_mm: np.ndarray, turn_rad: np.ndarray, sigma: Mapping[str, float]) -> list[Quantity]:
-    moved = [Quantity(group, f"Position {key[0]}", "mm", 3, float(value), sigma.get(key)) for key, value in zip(SHIFT, shift_mm, strict=True)]
+    moved = [
+        Quantity(group, f"Position {key[0]}", "mm", 3, float(value), sigma.get(key)) for key, value in zip(SHIFT, shift_mm, strict=True)
+    ]
     return moved + [
         Quantity(group, f"Rotation {key[9]}", "°", 4, degrees(value), degrees(sigma[key]) if key in sigma else None)
         for key, value in zip(TURN, turn_rad, strict=True)
@@ -84,14 +93,18 @@ def hand_eye_quantities(found: HandEye) -> tuple[Quantity, ...]:
 def guide_quantities(found: LinearGuide) -> tuple[Quantity, ...]:
     """Return direction and scale of the linear guide."""
     spread = found.direction_sigma_rad
-    directions = [Quantity("Linear guide", f"Direction {axis}", "", 6, float(found.direction[k]), spread) for k, axis in ((0, "x"), (2, "z"))]
+    directions = [
+        Quantity("Linear guide", f"Direction {axis}", "", 6, float(found.direction[k]), spread) for k, axis in ((0, "x"), (2, "z"))
+    ]
     return (*directions, Quantity("Linear guide", "Scale", "", 6, found.scale, found.scale_sigma))
 
 
 def axis_quantities(found: RotationAxis, height_mm: float) -> tuple[Quantity, ...]:
     """Return the table's axis: its direction, and where it passes the height ``height_mm`` of its frame."""
     point = found.point_mm + found.direction * (height_mm - found.point_mm[2]) / found.direction[2]
-    places = [Quantity("Table axis", f"Position {axis}", "mm", 3, float(point[k]), found.point_sigma_mm) for k, axis in ((0, "x"), (1, "y"))]
+    places = [
+        Quantity("Table axis", f"Position {axis}", "mm", 3, float(point[k]), found.point_sigma_mm) for k, axis in ((0, "x"), (1, "y"))
+    ]
     spread = found.direction_sigma_rad
     turns = [Quantity("Table axis", f"Direction {axis}", "", 6, float(found.direction[k]), spread) for k, axis in ((0, "x"), (1, "y"))]
     return (*places, *turns)

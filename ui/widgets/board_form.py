@@ -25,9 +25,10 @@ CORNERS, CIRCLES = ("Inner corners across", "Inner corners down"), ("Circles in 
 
 
 class BoardForm(QWidget):
-    """Edits a `BoardDescription`: value(), setValue(board), valueChanged, problem()."""
+    """Edits a `BoardDescription`: value(), setValue(board), valueChanged, edited, problem()."""
 
     valueChanged = Signal(object)
+    edited = Signal()  # also while what is set is no board
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -114,5 +115,6 @@ class BoardForm(QWidget):
         problem = self.problem()
         self.note.setText(problem[:1].upper() + problem[1:] + "." if problem else "")
         self._form.setRowVisible(self.note, bool(problem))
+        self.edited.emit()
         if not problem:
             self.valueChanged.emit(self.value())

@@ -12,7 +12,7 @@ from ui.widgets.basic import card, clear, column, label, row
 from ui.widgets.gauges import Gauges, Level
 
 WIDTH = 296
-MOST_WORDS = 5
+MOST_WORDS, MOST_GAUGES = 5, 7
 
 
 class CoachPanel(QWidget):
@@ -32,10 +32,10 @@ class CoachPanel(QWidget):
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scroll.setWidget(words)
         scroll.viewport().setAutoFillBackground(False)
-        self.gauges = Gauges(look)
+        self.gauges, self.rest = Gauges(look), label("", "small")
         self.so_far, self.working = label("", "strong", wrap=True), label("", "small", wrap=True)
         self.verdict = card(label("With these views", "caption"), self.so_far, self.working, margin=12, spacing=4)
-        whole = card(self.heading, scroll, self.gauges, margin=16, spacing=8)
+        whole = card(self.heading, scroll, self.gauges, self.rest, margin=16, spacing=8)
         whole.layout().setStretch(1, 1)
         layout = column(whole, self.verdict, spacing=8)
         layout.setStretch(0, 1)
@@ -47,7 +47,11 @@ class CoachPanel(QWidget):
         """Show what is missing; without lines nothing is."""
         self.lines = tuple(lines)
         self.heading.setText("What is still missing" if self.lines else "Nothing is missing")
-        self.gauges.show_levels(levels)
+        shown = sorted(levels, key=lambda level: level.enough)[:MOST_GAUGES]
+        self.gauges.show_levels([level for level in levels if level in shown])
+        rest = len(levels) - len(shown)
+        self.rest.setText(f"{rest} more have enough" if rest and all(level.enough for level in levels if level not in shown) else "")
+        self.rest.setVisible(bool(self.rest.text()))
         self._redraw()
 
     def judge(self, words: str, working: str) -> None:

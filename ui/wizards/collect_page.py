@@ -166,7 +166,9 @@ class CollectPage(QWidget):
             self._draw(newest.pixels, overlay, f"Camera {camera}, {newest.view}: looking for the board")
         elif view is not None:
             pixels = collecting.image(view.id, camera)
-            overlay = Overlay(view.corners_px.get(camera), view.left_out_px.get(camera), None if chosen else self._ghost(camera), self._coverage(camera))
+            overlay = Overlay(
+                view.corners_px.get(camera), view.left_out_px.get(camera), None if chosen else self._ghost(camera), self._coverage(camera)
+            )
             self._draw(pixels, overlay, f"{view.name}: {self._said(view, camera)}")
         else:
             self.picture.clear(NOTHING_YET)
@@ -179,7 +181,7 @@ class CollectPage(QWidget):
 
     def _ghost(self, camera: str) -> np.ndarray | None:
         thought = self._collecting.thought
-        ghost = None if thought is None else thought.advice.ghost
+        ghost = None if thought is None else thought.advice.ghost if thought.suggestion is None else thought.suggestion.ghost
         return None if ghost is None else ghost.outlines_px.get(camera)
 
     def _coverage(self, camera: str) -> np.ndarray | None:
@@ -204,7 +206,9 @@ class CollectPage(QWidget):
         residual = view.residuals_px.get(camera)
         found = camera in view.corners_px
         verdict = "not measured" if view.removed else view.verdict if found or view.verdict == "fail" else "not proven"
-        figure = "Removed" if view.removed else quantity(residual, "px", 3) if residual is not None else "Not used yet" if found else "No board"
+        figure = (
+            "Removed" if view.removed else quantity(residual, "px", 3) if residual is not None else "Not used yet" if found else "No board"
+        )
         reason = view.reasons.get(camera, "") or (view.reason if view.verdict == "fail" else "")
         return Thumbnail(view.id, view.pictures.get(camera, view.empty), figure, verdict, reason or view.name, view.removed)
 

@@ -20,6 +20,12 @@ RIG, IMAGES = "rig", "images"
 FOLDER_HINT = "A folder with images such as left01.png, right01.png: images with the same number show the same place of the board."
 VIRTUAL_HINT = "A simulated rig with hidden errors. The result page shows the true values beside the estimates."
 REAL_HINT = "The robot brings the cameras to the board. Fix the board on the table first, and keep the cell clear."
+TIPS = (
+    "Cover the images to their borders and corners: lenses distort most there.",
+    "Tilt the board by 20° to 45° to all four sides: that tells the focal length from the distance.",
+    "Show it nearer and farther, sharp, evenly lit and not so bright that its white is clipped.",
+    "The wizard says what is missing while you collect, and keeps every view at once.",
+)
 
 
 class SetupPage(QWidget):
@@ -34,7 +40,7 @@ class SetupPage(QWidget):
         self.source = Segments({RIG: "From the rig", IMAGES: "Recorded images"} if kind.takes_images else {RIG: "From the rig"})
         self.source.valueChanged.connect(self._show_source)
         self.board = BoardForm()
-        self.board.valueChanged.connect(lambda _board: self.changed.emit())
+        self.board.edited.connect(self.changed)
         self.folder = QLineEdit()
         self.folder.setPlaceholderText("Folder with the images")
         self.folder.textChanged.connect(lambda _text: self.changed.emit())
@@ -75,8 +81,8 @@ class SetupPage(QWidget):
         both = row(source, board, spacing=16)
         both.setStretch(0, 1)
         both.setStretch(1, 1)
-        layout = column(label(self._kind.purpose, "body", wrap=True), self.kept, both, spacing=12)
-        layout.setStretch(2, 1)
+        tips = card(label("Good views", "heading"), *(label(f"•  {tip}", "body", wrap=True) for tip in TIPS), margin=20)
+        layout = column(label(self._kind.purpose, "body", wrap=True), self.kept, both, tips, 0, spacing=12)
         self.setLayout(layout)
 
     def offer_rig(self, rig: RigSetup) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Slot
+from PySide6.QtCore import Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import QDialog, QStackedWidget, QWidget
 
@@ -21,6 +21,7 @@ from ui.wizards.setup_page import SetupPage
 
 SETUP, COLLECT, RESULT = range(3)
 SMALLEST, USUAL = (1180, 660), (1340, 740)
+MORE = 5  # views at a time, beyond those planned
 HELP_PAGE = "calibration_wizards"
 
 
@@ -111,7 +112,11 @@ class CalibrationWizard(QDialog):
         state: StepState = "waiting" if not begun else "done" if collecting.has_enough else "now"
         words = f"{several(views, 'view')} in use" if begun else ""
         result: StepState = "waiting" if found is None else "done" if found.sign == "pass" else "problem"
-        return [setup, Step(self.kind.step, state, words), Step("Result", result, {"done": "Good", "problem": "Look at it"}.get(result, ""))]
+        return [
+            setup,
+            Step(self.kind.step, state, words),
+            Step("Result", result, {"done": "Good", "problem": "Look at it"}.get(result, "")),
+        ]
 
     def _offers(self) -> tuple[str, str, str]:
         """Return the words of the filled button, the second and the third; empty: not offered."""
@@ -122,6 +127,9 @@ class CalibrationWizard(QDialog):
             see = "See the result" if collecting.is_solved and not collecting.is_collecting else ""
             if collecting.remaining and not collecting.is_collecting:
                 return f"Take {several(collecting.remaining, 'view')}", see, "Take one view"
+            if collecting.can_take_more and not collecting.is_collecting:
+                more = f"Take {MORE} more views"
+                return (see, more, "") if collecting.is_good else (more, see, "")
             return see, "", ""
         if self.calibrating.result is None:
             return "", "Collect more", ""
@@ -138,7 +146,7 @@ class CalibrationWizard(QDialog):
         elif offered == "See the result":
             self._conclude()
         elif self.step == COLLECT:
-            self.collecting.take()
+            self._take(offered)
         elif offered == "Accept":
             self._accept()
         else:
@@ -148,10 +156,18 @@ class CalibrationWizard(QDialog):
         offered = self.footer.words[1]
         if offered == "See the result":
             self._conclude()
+        elif self.step == COLLECT:
+            self._take(offered)
         elif offered == "Collect more":
             self.show_step(COLLECT)
         else:
             self._accept()
+
+    def _take(self, offered: str) -> None:
+        if offered.endswith("more views"):
+            self.collecting.take_more(MORE)
+        else:
+            self.collecting.take()
 
     def _do_third(self) -> None:
         if self.step == COLLECT:
