@@ -254,6 +254,11 @@ class CollectingController(QObject):
         """Whether the rig can take views beyond those planned that teach something."""
         return self.thought is not None and self.thought.suggestion is not None
 
+    @property
+    def took_more(self) -> bool:
+        """Whether views beyond those planned were taken before."""
+        return any(view.name.startswith(work.BEYOND_PLAN) for view in self.views)
+
     def take_more(self, count: int) -> None:
         """Let the rig take views beyond those planned, each where it teaches most after the one before was solved."""
         self._more = count

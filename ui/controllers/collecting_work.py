@@ -39,6 +39,7 @@ PREFIXES: Mapping[Kind, tuple[str, ...]] = {
     "guide": ("guide",),
     "rig": ("pose", "axis", "guide", "station"),
 }
+BEYOND_PLAN = "more"  # names of viewpoints begin so
 RIG_FILE = "rig.json"  # beside a session whose images a rig takes
 
 
@@ -191,7 +192,7 @@ def thought(job: Job, collection: Collection, rig: RigDescription | None) -> Tho
     job.check()
     if collection.solved is not None:
         verdict = judge(collection)
-    suggestion = None if rig is None else suggest_viewpoint(collection, rig, f"more{len(collection.observations) + 1:02d}")
+    suggestion = None if rig is None else suggest_viewpoint(collection, rig, f"{BEYOND_PLAN}{len(collection.observations) + 1:02d}")
     return Thought(collection.solved, error, coach(collection), verdict, suggestion)
 
 

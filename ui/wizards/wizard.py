@@ -129,7 +129,7 @@ class CalibrationWizard(QDialog):
                 return f"Take {several(collecting.remaining, 'view')}", see, "Take one view"
             if collecting.can_take_more and not collecting.is_collecting:
                 more = f"Take {MORE} more views"
-                return (see, more, "") if collecting.is_good else (more, see, "")
+                return (see, more, "") if collecting.is_good or collecting.took_more else (more, see, "")
             return see, "", ""
         if self.calibrating.result is None:
             return "", "Collect more", ""
