@@ -119,7 +119,7 @@ class CalibrationPage(Page):
         self._rows = solution_rows(calibration, self.session.rig)
         bad = [found.name for found in self._rows if not found.good]
         age = when(calibration.provenance.created)
-        judgement = f"Look at: {', '.join(bad)}." if bad else "Every solution is as good as the rig allows: scan next."
+        judgement = f"Look at: {', '.join(bad)}." if bad else "All of it is good: scan next."
         self.state.setText(f"Calibrated {age}. {judgement}" if age else judgement)
         self.verdict.setText(millimetres(worst_residual_mm(calibration)))
         self.table.set_rows([self._cells(found) for found in self._rows])

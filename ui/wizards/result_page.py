@@ -17,7 +17,7 @@ HEADERS = ["Value", "Estimate", "Standard deviation", "True value", "Error", "Ch
 TRUE, ERROR, CHANGE = 3, 4, 5
 FAR = 3.0  # standard deviations
 TRUTH_NOTE = "True values are known because the rig is simulated. Nothing that measures reads them."
-SIDE = 344
+SIDE, MARGIN = 344, 20
 
 
 class ResultPage(QWidget):
@@ -72,9 +72,9 @@ class ResultPage(QWidget):
             words = row(label(name, "soft"), 0, label(value, "body"))
             self._facts.addLayout(words)
         for words in result.reasons:
-            self._facts.addWidget(label(words, "small", wrap=True))
+            self._facts.addWidget(_paragraph(words))
         for view, reason in result.left_out:
-            self._facts.addWidget(label(f"View {view} left out: {reason}", "small", wrap=True))
+            self._facts.addWidget(_paragraph(f"View {view} left out: {reason}"))
         self.comparison.setText(result.comparison)
         self._compared.setVisible(bool(result.comparison))
         self._show_rows()
@@ -89,6 +89,14 @@ class ResultPage(QWidget):
             sign = self._result.sign
             self.verdict_sign.setPixmap(self._look.icon(sign, "verdict_" + sign.replace(" ", "_")).pixmap(QSize(36, 36)))
             self.verdict_sign.setAlignment(Qt.AlignmentFlag.AlignCenter)
+
+
+def _paragraph(words: str) -> QLabel:
+    """A small text with its full height, which a layout does not ask a wrapped label for."""
+    made = label(words, "small", wrap=True)
+    made.ensurePolished()
+    made.setMinimumHeight(made.heightForWidth(SIDE - 2 * MARGIN))
+    return made
 
 
 def _cells(row_: ValueRow) -> list[Cell]:

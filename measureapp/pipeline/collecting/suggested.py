@@ -21,6 +21,7 @@ from measureapp.pipeline.collecting.observation import Observation
 from measureapp.planning.reach import obstacles
 
 SLIDES_MM = (0.0, -150.0, 150.0, -300.0, 300.0)  # beside the place straight before the table's centre
+NEAR_MM, NEAR_RAD = 20.0, float(np.deg2rad(8.0))  # of a view there is already: it would teach the same again
 LEAST_GAIN = 0.05  # of ln det of the covariance: below, a view teaches nothing
 
 
@@ -49,12 +50,19 @@ def suggest_viewpoint(collection: Collection, rig: RigDescription, name: str) ->
     distance = float(np.median([place.apply(solution.board.middle_mm)[2] for place in solution.boards.values()]))
     best: tuple[float, Suggestion] | None = None
     for place in candidates(solution, distance):
+        if any(_is_near(place, known) for known in solution.boards.values()):
+            continue
         viewpoint = _viewpoint(rig, name, place, observation, seen)
         if viewpoint is not None:
             gain = gain_of(solution, place)
             if gain > (LEAST_GAIN if best is None else best[0]):
                 best = gain, Suggestion(viewpoint, _ghost(solution, place, solution.board))
     return None if best is None else best[1]
+
+
+def _is_near(place: RigidTransform, known: RigidTransform) -> bool:
+    apart = known.inverse() @ place
+    return bool(np.linalg.norm(apart.translation_mm) < NEAR_MM and apart.angle_rad < NEAR_RAD)
 
 
 def _ghost(solution: CameraArraySolution, place: RigidTransform, board: BoardDescription) -> Ghost:
