@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from math import hypot
 from typing import TYPE_CHECKING, Literal
 
 from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
@@ -134,11 +135,23 @@ def rig_of(snapshot: Collection, before: RigCalibration | None) -> RigCalibratio
         raise CalibrationError("The rest of the rig is not calibrated yet.", "Calibrate the whole rig first.")
     if isinstance(solution, HandEyeSolution):
         return replace(before, hand_eye=solution.hand_eye)
+    noise, hand_eye = snapshot.setup.noise, before.hand_eye
+    carried_rad = hypot(hand_eye.rotation_sigma_rad, noise.robot_rad)  # what camera and robot add to anything seen from one pose
     if isinstance(solution, GuideSolution):
-        return replace(before, guide=solution.guide)
+        guide = solution.guide
+        return replace(before, guide=replace(guide, direction_sigma_rad=hypot(guide.direction_sigma_rad, carried_rad)))
     assert isinstance(solution, AxisSolution)
-    readback = snapshot.observation(solved.used[0]).readback.full()
-    return replace(before, axis=carry_axis(solution.best.axis, before.guide_from_camera(readback)))
+    seen = solution.best.axis
+    axis = carry_axis(seen, before.guide_from_camera(snapshot.observation(solved.used[0]).readback.full()))
+    carried_mm = hypot(hand_eye.translation_sigma_mm, noise.robot_mm, carried_rad * hypot(*seen.point_mm))
+    return replace(
+        before,
+        axis=replace(
+            axis,
+            point_sigma_mm=hypot(axis.point_sigma_mm, carried_mm),
+            direction_sigma_rad=hypot(axis.direction_sigma_rad, carried_rad),
+        ),
+    )
 
 
 def facts_of(snapshot: Collection, solved: Solved) -> tuple[tuple[str, str], ...]:
