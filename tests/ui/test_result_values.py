@@ -23,7 +23,7 @@ def test_every_value_of_a_rig_finds_its_partner(calibration):
     rows = rows_beside(found, (), moved)
     assert {row.quantity.group for row in rows} == {"Hand–eye", "Linear guide", "Table axis", "Camera left", "Camera right", "Camera upper"}
     assert all(row.true is None and row.previous is not None for row in rows)
-    changed = [row.quantity.name for row in rows if row.previous != row.quantity.value]
+    changed = [row.quantity.name for row in rows if row.previous != pytest.approx(row.quantity.value)]
     assert changed == ["Scale"]
     focal = next(row.quantity for row in rows if row.quantity.name == "Focal length x")
     assert (focal.unit, focal.sigma) == ("px", 0.21)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from datetime import UTC, datetime
 from pathlib import Path
 from queue import SimpleQueue
 from typing import TYPE_CHECKING
@@ -16,6 +15,7 @@ from measureapp.errors import InputError, MeasureError
 from ui.controllers import collecting_work as work
 from ui.controllers.collecting_nouns import Kept, Kind, LiveImage, RigSetup, SeenView, Start
 from ui.controllers.jobs import JobRunner
+from ui.controllers.kept_sessions import newest_kept, next_folder, sessions_folder
 from ui.controllers.rig_connection import VIRTUAL, RigConnection
 from ui.controllers.seen_views import seen_view
 from ui.look.demo_settings import DemoSettings
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from measureapp.pipeline.collecting.collection import Collection
     from measureapp.pipeline.collecting.observation import Observation
 
-SESSIONS = Path("MeasureApp") / "calibrations"  # below the user's home, where no project is open
 IMAGES_KEPT = 9  # in memory, of those looked at last
 
 
@@ -177,22 +176,7 @@ class CollectingController(QObject):
 
     def kept(self) -> Kept | None:
         """Return the newest session of this kind that holds views."""
-        from measureapp.pipeline.collecting.collection import Collection
-
-        for folder in sorted(self._sessions().glob(f"{self.kind}-*"), reverse=True):
-            if Collection.is_in(folder):
-                views = len(tuple((folder / "observations").glob("*.json")))
-                saved = datetime.fromtimestamp((folder / "session.json").stat().st_mtime, UTC)
-                return Kept(folder, views, saved.isoformat()) if views else None
-        return None
-
-    def _sessions(self) -> Path:
-        project = self._project
-        return Path.home() / SESSIONS if project is None else project / "calibration" / "sessions"
-
-    def _new_folder(self) -> Path:
-        numbers = [int(path.name.rpartition("-")[2]) for path in self._sessions().glob(f"{self.kind}-*") if path.name[-1].isdigit()]
-        return self._sessions() / f"{self.kind}-{max(numbers, default=0) + 1:03d}"
+        return newest_kept(sessions_folder(self._project), self.kind)
 
     def begin(self, start: Start) -> None:
         """Begin anew; recorded images are read at once."""
@@ -229,7 +213,10 @@ class CollectingController(QObject):
     def _created(self, start: Start, names: tuple[str, ...], rig: RigDescription | None) -> Collection:
         from measureapp.pipeline.collecting.collection import Collection
 
-        return Collection.create(self._new_folder(), work.setup_for(self.kind, start.board, names, rig, self._session.calibration))
+        return Collection.create(
+            next_folder(sessions_folder(self._project), self.kind),
+            work.setup_for(self.kind, start.board, names, rig, self._session.calibration),
+        )
 
     def resume(self, folder: Path) -> None:
         """Go on with a session that was kept."""
