@@ -12,6 +12,8 @@ from ui.controllers.collecting import CollectingController
 from ui.controllers.collecting_nouns import Kind, RigSetup
 from ui.controllers.demo import DemoController
 from ui.controllers.jobs import JobRunner
+from ui.controllers.kept_sessions import project_on_disk
+from ui.controllers.rig_connection import VIRTUAL
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -44,8 +46,14 @@ class CalibratingController(QObject):
         return self._session.cameras is not None if self.kind == "cameras" else self._session.calibration is not None
 
     def rig_setup(self) -> RigSetup | None:
-        """Return which rig can take the images."""
-        return self.collecting.rig_setup(self._demo.settings)
+        """Return which rig can take the images; None while it is not loaded."""
+        from measureapp.project.folder import DEFAULT_BOARD, ProjectFolder
+
+        rig, project, settings = self._session.rig, project_on_disk(self._session), self._demo.settings
+        if rig is None:
+            return None
+        board = DEFAULT_BOARD if project is None else ProjectFolder.open(project).settings.board
+        return RigSetup(rig.name, rig.driver == VIRTUAL, project is not None, settings.resolution, settings.seed, board)
 
     def forget_result(self) -> None:
         """Begin without a result."""

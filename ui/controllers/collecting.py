@@ -13,12 +13,11 @@ from PySide6.QtGui import QImage
 
 from measureapp.errors import InputError, MeasureError
 from ui.controllers import collecting_work as work
-from ui.controllers.collecting_nouns import Kept, Kind, LiveImage, RigSetup, SeenView, Start
+from ui.controllers.collecting_nouns import Kept, Kind, LiveImage, SeenView, Start
 from ui.controllers.jobs import JobRunner
-from ui.controllers.kept_sessions import newest_kept, next_folder, sessions_folder
+from ui.controllers.kept_sessions import newest_kept, next_folder, project_on_disk, sessions_folder
 from ui.controllers.rig_connection import VIRTUAL, RigConnection
 from ui.controllers.seen_views import seen_view
-from ui.look.demo_settings import DemoSettings
 from ui.session import Session
 from ui.workers.job import Job
 from ui.workers.mailbox import Mailboxes
@@ -159,24 +158,9 @@ class CollectingController(QObject):
 
     # beginning
 
-    def rig_setup(self, settings: DemoSettings) -> RigSetup | None:
-        """Return which rig can take the images; None while it is not loaded."""
-        rig = self._session.rig
-        if rig is None:
-            return None
-        from measureapp.project.folder import DEFAULT_BOARD, ProjectFolder
-
-        board = ProjectFolder.open(self._project).settings.board if self._project is not None else DEFAULT_BOARD
-        return RigSetup(rig.name, rig.driver == VIRTUAL, self._project is not None, settings.resolution, settings.seed, board)
-
-    @property
-    def _project(self) -> Path | None:
-        folder = self._session.folder
-        return folder if folder is not None and (folder / "project.json").is_file() else None
-
     def kept(self) -> Kept | None:
         """Return the newest session of this kind that holds views."""
-        return newest_kept(sessions_folder(self._project), self.kind)
+        return newest_kept(sessions_folder(project_on_disk(self._session)), self.kind)
 
     def begin(self, start: Start) -> None:
         """Begin anew; recorded images are read at once."""
@@ -194,7 +178,7 @@ class CollectingController(QObject):
         rig = self._session.rig
         if rig is None:
             raise InputError("No rig is known yet.", "Wait until it is loaded, or use recorded images.")
-        if rig.driver == VIRTUAL and self._project is None:
+        if rig.driver == VIRTUAL and project_on_disk(self._session) is None:
             rig = rig.at_resolution(start.resolution).model_copy(update={"driver_settings": {**rig.driver_settings, "seed": start.seed}})
         names = (rig.reference, *(camera.name for camera in rig.cameras if camera.name != rig.reference))
         collection = self._created(start, names, rig)
@@ -214,7 +198,7 @@ class CollectingController(QObject):
         from measureapp.pipeline.collecting.collection import Collection
 
         return Collection.create(
-            next_folder(sessions_folder(self._project), self.kind),
+            next_folder(sessions_folder(project_on_disk(self._session)), self.kind),
             work.setup_for(self.kind, start.board, names, rig, self._session.calibration),
         )
 

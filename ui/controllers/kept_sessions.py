@@ -6,8 +6,15 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from ui.controllers.collecting_nouns import Kept, Kind
+from ui.session import Session
 
 SESSIONS = Path("MeasureApp") / "calibrations"
+
+
+def project_on_disk(session: Session) -> Path | None:
+    """Return the folder of the open project, where it has been written."""
+    folder = session.folder
+    return folder if folder is not None and (folder / "project.json").is_file() else None
 
 
 def sessions_folder(project: Path | None) -> Path:

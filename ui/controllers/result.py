@@ -11,6 +11,7 @@ from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
 from measureapp.errors import CalibrationError
 from ui.controllers import result_values as values
 from ui.controllers.collecting_nouns import Kind
+from ui.controllers.kept_sessions import project_on_disk
 from ui.look.wording import millimetres, quantity
 from ui.session import Session
 
@@ -175,7 +176,7 @@ def accepted(found: Result, session: Session) -> tuple[str, str]:
     from measureapp.pipeline.collecting import keep
     from measureapp.project.folder import ProjectFolder
 
-    project = session.folder if session.folder is not None and (session.folder / "project.json").is_file() else None
+    project = project_on_disk(session)
     kind, place = found.snapshot.setup.kind, found.snapshot.folder / RESULT
     cameras, rig = found.cameras, found.rig
     if kind == "rig":
