@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from math import hypot
 from typing import TYPE_CHECKING, Literal
 
-from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
 from measureapp.errors import CalibrationError
 from ui.controllers import result_values as values
 from ui.controllers.collecting_nouns import Kind
@@ -16,6 +15,7 @@ from ui.look.wording import millimetres, quantity
 from ui.session import Session
 
 if TYPE_CHECKING:
+    from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
     from measureapp.pipeline.collecting.collection import Collection
     from measureapp.pipeline.collecting.solved import Solved
     from ui.workers.job import Job
@@ -173,6 +173,7 @@ def facts_of(snapshot: Collection, solved: Solved) -> tuple[tuple[str, str], ...
 
 def accepted(found: Result, session: Session) -> tuple[str, str]:
     """Make a result the calibration in use, on disk first; returns what to tell. Raises StorageError."""
+    from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
     from measureapp.pipeline.collecting import keep
     from measureapp.project.folder import ProjectFolder
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
@@ -21,7 +22,9 @@ from ui.widgets.data_table import Cell, DataTable, number, verdict_cell
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.properties_panel import Group, Properties
 from ui.wizards.kinds import CAMERAS, KINDS, RIG, WizardKind
-from ui.wizards.wizard import CalibrationWizard
+
+if TYPE_CHECKING:
+    from ui.wizards.wizard import CalibrationWizard
 
 EMPTY_TEXT = (
     "Fix the calibration board on the table, then calibrate the whole rig in one automatic run. "
@@ -88,6 +91,8 @@ class CalibrationPage(Page):
         if self.session.busy_with:
             self.session.tell(f"{self.session.busy_with} is still running.", "Wait for it, or cancel it first.", "warning")
             return
+        from ui.wizards.wizard import CalibrationWizard
+
         if kind.kind not in self.wizards:
             self.wizards[kind.kind] = CalibrationWizard(self.look, kind, self.controllers.calibrating[kind.kind], self)
         self.wizards[kind.kind].begin()
