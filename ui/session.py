@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import numpy as np
 
     from measureapp.acquire.events import ImageTaken
-    from measureapp.data.calibration import RigCalibration
+    from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
     from measureapp.data.cloud import StitchedCloud
     from measureapp.data.measurement import Inspection, Measurement, ViewResult
     from measureapp.data.plan import ScanPlan
@@ -105,6 +105,7 @@ class Session(QObject):
         self.plan: ScanPlan | None = None
         self.calibration: RigCalibration | None = None
         self.validity: Validity | None = None
+        self.cameras: CameraArrayCalibration | None = None  # those of the calibration; without one they may be calibrated alone
         self.viewpoints: dict[str, ViewpointState] = {}
         self.views: tuple[ViewResult, ...] = ()
         self.stitched: StitchedCloud | None = None
@@ -145,6 +146,12 @@ class Session(QObject):
     def set_calibration(self, calibration: RigCalibration | None) -> None:
         """Tell what the rig's geometry is."""
         self.calibration = calibration
+        self.cameras = None if calibration is None else calibration.cameras
+        self.calibrationChanged.emit()
+
+    def set_cameras(self, cameras: CameraArrayCalibration) -> None:
+        """Tell the geometry of the cameras, while that of the rig is not known."""
+        self.cameras = cameras
         self.calibrationChanged.emit()
 
     def set_validity(self, validity: Validity | None) -> None:
@@ -193,6 +200,7 @@ class Session(QObject):
         self.files = dict(files)
         self.calibration = measurement.calibration
         self.validity = measurement.validity
+        self.cameras = measurement.calibration.cameras
         self.views = measurement.views
         self.stitched = measurement.stitched
         self.inspection = measurement.inspection

@@ -52,6 +52,12 @@ def load_all(folder: Path) -> tuple[BoardView, ...]:
     return tuple(_load(folder / viewpoint_id) for viewpoint_id in stored(folder))
 
 
+def readbacks(folder: Path) -> dict[str, tuple[tuple[str, ...], AxisReadback]]:
+    """Return cameras and read-back of all finished sightings below ``folder`` without reading images. Raises StorageError."""
+    described = {viewpoint_id: _described(folder / viewpoint_id) for viewpoint_id in stored(folder)}
+    return {viewpoint_id: (one.cameras, one.readback) for viewpoint_id, one in described.items()}
+
+
 def damaged(folder: Path) -> dict[str, tuple[str, ...]]:
     """Compare every image of the board below ``folder`` with its checksum; return what is wrong with which sighting, in words."""
     problems = {viewpoint_id: _problems(folder / viewpoint_id) for viewpoint_id in stored(folder)}

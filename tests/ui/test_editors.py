@@ -6,10 +6,12 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from PySide6.QtWidgets import QFileDialog
 
+from measureapp.data.board import CharucoDescription, CheckerboardDescription, CirclesDescription
 from measureapp.data.pattern_sets import DEFAULT_NAME, PATTERN_SETS
 from ui.look.demo_settings import DemoSettings
 from ui.look.paths import demo_folder
 from ui.look.pattern_words import PATTERN_WORDS, RECOMMENDED
+from ui.widgets.board_form import BoardForm
 from ui.widgets.demo_form import OWN_MESH, PARTS, DemoForm
 from ui.widgets.segments import Segments
 
@@ -108,3 +110,33 @@ def test_a_file_choice_that_is_given_up_keeps_the_part(qtbot, monkeypatch):
     form._part.setCurrentIndex(place)
     form._part.activated.emit(place)
     assert form.value() == DemoSettings("gear", "full", 8, 3)
+
+
+SIZES = st.integers(1000, 90_000).map(lambda thousandths: thousandths / 1000)
+BOARDS = st.one_of(
+    st.builds(CheckerboardDescription, columns=st.integers(3, 40), rows=st.integers(3, 40), square_mm=SIZES),
+    st.builds(
+        lambda square_mm, **fields: CharucoDescription(kind="charuco", square_mm=square_mm, marker_mm=round(square_mm / 2, 3), **fields),
+        columns=st.integers(3, 12),
+        rows=st.integers(3, 12),
+        square_mm=SIZES,
+    ),
+    st.builds(
+        lambda spacing_mm, **fields: CirclesDescription(
+            kind="circles", spacing_mm=spacing_mm, diameter_mm=round(spacing_mm / 2, 3), **fields
+        ),
+        columns=st.integers(2, 12),
+        rows=st.integers(3, 40),
+        spacing_mm=SIZES,
+    ),
+)
+
+
+@given(wanted=BOARDS)
+@settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_the_board_form_gives_back_what_it_was_given(qtbot, wanted):
+    form = BoardForm()
+    qtbot.addWidget(form)
+    form.setValue(wanted)
+    assert form.problem() == ""
+    assert form.value() == wanted

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject
 
+from ui.controllers.calibrating import CalibratingController
+from ui.controllers.collecting_nouns import Kind
 from ui.controllers.comparison import ComparisonController
 from ui.controllers.demo import DemoController
 from ui.controllers.documents import DocumentsController
@@ -24,15 +26,18 @@ class Controllers(QObject):
         self.background = JobRunner(session, self)
         self.drawing = JobRunner(session, self)
         self.explaining = JobRunner(session, self)
+        self.solving = JobRunner(session, self)
         self.demo = DemoController(session, self.jobs, self)
         self.project = ProjectController(session, self.jobs, self)
         self.documents = DocumentsController(session, self.jobs, self)
         self.comparison = ComparisonController(session, self.background, self)
         self.stored_images = StoredImagesController(session, self.background, self)
         self.holes = HolesController(session, self.explaining, self)
+        kinds: tuple[Kind, ...] = ("cameras", "axis", "hand-eye", "guide", "rig")
+        self.calibrating = {kind: CalibratingController(kind, session, self.demo, self.jobs, self.solving, self) for kind in kinds}
         self.startup = StartupController(session, self.background, self)
 
     @property
     def runners(self) -> tuple[JobRunner, ...]:
-        """All queues: what the user waits for, what runs beside it, pictures being composed, and views being explained."""
-        return self.jobs, self.background, self.drawing, self.explaining
+        """All queues: what the user waits for, what runs beside it, pictures, views being explained, calibrations being solved."""
+        return self.jobs, self.background, self.drawing, self.explaining, self.solving

@@ -38,6 +38,13 @@ NAMES = {
     "warning": "warning",
     "error": "warning-circle",
     "messages": "list",
+    "remove": "trash",
+    "undo": "arrow-u-up-left",
+    "redo": "arrow-u-up-right",
+    "hand-eye": "link",
+    "axis": "arrows-clockwise",
+    "guide": "arrows-left-right",
+    "camera": "camera",
 }
 
 

@@ -2,25 +2,35 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QWidget
+from functools import partial
+from typing import TYPE_CHECKING
 
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QMenu, QWidget
+
+from ui.controllers.collecting_nouns import Kind
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.wording import millimetres, quantity, when
-from ui.pages.calibration_rows import SolutionRow, contributions, solution_rows, worst_residual_mm
+from ui.pages.calibration_rows import SolutionRow, camera_rows, contributions, solution_rows, worst_residual_mm
 from ui.pages.page import Page
 from ui.session import Session
 from ui.widgets.bar_chart import Bar, BarChart
-from ui.widgets.basic import card, column, label
+from ui.widgets.basic import Button, card, column, label
 from ui.widgets.data_table import Cell, DataTable, number, verdict_cell
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.properties_panel import Group, Properties
+from ui.wizards.kinds import CAMERAS, KINDS, RIG, WizardKind
+
+if TYPE_CHECKING:
+    from ui.wizards.wizard import CalibrationWizard
 
 EMPTY_TEXT = (
-    "The demo calibrates the virtual rig from simulated images of a board. "
-    "For recorded images use “measureapp calibrate cameras”, “axis”, “hand-eye” or “guide” on the command line."
+    "Fix the calibration board on the table, then calibrate the whole rig in one automatic run. "
+    "The cameras alone can be calibrated from recorded images too."
 )
+CAMERAS_ONLY = "The cameras are calibrated; hand–eye, linear guide and table axis are not. Calibrate the whole rig next."
 SHARES_TEXT = "Root sum of squares, as if the solutions were independent. They are solved together, so a part of it cancels."
 
 
@@ -30,20 +40,27 @@ class CalibrationPage(Page):
     name, word = "calibration", "Calibrate"
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
-        empty = EmptyState(look, "calibration", "No calibration yet", EMPTY_TEXT, "Run the demo")
+        empty = EmptyState(look, "calibration", "No calibration yet", EMPTY_TEXT, "Calibrate the whole rig…")
         super().__init__(look, session, controllers, empty)
+        empty.triggered.disconnect(controllers.demo.run)
+        empty.triggered.connect(self._open_rig_wizard)
+        self.wizards: dict[Kind, CalibrationWizard] = {}
+        self.offers: dict[Kind, QAction] = {}
+        self._make_menus()
         self.verdict = label("", "figure")
         self.table = DataTable(look, ["Solution", "Estimate", "Standard deviation", "Residual (rms)", "Verdict"], numeric=(3,), stretch=1)
         self.table.rowSelected.connect(self._select)
-        figure = QWidget()
+        self.figure = figure = QWidget()
         figure.setLayout(column(self.verdict, label("Largest residual of hand–eye, guide and axis", "small"), spacing=0))
         self.verdict.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.action_row.addWidget(figure)
+        self.action_row.addSpacing(16)
+        self.action_row.addWidget(self.calibrate)
         self.chart = BarChart(look)
-        shares = card(
+        self.shares = card(
             label("What the calibration adds to a point placed by the axes (1 σ)", "heading"), label(SHARES_TEXT, "soft"), 8, self.chart
         )
-        layout = column(self.table, shares, 0, spacing=16)
+        layout = column(self.table, self.shares, 0, spacing=16)
         layout.setStretch(1, 1000)
         self.body.setLayout(layout)
         self._rows: list[SolutionRow] = []
@@ -52,6 +69,39 @@ class CalibrationPage(Page):
         session.busyChanged.connect(self._show_busy)
         self._show()
 
+    def _make_menus(self) -> None:
+        """The wizards as a menu; beside the empty state's button a quiet one for the cameras alone."""
+        menu = QMenu(self)
+        menu.setToolTipsVisible(True)
+        for kind in KINDS:
+            action = menu.addAction(f"{kind.action}…", partial(self.open_wizard, kind))
+            action.setToolTip(kind.tip)
+            self.offers[kind.kind] = action
+        self.calibrate = Button("Calibrate", self.look, "calibration", tip="Calibrate the whole rig again, or one part of it")
+        self.calibrate.setMenu(menu)
+        self.cameras_alone = Button("Cameras only…", self.look, "camera", "normal", CAMERAS.tip)
+        self.cameras_alone.clicked.connect(partial(self.open_wizard, CAMERAS))
+        self.empty.add_quiet(self.cameras_alone)
+
+    def _open_rig_wizard(self) -> None:
+        self.open_wizard(RIG)
+
+    def open_wizard(self, kind: WizardKind) -> None:
+        """Open the wizard of one kind; it is made when it is first asked for."""
+        if self.session.busy_with:
+            self.session.tell(f"{self.session.busy_with} is still running.", "Wait for it, or cancel it first.", "warning")
+            return
+        from ui.wizards.wizard import CalibrationWizard
+
+        if kind.kind not in self.wizards:
+            self.wizards[kind.kind] = CalibrationWizard(self.look, kind, self.controllers.calibrating[kind.kind], self)
+        self.wizards[kind.kind].begin()
+
+    def close_page(self) -> None:
+        """Close a wizard that is open; what it collected is kept."""
+        for wizard in self.wizards.values():
+            wizard.close()
+
     def _show_busy(self) -> None:
         if self.session.busy_with and self.session.calibration is None:
             self.empty.say("Calibrating…", "The board is shown to the cameras from many sides. The solutions appear here.", offer=False)
@@ -59,15 +109,22 @@ class CalibrationPage(Page):
             self.empty.say("No calibration yet", EMPTY_TEXT)
 
     def _show(self) -> None:
-        calibration = self.session.calibration
-        self.show_filled(calibration is not None)
+        calibration, cameras = self.session.calibration, self.session.cameras
+        self.show_filled(cameras is not None)
+        for kind in KINDS:
+            self.offers[kind.kind].setEnabled(calibration is not None or not kind.needs_rig)
+        for part in (self.figure, self.shares):
+            part.setVisible(calibration is not None)
         if calibration is None:
-            self.state.setText("The true geometry of the rig is not known yet.")
+            self._rows = [] if cameras is None else camera_rows(cameras)
+            self.state.setText("The true geometry of the rig is not known yet." if cameras is None else CAMERAS_ONLY)
+            self.table.set_rows([self._cells(found) for found in self._rows])
+            self.table.setFixedHeight(self.table.fitted_height())
             return
         self._rows = solution_rows(calibration, self.session.rig)
         bad = [found.name for found in self._rows if not found.good]
         age = when(calibration.provenance.created)
-        judgement = f"Look at: {', '.join(bad)}." if bad else "Every solution is as good as the rig allows: scan next."
+        judgement = f"Look at: {', '.join(bad)}." if bad else "All of it is good: scan next."
         self.state.setText(f"Calibrated {age}. {judgement}" if age else judgement)
         self.verdict.setText(millimetres(worst_residual_mm(calibration)))
         self.table.set_rows([self._cells(found) for found in self._rows])
@@ -81,14 +138,15 @@ class CalibrationPage(Page):
         return [Cell(found.name, bold=True), Cell(found.estimate), Cell(found.deviation), number(found.residual), good]
 
     def _select(self, place: int) -> None:
-        calibration = self.session.calibration
-        if calibration is None or not 0 <= place < len(self._rows):
+        calibration, cameras = self.session.calibration, self.session.cameras
+        if cameras is None or not 0 <= place < len(self._rows):
             return
         found = self._rows[place]
-        camera = calibration.cameras.cameras.get(found.name.removeprefix("Camera "))
+        camera = cameras.cameras.get(found.name.removeprefix("Camera "))
         deviations = tuple((name, deviation_words(name, value)) for name, value in camera.standard_deviations.items()) if camera else ()
-        pairs = tuple((f"{pair} pair", f"{rms:.3f} px") for pair, rms in calibration.cameras.pair_rms_px.items()) if camera else ()
-        method = calibration.hand_eye.method if found.name == "Hand–eye" else calibration.provenance.method
+        pairs = tuple((f"{pair} pair", f"{rms:.3f} px") for pair, rms in cameras.pair_rms_px.items()) if camera else ()
+        source = cameras.provenance if calibration is None else calibration.provenance
+        method = calibration.hand_eye.method if calibration is not None and found.name == "Hand–eye" else source.method
         self.show_properties(
             Properties(
                 found.name,

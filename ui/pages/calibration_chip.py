@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from measureapp.data.rig import RigDescription
     from measureapp.data.validity import Validity
 
-NONE_TIP = "Run the demo to calibrate the virtual rig"
+NONE_TIP = "Calibrate the rig on the Calibrate page"
 RESIDUAL_TIP = "Age of the calibration, and the largest residual of hand–eye, guide and axis in mm."
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from ui.look.wording import millimetres, quantity
 
 if TYPE_CHECKING:
-    from measureapp.data.calibration import RigCalibration, RotationAxis
+    from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, RigCalibration, RotationAxis
     from measureapp.data.rig import RigDescription
 
 REPROJECTION_LIMIT_PX = 0.3
@@ -34,7 +34,7 @@ class SolutionRow:
 def solution_rows(calibration: RigCalibration, rig: RigDescription | None) -> list[SolutionRow]:
     """Return one row per camera, hand–eye, guide and axis."""
     robot_mm = rig.robot.absolute_accuracy_mm * 2 if rig is not None else ROBOT_LIMIT_MM
-    rows = [_camera_row(calibration, name) for name in calibration.cameras.names]
+    rows = camera_rows(calibration.cameras)
     hand_eye, guide, axis = calibration.hand_eye, calibration.guide, calibration.axis
     place = hand_eye.flange_from_camera.translation_mm
     robot_words = f"Residual up to {millimetres(robot_mm, 2)}, twice the robot's absolute accuracy"
@@ -71,12 +71,16 @@ def solution_rows(calibration: RigCalibration, rig: RigDescription | None) -> li
     return rows
 
 
-def _camera_row(calibration: RigCalibration, name: str) -> SolutionRow:
-    camera = calibration.cameras.cameras[name]
+def camera_rows(cameras: CameraArrayCalibration) -> list[SolutionRow]:
+    """Return one row per camera."""
+    return [_camera_row(cameras.cameras[name]) for name in cameras.names]
+
+
+def _camera_row(camera: CameraCalibration) -> SolutionRow:
     matrix = camera.pinhole.matrix
     sigma = max((value for key, value in camera.standard_deviations.items() if key in {"fx", "fy", "f"}), default=None)
     return SolutionRow(
-        f"Camera {name}",
+        f"Camera {camera.name}",
         f"Focal length {matrix[0, 0]:.1f} px, centre ({matrix[0, 2]:.1f}, {matrix[1, 2]:.1f}) px",
         f"± {quantity(sigma, 'px', 2)}" if sigma is not None else "–",
         quantity(camera.rms_px, "px", 3),

@@ -58,6 +58,7 @@ class Button(QPushButton):
         self.setProperty("role", role)
         self.setToolTip(tip)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.setAutoDefault(False)  # Enter in a dialog is for the button that is made its default
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.setIconSize(QSize(20, 20))
         look.changed.connect(self._redraw)

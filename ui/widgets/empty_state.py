@@ -25,9 +25,14 @@ class EmptyState(QWidget):
         self.text.setFixedWidth(480)
         self.button = Button(action, look, action_icon, "primary")
         self.button.clicked.connect(self.triggered)
-        self.setLayout(column(0, self._icon, 8, self.heading, row(0, self.text, 0), 16, row(0, self.button, 0), 0))
+        self._buttons = row(0, self.button, 0)
+        self.setLayout(column(0, self._icon, 8, self.heading, row(0, self.text, 0), 16, self._buttons, 0))
         look.changed.connect(self._redraw)
         self._redraw()
+
+    def add_quiet(self, button: Button) -> None:
+        """Offer one more action beside the filled one."""
+        self._buttons.insertWidget(2, button)
 
     def say(self, heading: str, text: str, *, offer: bool = True) -> None:
         """Change the words; without ``offer`` there is nothing to do but wait."""

@@ -23,6 +23,7 @@ class Segments(QWidget):
             made = QPushButton(text)
             made.setCheckable(True)
             made.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+            made.setAutoDefault(False)
             made.setProperty("role", "segment")
             made.setProperty("place", "first" if place == 0 else "last" if place == last else "middle")
             made.setCursor(Qt.CursorShape.PointingHandCursor)

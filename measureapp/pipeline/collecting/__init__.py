@@ -9,7 +9,7 @@ from measureapp.pipeline.collecting.coaching import Advice, Gauge, Ghost, coach
 from measureapp.pipeline.collecting.collection import Collection
 from measureapp.pipeline.collecting.comparison import Change, Comparison, compare
 from measureapp.pipeline.collecting.estimates import Estimate, estimates_of, result_of
-from measureapp.pipeline.collecting.keeping import accept, read_result
+from measureapp.pipeline.collecting.keeping import accept, keep, read_result
 from measureapp.pipeline.collecting.observation import Observation, Readback, Refusal, StoredImage
 from measureapp.pipeline.collecting.recorded import ReadbackFiles, add_recorded, add_views
 from measureapp.pipeline.collecting.setup import KINDS, Kind, Setup
@@ -43,6 +43,7 @@ __all__ = [
     "compare",
     "estimates_of",
     "judge",
+    "keep",
     "read_result",
     "result_of",
 ]

@@ -200,6 +200,16 @@ class Collection:
         self._solved = solve(self.setup, self.usable, self._sizes(), None if afresh else self._solved, progress)
         return self._solved
 
+    def snapshot(self) -> Collection:
+        """Return a copy that another thread may solve and ask for advice while this one is added to; the copy must not be changed."""
+        copy = Collection(self.setup, self._store, self._actions, self._done, dict(self._all))
+        copy._solved = self._solved
+        return copy
+
+    def adopt(self, solved: Solved | None) -> None:
+        """Judge the observations by a solution that a snapshot found; None: there is none."""
+        self._solved = solved
+
     def _standing(self) -> dict[str, bool]:
         """Observation -> whether it is kept, in the order they were added."""
         kept: dict[str, bool] = {}

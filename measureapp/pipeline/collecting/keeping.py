@@ -12,7 +12,7 @@ from typing import Any
 from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.stitch_uncertainty import uncertainty_of
 from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, Provenance, RigCalibration, RotationAxis
-from measureapp.errors import FrameMismatch, InputError
+from measureapp.errors import CalibrationError, FrameMismatch, InputError
 from measureapp.pipeline.collecting.collection import Collection
 from measureapp.pipeline.collecting.estimates import Calibrated, result_of
 from measureapp.pipeline.collecting.solved import Solution
@@ -54,7 +54,23 @@ def accept(collection: Collection, target: Path, progress: Progress | None = Non
     StorageError
         It cannot be written.
     """
-    solved = collection.solve(progress, afresh=True)
+    collection.solve(progress, afresh=True)
+    return keep(collection, target, valid_days=valid_days)
+
+
+def keep(collection: Collection, target: Path, *, valid_days: float | None = None) -> Calibrated:
+    """Write the last solution of a collection as `accept` does, for those who have just looked at it; it should be one solved afresh.
+
+    Raises
+    ------
+    CalibrationError
+        Nothing was solved yet.
+    StorageError
+        It cannot be written.
+    """
+    solved = collection.solved
+    if solved is None:
+        raise CalibrationError("There is no solution yet.", "Solve what was collected first.")
     used = [one for one in collection.observations if one.id in solved.used]
     inputs = {f"{one.id} {camera}": image.checksum for one in used for camera, image in one.images.items()}
     result = result_of(solved)

@@ -1,0 +1,204 @@
+"""The wizards: from a folder of images or from the virtual rig to an accepted calibration, and back after closing."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+
+from measureapp.data.board import CheckerboardDescription
+from measureapp.project.camera_file import read_cameras
+from tests.ui.board_pictures import BOARD, FOCAL, HEIGHT, WIDTH, record
+from ui.wizards.kinds import CAMERAS, HAND_EYE, KINDS
+from ui.wizards.wizard import COLLECT, RESULT, SETUP
+
+PATIENCE_MS = 120_000
+
+
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory):
+    return record(tmp_path_factory.mktemp("images") / "stereo")
+
+
+@pytest.fixture
+def page(application, window, rig):
+    application.session.set_rig(rig)
+    window.show_page("calibration")
+    return window.pages["calibration"]
+
+
+@pytest.fixture
+def wizard(page):
+    page.open_wizard(CAMERAS)
+    opened = page.wizards[CAMERAS.kind]
+    opened.setup.board.setValue(BOARD)
+    yield opened
+    opened.close()
+
+
+def settle(qtbot, wizard):
+    collecting = wizard.collecting
+    qtbot.waitUntil(
+        lambda: not (collecting.is_collecting or collecting.is_thinking or wizard.calibrating.is_concluding), timeout=PATIENCE_MS
+    )
+
+
+def read_folder(qtbot, wizard, folder):
+    wizard.setup.source.setValue("images")
+    wizard.setup.folder.setText(str(folder))
+    wizard.footer.primary.click()
+    settle(qtbot, wizard)
+
+
+def test_a_folder_of_images_becomes_an_accepted_calibration(qtbot, wizard, recorded, application):
+    read_folder(qtbot, wizard, recorded)
+    assert wizard.step == COLLECT
+    assert wizard.collecting.cameras == ("left", "right")
+    assert [view.verdict for view in wizard.collecting.views] == ["pass"] * 8
+    assert all(0 < view.residuals_px["left"] < 0.5 for view in wizard.collecting.views)
+    assert len(wizard.collect.strip.thumbnails) == 8
+    assert wizard.footer.words[0] == "See the result"
+    wizard.footer.primary.click()
+    settle(qtbot, wizard)
+    assert wizard.step == RESULT
+    assert "mm (k = 2)" in wizard.result.verdict.text()
+    focal = wizard.result.table.texts()[0]
+    assert focal[0] == "Focal length x"
+    estimate, sigma = (float(text.removeprefix("± ").split("\u00a0")[0]) for text in focal[1:3])
+    assert abs(estimate - FOCAL) < 5 * sigma + 1.0  # drawing the board costs some hundredths of a pixel, a few tenths of the focal length
+    assert not wizard.calibrating.result.has_truth
+    folder = wizard.collecting.collection.folder
+    wizard._accept()
+    assert not wizard.isVisible()
+    assert application.session.cameras.names == ("left", "right")
+    assert read_cameras(folder / "result" / "cameras.json").names == ("left", "right")
+    assert [row[0] for row in application.window.pages["calibration"].table.texts()] == ["Camera left", "Camera right"]
+
+
+def test_delete_removes_a_view_and_ctrl_z_brings_it_back(qtbot, wizard, recorded):
+    read_folder(qtbot, wizard, recorded)
+    place = QPoint(3 * 136 + 20, 20)
+    QTest.mouseClick(wizard.collect.strip.widget(), Qt.MouseButton.LeftButton, pos=place)
+    chosen = wizard.collect.chosen
+    assert chosen.name == "left04.png"
+    assert "residual" in wizard.collect.picture.caption
+    QTest.keyClick(wizard, Qt.Key.Key_Delete)
+    settle(qtbot, wizard)
+    assert wizard.collect.chosen.removed
+    assert "8 views, 1 left out" in wizard.collect.count.text()
+    assert wizard.collecting.collection.solved.of == ("01", "02", "03", "05", "06", "07", "08")
+    QTest.keyClick(wizard, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    settle(qtbot, wizard)
+    assert [view.verdict for view in wizard.collecting.views] == ["pass"] * 8
+
+
+def test_closing_loses_nothing_and_the_work_goes_on(qtbot, page, wizard, recorded):
+    read_folder(qtbot, wizard, recorded)
+    wizard.collect.choose("02")
+    wizard.collect.remove_chosen()
+    wizard.close()
+    assert wizard.collecting.views == ()
+    page.open_wizard(CAMERAS)
+    assert wizard.step == SETUP
+    assert wizard.setup.kept.isVisible()
+    wizard.setup.resumeClicked.emit()
+    qtbot.waitUntil(lambda: wizard.step == COLLECT, timeout=PATIENCE_MS)
+    settle(qtbot, wizard)
+    assert [view.id for view in wizard.collecting.views if view.removed] == ["02"]
+    assert len(wizard.collecting.views) == 8
+    assert all(view.pictures for view in wizard.collecting.views)
+
+
+@pytest.mark.parametrize("folder, said", [("nothing here", "There is no folder"), ("", "No images lie in")])
+def test_a_folder_without_images_is_refused_with_a_remedy(qtbot, wizard, tmp_path, folder, said):
+    (tmp_path / "empty").mkdir()
+    read_folder(qtbot, wizard, tmp_path / (folder or "empty"))
+    assert said in wizard.footer.message.words.text()
+    assert wizard.footer.message.words.text().count(".") >= 2  # what happened, and what to do
+    assert wizard.step == SETUP
+    assert wizard.collecting.kept() is None
+
+
+def test_the_wrong_board_is_named_and_the_images_are_kept(qtbot, wizard, recorded):
+    wizard.setup.board.setValue(CheckerboardDescription(columns=11, rows=8, square_mm=20.0))
+    read_folder(qtbot, wizard, recorded)
+    assert "No image shows the board" in wizard.footer.message.words.text()
+    assert [view.verdict for view in wizard.collecting.views] == ["fail"] * 8
+    assert "See the result" not in wizard.footer.words
+    wizard.show_step(SETUP)
+    wizard.setup.board.setValue(BOARD)
+    read_folder(qtbot, wizard, recorded)
+    assert [view.verdict for view in wizard.collecting.views] == ["pass"] * 8
+
+
+def test_an_image_of_one_camera_may_be_missing_and_a_broken_one_is_told(qtbot, wizard, tmp_path):
+    folder = record(tmp_path / "some", 5)
+    (folder / "right02.png").unlink()
+    (folder / "left04.png").write_bytes(b"no image")
+    read_folder(qtbot, wizard, folder)
+    assert "left04.png" in wizard.footer.message.words.text()
+    assert [view.name for view in wizard.collecting.views] == ["left01.png", "left02.png", "left03.png", "left05.png"]
+    wizard.collect.cameras.setValue("right")
+    wizard.collect.choose("02")
+    assert "no image of this view" in wizard.collect.picture.empty_words
+
+
+def test_sizes_of_a_board_that_contradict_each_other_cannot_begin(wizard):
+    wizard.setup.board.kind.setValue("charuco")
+    wizard.setup.board.lengths["marker_mm"].setValue(25.0)
+    assert wizard.footer.words[0] == ""
+    assert "do not fit" in wizard.setup.board.note.text()
+
+
+def test_the_virtual_rig_takes_views_and_shows_its_truth_beside_the_result(qtbot, wizard):
+    wizard.setup.board.setValue(CheckerboardDescription(columns=14, rows=11, square_mm=15.0))
+    wizard.setup.source.setValue("rig")
+    wizard.setup.resolution.setValue("quarter")
+    wizard.footer.primary.click()
+    assert wizard.step == COLLECT
+    assert wizard.footer.words == (f"Take {wizard.collecting.remaining} views", "", "Take one view")
+    wizard.collecting.take(5)
+    qtbot.waitUntil(wizard.footer.stop.isVisible, timeout=PATIENCE_MS)
+    settle(qtbot, wizard)
+    assert len(wizard.collecting.views) == 5
+    assert wizard.collecting.rig.cameras[0].width_px == 648
+    wizard._conclude()
+    settle(qtbot, wizard)
+    result = wizard.calibrating.result
+    assert result.has_truth
+    focal = next(row for row in result.rows if row.quantity.name == "Focal length x")
+    assert abs(focal.quantity.value - focal.true) < 6 * focal.quantity.sigma
+    assert wizard.result.truth_note.isVisible()
+    assert wizard.footer.words[0] == "Collect more"  # five views are not enough, and it says so
+    taken = {view.name for view in wizard.collecting.views}
+    wizard.close()
+    wizard.begin()
+    wizard.setup.resumeClicked.emit()
+    qtbot.waitUntil(lambda: wizard.step == COLLECT, timeout=PATIENCE_MS)
+    settle(qtbot, wizard)
+    assert wizard.collecting.rig.cameras[0].width_px == 648
+    assert not taken & {viewpoint.id for viewpoint in wizard.collecting._viewpoints_left()}
+
+
+def test_one_link_of_a_rig_is_offered_only_when_the_rig_is_calibrated(page, application, calibration):
+    assert not page.offers[HAND_EYE.kind].isEnabled()
+    application.session.set_calibration(calibration)
+    assert all(page.offers[kind.kind].isEnabled() for kind in KINDS)
+
+
+def test_a_wizard_does_not_open_while_the_rig_is_busy(page, application):
+    application.session.set_busy("Demo: gypsum")
+    page.open_wizard(CAMERAS)
+    assert page.wizards == {}
+    assert "still running" in application.session.messages[-1].text
+    application.session.set_busy("")
+
+
+def test_images_of_two_sizes_are_told(qtbot, wizard, tmp_path):
+    folder = record(tmp_path / "sizes", 4, ("left",))
+    cv2.imwrite(str(folder / "left09.png"), np.zeros((HEIGHT // 2, WIDTH // 2), np.uint8))
+    read_folder(qtbot, wizard, folder)
+    assert f"{WIDTH} × {HEIGHT} px are expected" in wizard.footer.message.words.text()
+    assert len(wizard.collecting.views) == 4

@@ -1,0 +1,108 @@
+"""One wizard's work: collecting, then judging the result beside the calibration before it, then accepting it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from measureapp.errors import MeasureError
+from ui.controllers import result as results
+from ui.controllers.collecting import CollectingController
+from ui.controllers.collecting_nouns import Kind, RigSetup
+from ui.controllers.demo import DemoController
+from ui.controllers.jobs import JobRunner
+from ui.controllers.kept_sessions import project_on_disk
+from ui.controllers.rig_connection import VIRTUAL
+from ui.session import Session
+
+if TYPE_CHECKING:
+    from ui.workers.job import Job
+
+
+class CalibratingController(QObject):
+    """Judges and accepts what was collected."""
+
+    concluded = Signal(object)  # Result
+
+    def __init__(
+        self, kind: Kind, session: Session, demo: DemoController, collecting: JobRunner, solving: JobRunner, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.kind = kind
+        self._session, self._demo, self._solving = session, demo, solving
+        self.collecting = CollectingController(kind, session, collecting, solving, self)
+        self.result: results.Result | None = None
+        self._job: Job | None = None
+
+    @property
+    def is_concluding(self) -> bool:
+        """Whether the result is being judged."""
+        return self._job is not None
+
+    @property
+    def has_previous(self) -> bool:
+        """Whether there is a calibration that would be replaced."""
+        return self._session.cameras is not None if self.kind == "cameras" else self._session.calibration is not None
+
+    def rig_setup(self) -> RigSetup | None:
+        """Return which rig can take the images; None while it is not loaded."""
+        from measureapp.project.folder import DEFAULT_BOARD, ProjectFolder
+
+        rig, project, settings = self._session.rig, project_on_disk(self._session), self._demo.settings
+        if rig is None:
+            return None
+        board = DEFAULT_BOARD if project is None else ProjectFolder.open(project).settings.board
+        return RigSetup(rig.name, rig.driver == VIRTUAL, project is not None, settings.resolution, settings.seed, board)
+
+    def forget_result(self) -> None:
+        """Begin without a result."""
+        self.result = None
+
+    def conclude(self) -> None:
+        """Solve what was collected from nothing and judge it."""
+        collection = self.collecting.collection
+        if collection is None or self._job is not None:
+            return
+        self.result = None
+        snapshot = collection.snapshot()
+        before = results.Before(self._session.cameras, self._session.calibration, self.collecting.truth)
+        self._job = self._solving.run(
+            "Judging the result", lambda job: results.concluded(job, snapshot, before), self._keep, on_stopped=self._stopped, quiet=True
+        )
+        self._job.progressed.connect(self.collecting.progressed)
+        self._job.failed.connect(self._tell_failure)
+        self.collecting.changed.emit()
+
+    @Slot(object)
+    def _keep(self, found: results.Result) -> None:
+        self._job, self.result = None, found
+        self.concluded.emit(found)
+
+    @Slot()
+    def _stopped(self) -> None:
+        self._job = None
+        self.collecting.changed.emit()
+
+    @Slot(object)
+    def _tell_failure(self, error: MeasureError) -> None:
+        self.collecting.told.emit(error.message, error.hint, "error")
+
+    def accept(self) -> bool:
+        """Make the result the calibration of the session and of the open project; tells whether that worked."""
+        if self.result is None:
+            return False
+        try:
+            words = results.accepted(self.result, self._session)
+        except MeasureError as error:
+            self.collecting.told.emit(error.message, error.hint, "error")
+            return False
+        self._session.tell(*words, "done")
+        return True
+
+    def close(self) -> None:
+        """End what runs; everything collected is on disk."""
+        if self._job is not None:
+            self._job.cancel()
+        self.result = None
+        self.collecting.close()

@@ -1,0 +1,406 @@
+"""Collecting views of the board for one calibration: taking or reading them, taking them back, solving meanwhile."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from pathlib import Path
+from queue import SimpleQueue
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtGui import QImage
+
+from measureapp.errors import InputError, MeasureError
+from ui.controllers import collecting_work as work
+from ui.controllers.collecting_nouns import Kept, Kind, LiveImage, SeenView, Start
+from ui.controllers.jobs import JobRunner
+from ui.controllers.kept_sessions import newest_kept, next_folder, project_on_disk, sessions_folder
+from ui.controllers.rig_connection import VIRTUAL, RigConnection
+from ui.controllers.seen_views import seen_view
+from ui.session import Session
+from ui.workers.job import Job
+from ui.workers.mailbox import Mailboxes
+
+if TYPE_CHECKING:
+    from measureapp.data.calibration import RigCalibration
+    from measureapp.data.plan import Viewpoint
+    from measureapp.data.rig import RigDescription
+    from measureapp.pipeline.collecting.collection import Collection
+    from measureapp.pipeline.collecting.observation import Observation
+
+IMAGES_KEPT = 9  # in memory, of those looked at last
+
+
+class CollectingController(QObject):
+    """One calibration in the making. Pages watch `changed`; every change is on disk before anybody hears of it."""
+
+    changed = Signal()  # views, advice or what is being done
+    begun = Signal()  # there is a collection
+    progressed = Signal(float, str)
+    told = Signal(str, str, str)  # text, hint, level
+
+    def __init__(self, kind: Kind, session: Session, collecting: JobRunner, solving: JobRunner, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.kind = kind
+        self._session, self._collecting, self._solving = session, collecting, solving
+        self._job: Job | None = None  # that takes or reads images
+        self._thinker: Job | None = None
+        self._stale = False  # something changed since the solver began
+        self._more = 0  # views beyond those planned that are still to be taken
+        self._forget()
+
+    def _forget(self) -> None:
+        self._live: Mailboxes[LiveImage] = Mailboxes()
+        self._changes: work.Changes = SimpleQueue()
+        self.collection: Collection | None = None
+        self.thought: work.Thought | None = None
+        self._rig: RigDescription | None = None
+        self._connection: RigConnection | None = None
+        self._thumbnails: dict[tuple[str, str], QImage] = {}
+        self._newest: dict[str, LiveImage] = {}
+        self._images: OrderedDict[tuple[str, str], np.ndarray] = OrderedDict()
+        self.views: tuple[SeenView, ...] = ()
+
+    # what there is
+
+    @property
+    def cameras(self) -> tuple[str, ...]:
+        """The cameras that are being collected from."""
+        return () if self.collection is None else self.collection.setup.camera_names
+
+    @property
+    def from_rig(self) -> bool:
+        """Whether the rig takes the images."""
+        return self._rig is not None
+
+    @property
+    def is_collecting(self) -> bool:
+        """Whether images are being taken or read."""
+        return self._job is not None
+
+    @property
+    def is_thinking(self) -> bool:
+        """Whether a solution is being computed."""
+        return self._thinker is not None
+
+    @property
+    def is_solved(self) -> bool:
+        """Whether the views determine the result."""
+        return self.thought is not None and self.thought.solved is not None
+
+    @property
+    def has_enough(self) -> bool:
+        """Whether the coach asks for nothing more."""
+        return self.is_solved and self.thought is not None and self.thought.advice.enough
+
+    @property
+    def is_good(self) -> bool:
+        """Whether the views collected so far make a good calibration."""
+        return self.thought is not None and self.thought.verdict is not None and self.thought.verdict.level == "good"
+
+    @property
+    def can_undo(self) -> bool:
+        """Whether there is a change to take back."""
+        return self.collection is not None and self.collection.can_undo
+
+    @property
+    def can_redo(self) -> bool:
+        """Whether a change was taken back."""
+        return self.collection is not None and self.collection.can_redo
+
+    @property
+    def truth(self) -> RigCalibration | None:
+        """What the virtual rig really is; for showing beside a result, never for finding one."""
+        return None if self._connection is None else self._connection.truth
+
+    @property
+    def rig(self) -> RigDescription | None:
+        """The rig that takes the images."""
+        return self._rig
+
+    @property
+    def remaining(self) -> int:
+        """How many views the rig has still to take."""
+        return len(self._viewpoints_left())
+
+    def newest_image(self, camera: str) -> LiveImage | None:
+        """Return the newest image of a camera while its board is still looked for."""
+        return self._newest.get(camera)
+
+    def take_live(self) -> bool:
+        """Take the newest images out of their mailbox; tells whether there were any."""
+        found = self._live.take_all()
+        self._newest.update(found)
+        return bool(found)
+
+    def image(self, id_: str, camera: str) -> np.ndarray | None:
+        """Return the image of one camera in a view, or None where it has none (or it cannot be read)."""
+        if (id_, camera) not in self._images and self.collection is not None:
+            stored = self.collection.observation(id_).images.get(camera)
+            if stored is None:
+                return None
+            try:
+                self._remember(id_, camera, stored.pixels())
+            except MeasureError as error:
+                self.told.emit(error.message, error.hint, "error")
+                return None
+        return self._images.get((id_, camera))
+
+    def size_px(self, camera: str) -> tuple[int, int] | None:
+        """Return width and height of a camera's images."""
+        return None if self.collection is None else self.collection.size_px(camera)
+
+    def _remember(self, id_: str, camera: str, pixels: np.ndarray) -> None:
+        self._images[id_, camera] = pixels
+        while len(self._images) > IMAGES_KEPT:
+            self._images.popitem(last=False)
+
+    # beginning
+
+    def kept(self) -> Kept | None:
+        """Return the newest session of this kind that holds views."""
+        return newest_kept(sessions_folder(project_on_disk(self._session)), self.kind)
+
+    def begin(self, start: Start) -> None:
+        """Begin anew; recorded images are read at once."""
+        try:
+            if start.folder is None:
+                self._begin_with_rig(start)
+            else:
+                self._begin_with_images(start)
+        except MeasureError as error:
+            self.told.emit(error.message, error.hint, "error")
+
+    def _begin_with_rig(self, start: Start) -> None:
+        from measureapp.project.atomic import write_text
+
+        rig = self._session.rig
+        if rig is None:
+            raise InputError("No rig is known yet.", "Wait until it is loaded, or use recorded images.")
+        if rig.driver == VIRTUAL and project_on_disk(self._session) is None:
+            rig = rig.at_resolution(start.resolution).model_copy(update={"driver_settings": {**rig.driver_settings, "seed": start.seed}})
+        names = (rig.reference, *(camera.name for camera in rig.cameras if camera.name != rig.reference))
+        collection = self._created(start, names, rig)
+        write_text(collection.folder / work.RIG_FILE, rig.model_dump_json(indent=2))
+        self._take_over(collection, rig, {})
+
+    def _begin_with_images(self, start: Start) -> None:
+        from measureapp.project.recorded_boards import cameras_of, find_recorded
+
+        assert start.folder is not None
+        positions = find_recorded(start.folder)
+        collection = self._created(start, cameras_of(positions), None)
+        self._take_over(collection, None, {})
+        self._run(f"Reading {start.folder.name}", lambda job: work.read(job, positions, collection, self._changes))
+
+    def _created(self, start: Start, names: tuple[str, ...], rig: RigDescription | None) -> Collection:
+        from measureapp.pipeline.collecting.collection import Collection
+
+        return Collection.create(
+            next_folder(sessions_folder(project_on_disk(self._session)), self.kind),
+            work.setup_for(self.kind, start.board, names, rig, self._session.calibration),
+        )
+
+    def resume(self, folder: Path) -> None:
+        """Go on with a session that was kept."""
+        self._collecting.run(
+            "Opening the session", lambda job: work.opened(job, folder), self._resumed, on_event=self._happened, quiet=True
+        )
+
+    @Slot(object)
+    def _resumed(self, found: tuple[Collection, RigDescription | None, dict[tuple[str, str], QImage]]) -> None:
+        self._take_over(*found)
+
+    def _take_over(self, collection: Collection, rig: RigDescription | None, thumbnails: dict[tuple[str, str], QImage]) -> None:
+        self._forget()
+        self.collection, self._rig, self._thumbnails = collection, rig, thumbnails
+        self.begun.emit()
+        self._after_change()
+
+    # collecting
+
+    @property
+    def can_take_more(self) -> bool:
+        """Whether the rig can take views beyond those planned that teach something."""
+        return self.thought is not None and self.thought.suggestion is not None
+
+    @property
+    def took_more(self) -> bool:
+        """Whether views beyond those planned were taken before."""
+        return any(view.name.startswith(work.BEYOND_PLAN) for view in self.views)
+
+    def take_more(self, count: int) -> None:
+        """Let the rig take views beyond those planned, each where it teaches most after the one before was solved."""
+        self._more = count
+        self._take_suggested()
+
+    def _take_suggested(self) -> None:
+        suggestion = None if self.thought is None else self.thought.suggestion
+        self._more = 0 if suggestion is None else self._more - 1
+        if suggestion is not None:
+            self._take((suggestion.viewpoint,))
+
+    def take(self, most: int | None = None) -> None:
+        """Let the rig take the planned views that are still missing, at most so many of them."""
+        self._take(self._viewpoints_left()[:most])
+
+    def _take(self, viewpoints: tuple[Viewpoint, ...]) -> None:
+        collection, rig = self.collection, self._rig
+        if collection is None or rig is None or self.is_collecting or not viewpoints:
+            return
+        connection, live, changes = self._connection, self._live, self._changes
+
+        def run(job: Job) -> None:
+            job.report(0, 1, "Connecting the rig")
+            connected = connection or work.connected(job, rig, collection.setup.board)
+            work.take(job, connected.rig, viewpoints, collection, live, changes)
+
+        self._run("Taking images of the board", run)
+
+    def _viewpoints_left(self) -> tuple[Viewpoint, ...]:
+        if self.collection is None or self._rig is None:
+            return ()
+        taken = {image.name for view in self.collection.observations if view.standing != "removed" for image in view.images.values()}
+        planned = work.viewpoints_of(self.kind, self._rig, self._session.plan)
+        return tuple(viewpoint for viewpoint in planned if viewpoint.id not in taken)
+
+    def _run(self, title: str, run: work.Work) -> None:
+        self._job = self._collecting.run(title, run, self._collected, on_event=self._happened, on_stopped=self._stopped)
+        self._job.progressed.connect(self.progressed)
+        self._job.failed.connect(self._tell_failure)
+        self.changed.emit()
+
+    def stop(self) -> None:
+        """Stop taking or reading; what was collected is kept."""
+        self._more = 0
+        if self._job is not None:
+            self._job.cancel()
+
+    @Slot(object)
+    def _happened(self, event: object) -> None:
+        match event:
+            case RigConnection():
+                self._connection = event
+            case work.Skipped():
+                self.told.emit(event.error.message, event.error.hint, "warning")
+            case work.Added() if self.collection is not None:
+                for camera, picture in event.thumbnails.items():
+                    self._thumbnails[event.id, camera] = picture
+                    self._remember(event.id, camera, event.images[camera])
+                    newest = self._newest.get(camera)
+                    if newest is not None and newest.view == event.name:
+                        del self._newest[camera]
+                self._after_change()
+
+    @Slot(object)
+    def _collected(self, _nothing: object) -> None:
+        self._end_collecting()
+
+    @Slot()
+    def _stopped(self) -> None:
+        self._end_collecting()
+
+    @Slot(object)
+    def _tell_failure(self, error: MeasureError) -> None:
+        self.told.emit(error.message, error.hint, "error")
+
+    def _end_collecting(self) -> None:
+        self._job = None
+        if not any(view.corners_px for view in self.views):
+            self._tell_nothing_found()
+        self._newest.clear()
+        work.make_changes(self._changes)
+        self._after_change()
+
+    def _tell_nothing_found(self) -> None:
+        """Say why no image shows the board, as the first of them puts it."""
+        observations = () if self.collection is None else self.collection.observations
+        refusals = [refusal for one in observations for refusal in one.refused.values()]
+        if refusals:
+            self.told.emit(f"No image shows the board. {refusals[0].message}", refusals[0].hint, "error")
+
+    # changes
+
+    def remove(self, id_: str) -> None:
+        """Take a view out by hand; `undo` brings it back."""
+        collection = self.collection
+        if collection is not None and collection.observation(id_).standing != "removed":
+            self._change(lambda: collection.remove(id_))
+
+    def undo(self) -> None:
+        """Take the last change back."""
+        if self.collection is not None and self.collection.can_undo:
+            self._change(self.collection.undo)
+
+    def redo(self) -> None:
+        """Make the change that was taken back again."""
+        if self.collection is not None and self.collection.can_redo:
+            self._change(self.collection.redo)
+
+    def _change(self, change: work.Change) -> None:
+        """Change at once, or between two views while they are being added."""
+        if self.is_collecting:
+            self._changes.put(change)
+            return
+        try:
+            change()
+        except MeasureError as error:
+            self.told.emit(error.message, error.hint, "warning")
+        self._after_change()
+
+    def _after_change(self) -> None:
+        self._look_again()
+        if self._thinker is not None:
+            self._stale = True
+        else:
+            self._think()
+        self.changed.emit()
+
+    def _look_again(self) -> None:
+        collection = self.collection
+        self.views = () if collection is None else tuple(self._seen(one) for one in collection.observations)
+
+    def _seen(self, observation: Observation) -> SeenView:
+        pictures = {camera: self._thumbnails[key] for camera in observation.images if (key := (observation.id, camera)) in self._thumbnails}
+        return seen_view(observation, None if self.thought is None else self.thought.solved, pictures)
+
+    # solving meanwhile
+
+    def _think(self) -> None:
+        """Solve what there is and ask the coach, on a thread of their own; the newest answer wins."""
+        self._stale = False
+        if self.collection is not None:
+            snapshot, rig = self.collection.snapshot(), None if self._viewpoints_left() else self._rig
+            self._thinker = self._solving.run(
+                "Solving", lambda job: work.thought(job, snapshot, rig), self._show_thought, on_stopped=self._thinking_stopped, quiet=True
+            )
+
+    @Slot(object)
+    def _show_thought(self, found: work.Thought) -> None:
+        self._thinker, self.thought = None, found
+        if self.collection is not None:
+            self.collection.adopt(found.solved)
+        self._go_on()
+
+    @Slot()
+    def _thinking_stopped(self) -> None:
+        self._thinker = None
+        self._go_on()
+
+    def _go_on(self) -> None:
+        if self._stale:
+            self._think()
+        self._look_again()
+        self.changed.emit()
+        if self._more and not self._stale and not self.is_collecting and not self.is_thinking:
+            self._take_suggested()
+
+    def close(self) -> None:
+        """End what runs for this wizard and let the rig go; everything collected is on disk."""
+        for job in (self._job, self._thinker):
+            if job is not None:
+                job.cancel()
+        if self._connection is not None:
+            self._connection.rig.close()
+        self._forget()

@@ -1,0 +1,202 @@
+"""What a wizard's last page shows: the verdict, every value beside others, and what accepting it does."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from math import hypot
+from typing import TYPE_CHECKING, Literal
+
+from measureapp.errors import CalibrationError
+from ui.controllers import result_values as values
+from ui.controllers.collecting_nouns import Kind
+from ui.controllers.kept_sessions import project_on_disk
+from ui.look.wording import millimetres, quantity
+from ui.session import Session
+
+if TYPE_CHECKING:
+    from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
+    from measureapp.pipeline.collecting.collection import Collection
+    from measureapp.pipeline.collecting.solved import Solved
+    from ui.workers.job import Job
+
+Sign = Literal["pass", "fail", "not proven"]
+SIGNS: Mapping[str, Sign] = {"good": "pass", "usable": "not proven", "bad": "fail"}
+REST_STAYS = "Hand–eye, guide and table axis were found with the earlier cameras: calibrate the rig next."
+RESULT = "result"  # folder of an accepted result that belongs to no project
+
+
+@dataclass(frozen=True, eq=False)
+class Before:
+    """What a result is laid beside: the calibration before it, and the truth of a virtual rig."""
+
+    cameras: CameraArrayCalibration | None
+    rig: RigCalibration | None
+    truth: RigCalibration | None
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """One solved calibration, judged."""
+
+    snapshot: Collection  # solved
+    verdict: str
+    sign: Sign
+    reasons: tuple[str, ...]  # why the verdict is what it is, the limits first
+    cameras: CameraArrayCalibration
+    rig: RigCalibration | None  # None: the cameras alone
+    rows: tuple[values.ValueRow, ...]
+    facts: tuple[tuple[str, str], ...]
+    left_out: tuple[tuple[str, str], ...]  # view -> reason
+    comparison: str
+    has_truth: bool
+    has_previous: bool
+
+
+def concluded(job: Job, snapshot: Collection, before: Before) -> Result:
+    """Solve from nothing and judge; runs on a job's thread. Raises CalibrationError where there is no answer."""
+    from measureapp.pipeline.collecting import judge
+
+    solved = snapshot.solve(job, afresh=True)
+    verdict = judge(snapshot)
+    kind, rig = snapshot.setup.kind, rig_of(snapshot, before.rig)
+    cameras = solved.cameras if rig is None else rig.cameras
+    shown, true, previous = (
+        () if one is None else quantities_of(kind, one, other, rig)
+        for one, other in (
+            (cameras, rig),
+            (None if before.truth is None else before.truth.cameras, before.truth),
+            (before.cameras, before.rig),
+        )
+    )
+    return Result(
+        snapshot,
+        verdict.sentence,
+        SIGNS[verdict.level],
+        (verdict.reason, *verdict.reasons),
+        cameras,
+        rig,
+        values.rows_beside(shown, true, previous),
+        facts_of(snapshot, solved),
+        tuple(solved.rejected.items()),
+        compared(snapshot, before),
+        bool(true),
+        bool(previous),
+    )
+
+
+def compared(snapshot: Collection, before: Before) -> str:
+    """Return what changed against the calibration before, in a sentence; empty where there was none to compare with."""
+    from measureapp.pipeline.collecting import compare
+
+    rig, kind = before.rig, snapshot.setup.kind
+    links = {} if rig is None else {"rig": rig, "hand-eye": rig.hand_eye, "guide": rig.guide}
+    previous = before.cameras if kind == "cameras" else links.get(kind)
+    if previous is None:
+        return ""
+    try:
+        return compare(previous, snapshot).sentence
+    except CalibrationError as error:
+        return str(error)
+
+
+def quantities_of(
+    kind: Kind, cameras: CameraArrayCalibration, rig: RigCalibration | None, found: RigCalibration | None
+) -> tuple[values.Quantity, ...]:
+    """Return what a calibration of this kind tells; an axis is told at the height at which it was ``found``."""
+    if kind == "cameras":
+        return values.camera_quantities(cameras)
+    if rig is None or found is None:
+        return ()
+    height = float(found.axis.point_mm[2])
+    if kind == "hand-eye":
+        return values.hand_eye_quantities(rig.hand_eye)
+    if kind == "guide":
+        return values.guide_quantities(rig.guide)
+    return values.axis_quantities(rig.axis, height) if kind == "axis" else values.rig_quantities(rig, height)
+
+
+def rig_of(snapshot: Collection, before: RigCalibration | None) -> RigCalibration | None:
+    """Return the rig with what was solved in it; None where only the cameras are known."""
+    from measureapp.calibrate.hand_eye import HandEyeSolution
+    from measureapp.calibrate.joint_solution import RigSolution
+    from measureapp.calibrate.linear_guide import GuideSolution
+    from measureapp.calibrate.rig import carry_axis
+    from measureapp.calibrate.rotation_axis import AxisSolution
+
+    solved = snapshot.solved
+    assert solved is not None
+    solution = solved.solution
+    if isinstance(solution, RigSolution):
+        return solution.calibration
+    if snapshot.setup.kind == "cameras":
+        same = before is not None and set(before.cameras.cameras) == set(solved.cameras.cameras)
+        return replace(before, cameras=solved.cameras) if before is not None and same else None
+    if before is None:
+        raise CalibrationError("The rest of the rig is not calibrated yet.", "Calibrate the whole rig first.")
+    if isinstance(solution, HandEyeSolution):
+        return replace(before, hand_eye=solution.hand_eye)
+    noise, hand_eye = snapshot.setup.noise, before.hand_eye
+    carried_rad = hypot(hand_eye.rotation_sigma_rad, noise.robot_rad)  # what camera and robot add to anything seen from one pose
+    if isinstance(solution, GuideSolution):
+        guide = solution.guide
+        return replace(before, guide=replace(guide, direction_sigma_rad=hypot(guide.direction_sigma_rad, carried_rad)))
+    assert isinstance(solution, AxisSolution)
+    seen = solution.best.axis
+    axis = carry_axis(seen, before.guide_from_camera(snapshot.observation(solved.used[0]).readback.full()))
+    carried_mm = hypot(hand_eye.translation_sigma_mm, noise.robot_mm, carried_rad * hypot(*seen.point_mm))
+    return replace(
+        before,
+        axis=replace(
+            axis,
+            point_sigma_mm=hypot(axis.point_sigma_mm, carried_mm),
+            direction_sigma_rad=hypot(axis.direction_sigma_rad, carried_rad),
+        ),
+    )
+
+
+def facts_of(snapshot: Collection, solved: Solved) -> tuple[tuple[str, str], ...]:
+    """Return how the result was found, in a few figures."""
+    facts = [("Views used", f"{len(solved.used)} of {len(snapshot.observations)}")]
+    cameras = solved.camera_solution
+    if cameras is not None:
+        facts += [
+            ("Reprojection (rms)", quantity(cameras.joint_rms_px, "px", 3)),
+            ("Noise of a corner (1 σ)", quantity(cameras.sigma_px, "px", 3)),
+        ]
+        facts += [(f"Camera {name}", quantity(camera.rms_px, "px", 3)) for name, camera in solved.cameras.cameras.items()]
+    if solved.residuals_mm:
+        worst = max(solved.residuals_mm, key=lambda name: solved.residuals_mm[name])
+        facts.append(("Largest residual", f"{millimetres(solved.residuals_mm[worst])}, view {worst}"))
+    return tuple(facts)
+
+
+def accepted(found: Result, session: Session) -> tuple[str, str]:
+    """Make a result the calibration in use, on disk first; returns what to tell. Raises StorageError."""
+    from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
+    from measureapp.pipeline.collecting import keep
+    from measureapp.project.folder import ProjectFolder
+
+    project = project_on_disk(session)
+    kind, place = found.snapshot.setup.kind, found.snapshot.folder / RESULT
+    cameras, rig = found.cameras, found.rig
+    if kind == "rig":
+        kept = keep(found.snapshot, place if project is None else project)
+        rig = kept if isinstance(kept, RigCalibration) else rig
+    else:
+        kept = keep(found.snapshot, place / f"{kind}.json")
+        cameras = kept if isinstance(kept, CameraArrayCalibration) else cameras
+        rig = rig if rig is None else replace(rig, cameras=cameras)
+        if project is not None and rig is not None:
+            ProjectFolder.open(project).save_calibration(rig)
+    if rig is not None:
+        session.set_calibration(rig)
+    elif session.calibration is None:
+        session.set_cameras(cameras)
+    else:
+        known, found_names = (", ".join(one.names) for one in (session.calibration.cameras, cameras))
+        return "The result is kept, but the rig goes on with its own cameras.", f"It is one of {found_names}; the rig has {known}."
+    return (
+        "The calibration is accepted.",
+        REST_STAYS if kind == "cameras" and rig is not None else f"It lies in {place if project is None else project}.",
+    )

@@ -1,0 +1,56 @@
+"""An observation as the pages of a wizard show it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtGui import QImage
+
+from ui.controllers.collecting_nouns import SeenView, ViewVerdict
+
+if TYPE_CHECKING:
+    from measureapp.pipeline.collecting.observation import Observation
+    from measureapp.pipeline.collecting.solved import Solved
+
+VERDICTS: Mapping[str, ViewVerdict] = {
+    "new": "not proven",
+    "used": "pass",
+    "rejected": "fail",
+    "removed": "not measured",
+    "no board": "fail",
+}
+
+
+def seen_view(observation: Observation, solved: Solved | None, pictures: Mapping[str, QImage]) -> SeenView:
+    """Return one observation as the last solution judges it."""
+    names = [image.name for image in observation.images.values() if image.name]
+    left_out = {} if solved is None else _corners_left_out(observation, solved)
+    return SeenView(
+        id=observation.id,
+        name=names[0] if names else observation.id,
+        pictures=pictures,
+        corners_px={camera: np.asarray(found.corners_px) for camera, found in observation.seen.items()},
+        left_out_px=left_out,
+        residuals_px=observation.residuals_px,
+        verdict=VERDICTS[observation.standing],
+        reason=observation.reason,
+        reasons={camera: f"{refusal.message} {refusal.hint}" for camera, refusal in observation.refused.items()},
+        residual_mm=observation.residual_mm,
+        removed=observation.standing == "removed",
+    )
+
+
+def _corners_left_out(observation: Observation, solved: Solved) -> dict[str, np.ndarray]:
+    if solved.camera_solution is None:
+        return {}
+    chosen: dict[str, list[int]] = {}
+    for one in solved.camera_solution.rejected_corners:
+        if one.view == observation.id and one.camera in observation.seen:
+            chosen.setdefault(one.camera, []).append(one.corner)
+    return {
+        camera: np.asarray(found.corners_px)[np.isin(found.ids, chosen[camera])]
+        for camera, found in observation.seen.items()
+        if camera in chosen
+    }

@@ -1,0 +1,1 @@
+"""Wizards that calibrate: set up, show the board, judge the result."""

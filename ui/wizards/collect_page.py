@@ -1,0 +1,219 @@
+"""Second step: the live image with its overlay, the coach, and the views collected so far."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import QTimer, Signal
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from ui.controllers.collecting import CollectingController
+from ui.controllers.collecting_nouns import SeenView
+from ui.look.look import Look
+from ui.look.wording import quantity, sentence_case, several
+from ui.widgets.basic import Button, clear, column, label, row
+from ui.widgets.board_picture import BoardPicture, Overlay
+from ui.widgets.gauges import Level
+from ui.widgets.image_view import grey_image
+from ui.widgets.segments import Segments
+from ui.widgets.thumbnail_strip import Thumbnail, ThumbnailStrip
+from ui.wizards.coach_panel import CoachPanel
+
+if TYPE_CHECKING:
+    from measureapp.pipeline.collecting.coaching import Gauge
+
+LAYERS = {"corners": "Corners", "coverage": "Coverage", "ghost": "Show next"}
+LAYER_TIPS = {
+    "corners": "The corners found; red ones were left out",
+    "coverage": "Where corners were seen so far; the darker, the more often",
+    "ghost": "Where the board should appear in the next view",
+}
+LIVE_MS = 33
+CELLS = (12, 9)  # of the coverage, across and down
+NOTHING_YET = "The images appear here as they are taken."
+
+
+class CollectPage(QWidget):
+    """Watches a `CollectingController`; a click on a thumbnail shows its image, the newest one is live."""
+
+    chosenChanged = Signal()
+
+    def __init__(self, look: Look, collecting: CollectingController) -> None:
+        super().__init__()
+        self._look, self._collecting = look, collecting
+        self.cameras = Segments({"": "Camera"})
+        self._camera_place = row(self.cameras)
+        self._layer_place = row(spacing=4)
+        self.layers: dict[str, QPushButton] = {}
+        for name, words in LAYERS.items():
+            button = Button(words, look, role="quiet", tip=LAYER_TIPS[name])
+            button.setCheckable(True)
+            button.setChecked(True)
+            button.toggled.connect(self._show_layers)
+            self.layers[name] = button
+            self._layer_place.addWidget(button)
+        self.live = Button("Back to live", look, "scan", "normal", "Show the newest image again")
+        self.live.clicked.connect(lambda: self.choose(""))
+        self.picture = BoardPicture(look)
+        self.picture.clear(NOTHING_YET)
+        self.coach = CoachPanel(look)
+        self.count = label("", "caption")
+        self.remove = Button("Remove", look, "remove", "quiet", "Leave the chosen view out (Delete)")
+        self.undo = Button("Undo", look, "undo", "quiet", "Take the last change back (Ctrl+Z)")
+        self.redo = Button("Redo", look, "redo", "quiet", "Make the change again (Ctrl+Shift+Z)")
+        self.remove.clicked.connect(self.remove_chosen)
+        self.undo.clicked.connect(collecting.undo)
+        self.redo.clicked.connect(collecting.redo)
+        self.strip = ThumbnailStrip(look)
+        self.strip.chosen.connect(self.choose)
+        self._camera_names: tuple[str, ...] = ()
+        self._lay_out()
+        self._timer = QTimer(self)
+        self._timer.setInterval(LIVE_MS)
+        self._timer.timeout.connect(self._take_live)
+        collecting.changed.connect(self.refresh)
+
+    def _lay_out(self) -> None:
+        tools = row(self._camera_place, 0, self.live, self._layer_place, spacing=8)
+        listing = row(self.count, 0, self.remove, self.undo, self.redo, spacing=4)
+        middle = column(tools, self.picture, listing, self.strip, spacing=6)
+        middle.setStretch(1, 1)
+        layout = row(middle, self.coach, spacing=16)
+        layout.setStretch(0, 1)
+        self.setLayout(layout)
+
+    @property
+    def chosen(self) -> SeenView | None:
+        """The view that is looked at; None while the newest image is."""
+        return next((view for view in self._collecting.views if view.id == self.strip.current), None)
+
+    def begin(self) -> None:
+        """Watch the live image."""
+        self._timer.start()
+        self.refresh()
+
+    def end(self) -> None:
+        """Stop watching."""
+        self._timer.stop()
+
+    def choose(self, id_: str) -> None:
+        """Look at one view; an empty id: at the newest image."""
+        self.strip.choose(id_)
+        self._show_chosen()
+        self.chosenChanged.emit()
+
+    def remove_chosen(self) -> None:
+        """Leave the chosen view out."""
+        if self.chosen is not None:
+            self._collecting.remove(self.chosen.id)
+
+    def refresh(self) -> None:
+        """Show the views, what is missing and how good it would be now."""
+        collecting = self._collecting
+        self._offer_cameras(collecting.cameras)
+        self.strip.show_thumbnails([self._thumbnail(view) for view in collecting.views])
+        out = sum(view.verdict in {"fail", "not measured"} for view in collecting.views)
+        self.count.setText(several(len(collecting.views), "view") + (f", {out} left out" if out else ""))
+        self.undo.setEnabled(collecting.can_undo)
+        self.redo.setEnabled(collecting.can_redo)
+        self._coach()
+        self._show_chosen()
+
+    def _coach(self) -> None:
+        """Say what is missing; the gauges are those of the camera looked at."""
+        thought = self._collecting.thought
+        if thought is not None:
+            camera = self.cameras.value()
+            shown = [gauge for gauge in thought.advice.gauges if gauge.camera in {"", camera}]
+            self.coach.advise(thought.advice.sentences, [Level(one.name, one.value / one.target, gauge_words(one)) for one in shown])
+            self.coach.judge(thought.verdict.sentence if thought.verdict else "", str(thought.error) if thought.error else "")
+        elif not self._collecting.is_thinking:
+            self.coach.advise((), ())
+            self.coach.judge("", "")
+
+    def _offer_cameras(self, names: tuple[str, ...]) -> None:
+        if names == self._camera_names or not names:
+            return
+        self._camera_names = names
+        clear(self._camera_place)
+        self.cameras = Segments({name: sentence_case(name) for name in names})
+        self.cameras.valueChanged.connect(self._change_camera)
+        self._camera_place.addWidget(self.cameras)
+
+    def _change_camera(self) -> None:
+        self._coach()
+        self.strip.show_thumbnails([self._thumbnail(view) for view in self._collecting.views])
+        self._show_chosen()
+
+    def _show_layers(self) -> None:
+        self.picture.show_layers([name for name, button in self.layers.items() if button.isChecked()])
+
+    def _take_live(self) -> None:
+        if self._collecting.take_live() and self.chosen is None:
+            self._show_chosen()
+
+    def _show_chosen(self) -> None:
+        """Draw the chosen view, or the newest image with where the board should appear next."""
+        collecting, camera = self._collecting, self.cameras.value()
+        chosen = self.chosen
+        view = chosen or (collecting.views[-1] if collecting.views else None)
+        self.live.setVisible(chosen is not None and collecting.from_rig)
+        self.remove.setEnabled(chosen is not None and not chosen.removed)
+        newest = collecting.newest_image(camera)
+        if chosen is None and newest is not None:
+            overlay = Overlay(None, None, None, self._coverage(camera))
+            self._draw(newest.pixels, overlay, f"Camera {camera}, {newest.view}: looking for the board")
+        elif view is not None:
+            pixels = collecting.image(view.id, camera)
+            overlay = Overlay(
+                view.corners_px.get(camera), view.left_out_px.get(camera), None if chosen else self._ghost(camera), self._coverage(camera)
+            )
+            self._draw(pixels, overlay, f"{view.name}: {self._said(view, camera)}")
+        else:
+            self.picture.clear(NOTHING_YET)
+
+    def _draw(self, pixels: np.ndarray | None, overlay: Overlay, caption: str) -> None:
+        if pixels is None:
+            self.picture.clear(f"{caption}\nThis camera has no image of this view.")
+        else:
+            self.picture.show_image(grey_image(pixels), (pixels.shape[1], pixels.shape[0]), overlay, caption)
+
+    def _ghost(self, camera: str) -> np.ndarray | None:
+        thought = self._collecting.thought
+        ghost = None if thought is None else thought.advice.ghost if thought.suggestion is None else thought.suggestion.ghost
+        return None if ghost is None else ghost.outlines_px.get(camera)
+
+    def _coverage(self, camera: str) -> np.ndarray | None:
+        """How often each cell of the image holds corners of the views in use."""
+        size = self._collecting.size_px(camera)
+        seen = [view.corners_px[camera] for view in self._collecting.views if view.verdict == "pass" and camera in view.corners_px]
+        if size is None or not seen:
+            return None
+        corners = np.concatenate(seen)
+        counts, _, _ = np.histogram2d(corners[:, 1], corners[:, 0], bins=CELLS[::-1], range=((0, size[1]), (0, size[0])))
+        return counts
+
+    def _said(self, view: SeenView, camera: str) -> str:
+        reason = view.reasons.get(camera, "") or (view.reason if view.verdict == "fail" else "")
+        residual = view.residuals_px.get(camera)
+        figure = f"residual {quantity(residual, 'px', 3)}" if residual is not None else ""
+        corners = several(len(view.corners_px[camera]), "corner") if camera in view.corners_px else "no board found"
+        return ", ".join(part for part in (corners, figure, reason) if part)
+
+    def _thumbnail(self, view: SeenView) -> Thumbnail:
+        camera = self.cameras.value()
+        residual = view.residuals_px.get(camera)
+        found = camera in view.corners_px
+        verdict = "not measured" if view.removed else view.verdict if found or view.verdict == "fail" else "not proven"
+        figure = (
+            "Removed" if view.removed else quantity(residual, "px", 3) if residual is not None else "Not used yet" if found else "No board"
+        )
+        reason = view.reasons.get(camera, "") or (view.reason if view.verdict == "fail" else "")
+        return Thumbnail(view.id, view.pictures.get(camera, view.empty), figure, verdict, reason or view.name, view.removed)
+
+
+def gauge_words(gauge: Gauge) -> str:
+    """Return how much there is, and of how much while that is not enough: ``12 of 15``, ``24°``."""
+    value, target = (quantity(number, gauge.unit, 0) for number in (gauge.value, gauge.target))
+    return value if gauge.reached else f"{value} of {target}"

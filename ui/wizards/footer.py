@@ -1,0 +1,61 @@
+"""The bottom of a wizard: what was said last, what runs, and the buttons."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QProgressBar, QWidget
+
+from ui.look.look import Look
+from ui.look.wording import sentence_case
+from ui.widgets.basic import Button, column, label, row
+from ui.wizards.message_line import MessageLine
+
+WAITING = "Judging the result…"
+
+
+class Footer(QWidget):
+    """One filled button, up to two quiet ones, progress with Stop, and one sentence."""
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self.message = MessageLine(look)
+        self.note, self.bar = label("", "small"), QProgressBar()
+        self.bar.setRange(0, 1000)
+        self.bar.setTextVisible(False)
+        self.bar.setFixedWidth(240)
+        self.stop = Button("Stop", look, "cancel", tip="Stop after this view; what was collected is kept")
+        self.third, self.second = Button("", look), Button("", look)
+        self.primary = Button("", look, role="primary")
+        self.help = Button("Help", look, "help", "quiet", "What this wizard does (F1)")
+        self.words: tuple[str, str, str] = ("", "", "")
+        self._running = QWidget()
+        self._running.setLayout(row(column(0, self.note, self.bar, 0, spacing=4), self.stop, spacing=12))
+        layout = row(self.message, self._running, self.third, self.second, self.primary, spacing=12)
+        layout.setStretch(0, 1)
+        self.setLayout(layout)
+        self.setMinimumHeight(48)
+
+    def say(self, text: str, hint: str = "", level: str = "info") -> None:
+        """Say one sentence with its remedy."""
+        self.message.say(text, hint, level)
+
+    def offer(self, primary: str, second: str, third: str) -> None:
+        """Offer these buttons; empty words: not offered."""
+        self.words = (primary, second, third)
+        for button, words in zip((self.primary, self.second, self.third), self.words, strict=True):
+            button.setText(words)
+            button.setVisible(bool(words))
+
+    def show_running(self, collecting: bool, judging: bool) -> None:
+        """Show that views are taken or read, or that the result is being judged."""
+        self._running.setVisible(collecting or judging)
+        self.stop.setVisible(collecting)
+        if judging:
+            self.note.setText(WAITING)
+        if not (collecting or judging):
+            self.bar.setValue(0)
+            self.note.setText("")
+
+    def show_progress(self, share: float, note: str) -> None:
+        """Show how far it is."""
+        self.bar.setValue(round(1000 * share))
+        self.note.setText(sentence_case(note))

@@ -1,0 +1,72 @@
+"""What the wizards have in common is one window; here is how they differ."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ui.controllers.collecting_nouns import Kind
+
+
+@dataclass(frozen=True)
+class WizardKind:
+    """One wizard in words."""
+
+    kind: Kind
+    title: str
+    action: str  # on its button
+    tip: str
+    purpose: str  # said on the first page
+    takes_images: bool  # whether recorded images alone are enough, without read-backs of the axes
+    step: str  # the name of the second step
+    needs_rig: bool = False  # it renews one link of a rig that is calibrated
+
+
+CAMERAS = WizardKind(
+    "cameras",
+    "Calibrate the cameras",
+    "Cameras",
+    "Focal length, image centre, distortion and place of every camera",
+    "Finds lens and place of every camera from images of a board seen from many sides. Fill the images to their borders, and tilt the board.",
+    True,
+    "Show the board",
+)
+RIG = WizardKind(
+    "rig",
+    "Calibrate the whole rig",
+    "Whole rig",
+    "Cameras, hand–eye, linear guide and table axis in one automatic run",
+    "Fix the board on the table. The rig looks at it from all sides, slides along the guide and turns the table, and everything is solved together.",
+    False,
+    "Take the views",
+)
+HAND_EYE = WizardKind(
+    "hand-eye",
+    "Calibrate hand–eye",
+    "Hand–eye",
+    "Where the head sits on the robot's flange",
+    "Finds where the head sits on the flange, with the cameras as they are calibrated. Fix the board on the table; the robot turns the head.",
+    False,
+    "Take the views",
+    True,
+)
+GUIDE = WizardKind(
+    "guide",
+    "Calibrate the linear guide",
+    "Linear guide",
+    "Direction and scale of the guide",
+    "Finds direction and scale of the guide, with cameras and hand–eye as they are calibrated. Fix the board on the table; the robot slides past.",
+    False,
+    "Take the views",
+    True,
+)
+AXIS = WizardKind(
+    "axis",
+    "Calibrate the table axis",
+    "Table axis",
+    "Where the rotary table's axis stands",
+    "Finds the table's axis, with cameras and robot as they are calibrated. Fix the board on the table; the table turns it.",
+    False,
+    "Take the views",
+    True,
+)
+KINDS = (RIG, CAMERAS, HAND_EYE, GUIDE, AXIS)

@@ -1,0 +1,116 @@
+"""Last step: is it any good? One verdict in millimetres, every value with its standard deviation, and what changed."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtWidgets import QLabel, QWidget
+
+from ui.controllers.result import Result
+from ui.controllers.result_values import ValueRow
+from ui.look.look import Look
+from ui.look.wording import NOTHING, quantity
+from ui.widgets.basic import card, clear, column, label, row
+from ui.widgets.data_table import Cell, DataTable, number
+from ui.widgets.segments import Segments
+
+HEADERS = ["Value", "Estimate", "Standard deviation", "True value", "Error", "Change"]
+TRUE, ERROR, CHANGE = 3, 4, 5
+FAR = 3.0  # standard deviations
+TRUTH_NOTE = "True values are known because the rig is simulated. Nothing that measures reads them."
+SIDE, MARGIN = 344, 20
+
+
+class ResultPage(QWidget):
+    """Shows one `Result`."""
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self._look = look
+        self.verdict_sign, self.verdict = QLabel(), label("", "heading", wrap=True)
+        self.verdict_sign.setFixedSize(QSize(40, 40))
+        line = row(self.verdict_sign, self.verdict, spacing=12)
+        line.setStretch(1, 1)
+        self.groups = Segments({"": "All"})
+        self._group_place = row(self.groups, 0)
+        self.table = DataTable(look, HEADERS, numeric=range(1, 6), stretch=0)
+        self.truth_note = label(TRUTH_NOTE, "small", wrap=True)
+        self._facts = column(spacing=8)
+        self.comparison = label("", "body", wrap=True)
+        facts = card(label("How it was found", "heading"), self._facts, margin=16)
+        self._compared = card(label("Compared with the one before", "heading"), self.comparison, margin=16)
+        side = QWidget()
+        side.setObjectName("clear")
+        side.setFixedWidth(SIDE)
+        side.setLayout(column(facts, self._compared, 0, self.truth_note, spacing=12))
+        left = column(self._group_place, self.table, spacing=8)
+        left.setStretch(1, 1)
+        middle = row(left, side, spacing=16)
+        middle.setStretch(0, 1)
+        layout = column(card(line, margin=12), middle, spacing=12)
+        layout.setStretch(1, 1)
+        self.setLayout(layout)
+        self._result: Result | None = None
+        look.changed.connect(self._show_sign)
+
+    def show_result(self, result: Result) -> None:
+        """Show a result, its first group of values first."""
+        self._result = result
+        self.verdict.setText(result.verdict)
+        self._show_sign()
+        names = list(dict.fromkeys(one.quantity.group for one in result.rows))
+        clear(self._group_place)
+        self.groups = Segments({name: name for name in names})
+        self.groups.valueChanged.connect(self._show_rows)
+        self._group_place.addWidget(self.groups)
+        self._group_place.addStretch(1)
+        self.truth_note.setVisible(result.has_truth)
+        self.table.setColumnHidden(TRUE, not result.has_truth)
+        self.table.setColumnHidden(ERROR, not result.has_truth)
+        self.table.setColumnHidden(CHANGE, not result.has_previous)
+        clear(self._facts)
+        for name, value in result.facts:
+            words = row(label(name, "soft"), 0, label(value, "body"))
+            self._facts.addLayout(words)
+        for words in result.reasons:
+            self._facts.addWidget(_paragraph(words))
+        for view, reason in result.left_out:
+            self._facts.addWidget(_paragraph(f"View {view} left out: {reason}"))
+        self.comparison.setText(result.comparison)
+        self._compared.setVisible(bool(result.comparison))
+        self._show_rows()
+
+    def _show_rows(self) -> None:
+        if self._result is not None:
+            group = self.groups.value()
+            self.table.set_rows([_cells(one) for one in self._result.rows if one.quantity.group == group])
+
+    def _show_sign(self) -> None:
+        if self._result is not None:
+            sign = self._result.sign
+            self.verdict_sign.setPixmap(self._look.icon(sign, "verdict_" + sign.replace(" ", "_")).pixmap(QSize(36, 36)))
+            self.verdict_sign.setAlignment(Qt.AlignmentFlag.AlignCenter)
+
+
+def _paragraph(words: str) -> QLabel:
+    """A small text with its full height, which a layout does not ask a wrapped label for."""
+    made = label(words, "small", wrap=True)
+    made.ensurePolished()
+    made.setMinimumHeight(made.heightForWidth(SIDE - 2 * MARGIN))
+    return made
+
+
+def _cells(row_: ValueRow) -> list[Cell]:
+    """One row; an error beyond three standard deviations is marked."""
+    one = row_.quantity
+    error = None if row_.true is None else one.value - row_.true
+    change = None if row_.previous is None else one.value - row_.previous
+    far = error is not None and bool(one.sigma) and abs(error) > FAR * (one.sigma or 0.0)
+    tip = "" if error is None or not one.sigma else f"{abs(error) / one.sigma:.1f} standard deviations"
+    return [
+        Cell(one.name, bold=True),
+        number(quantity(one.value, one.unit, one.digits)),
+        number(NOTHING if one.sigma is None else f"± {quantity(one.sigma, one.unit, one.digits + 1)}"),
+        number(quantity(row_.true, one.unit, one.digits)),
+        Cell(quantity(error, one.unit, one.digits + 1, signed=True), "number", "not proven" if far else "", tip=tip),
+        number(quantity(change, one.unit, one.digits + 1, signed=True)),
+    ]

@@ -1,0 +1,129 @@
+"""First step: which board is shown, and where its images come from."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QFileDialog, QFormLayout, QLineEdit, QSpinBox, QWidget
+
+from measureapp.data.board import BoardDescription
+from ui.controllers.collecting_nouns import Kept, RigSetup, Start
+from ui.look.look import Look
+from ui.look.wording import several, when
+from ui.widgets.basic import Button, card, column, label, row
+from ui.widgets.board_form import BoardForm
+from ui.widgets.segments import Segments
+from ui.wizards.kinds import WizardKind
+
+RIG, IMAGES = "rig", "images"
+FOLDER_HINT = "A folder with images such as left01.png, right01.png: images with the same number show the same place of the board."
+VIRTUAL_HINT = "A simulated rig with hidden errors. The result page shows the true values beside the estimates."
+REAL_HINT = "The robot brings the cameras to the board. Fix the board on the table first, and keep the cell clear."
+TIPS = (
+    "Cover the images to their borders and corners: lenses distort most there.",
+    "Tilt the board by 20° to 45° to all four sides: that tells the focal length from the distance.",
+    "Show it nearer and farther, sharp, evenly lit and not so bright that its white is clipped.",
+    "The wizard says what is missing while you collect, and keeps every view at once.",
+)
+
+
+class SetupPage(QWidget):
+    """Edits a `Start`; offers to go on with what was kept."""
+
+    resumeClicked = Signal()
+    changed = Signal()
+
+    def __init__(self, look: Look, kind: WizardKind) -> None:
+        super().__init__()
+        self._kind = kind
+        self.source = Segments({RIG: "From the rig", IMAGES: "Recorded images"} if kind.takes_images else {RIG: "From the rig"})
+        self.source.valueChanged.connect(self._show_source)
+        self.board = BoardForm()
+        self.board.edited.connect(self.changed)
+        self.folder = QLineEdit()
+        self.folder.setPlaceholderText("Folder with the images")
+        self.folder.textChanged.connect(lambda _text: self.changed.emit())
+        self._browse = Button("Browse…", look, "open")
+        self._browse.clicked.connect(self._choose_folder)
+        self.resolution = Segments({"quarter": "Quarter", "half": "Half", "full": "Full"})
+        self.seed = QSpinBox()
+        self.seed.setRange(1, 9999)
+        self.seed.lineEdit().setTextMargins(6, 0, 0, 0)
+        self._virtual = True
+        self._lay_out(look)
+        self._show_source()
+
+    def _lay_out(self, look: Look) -> None:
+        self._kept_words = label("", "body", wrap=True)
+        go_on = Button("Go on with it", look, "run")
+        go_on.clicked.connect(self.resumeClicked)
+        kept_row = row(self._kept_words, go_on, spacing=16)
+        kept_row.setStretch(0, 1)
+        self.kept = card(kept_row, margin=12)
+        self.kept.hide()
+        self._rig_name, self._rig_note = label("", "strong"), label("", "small", wrap=True)
+        form = QFormLayout()
+        form.setHorizontalSpacing(16)
+        form.addRow("Resolution", self.resolution)
+        form.addRow("Seed of the rig", self.seed)
+        self._virtual_form = QWidget()
+        self._virtual_form.setLayout(form)
+        form.setContentsMargins(0, 0, 0, 0)
+        self._rig_part = QWidget()
+        self._rig_part.setLayout(column(self._rig_name, self._rig_note, 8, self._virtual_form))
+        folder = row(self.folder, self._browse)
+        folder.setStretch(0, 1)
+        self._images_part = QWidget()
+        self._images_part.setLayout(column(folder, label(FOLDER_HINT, "small", wrap=True)))
+        source = card(label("Images", "heading"), 4, row(self.source, 0), 8, self._rig_part, self._images_part, 0, margin=20)
+        board = card(label("Board", "heading"), 4, self.board, 0, margin=20)
+        both = row(source, board, spacing=16)
+        both.setStretch(0, 1)
+        both.setStretch(1, 1)
+        tips = card(label("Good views", "heading"), *(label(f"•  {tip}", "body", wrap=True) for tip in TIPS), margin=20)
+        layout = column(label(self._kind.purpose, "body", wrap=True), self.kept, both, tips, 0, spacing=12)
+        self.setLayout(layout)
+
+    def offer_rig(self, rig: RigSetup) -> None:
+        """Show which rig would take the images, and start with its board."""
+        self._virtual = rig.virtual
+        self._rig_name.setText(rig.name)
+        self._rig_note.setText(VIRTUAL_HINT if rig.virtual else REAL_HINT)
+        self._virtual_form.setVisible(rig.virtual and not rig.fixed)
+        self.resolution.setValue(rig.resolution)
+        self.seed.setValue(rig.seed)
+        self.board.setValue(rig.board)
+
+    def offer_kept(self, kept: Kept | None) -> None:
+        """Offer to go on with views that were kept, where there are any."""
+        self.kept.setVisible(kept is not None)
+        if kept is not None:
+            age = when(kept.saved)
+            self._kept_words.setText(f"{several(kept.views, 'view')} of an earlier session are kept{f' ({age})' if age else ''}.")
+
+    def value(self) -> Start:
+        """Return what is set. Raises ValueError where the board's sizes contradict each other."""
+        board: BoardDescription = self.board.value()
+        folder = Path(self.folder.text().strip()).expanduser() if self.source.value() == IMAGES else None
+        return Start(board, folder, self.resolution.value(), self.seed.value())
+
+    def problem(self) -> str:
+        """Return why one cannot begin yet; empty where one can."""
+        if self.board.problem():
+            return "The sizes of the board contradict each other."
+        if self.source.value() == IMAGES and not self.folder.text().strip():
+            return "Choose the folder with the images."
+        return ""
+
+    def _show_source(self) -> None:
+        images = self.source.value() == IMAGES
+        self._images_part.setVisible(images)
+        self._rig_part.setVisible(not images)
+        self.changed.emit()
+
+    def _choose_folder(self) -> None:
+        start = self.folder.text() or str(Path.home())
+        chosen = QFileDialog.getExistingDirectory(self, "Folder with images of the board", start)
+        if chosen:
+            self.folder.setText(chosen)

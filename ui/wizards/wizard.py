@@ -1,0 +1,213 @@
+"""The window of every wizard: steps on the left, one step in the middle, and one filled button for what comes next."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Slot
+from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut
+from PySide6.QtWidgets import QDialog, QStackedWidget, QWidget
+
+from ui.controllers.calibrating import CalibratingController
+from ui.controllers.result import Result
+from ui.look.look import Look
+from ui.look.wording import several
+from ui.widgets.basic import column, label, row
+from ui.widgets.help_dialog import HelpDialog
+from ui.widgets.step_list import Step, StepList, StepState
+from ui.wizards.collect_page import CollectPage
+from ui.wizards.footer import Footer
+from ui.wizards.kinds import WizardKind
+from ui.wizards.result_page import ResultPage
+from ui.wizards.setup_page import SetupPage
+
+SETUP, COLLECT, RESULT = range(3)
+SMALLEST, USUAL = (1180, 660), (1340, 740)
+MORE = 5  # views at a time, beyond those planned
+HELP_PAGE = "calibration_wizards"
+
+
+class CalibrationWizard(QDialog):
+    """One calibration from the first image to the accepted result; closing loses nothing."""
+
+    def __init__(self, look: Look, kind: WizardKind, calibrating: CalibratingController, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(kind.title)
+        self.setModal(True)
+        self.setMinimumSize(*SMALLEST)
+        self.resize(*USUAL)
+        self.kind, self.calibrating, self.collecting = kind, calibrating, calibrating.collecting
+        self.steps = StepList(look)
+        self.setup, self.collect, self.result = SetupPage(look, kind), CollectPage(look, self.collecting), ResultPage(look)
+        self.stack = QStackedWidget()
+        for page in (self.setup, self.collect, self.result):
+            self.stack.addWidget(page)
+        self.footer = Footer(look)
+        self.help = HelpDialog(look, self)
+        title = row(label(kind.title, "title"), 0, self.footer.help)
+        middle = row(self.steps, self.stack, spacing=24)
+        middle.setStretch(1, 1)
+        layout = column(title, middle, self.footer, margin=16, spacing=12)
+        layout.setStretch(1, 1)
+        self.setLayout(layout)
+        self._connect()
+        self.footer.primary.setDefault(True)
+        self.steps.setFocus()
+
+    def _connect(self) -> None:
+        collecting, footer = self.collecting, self.footer
+        self.steps.stepClicked.connect(self.show_step)
+        self.setup.changed.connect(self.refresh)
+        self.setup.resumeClicked.connect(self._resume)
+        footer.primary.clicked.connect(self._do_next)
+        footer.second.clicked.connect(self._do_second)
+        footer.third.clicked.connect(self._do_third)
+        footer.stop.clicked.connect(collecting.stop)
+        footer.help.clicked.connect(self._show_help)
+        collecting.begun.connect(self._begun)
+        collecting.changed.connect(self.refresh)
+        collecting.progressed.connect(footer.show_progress)
+        collecting.told.connect(footer.say)
+        self.calibrating.concluded.connect(self._show_result)
+        for keys, action in (
+            (QKeySequence.StandardKey.Delete, self.collect.remove_chosen),
+            (QKeySequence.StandardKey.Undo, collecting.undo),
+            (QKeySequence.StandardKey.Redo, collecting.redo),
+            (QKeySequence.StandardKey.HelpContents, self._show_help),
+        ):
+            QShortcut(QKeySequence(keys), self, action)
+
+    @property
+    def step(self) -> int:
+        """The step that is shown."""
+        return self.stack.currentIndex()
+
+    def begin(self) -> None:
+        """Show the first step."""
+        rig = self.calibrating.rig_setup()
+        if rig is not None:
+            self.setup.offer_rig(rig)
+        self.setup.offer_kept(self.collecting.kept())
+        self.show_step(SETUP)
+        self.open()
+
+    def show_step(self, step: int) -> None:
+        """Show one step."""
+        self.stack.setCurrentIndex(step)
+        if step == COLLECT:
+            self.collect.begin()
+        else:
+            self.collect.end()
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Show how far every step is and what can be done now."""
+        self.steps.show_steps(self._states(), self.step)
+        self.footer.offer(*self._offers())
+        self.footer.show_running(self.collecting.is_collecting and self.step == COLLECT, self.calibrating.is_concluding)
+
+    def _states(self) -> list[Step]:
+        collecting, found = self.collecting, self.calibrating.result
+        begun, views = bool(collecting.cameras), sum(view.verdict == "pass" for view in collecting.views)
+        problem = self.setup.problem()
+        setup = Step("Set up", "done" if begun else "now", problem if not begun else several(len(collecting.cameras), "camera"))
+        state: StepState = "waiting" if not begun else "done" if collecting.has_enough else "now"
+        words = f"{several(views, 'view')} in use" if begun else ""
+        result: StepState = "waiting" if found is None else "done" if found.sign == "pass" else "problem"
+        return [
+            setup,
+            Step(self.kind.step, state, words),
+            Step("Result", result, {"done": "Good", "problem": "Look at it"}.get(result, "")),
+        ]
+
+    def _offers(self) -> tuple[str, str, str]:
+        """Return the words of the filled button, the second and the third; empty: not offered."""
+        collecting = self.collecting
+        if self.step == SETUP:
+            return ("" if self.setup.problem() else "Begin", "", "")
+        if self.step == COLLECT:
+            see = "See the result" if collecting.is_solved and not collecting.is_collecting else ""
+            if collecting.remaining and not collecting.is_collecting:
+                return f"Take {several(collecting.remaining, 'view')}", see, "Take one view"
+            if collecting.can_take_more and not collecting.is_collecting:
+                more = f"Take {MORE} more views"
+                return (see, more, "") if collecting.is_good or collecting.took_more else (more, see, "")
+            return see, "", ""
+        if self.calibrating.result is None:
+            return "", "Collect more", ""
+        keep = "Keep the old one" if self.calibrating.has_previous else "Not now"
+        if self.calibrating.result.sign == "pass":
+            return "Accept", "Collect more", keep
+        return "Collect more", "Accept all the same", keep
+
+    def _do_next(self) -> None:
+        self.footer.say("")
+        offered = self.footer.words[0]
+        if self.step == SETUP:
+            self.collecting.begin(self.setup.value())
+        elif offered == "See the result":
+            self._conclude()
+        elif self.step == COLLECT:
+            self._take(offered)
+        elif offered == "Accept":
+            self._accept()
+        else:
+            self.show_step(COLLECT)
+
+    def _do_second(self) -> None:
+        offered = self.footer.words[1]
+        if offered == "See the result":
+            self._conclude()
+        elif self.step == COLLECT:
+            self._take(offered)
+        elif offered == "Collect more":
+            self.show_step(COLLECT)
+        else:
+            self._accept()
+
+    def _take(self, offered: str) -> None:
+        if offered.endswith("more views"):
+            self.collecting.take_more(MORE)
+        else:
+            self.collecting.take()
+
+    def _do_third(self) -> None:
+        if self.step == COLLECT:
+            self.collecting.take(1)
+        else:
+            self.close()
+
+    def _resume(self) -> None:
+        kept = self.collecting.kept()
+        if kept is not None:
+            self.footer.say("")
+            self.collecting.resume(kept.folder)
+
+    def _begun(self) -> None:
+        self.calibrating.forget_result()
+        self.show_step(COLLECT)
+
+    def _conclude(self) -> None:
+        self.show_step(RESULT)
+        self.calibrating.conclude()
+
+    @Slot(object)
+    def _show_result(self, found: Result) -> None:
+        self.result.show_result(found)
+        self.refresh()
+
+    def _accept(self) -> None:
+        if self.calibrating.accept():
+            self.accept()
+
+    def _show_help(self) -> None:
+        self.help.show_page(HELP_PAGE)
+
+    def done(self, code: int) -> None:
+        """Stop what runs for this wizard; what was collected lies on disk."""
+        self.collect.end()
+        self.calibrating.close()
+        super().done(code)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Close as Escape does."""
+        self.done(QDialog.DialogCode.Rejected)
+        event.accept()
