@@ -49,7 +49,7 @@ def load(folder: Path) -> RigCalibration | None:
         stored = document.pop("checksum", None)
         calibration = rig_calibration_from(document, read_cameras(folder / CAMERAS))
         found = _checksum(json.loads((folder / CAMERAS).read_text(encoding="utf-8")), document)
-    except (OSError, KeyError, TypeError, ValueError) as error:
+    except (OSError, KeyError, TypeError, ValueError, AttributeError) as error:
         raise StorageError(f"{path} does not hold a calibration: {error}.", "Calibrate again.") from error
     if stored is not None and stored != found:
         raise StorageError(

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, cast, get_args
 
 from measureapp.cli.calibrate.options import BoardChoice
-from measureapp.errors import InputError
+from measureapp.errors import InputError, MeasureError
 from measureapp.pipeline.calibrate import expected_noise
 from measureapp.pipeline.collecting import Collection, Kind, ReadbackFiles, Setup, add_recorded, add_views, read_result, result_of
 from measureapp.progress import Progress
@@ -92,7 +92,18 @@ def opened(folder: Path, given: Given, sources: Sources) -> Collection:
 
 
 def add_sources(collection: Collection, sources: Sources, progress: Progress) -> list[str]:
-    """Add what the options name and is not in the session yet; return the ids of the new observations."""
+    """Add what the options name and is not in the session yet; return the ids of the new observations.
+
+    A session that holds nothing is not kept where its first images cannot be used.
+    """
+    try:
+        return _added(collection, sources, progress)
+    except MeasureError:
+        collection.discard_empty()
+        raise
+
+
+def _added(collection: Collection, sources: Sources, progress: Progress) -> list[str]:
     added = []
     if sources.images:
         added += [one.id for one in add_recorded(collection, find_board_images(sources.images), sources.readbacks, progress)]

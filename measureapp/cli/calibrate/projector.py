@@ -47,7 +47,10 @@ def register(group: typer.Typer) -> None:
         """
         from measureapp.pipeline.projector import ProjectorRequest, calibrate_projector
         from measureapp.project.camera_file import read_cameras, write_cameras
+        from measureapp.project.fringe_manifest import manifest_files
 
+        for path in manifests:  # what is no manifest is named before the first of many images is read
+            manifest_files(path)
         request = ProjectorRequest(
             board=board.description(),
             cameras=None if cameras is None else read_cameras(cameras),

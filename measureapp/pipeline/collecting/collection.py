@@ -61,6 +61,11 @@ class Collection:
         """Whether a collection lies in ``folder``."""
         return Store(folder).exists()
 
+    def discard_empty(self) -> None:
+        """Remove the folder where nothing was ever collected; anything else stays."""
+        if not self._actions:
+            self._store.discard()
+
     @property
     def folder(self) -> Path:
         """Where it is kept."""

@@ -9,6 +9,7 @@ images/HASH.png      the pixels, named by their checksum
 from __future__ import annotations
 
 import json
+import shutil
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -55,6 +56,13 @@ class Store:
     def exists(self) -> bool:
         """Whether a collection lies here."""
         return (self.folder / SESSION).is_file()
+
+    def discard(self) -> None:
+        """Remove the collection with its folder. Raises StorageError."""
+        try:
+            shutil.rmtree(self.folder)
+        except OSError as error:
+            raise StorageError(f"{self.folder} cannot be removed: {error.strerror or error}.", "Check the permissions.") from error
 
     def keep_image(self, pixels: ImageArray, name: str) -> StoredImage:
         """Write an image unless the same is there already. Raises StorageError."""
