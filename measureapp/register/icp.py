@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.arrays import FloatArray, IntArray
 from measureapp.geometry.transform import RigidTransform
 from measureapp.register.prepare import GICP_NEIGHBOURS, PreparedCloud
 
@@ -21,13 +21,16 @@ SIDEWAYS = 1.2  # in voxels: corresponding points lie no further apart along the
 ROBUST_SIGMAS = 3.5
 MAD_TO_SIGMA = 1.4826
 FLOOR_MM = 0.01  # errors smaller than this are never trusted
-CORRELATION_MM = 5.0  # neighbouring residuals within this length are one observation: calibration errors are smooth
 NORMAL_BIAS_RAD = 0.02  # errors that neighbouring normals have in common, so that comparing views does not show them
 WEAK = 1e-4  # share of the strongest direction's information below which a direction is not measured at all
-SHARED_ERROR_MM = 0.01
 STEPS = 12
-MOST_MATCHES = 40_000  # source points per pair; neighbouring ones err together, so that more say little more
-STILL_MM, STILL_RAD = 1e-3, 1e-5
+MOST_MATCHES = 20_000  # source points per pair; neighbouring ones err together, so that more say little more
+COARSE_MATCHES = 4_000  # while a pair still moves
+STILL_MM, STILL_RAD = 0.02, 2e-4  # a step that is smaller is taken by the linearisation of the last one
+SMALLEST_BLOCK_MM = 2.0  # patches of the surface within which residuals may be alike …
+BLOCK_SIZES = 5  # … and so many times twice as large ones
+LEAST_FACTOR, LEAST_STEEPNESS = 1e-9, 0.2
+LEAST_BLOCKS = 24  # fewer say too little about how much they scatter
 GICP_ITERATIONS = 30
 
 
@@ -84,17 +87,19 @@ def _rotation(matrix: FloatArray) -> FloatArray:
 
 
 def register_pair(
-    target: PreparedCloud, source: PreparedCloud, start: RigidTransform, indices: tuple[int, int], search_mm: float
+    target: PreparedCloud, source: PreparedCloud, start: RigidTransform, indices: tuple[int, int], search_mm: float, shared_mm: float
 ) -> PairMeasurement:
     """Register two views from a start (target_from_source); nothing moves in directions that the common surface does not hold."""
     pose = start
-    measured = measure_pair(target, source, pose, indices, search_mm)
     for _ in range(STEPS):
-        if not measured.found or (np.linalg.norm(measured.change[:3]) < STILL_MM and np.linalg.norm(measured.change[3:]) < STILL_RAD):
+        common = _common_surface(target, source, pose, search_mm, COARSE_MATCHES)
+        if len(common.own) < LEAST_MATCHES:
             break
-        pose = stepped(pose, measured.change, measured.centre_mm)
-        measured = measure_pair(target, source, pose, indices, search_mm)
-    return measured
+        change = _solved(common).change
+        pose = stepped(pose, change, common.centre_mm)
+        if np.linalg.norm(change[:3]) < STILL_MM and np.linalg.norm(change[3:]) < STILL_RAD:
+            break
+    return measure_pair(target, source, pose, indices, search_mm, shared_mm)
 
 
 def stepped(pose: RigidTransform, change: FloatArray, centre_mm: FloatArray) -> RigidTransform:
@@ -105,93 +110,141 @@ def stepped(pose: RigidTransform, change: FloatArray, centre_mm: FloatArray) -> 
 
 
 def measure_pair(
-    target: PreparedCloud, source: PreparedCloud, pose: RigidTransform, indices: tuple[int, int], search_mm: float
+    target: PreparedCloud, source: PreparedCloud, pose: RigidTransform, indices: tuple[int, int], search_mm: float, shared_mm: float
 ) -> PairMeasurement:
-    """Linearise the symmetric point-to-plane problem of two views at ``pose`` (target_from_source)."""
-    p, q, normal, variance, tilt, own, other = _correspondences(target, source, pose, search_mm)
-    if len(own) < LEAST_MATCHES:
+    """Linearise the symmetric point-to-plane problem of two views at ``pose`` (target_from_source).
+
+    Parameters
+    ----------
+    search_mm : furthest distance of corresponding points
+    shared_mm : standard deviation of the errors that all points of a cloud have in common, which no residual shows
+    """
+    common = _common_surface(target, source, pose, search_mm, MOST_MATCHES)
+    if len(common.own) < LEAST_MATCHES:
         none = np.empty(0, np.int64)
         return PairMeasurement(*indices, pose, target.centroid_mm, np.zeros(6), np.zeros((6, 6)), 0.0, none, none)
-    residual = np.einsum("ij,ij->i", p - q, normal)
-    centre = p.mean(axis=0)
-    jacobian = np.column_stack([normal, np.cross(p - centre, normal)])
-    change, matrix, variance_factor, kept = _solved(jacobian, residual, variance, _tilted(p - centre, normal, tilt))
-    share = min(1.0, (target.voxel_mm / CORRELATION_MM) ** 2)
-    left = residual[kept]
-    information = _with_shared_errors(matrix * (share / variance_factor), float(np.sqrt(np.mean(np.sum((p - centre) ** 2, axis=1)))))
-    return PairMeasurement(*indices, pose, centre, change, information, float(np.sqrt(np.mean(left**2))), other[kept], own[kept])
+    solved = _solved(common)
+    kept = solved.weight > 0
+    information = _with_shared_errors(solved.matrix / _variance_factor(common, solved), common.radius_mm, shared_mm)
+    residual = float(np.sqrt(np.mean(solved.left_mm[kept] ** 2)))
+    return PairMeasurement(*indices, pose, common.centre_mm, solved.change, information, residual, common.other[kept], common.own[kept])
 
 
-def _with_shared_errors(information: FloatArray, radius_mm: float) -> FloatArray:
-    """Add the errors that all points of a view share (camera calibration, table) to the covariance: H (I + Σ H)⁻¹."""
-    shared = np.diag([SHARED_ERROR_MM**2] * 3 + [(SHARED_ERROR_MM / max(radius_mm, 1.0)) ** 2] * 3)
+def _with_shared_errors(information: FloatArray, radius_mm: float, shared_mm: float) -> FloatArray:
+    """Add the errors that all points of a view share (camera calibration) to the covariance: H (I + Σ H)⁻¹."""
+    shared = np.diag([shared_mm**2] * 3 + [(shared_mm / max(radius_mm, 1.0)) ** 2] * 3)
     both = information @ np.linalg.inv(np.eye(6) + shared @ information)
     return np.asarray((both + both.T) / 2)
 
 
-def _tilted(arm_mm: FloatArray, normal: FloatArray, tilt: float) -> FloatArray:
-    """Return (2, N, 6) what an error of ``tilt`` (rad) of the normals adds to the derivatives, along both tangents.
+@dataclass(frozen=True, slots=True, eq=False)
+class _Common:
+    """What two views have in common at a pose."""
 
-    Normals that err make a plane look as if it held sideways motion; this much of the information is not real.
-    """
-    helper = np.eye(3)[np.argmin(np.abs(normal), axis=1)]
-    first = np.cross(normal, helper)
-    first *= tilt / np.linalg.norm(first, axis=1, keepdims=True)
-    second = np.cross(normal, first)
-    return np.stack([np.column_stack([side, np.cross(arm_mm, side)]) for side in (first, second)])
+    own: IntArray  # (K,), of the source's points
+    other: IntArray  # (K,), of the target's
+    centre_mm: FloatArray  # (3,), of the moved source points
+    arm_mm: FloatArray  # (K, 3), from the centre to each of them
+    normal: FloatArray  # (K, 3), mean of both, unit
+    distance_mm: FloatArray  # (K,), along the normal
+    variance_mm2: FloatArray  # (K,), of the distance by the points' own noise
+    tilt_rad: float  # error of the normals
+
+    @property
+    def radius_mm(self) -> float:
+        return float(np.sqrt(np.mean(np.sum(self.arm_mm**2, axis=1))))
 
 
-def _correspondences(
-    target: PreparedCloud, source: PreparedCloud, pose: RigidTransform, search_mm: float
-) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, float, IntArray, IntArray]:
-    """Return moved source points, their nearest target points, mean normals, variances, the normals' error (rad) and both indices."""
-    empty = np.empty((0, 3))
-    if len(target) == 0 or len(source) == 0:
-        return empty, empty, empty, np.empty(0), 0.0, np.empty(0, np.int64), np.empty(0, np.int64)
-    moved, turned = pose.apply(source.points_mm), pose.rotate(source.normals)
-    low, high = target.points_mm.min(axis=0) - search_mm, target.points_mm.max(axis=0) + search_mm
-    near = np.flatnonzero(np.all((moved > low) & (moved < high), axis=1))
-    near = near[:: max(1, len(near) // MOST_MATCHES)]
-    distance, index = target.tree.query(moved[near], distance_upper_bound=search_mm, workers=-1)
-    found = np.isfinite(distance)
-    own, other = near[found], index[found]
-    normal = turned[own] + target.normals[other]
-    length = np.linalg.norm(normal, axis=1)
-    across = np.einsum("ij,ij->i", moved[own] - target.points_mm[other], normal) / np.maximum(length, 1e-9)
-    sideways = distance[found] ** 2 - across**2
-    keep = (np.einsum("ij,ij->i", turned[own], target.normals[other]) > LEAST_AGREEMENT) & (sideways < (SIDEWAYS * target.voxel_mm) ** 2)
-    own, other = own[keep], other[keep]
+def _common_surface(target: PreparedCloud, source: PreparedCloud, pose: RigidTransform, search_mm: float, most: int) -> _Common:
+    """Pair every source point (about ``most`` of them) with the nearest target point, where they face alike and lie on each other."""
+    from measureapp.register.pair_kernels import corresponding
+
+    index = target.index
+    stride = max(1, -(-len(source) // most))
+    own, other, rows, disagreement = corresponding(
+        source.points_mm, source.normals, stride, pose.rotation, pose.translation_mm, target.points_mm, target.normals,
+        index.edge_mm, index.keys, index.starts, index.table, search_mm, LEAST_AGREEMENT, SIDEWAYS * target.voxel_mm,
+    )  # fmt: skip
+    centre = rows[:, :3].mean(axis=0) if len(rows) else np.zeros(3)
     variance = source.variance_mm2[own] + target.variance_mm2[other] + FLOOR_MM**2
-    disagreement = np.sum((turned[own] - target.normals[other]) ** 2, axis=1) / 8  # per tangent, of the mean of the two
-    tilt = float(np.hypot(np.sqrt(np.mean(disagreement)) if len(own) else 0.0, NORMAL_BIAS_RAD))
-    return moved[own], target.points_mm[other], normal[keep] / length[keep, None], variance, tilt, own, other
+    tilt = float(np.hypot(np.sqrt(disagreement), NORMAL_BIAS_RAD))
+    return _Common(own, other, centre, rows[:, :3] - centre, rows[:, 3:6], rows[:, 6], variance, tilt)
 
 
-def _solved(
-    jacobian: FloatArray, residual: FloatArray, variance: FloatArray, tilted: FloatArray
-) -> tuple[FloatArray, FloatArray, float, BoolArray]:
-    """Solve robustly (Tukey weights about the median); returns change, weighted normal matrix, variance factor and the points used."""
-    left = residual
-    weight: FloatArray = 1 / variance
+@dataclass(frozen=True, slots=True, eq=False)
+class _Solved:
+    change: FloatArray  # (6,)
+    matrix: FloatArray  # (6, 6), weighted normal matrix
+    jacobian: FloatArray  # (K, 6), of the distances
+    weight: FloatArray  # (K,)
+    left_mm: FloatArray  # (K,), distances after the change
+    steepness: float  # of the weighted distances against the distances, over the weights: below one, as outliers' weights fall
+
+
+def _solved(common: _Common) -> _Solved:
+    """Solve robustly (Tukey weights about the median)."""
+    from measureapp.register.pair_kernels import normal_equations
+
+    jacobian = np.column_stack([common.normal, np.cross(common.arm_mm, common.normal)])
+    left, middle = common.distance_mm, float(np.median(common.distance_mm))
+    away: FloatArray = np.zeros(len(left))
+    weight: FloatArray = 1 / common.variance_mm2
     change: FloatArray = np.zeros(6)
     matrix: FloatArray = np.eye(6)
     for _ in range(3):
         scale = max(MAD_TO_SIGMA * float(np.median(np.abs(left - np.median(left)))), FLOOR_MM)
-        distance = (left - (np.median(left) if not change.any() else 0.0)) / (ROBUST_SIGMAS * scale)
-        weight = np.where(np.abs(distance) < 1, (1 - distance**2) ** 2, 0) / variance
-        matrix = jacobian.T @ (jacobian * weight[:, None]) - sum(side.T @ (side * weight[:, None]) for side in tilted)
-        change, matrix = _observable(matrix, -jacobian.T @ (weight * residual))
-        left = residual + jacobian @ change
-    kept = weight > 0
-    factor = float(np.sum(weight * left**2) / np.sum(weight * variance))
-    floor = FLOOR_MM**2 / float(np.median(variance))
-    return change, matrix, max(factor, floor), kept
+        away = np.minimum(((left - middle) / (ROBUST_SIGMAS * scale)) ** 2, 1.0)
+        weight = (1 - away) ** 2 / common.variance_mm2
+        change, matrix = _observable(*normal_equations(common.arm_mm, common.normal, common.distance_mm, weight, common.tilt_rad))
+        left = common.distance_mm + jacobian @ change
+        middle = 0.0
+    slope = (1 - away) * (1 - 5 * away) / common.variance_mm2
+    return _Solved(change, matrix, jacobian, weight, left, max(float(slope.sum() / weight.sum()), LEAST_STEEPNESS))
+
+
+def _variance_factor(common: _Common, solved: _Solved) -> float:
+    """Return how many times larger than the inverse normal matrix the covariance is, by the scatter of sums over patches.
+
+    Residuals of neighbouring points are alike, as calibration errors are smooth, so that far fewer observations are independent than
+    there are points. The gradient summed over patches tells how many: its scatter, in units of the normal matrix and averaged over
+    the directions (cluster-robust covariance; K.-Y. Liang, S. L. Zeger, Biometrika 73(1), 13-22, 1986). What patches miss is what
+    lies across their borders, in inverse proportion to their size, so that patches half as large tell the rest (D. N. Politis,
+    J. P. Romano, Journal of Time Series Analysis 16(1), 67-103, 1995). The size that makes most of it counts.
+    """
+    kept = solved.weight > 0
+    size = _sizes(solved.matrix)
+    gradient = solved.jacobian[kept] * (solved.weight[kept] * solved.left_mm[kept])[:, None] / size
+    inverse = np.linalg.pinv(solved.matrix / np.outer(size, size), WEAK, hermitian=True)
+    rank = max(1, int(np.linalg.matrix_rank(inverse, hermitian=True)))
+    cells: IntArray = np.floor(common.arm_mm[kept] / SMALLEST_BLOCK_MM).astype(np.int64)
+    sums: FloatArray = gradient
+    factor, smaller = 0.0, None
+    for _ in range(BLOCK_SIZES):
+        cells, sums = _summed(cells, sums)
+        if len(sums) < LEAST_BLOCKS and factor > 0:
+            break
+        scatter = float(np.einsum("bi,ij,bj->", sums, inverse, sums, optimize=True)) / rank * len(sums) / max(len(sums) - rank, 1)
+        factor = max(factor, scatter, 0.0 if smaller is None else 2 * scatter - smaller)
+        smaller, cells = scatter, cells >> 1
+    return max(factor, LEAST_FACTOR) / solved.steepness**2
+
+
+def _summed(cells: IntArray, rows: FloatArray) -> tuple[IntArray, FloatArray]:
+    """Return every cell (N, 3) once, and the sums of its rows."""
+    keys = ((cells[:, 0] + (1 << 19)) << 40) | ((cells[:, 1] + (1 << 19)) << 20) | (cells[:, 2] + (1 << 19))
+    _, first, block = np.unique(keys, return_index=True, return_inverse=True)
+    return cells[first], np.column_stack([np.bincount(block, column, len(first)) for column in rows.T])
+
+
+def _sizes(matrix: FloatArray) -> FloatArray:
+    """Return the scales (6,) that make the parameters of a normal matrix comparable."""
+    diagonal = np.diag(matrix)
+    return np.sqrt(np.maximum(diagonal, 1e-9 * np.array([diagonal[:3].max()] * 3 + [diagonal[3:].max()] * 3)))
 
 
 def _observable(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Solve ``matrix @ x = right`` in the directions that are measured; the others get neither change nor information."""
-    diagonal = np.diag(matrix)
-    size = np.sqrt(np.maximum(diagonal, 1e-9 * np.array([diagonal[:3].max()] * 3 + [diagonal[3:].max()] * 3)))
+    size = _sizes(matrix)
     values, vectors = np.linalg.eigh(matrix / np.outer(size, size))
     strong = values > WEAK * values[-1]
     inverse = np.divide(1, values, out=np.zeros_like(values), where=strong)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
@@ -65,13 +67,14 @@ def merge(
     numbers = list(views) if views is not None else list(range(len(clouds)))
     sums = VoxelSums(WIDTH)
     parts: list[tuple[IntArray, FloatArray]] = []
-    for i, (cloud, origin) in enumerate(zip(clouds, origins_mm, strict=True)):
-        progress.report(i, len(clouds), "merging")
-        single = VoxelSums(WIDTH)
-        single.add(*_rows(cloud, np.asarray(origin), voxel_mm))
-        keys, rows = single.sorted()
-        sums.add(keys, rows)
-        parts.append((keys, rows[:, WEIGHT].astype(np.float32)))
+    placed = list(zip(clouds, origins_mm, strict=True))
+    at_once = os.cpu_count() or 1  # sums of more views than are added to would only take memory
+    with ThreadPoolExecutor(at_once) as pool:
+        for start in range(0, len(placed), at_once):
+            progress.report(start, len(placed), "merging")
+            for keys, rows in pool.map(lambda one: _summed(one[0], one[1], voxel_mm), placed[start : start + at_once]):
+                sums.add(keys, rows)
+                parts.append((keys, rows[:, WEIGHT].astype(np.float32)))
     keys, rows = sums.sorted()
     view = _heaviest(keys, parts, numbers)
     merged = _layers(keys, rows, view, voxel_mm)
@@ -79,6 +82,13 @@ def merge(
     merged = merged.where(_large(merged.points_mm, voxel_mm, island_mm2)) if island_mm2 > 0 else merged
     progress.report(1, 1, "merged")
     return merged
+
+
+def _summed(cloud: PointCloud, origin_mm: FloatArray, voxel_mm: float) -> tuple[IntArray, FloatArray]:
+    """Return the sorted voxel keys of one cloud and the sums of their rows."""
+    single = VoxelSums(WIDTH)
+    single.add(*_rows(cloud, np.asarray(origin_mm), voxel_mm))
+    return single.sorted()
 
 
 def _rows(cloud: PointCloud, origin_mm: FloatArray, voxel_mm: float) -> tuple[IntArray, FloatArray]:

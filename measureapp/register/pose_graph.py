@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve
+from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import FloatArray
 from measureapp.geometry.transform import RigidTransform
@@ -93,12 +94,14 @@ def edge_error(poses: Sequence[RigidTransform], pair: PairMeasurement, centres_m
     """Return how far the pair is from its measurement (6,), in the target's frame, and its derivatives by both poses."""
     target, source = poses[pair.target], poses[pair.source]
     measured = stepped(pair.target_from_source, pair.change, pair.centre_mm)
-    away = (target.inverse() @ source) @ measured.inverse()
-    centre = target.apply(pair.centre_mm)
-    turn = turned(target.rotation.T)
-    by_target = -turn @ moved_to(centre, centres_mm[pair.target])
-    by_source = turn @ moved_to(centre, centres_mm[pair.source])
-    return _vector(away, pair.centre_mm), by_target, by_source
+    turn = target.rotation.T
+    # target⁻¹ source measured⁻¹, by what it does to the pair's centre and to directions
+    rotation = turn @ source.rotation @ measured.rotation.T
+    seen = source.rotation @ (measured.rotation.T @ (pair.centre_mm - measured.translation_mm)) + source.translation_mm
+    error = np.concatenate([turn @ (seen - target.translation_mm) - pair.centre_mm, Rotation.from_matrix(rotation).as_rotvec()])
+    centre = target.rotation @ pair.centre_mm + target.translation_mm
+    back = turned(turn)
+    return error, -back @ moved_to(centre, centres_mm[pair.target]), back @ moved_to(centre, centres_mm[pair.source])
 
 
 def _vector(small: RigidTransform, centre_mm: FloatArray) -> FloatArray:
@@ -108,7 +111,9 @@ def _vector(small: RigidTransform, centre_mm: FloatArray) -> FloatArray:
 
 def turned(rotation: FloatArray) -> FloatArray:
     """Return the matrix (6, 6) that takes a small motion to the frame that ``rotation`` leads to."""
-    return np.kron(np.eye(2), rotation)
+    matrix = np.zeros((6, 6))
+    matrix[:3, :3] = matrix[3:, 3:] = rotation
+    return matrix
 
 
 def moved_to(place_mm: FloatArray, centre_mm: FloatArray) -> FloatArray:

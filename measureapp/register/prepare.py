@@ -1,34 +1,35 @@
-"""A cloud made ready for registration: thinned to one mean point per voxel, with search trees."""
+"""A cloud made ready for registration: thinned to one mean point per voxel, sorted into cells."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from scipy.spatial import cKDTree
 
-from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.cloud import PointCloud
+from measureapp.register.cells import CellIndex
 from measureapp.register.voxels import VoxelSums
 
 LEAST_COHERENCE = 0.985  # length of the mean normal below which a voxel straddles an edge or a thin wall
 LEAST_COSINE = 0.26  # viewing angles beyond 75° are too noisy to register by
 LEAST_COUNT = 2  # points per voxel
 GICP_NEIGHBOURS = 15
-RIM_NEIGHBOURS = 20
+CELL_VOXELS = 2.0  # edge of the cells in which neighbours are searched
+RIM_VOXELS = 2.5  # neighbours within this tell a rim: about 20 on a closed surface
+RIM_LEAST = 6  # of them at least
 RIM_OFFSET = 0.3  # distance of the neighbours' centre over their mean distance; about 0.6 at a straight border
 SAME_FACE_COSINE = 0.9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PreparedCloud:
-    """Thinned points of one view in its camera's frame."""
+    """Thinned points of one view in its camera's frame, sorted by the cells of `index`."""
 
     points_mm: FloatArray  # (M, 3)
     normals: FloatArray  # (M, 3)
     variance_mm2: FloatArray  # (M,), of the mean point along its ray
-    tree: Any  # scipy's cKDTree of the points
+    index: CellIndex
     voxel_mm: float
 
     def __len__(self) -> int:
@@ -65,23 +66,24 @@ def prepare(cloud: PointCloud, voxel_mm: float) -> PreparedCloud:
     means = rows[good, 1:4] / count[good, None]
     unit = mean_normal[good] / length[good, None]
     variances = rows[good, 7] / count[good] ** 2
-    inner = _surrounded(means, unit)
-    means, unit, variances = means[inner], unit[inner], variances[inner]
-    return PreparedCloud(means, unit, variances, cKDTree(means) if len(means) else None, voxel_mm)
+    inner = _without_rims(means, unit, voxel_mm)
+    index, order = CellIndex.sorting(means[inner], CELL_VOXELS * voxel_mm)
+    chosen = inner[order]
+    return PreparedCloud(means[chosen], unit[chosen], variances[chosen], index, voxel_mm)
 
 
-def _surrounded(points_mm: FloatArray, normals: FloatArray) -> BoolArray:
-    """Return which points have neighbours of their own face on all sides.
+def _without_rims(points_mm: FloatArray, normals: FloatArray, voxel_mm: float) -> IntArray:
+    """Return the points that have neighbours of their own face on all sides.
 
     At the border of a face pixels mix it with what lies behind, so that its rim is displaced, and in one direction.
     """
-    if len(points_mm) <= RIM_NEIGHBOURS:
-        return np.ones(len(points_mm), np.bool_)
-    distance, index = cKDTree(points_mm).query(points_mm, RIM_NEIGHBOURS + 1, workers=-1)
-    same = np.einsum("ik,ijk->ij", normals, normals[index[:, 1:]]) > SAME_FACE_COSINE
-    offset = np.einsum("ij,ijk->ik", same, points_mm[index[:, 1:]] - points_mm[:, None])
-    reach = np.sum(distance[:, 1:], axis=1)
-    return np.asarray((same.sum(axis=1) >= RIM_NEIGHBOURS / 2) & (np.linalg.norm(offset, axis=1) < RIM_OFFSET * reach))
+    from measureapp.register.pair_kernels import surrounded
+
+    cells, order = CellIndex.sorting(points_mm, RIM_VOXELS * voxel_mm)
+    inner = surrounded(
+        points_mm[order], normals[order], cells.edge_mm, cells.keys, cells.starts, cells.table, RIM_LEAST, SAME_FACE_COSINE, RIM_OFFSET
+    )
+    return np.asarray(order[inner])
 
 
 def occupied_cells(prepared: PreparedCloud, points_mm: FloatArray, normals: FloatArray, cell_mm: float) -> IntArray:

@@ -9,29 +9,28 @@ from itertools import combinations
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.data.cloud import PointCloud, ViewPlacement
+from measureapp.data.cloud import ViewPlacement
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Progress
 from measureapp.register.contradiction import free_correction, quantile
+from measureapp.register.groundwork import Groundwork, PlacedCloud, in_parallel
 from measureapp.register.icp import LEAST_MATCHES, PairMeasurement, gicp, gicp_model, measure_pair, register_pair
 from measureapp.register.observability import unheld
 from measureapp.register.pose_graph import PoseGraphSolution, solve
 from measureapp.register.pose_prior import KinematicPrior, about_centres, largest_sigmas, with_cloud_errors
-from measureapp.register.prepare import PreparedCloud, occupied_cells
+from measureapp.register.prepare import PreparedCloud
 from measureapp.register.settings import StitchSettings
 
-CELL_PER_VOXEL = 5.0
 FINE_SEARCH = 2.0  # in voxels, once the views are close
 POOR = 2.0  # a pair whose residual is this many times the usual one is tried again from further away
+STILL_MM = 0.003  # a round of the joint estimate that moves no view further is the last; the next would move it by a fraction of that
 GOOD = "good"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class View:
+class View(PlacedCloud):
     """One view on its way through stitching."""
 
-    cloud: PointCloud
-    kinematic: RigidTransform
     station: Hashable
     prepared: PreparedCloud
 
@@ -63,19 +62,27 @@ class Contradiction:
         )
 
 
+def _distance_mm(a: RigidTransform, b: RigidTransform, centre_mm: FloatArray) -> float:
+    """Return how far two poses put one point of the part, and points as far away as it lies from the cameras, from each other."""
+    arm = float(np.linalg.norm(centre_mm - a.translation_mm))
+    change = b @ a.inverse()
+    return float(np.linalg.norm(change.apply(centre_mm) - centre_mm)) + change.angle_rad * arm
+
+
 class Registration:
     """The joint registration of all views."""
 
     def __init__(
         self,
         views: Sequence[View],
+        groundwork: Groundwork,
         settings: StitchSettings,
         progress: Progress,
         *,
         prior_covariance: FloatArray | None = None,
         accepted: Collection[str] = (),
     ) -> None:
-        self.views, self.settings, self.progress, self.accepted = views, settings, progress, accepted
+        self.views, self.groundwork, self.settings, self.progress, self.accepted = views, groundwork, settings, progress, accepted
         self.kinematic = [view.kinematic for view in views]
         self.centres = np.stack([view.kinematic.apply(view.prepared.centroid_mm) for view in views])
         self.radii = np.array([view.prepared.radius_mm for view in views])
@@ -111,15 +118,9 @@ class Registration:
 
     def _overlapping(self) -> list[tuple[int, int]]:
         """Return the pairs that share enough surface by the axes alone, the best of every view."""
-        cell = CELL_PER_VOXEL * self.voxel
-        cells = []
-        for view in self.views:
-            points, normals = view.kinematic.apply(view.prepared.points_mm), view.kinematic.rotate(view.prepared.normals)
-            cells.append(occupied_cells(view.prepared, points, normals, cell))
         shares: dict[tuple[int, int], float] = {}
         for i, j in combinations(range(len(self.views)), 2):
-            common = len(np.intersect1d(cells[i], cells[j], assume_unique=True))
-            share = common / max(1, min(len(cells[i]), len(cells[j])))
+            share = self.groundwork.overlap(self.views[i], self.views[j], self.voxel)
             if share >= self.settings.least_overlap:
                 shares[i, j] = share
         best: set[tuple[int, int]] = set()
@@ -137,7 +138,9 @@ class Registration:
         poses = list(self._solve(self.kinematic, [edge for edge in edges if not refused & {edge.target, edge.source}]).part_from_camera)
         for step in range(self.settings.rounds):
             self.progress.report(0.6 + 0.4 * step / self.settings.rounds, 1, "joint registration")
-            poses = list(self._solve(poses, self._measured(poses, kept)).part_from_camera)
+            before, poses = poses, list(self._solve(poses, self._measured(poses, kept)).part_from_camera)
+            if max(_distance_mm(a, b, centre) for a, b, centre in zip(before, poses, self.centres, strict=True)) < STILL_MM:
+                break
         return poses, contradictions
 
     def _contradictions(self, edges: Sequence[PairMeasurement]) -> dict[int, Contradiction]:
@@ -175,13 +178,11 @@ class Registration:
         return {i for i in contradictions if self.views[i].cloud.viewpoint_id not in self.accepted}
 
     def _pairwise(self, pairs: list[tuple[int, int]]) -> list[PairMeasurement]:
-        edges = []
-        for done, (i, j) in enumerate(pairs):
-            self.progress.report(
-                0.5 * done, len(pairs), f"registering {self.views[i].cloud.viewpoint_id}, {self.views[j].cloud.viewpoint_id}"
-            )
-            start = self.kinematic[i].inverse() @ self.kinematic[j]
-            edges.append(register_pair(self.views[i].prepared, self.views[j].prepared, start, (i, j), self.settings.search_mm))
+        def register(pair: tuple[int, int]) -> PairMeasurement:
+            target, source = (self.views[i] for i in pair)
+            return self.groundwork.registered(target, source, pair, self.voxel, self.settings)
+
+        edges = in_parallel(register, pairs, lambda done: self.progress.report(0.5 * done, len(pairs), "registering pairs of views"))
         usual = float(np.median([edge.residual_mm for edge in edges if edge.found] or [0.0]))
         better = [edge if edge.found and edge.residual_mm <= POOR * usual else self._from_further(edge) for edge in edges]
         return [edge for edge in better if edge.found]
@@ -189,20 +190,22 @@ class Registration:
     def _from_further(self, poor: PairMeasurement) -> PairMeasurement:
         """Try again from where GICP leads; the better of the two is kept."""
         i, j = poor.target, poor.source
-        start = self.kinematic[i].inverse() @ self.kinematic[j]
         a, b = self.views[i].prepared, self.views[j].prepared
         if min(len(a), len(b)) < LEAST_MATCHES:
             return poor
-        led = gicp(gicp_model(a), gicp_model(b), start, self.settings.search_mm)
-        found = register_pair(a, b, led, (i, j), self.settings.search_mm)
+        led = gicp(gicp_model(a), gicp_model(b), self.kinematic[i].inverse() @ self.kinematic[j], self.settings.search_mm)
+        found = register_pair(a, b, led, (i, j), self.settings.search_mm, self.settings.pair_sigma_mm)
         return found if found.found and (not poor.found or found.residual_mm < poor.residual_mm) else poor
 
     def _measured(self, poses: Sequence[RigidTransform], pairs: list[tuple[int, int]]) -> list[PairMeasurement]:
         search = min(self.settings.search_mm, FINE_SEARCH * self.voxel)
-        edges = [
-            measure_pair(self.views[i].prepared, self.views[j].prepared, poses[i].inverse() @ poses[j], (i, j), search) for i, j in pairs
-        ]
-        return [edge for edge in edges if edge.found]
+
+        def measured(pair: tuple[int, int]) -> PairMeasurement:
+            a, b = (self.views[i].prepared for i in pair)
+            between = poses[pair[0]].inverse() @ poses[pair[1]]
+            return measure_pair(a, b, between, pair, search, self.settings.pair_sigma_mm)
+
+        return [edge for edge in in_parallel(measured, pairs) if edge.found]
 
     def _solve(self, start: Sequence[RigidTransform], edges: Sequence[PairMeasurement]) -> PoseGraphSolution:
         return solve(start, self.kinematic, self.prior, edges, self.centres)

@@ -11,15 +11,10 @@ from measureapp.data.cloud import PointCloud, StitchedCloud, ViewPlacement
 from measureapp.errors import RegistrationError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import NoProgress, PartOf, Progress
-from measureapp.register.cloud_quality import point_spacing_mm
+from measureapp.register.groundwork import LEAST_POINTS, Groundwork, in_parallel
 from measureapp.register.merge import merge
-from measureapp.register.prepare import prepare
 from measureapp.register.registration import Registration, View
 from measureapp.register.settings import StitchSettings
-
-LEAST_POINTS = 100
-VOXEL_PER_SPACING = 2.2
-LEAST_VOXEL_MM = 0.7  # finer thinning registers no better, but takes its time
 
 
 def stitch(
@@ -31,12 +26,14 @@ def stitch(
     stations: Sequence[Hashable] | None = None,
     prior_covariance: FloatArray | None = None,
     accepted: Collection[str] = (),
+    groundwork: Groundwork | None = None,
 ) -> StitchedCloud:
     """Register all views finely and merge them.
 
     Overlapping pairs are found by the kinematic poses and registered; then all poses are estimated together with the
     kinematic poses as priors, so that nothing slides where the surface does not hold it; every view says which motions
-    that are. A view that would move further than the priors allow is left out and says so, unless it is accepted. The result does not depend on the order of the views.
+    that are. A view that would move further than the priors allow is left out and says so, unless it is accepted. The result does
+    not depend on the order of the views.
 
     Parameters
     ----------
@@ -47,6 +44,7 @@ def stitch(
     prior_covariance : (6N, 6N), of the errors of all poses by the axes, as motions of each camera in its own frame (shift mm,
         turn rad), from the joint calibration of the rig. None: by the standard deviations of the settings and the stations.
     accepted : viewpoints that are used however far they have to move
+    groundwork : where these clouds were added while the scan went on; the result is the same without
 
     Raises
     ------
@@ -64,16 +62,19 @@ def stitch(
     chosen = [i for i in order if len(clouds[i]) >= LEAST_POINTS]
     if not chosen:
         raise RegistrationError("No cloud has enough points to be stitched.", f"At least one needs {LEAST_POINTS} points.")
-    spacing = float(np.median([point_spacing_mm(np.asarray(clouds[i].points_mm)) for i in chosen]))
-    voxel = settings.registration_voxel_mm or max(VOXEL_PER_SPACING * spacing, LEAST_VOXEL_MM)
-    views = []
-    for done, i in enumerate(chosen):
-        progress.report(0.15 * done, len(chosen), "preparing views")
-        station = stations[i] if stations is not None else i
-        views.append(View(clouds[i], kinematic[i], station, prepare(clouds[i], voxel)))
+    groundwork = groundwork or Groundwork(settings)
+    groundwork.finish()
+    progress.report(0.0, 1, "preparing views")
+    spacing = float(np.median(in_parallel(groundwork.spacing_mm, [clouds[i] for i in chosen])))
+    voxel = groundwork.voxel_mm([clouds[i] for i in chosen], settings)
+    prepared = in_parallel(lambda i: groundwork.prepared(clouds[i], voxel), chosen)
+    views = [
+        View(clouds[i], kinematic[i], stations[i] if stations is not None else i, cloud) for i, cloud in zip(chosen, prepared, strict=True)
+    ]
     rows = (6 * np.array(chosen)[:, None] + np.arange(6)).ravel()
     prior = None if prior_covariance is None else np.asarray(prior_covariance)[np.ix_(rows, rows)]
-    placed = Registration(views, settings, PartOf(progress, 0.15, 0.7), prior_covariance=prior, accepted=accepted).placements()
+    registration = Registration(views, groundwork, settings, PartOf(progress, 0.15, 0.7), prior_covariance=prior, accepted=accepted)
+    placed = registration.placements()
     by_cloud = dict(zip(chosen, placed, strict=True))
     placements = tuple(by_cloud.get(i) or _left_out(clouds[i], kinematic[i]) for i in range(len(clouds)))
     return _merged(clouds, placements, settings, spacing, PartOf(progress, 0.7, 1.0))
@@ -94,7 +95,7 @@ def _merged(
     poses = [placements[i].part_from_camera for i in used]
     voxel = settings.merge_voxel_mm or spacing_mm
     merged = merge(
-        [clouds[i].seen_from(pose) for i, pose in zip(used, poses, strict=True)],
+        in_parallel(lambda i: clouds[i].seen_from(placements[i].part_from_camera), used),
         [pose.translation_mm for pose in poses],
         voxel,
         views=used,
