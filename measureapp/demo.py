@@ -32,6 +32,7 @@ from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.geometry_files import write_mesh
 from measureapp.project.rig_file import read_rig
+from measureapp.register.groundwork import Groundwork
 from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
 from measureapp.resources import plugin_folder, resource
@@ -94,10 +95,10 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
     world = World(description, part, request.seed, project.settings.board)
     rig = load_plugin(plugin_folder(), PLUGIN).module.rig_of(world)
     watch = Stopwatch()
-    with watch.stage("total"):
+    with watch.stage("total"), Groundwork() as groundwork:
         calibrated = calibrate_rig(rig, project, on_event, PartOf(progress, 0.0, 0.3), watch)
-        views = scan(rig, project, calibrated.rig.calibration, on_event, PartOf(progress, 0.3, 0.8), watch, request.bracket_s)
-        measurement = assemble(project, calibrated.rig.calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch)
+        views = scan(rig, project, calibrated.rig.calibration, on_event, PartOf(progress, 0.3, 0.8), watch, request.bracket_s, groundwork)
+        measurement = assemble(project, calibrated.rig.calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, groundwork)
     outcome = finished(project, measurement, watch)
     return _with_truth(outcome, world, project)
 

@@ -43,6 +43,7 @@ from measureapp.reconstruct.diagnose import diagnose
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
 from measureapp.reconstruct.rectifier import Rectifier
 from measureapp.register.cloud_quality import judge
+from measureapp.register.groundwork import Groundwork
 from measureapp.register.place import stations
 from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
@@ -65,11 +66,13 @@ class _Processing:
         on_event: OnEvent,
         watch: Stopwatch,
         live: LiveDecoding | None = None,
+        groundwork: Groundwork | None = None,
     ) -> None:
         self.views: dict[str, ViewResult] = {}
         self._project, self._calibration, self._on_event, self._watch = project, calibration, on_event, watch
         self._rectifier = None if calibration is None else Rectifier(calibration.cameras)
         self._live = None if calibration is None else live
+        self._groundwork = groundwork
         self._memory = MapMemory()
 
     def exposure_taken(self, taken: ExposureTaken) -> None:
@@ -112,6 +115,8 @@ class _Processing:
         if decoded is not None:
             view = replace(view, timings_s={LAST_IMAGE_TO_CLOUD: time.monotonic() - last_image_s})
         self.views[view.viewpoint_id] = view
+        if self._groundwork is not None and view.quality.accepted:
+            self._groundwork.add(view.cloud, view.part_from_camera)
         self._on_event(ViewReady(view))
 
 
@@ -123,8 +128,11 @@ def scan(
     progress: Progress,
     watch: Stopwatch,
     bracket_s: float | None = None,
+    groundwork: Groundwork | None = None,
 ) -> tuple[ViewResult, ...]:
     """Run the project's plan on the rig and process every stack as it comes; stored viewpoints are not taken again.
+
+    With ``groundwork``, every view is prepared for stitching and registered with the earlier ones while the scan goes on.
 
     Without a calibration the images are stored and no view comes back. With ``bracket_s``, the time for the images of one viewpoint,
     a probe at the first viewpoint chooses the exposures, unless some viewpoints are stored already.
@@ -148,7 +156,7 @@ def scan(
     stored = project.stored_viewpoints()
     check_space(project, rig.description, plan)
     with LiveDecoding() as live:
-        sink = _Processing(project, calibration, on_event, watch, live)
+        sink = _Processing(project, calibration, on_event, watch, live, groundwork)
         for viewpoint_id in stored:
             sink.process(project.frames.load(viewpoint_id), NoProgress())
         images = pattern_images(plan.patterns, rig.projector.width_px, rig.projector.height_px)
@@ -250,9 +258,17 @@ def _completeness(maps: Mapping[str, PhaseMap], pixels: np.typing.NDArray[Any]) 
 
 
 def assemble(
-    project: ProjectFolder, calibrated: RigCalibration, views: Sequence[ViewResult], on_event: OnEvent, progress: Progress, watch: Stopwatch
+    project: ProjectFolder,
+    calibrated: RigCalibration,
+    views: Sequence[ViewResult],
+    on_event: OnEvent,
+    progress: Progress,
+    watch: Stopwatch,
+    groundwork: Groundwork | None = None,
 ) -> Measurement:
     """Stitch the clouds of all views, make the surface, measure the dimensions and keep everything.
+
+    ``groundwork`` is what was done of stitching while the views came.
 
     Raises
     ------
@@ -270,7 +286,8 @@ def assemble(
         clouds, placed = [view.cloud for view in good], [view.part_from_camera for view in good]
         standing = stations([view.readback for view in good])
         settings, prior = stitch_settings(calibrated, good), _placed_by_axes(project, good)
-        stitched = stitch(clouds, placed, settings, PartOf(progress, 0.0, 0.5), stations=standing, prior_covariance=prior)
+        part = PartOf(progress, 0.0, 0.5)
+        stitched = stitch(clouds, placed, settings, part, stations=standing, prior_covariance=prior, groundwork=groundwork)
     on_event(StitchReady(stitched))
     with watch.stage("surface"):
         mesh = surface(stitched, progress=PartOf(progress, 0.5, 0.7))

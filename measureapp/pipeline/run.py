@@ -27,6 +27,7 @@ from measureapp.planning.calibration_views import calibration_viewpoints
 from measureapp.planning.reach import check_reach
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
+from measureapp.register.groundwork import Groundwork
 
 OnEvent = Callable[[Event], None]
 
@@ -95,20 +96,22 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
     calibration = calibrated.calibration()
     check_space(project, request.rig, request.plan)
     watch = Stopwatch()
-    rig = connect_rig(request.rig)
-    try:
-        if calibration is not None:
-            check_before_scan(rig, calibration)
-        project = ProjectFolder.create(request.folder, project.settings)
-        if calibration is not None and project.calibration() is None:
-            project.save_calibration(calibration, calibrated.rig_uncertainty())
-        project.save_plan(request.plan)
-        views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch, request.bracket_s)
-    finally:
-        rig.close()
-    if calibration is None:
-        return None
-    return finished(project, assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch), watch)
+    with Groundwork() as groundwork:
+        rig = connect_rig(request.rig)
+        try:
+            if calibration is not None:
+                check_before_scan(rig, calibration)
+            project = ProjectFolder.create(request.folder, project.settings)
+            if calibration is not None and project.calibration() is None:
+                project.save_calibration(calibration, calibrated.rig_uncertainty())
+            project.save_plan(request.plan)
+            views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch, request.bracket_s, groundwork)
+        finally:
+            rig.close()
+        if calibration is None:
+            return None
+        measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, groundwork)
+    return finished(project, measurement, watch)
 
 
 def _project_of(request: ScanRequest) -> ProjectFolder:

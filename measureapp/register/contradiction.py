@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Self
 
 import numpy as np
 from scipy.stats import chi2, norm
@@ -50,7 +51,8 @@ def free_correction(
 ) -> FreeCorrection | None:
     """Return how ``view`` has to move to fit its neighbours where the axes put them; None without pairs.
 
-    Pairs that contradict the majority of the view's pairs lose weight (Cauchy).
+    A pair counts as much as it and the axes' errors between its two views allow, so that no neighbour alone decides by a pair that is
+    known better than where the neighbour stands. Pairs that contradict the majority of the view's pairs lose weight (Cauchy).
 
     Parameters
     ----------
@@ -62,22 +64,45 @@ def free_correction(
     own = [pair for pair in pairs if view in (pair.target, pair.source)]
     if not own:
         return None
-    parts = [edge_error(kinematic, pair, centres_mm) for pair in own]
-    change, normal, gain = np.zeros(6), np.eye(6), np.zeros((6, by_axes.shape[0]))
+    parts = [_Part.of(view, pair, kinematic, centres_mm, by_axes) for pair in own]
+    change, normal, scatter, gain = np.zeros(6), np.eye(6), np.eye(6), np.zeros((6, by_axes.shape[0]))
     for _ in range(ROUNDS):
-        normal, right, gain = np.diag(loose**-2.0), np.zeros(6), np.zeros((6, by_axes.shape[0]))
-        for pair, (error, by_target, by_source) in zip(own, parts, strict=True):
-            mine, other, neighbour = (by_target, by_source, pair.source) if pair.target == view else (by_source, by_target, pair.target)
-            left = error + mine @ change
-            weighted = pair.information / (1 + left @ pair.information @ left / (CAUCHY**2 * CHI_SQUARE_MEDIAN))
-            normal += mine.T @ weighted @ mine
-            right -= mine.T @ weighted @ error
-            gain[:, 6 * view : 6 * view + 6] += mine.T @ weighted @ mine
-            gain[:, 6 * neighbour : 6 * neighbour + 6] += mine.T @ weighted @ other
+        normal, scatter, right, gain = np.diag(loose**-2.0), np.diag(loose**-2.0), np.zeros(6), np.zeros((6, by_axes.shape[0]))
+        for part in parts:
+            left = part.error + part.by_view @ change
+            trust = 1 / (1 + left @ part.weight @ left / (CAUCHY**2 * CHI_SQUARE_MEDIAN))
+            carried = trust * part.by_view.T @ part.weight
+            normal += carried @ part.by_view
+            scatter += trust * part.by_view.T @ part.scatter @ part.by_view
+            right -= carried @ part.error
+            gain[:, 6 * view : 6 * view + 6] += carried @ part.by_view
+            gain[:, 6 * part.neighbour : 6 * part.neighbour + 6] += carried @ part.by_neighbour
         step = np.linalg.solve(normal, right) - change
         change = change + step
         if np.abs(step).max() < 1e-9:
             break
     inverse = np.linalg.inv(normal)
     lever = inverse @ gain
-    return FreeCorrection(change, lever @ by_axes @ lever.T + inverse)
+    return FreeCorrection(change, lever @ by_axes @ lever.T + inverse @ scatter @ inverse)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Part:
+    """What one pair says about a view."""
+
+    neighbour: int
+    error: FloatArray  # (6,)
+    by_view: FloatArray  # (6, 6), derivative of the error
+    by_neighbour: FloatArray  # (6, 6)
+    weight: FloatArray  # (6, 6), inverse covariance of the error by the pair and by what the axes leave open between the two
+    scatter: FloatArray  # (6, 6), covariance of the weighted error by the pair alone
+
+    @classmethod
+    def of(cls, view: int, pair: PairMeasurement, kinematic: Sequence[RigidTransform], centres_mm: FloatArray, by_axes: FloatArray) -> Self:
+        error, by_target, by_source = edge_error(kinematic, pair, centres_mm)
+        mine, other, neighbour = (by_target, by_source, pair.source) if pair.target == view else (by_source, by_target, pair.target)
+        rows = np.concatenate([6 * view + np.arange(6), 6 * neighbour + np.arange(6)])
+        both = np.hstack([mine, other])
+        axes = both @ by_axes[np.ix_(rows, rows)] @ both.T
+        share = np.linalg.inv(np.eye(6) + pair.information @ axes)  # H (I + Σ H)⁻¹ = (I + H Σ)⁻¹ H, also where H is singular
+        return cls(neighbour, error, mine, other, share @ pair.information, share @ pair.information @ share.T)
