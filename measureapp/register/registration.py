@@ -157,11 +157,12 @@ class Registration:
     def _freed(self, i: int, edges: Sequence[PairMeasurement]) -> Contradiction | None:
         """Return how far its pairs alone would move a view, and how far it may be moved."""
         loose_mm, loose_rad = self._by_settings()
-        free = free_correction(i, self.kinematic, edges, self.centres, self.by_axes, np.array([loose_mm] * 3 + [loose_rad] * 3))
+        sigmas = self.settings.bound_sigmas
+        held = sigmas * np.array([loose_mm] * 3 + [loose_rad] * 3)  # no tighter, or a displaced view seems to be less displaced
+        free = free_correction(i, self.kinematic, edges, self.centres, self.by_axes, held)
         if free is None:
             return None
         moved, turned = float(np.linalg.norm(free.change[:3])), float(np.linalg.norm(free.change[3:]))
-        sigmas = self.settings.bound_sigmas
         if self.calibrated:
             excess = free.distance / quantile(sigmas, len(self.views))
         else:
