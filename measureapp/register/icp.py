@@ -30,6 +30,7 @@ STILL_MM, STILL_RAD = 2e-3, 2e-5  # a smaller step is the last; where little hol
 SMALLEST_BLOCK_MM = 2.0  # patches of the surface within which residuals may be alike …
 BLOCK_SIZES = 5  # … and so many times twice as large ones
 LEAST_FACTOR, LEAST_STEEPNESS = 1e-9, 0.2
+WELL_HELD = 0.05  # share of the strongest direction's information from which directions scatter alike
 LEAST_BLOCKS = 24  # fewer say too little about how much they scatter
 GICP_ITERATIONS = 30
 
@@ -125,7 +126,7 @@ def measure_pair(
         return PairMeasurement(*indices, pose, target.centroid_mm, np.zeros(6), np.zeros((6, 6)), 0.0, none, none)
     solved = _solved(common)
     kept = solved.weight > 0
-    information = _with_shared_errors(solved.matrix / _variance_factor(common, solved), common.radius_mm, shared_mm)
+    information = _with_shared_errors(_information(common, solved), common.radius_mm, shared_mm)
     residual = float(np.sqrt(np.mean(solved.left_mm[kept] ** 2)))
     return PairMeasurement(*indices, pose, common.centre_mm, solved.change, information, residual, common.other[kept], common.own[kept])
 
@@ -202,31 +203,36 @@ def _solved(common: _Common) -> _Solved:
     return _Solved(change, matrix, jacobian, weight, left, max(float(slope.sum() / weight.sum()), LEAST_STEEPNESS))
 
 
-def _variance_factor(common: _Common, solved: _Solved) -> float:
-    """Return how many times larger than the inverse normal matrix the covariance is, by the scatter of sums over patches.
+def _information(common: _Common, solved: _Solved) -> FloatArray:
+    """Return the inverse covariance (6, 6) of the change, by the scatter of sums over patches of the surface.
 
-    Residuals of neighbouring points are alike, as calibration errors are smooth, so that far fewer observations are independent than
-    there are points. The gradient summed over patches tells how many: its scatter, in units of the normal matrix and averaged over
-    the directions (cluster-robust covariance; K.-Y. Liang, S. L. Zeger, Biometrika 73(1), 13-22, 1986). What patches miss is what
-    lies across their borders, in inverse proportion to their size, so that patches half as large tell the rest (D. N. Politis,
-    J. P. Romano, Journal of Time Series Analysis 16(1), 67-103, 1995). The size that makes most of it counts.
+    Residuals of neighbouring points are alike, as calibration errors are smooth, so that far fewer observations are independent
+    than there are points. The gradient summed over patches tells how many: its scatter, in units of the normal matrix
+    (cluster-robust covariance; K.-Y. Liang, S. L. Zeger, Biometrika 73(1), 13-22, 1986). What patches miss is what lies across
+    their borders, in inverse proportion to their size, so that patches half as large tell the rest (D. N. Politis, J. P. Romano,
+    Journal of Time Series Analysis 16(1), 67-103, 1995). The size that makes most of it counts.
     """
     kept = solved.weight > 0
     size = _sizes(solved.matrix)
-    gradient = solved.jacobian[kept] * (solved.weight[kept] * solved.left_mm[kept])[:, None] / size
-    inverse = np.linalg.pinv(solved.matrix / np.outer(size, size), WEAK, hermitian=True)
-    rank = max(1, int(np.linalg.matrix_rank(inverse, hermitian=True)))
+    values, vectors = np.linalg.eigh(solved.matrix / np.outer(size, size))
+    strong = values > WEAK * values[-1]
+    values, vectors = values[strong], vectors[:, strong]
+    sums: FloatArray = solved.jacobian[kept] * (solved.weight[kept] * solved.left_mm[kept])[:, None] @ (vectors / size[:, None])
     cells: IntArray = np.floor(common.arm_mm[kept] / SMALLEST_BLOCK_MM).astype(np.int64)
-    sums: FloatArray = gradient
-    factor, smaller = 0.0, None
+    well = values > WELL_HELD * values[-1]
+    own, usual, smaller = np.zeros(len(values)), LEAST_FACTOR, None
     for _ in range(BLOCK_SIZES):
         cells, sums = _summed(cells, sums)
-        if len(sums) < LEAST_BLOCKS and factor > 0:
+        if len(sums) < LEAST_BLOCKS and smaller is not None:
             break
-        scatter = float(np.einsum("bi,ij,bj->", sums, inverse, sums, optimize=True)) / rank * len(sums) / max(len(sums) - rank, 1)
-        factor = max(factor, scatter, 0.0 if smaller is None else 2 * scatter - smaller)
+        scatter = np.sum(sums**2, axis=0) / values * (len(sums) / max(len(sums) - len(values), 1))
+        whole = scatter if smaller is None else np.maximum(scatter, 2 * scatter - smaller)
+        own, usual = np.maximum(own, whole), max(usual, float(np.mean(whole[well])))
         smaller, cells = scatter, cells >> 1
-    return max(factor, LEAST_FACTOR) / solved.steepness**2
+    # one factor for all directions is known better than one for each, but where the normals' errors take most of the matrix it is not enough
+    factor = np.where(well, usual, np.maximum(own, usual)) / solved.steepness**2
+    root = vectors * size[:, None]
+    return np.asarray((root * (values / factor)) @ root.T)
 
 
 def _summed(cells: IntArray, rows: FloatArray) -> tuple[IntArray, FloatArray]:

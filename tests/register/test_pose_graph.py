@@ -42,7 +42,8 @@ def test_a_plane_gives_no_information_along_itself(scanned):
     a, b = (prepare(cloud, 2.2) for cloud in scan.clouds)
     found = measure_pair(a, b, scan.truth[0].inverse() @ scan.truth[1], (0, 1), 3.0, 0.01)
     values = np.linalg.eigvalsh(found.information[:3, :3])
-    assert 0.9e4 < values[2] <= 1e4  # across: the 0.01 mm that all points share, and little more
+    # across: the 0.01 mm that all points share, and as much again as the grid of the thinning cuts the noise of a plane along it
+    assert 0.5e4 < values[2] <= 1e4
     assert values[1] < 4  # along: no better than the axes
 
 
