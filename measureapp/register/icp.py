@@ -168,7 +168,7 @@ def _common_surface(target: PreparedCloud, source: PreparedCloud, pose: RigidTra
     )  # fmt: skip
     centre = rows[:, :3].mean(axis=0) if len(rows) else np.zeros(3)
     variance = source.variance_mm2[own] + target.variance_mm2[other] + FLOOR_MM**2
-    tilt = float(np.hypot(np.sqrt(disagreement), NORMAL_BIAS_RAD))
+    tilt = float(np.hypot(np.sqrt(max(disagreement, 0.0)), NORMAL_BIAS_RAD))
     return _Common(own, other, centre, rows[:, :3] - centre, rows[:, 3:6], rows[:, 6], variance, tilt)
 
 
