@@ -86,7 +86,7 @@ def test_a_click_on_a_pixel_tells_stage_reason_and_numbers(qtbot, clouds):
     qtbot.mouseClick(dialog.picture, Qt.MouseButton.LeftButton, pos=place)
     assert dialog.place.text() == "Row 20, column 30"
     assert dialog.stage.text() == "Lost in matching the cameras: contradicted"
-    assert "Another camera sees a projector column" in dialog.answer.text()
+    assert "Another camera sees a projector line" in dialog.answer.text()
     assert "at least 10" in dialog.figures.text()
     QTest.keyClick(dialog.picture, Qt.Key.Key_Right)
     assert dialog.place.text() == "Row 20, column 31"
