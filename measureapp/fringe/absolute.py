@@ -11,7 +11,7 @@ from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.phase import PixelState
 from measureapp.errors import DecodeError
 from measureapp.fringe.kernels.records import BLOCK, CHUNK, RESIDUAL_SCALE, Layout, Maps, Model, Work
-from measureapp.fringe.map_memory import MapMemory
+from measureapp.map_memory import MapMemory
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.unwrap import HeterodynePlan, extent_px, plan_heterodyne
 

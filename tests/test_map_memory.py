@@ -6,7 +6,7 @@ import numpy as np
 
 from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.fringe.decode import decode
-from measureapp.fringe.map_memory import MapMemory
+from measureapp.map_memory import MapMemory
 from tests.fringe.conftest import images_of, ramp, stack_of
 
 
