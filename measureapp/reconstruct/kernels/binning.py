@@ -1,8 +1,8 @@
 """Compiled loops that sort the pixels of a camera by epipolar line and phase.
 
 A table (rows + 2, bins + 2) of int32 has a cell for every two rectified rows and every bin of the phase, and an empty border. A cell
-holds one pixel with that phase on those lines as ``v << 16 | u``, with the bit REPEATED when the phase occurs far from it too; −1 for
-none.
+holds one pixel with that phase on those lines as ``v << 16 | u``, with the bit REPEATED when the phase occurs far from it too; EMPTY, a
+negative number, for none.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from measureapp.reconstruct.kernels.scratch import GROUP, copy_4, split_4, stack
 
 REPEATED = np.int32(1 << 30)
 PLACE = np.int32((1 << 30) - 1)
+EMPTY = np.int32(-(1 << 31))
 PLACE_BITS, LOW_HALF, NOTHING = np.int32(16), np.int32(0xFFFF), np.int32(0)
 LINES_PER_CELL = 2
 LEAST_SINE = 0.17  # of the angle between fringes and epipolar lines; pairs below are not matched
@@ -26,20 +27,26 @@ NEAR_PX = np.float32(LINES_PER_CELL / LEAST_SINE)
 CHUNK = 256
 (RECORD, LINE, NEAR) = (0, 4 * CHUNK, 5 * CHUNK)
 SCRATCH, RECORDS = 6 * CHUNK, 4 * CHUNK
-(CELL, MORE) = (k * CHUNK for k in range(2))
-PLACES = 2 * CHUNK
+(CELL, LAST, HELD, HELD_LAST, PLACES) = (k * CHUNK for k in range(5))
+INDICES = 5 * CHUNK
 LANE = np.uint32(CHUNK)
 TWO, FOUR = np.uint32(1), np.uint32(2)  # as shifts
 ZERO, HALF, ONE = np.float32(0), np.float32(0.5), np.uint32(1)
 
 
 @njit(**INLINE)
-def put(table: Any, cell: Any, u: Any, v: Any, place: Any, near: Any) -> None:
-    """Write a pixel into a cell; without a branch, of which half would be foreseen wrongly."""
+def put(table: Any, cell: Any, place: Any) -> Any:
+    """Write a pixel into a cell and return what was there; what is marked as repeated stays so."""
     held = table[cell]
-    apart = max(abs((held & LOW_HALF) - u), abs(((held & PLACE) >> PLACE_BITS) - v))
-    repeated = (held | (REPEATED if apart > near else NOTHING)) & REPEATED
-    table[cell] = place | (repeated if held >= NOTHING else NOTHING)
+    table[cell] = place | (held & REPEATED)
+    return held
+
+
+@njit(**INLINE)
+def is_far(held: Any, place: Any, near: Any) -> Any:
+    """Whether two pixels of a cell are not of one surface."""
+    across, down = (held & LOW_HALF) - (place & LOW_HALF), ((held & PLACE) >> PLACE_BITS) - (place >> PLACE_BITS)
+    return (held >= NOTHING) & (max(abs(across), abs(down)) > near)
 
 
 @njit(**LOOP)
@@ -58,13 +65,13 @@ def fill_table(
     height, width = lines.shape[0], lines.shape[1] // 2
     bins = np.int32(shape[1])
     last_row, last_bin = np.int32(shape[0] - 1), np.int32(shape[1] - 1)
-    table[:] = -1
+    table[:] = EMPTY
     margin = np.float32(2.0) / per_rad
     step = np.uint32(every)
-    s, r, at = stack_float32(SCRATCH), stack_float32(RECORDS), stack_int32(PLACES)
+    s, r, at = stack_float32(SCRATCH), stack_float32(RECORDS), stack_int32(INDICES)
     for v in range(0, height, every):
         record_row, line_row = pixels[v], lines[v]
-        row_of = np.int32(v)
+        row_of = np.int32(v << PLACE_BITS)
         for first in range(0, width, every * CHUNK):
             n = min(CHUNK, (width - first + every - 1) // every)
             begin = np.uint32(first)
@@ -81,19 +88,28 @@ def fill_table(
                 low = np.int32((phase - rise - lowest) * per_rad) + np.int32(1)
                 high = np.int32((phase + rise - lowest) * per_rad) + np.int32(1)
                 inside = (row >= 1) & (row < last_row) & (low >= 1) & (high < last_bin) & (rise > ZERO)
-                at[CELL + i] = row * bins + low if inside else np.int32(-1)
-                at[MORE + i] = high - low
+                at[CELL + i] = row * bins + low if inside else NOTHING
+                at[LAST + i] = row * bins + high if inside else NOTHING
+                at[PLACES + i] = row_of | np.int32(begin + np.uint32(i) * step)
                 s[NEAR + i] = NEAR_PX + margin / rise
             for i in range(n):
-                cell = at[CELL + i]
-                if cell < 0:
-                    continue
-                u = np.int32(first + i * every)
-                place, near, last = (row_of << PLACE_BITS) | u, s[NEAR + i], cell + at[MORE + i]
-                put(table, np.uint32(cell), u, row_of, place, near)
-                put(table, np.uint32(last), u, row_of, place, near)
+                cell, last, place = at[CELL + i], at[LAST + i], at[PLACES + i]
+                at[HELD + i] = put(table, np.uint32(cell), place)
+                at[HELD_LAST + i] = put(table, np.uint32(last), place)
                 for between in range(cell + 1, last):
-                    put(table, np.uint32(between), u, row_of, place, near)
+                    if is_far(put(table, np.uint32(between), place), place, s[NEAR + i]):
+                        table[between] = place | REPEATED
+            some = NOTHING
+            for i in range(n):
+                far = is_far(at[HELD + i], at[PLACES + i], s[NEAR + i]) | is_far(at[HELD_LAST + i], at[PLACES + i], s[NEAR + i])
+                some = max(some, np.int32(far))
+            if some == NOTHING:
+                continue
+            for i in range(n):
+                for k in (NOTHING, np.int32(CHUNK)):
+                    if is_far(at[HELD + k + i], at[PLACES + i], s[NEAR + i]):
+                        table[np.uint32(at[CELL + k + i])] |= REPEATED
+    table[0] = EMPTY  # where pixels were put that have no cell
 
 
 @njit(**LOOP)
