@@ -27,6 +27,16 @@ def test_memory_is_not_given_out_again_while_a_view_of_it_lives() -> None:
     assert again.dtype == np.uint16 and again.shape == (200,) and again.flags.writeable
 
 
+def test_an_array_of_nearly_the_same_size_takes_the_place_of_one_that_is_gone() -> None:
+    memory = MapMemory()
+    first = memory.empty((1000, 3), np.float64)
+    place = address(first)
+    del first
+    again = memory.empty((990, 3), np.float64)  # a cloud with a few points less
+    assert again.shape == (990, 3) and again.flags.c_contiguous
+    assert address(again) == place
+
+
 def test_an_array_without_elements_can_be_had() -> None:
     assert MapMemory().empty(0, np.int16).shape == (0,)
 

@@ -27,10 +27,10 @@ from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, DecodeError, ReconstructError, RegistrationError
 from measureapp.fringe.bracket import BracketLimits
 from measureapp.fringe.decode import decode
-from measureapp.map_memory import MapMemory
 from measureapp.fringe.patterns import pattern_images
 from measureapp.fringe.stack_checks import check_stack
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
+from measureapp.map_memory import MapMemory
 from measureapp.pipeline.bracket import propose_bracket
 from measureapp.pipeline.live_decoding import LiveDecoding
 from measureapp.pipeline.validity import check_before_scan, validity_of
