@@ -11,9 +11,9 @@ from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.phase import PixelState
 from measureapp.errors import DecodeError
 from measureapp.fringe.kernels.records import BLOCK, CHUNK, RESIDUAL_SCALE, Layout, Maps, Model, Work
-from measureapp.fringe.map_memory import MapMemory
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.unwrap import HeterodynePlan, extent_px, plan_heterodyne
+from measureapp.map_memory import MapMemory
 
 RANGE_MARGIN_PX = 2.0
 GRAY_GATE_CYCLES, GRAY_SLACK_CYCLES = 0.5, 0.75

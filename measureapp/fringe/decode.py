@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from measureapp.data.fringe import FringeStack
 from measureapp.data.phase import PhaseMap
-from measureapp.fringe.map_memory import MapMemory
 from measureapp.fringe.patterns import check_determines_phase
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.stack_checks import check_shapes
 from measureapp.fringe.streaming import direction_decoders, joined
+from measureapp.map_memory import MapMemory
 from measureapp.progress import NoProgress, Progress
 
 

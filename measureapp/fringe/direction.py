@@ -15,10 +15,10 @@ from measureapp.fringe.absolute import GRAY_SLACK_CYCLES, make_maps, make_model,
 from measureapp.fringe.blooming import near_saturation
 from measureapp.fringe.kernels import decoding, solving, summing
 from measureapp.fringe.kernels.records import CHUNK, Layout, Maps, Model, Sums
-from measureapp.fringe.map_memory import MapMemory
 from measureapp.fringe.order_vote import VoteLimits, order_steps, settle_orders
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.unwrap import extent_px
+from measureapp.map_memory import MapMemory
 
 LEAST_USABLE, MOST_OUTSIDE = 0.01, 0.8
 COUNTERS = len(PixelState) + 1  # of every state, and of complete pixels

@@ -10,10 +10,10 @@ from measureapp.data.fringe import Direction, GrayCodeGroup, PatternSet, PhaseSh
 from measureapp.errors import DecodeError
 from measureapp.fringe.exposure_weights import exposure_weights
 from measureapp.fringe.kernels.records import CHUNK, Layout, Rule, Scratch, Sums
-from measureapp.fringe.map_memory import MapMemory
 from measureapp.fringe.noise import CameraNoise
 from measureapp.fringe.phase_shift import shift_weights
 from measureapp.fringe.settings import DecodeSettings
+from measureapp.map_memory import MapMemory
 
 MOST_EXPOSURES = 16
 LARGEST_SHORT = 32767

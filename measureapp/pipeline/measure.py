@@ -27,10 +27,10 @@ from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, DecodeError, ReconstructError, RegistrationError
 from measureapp.fringe.bracket import BracketLimits
 from measureapp.fringe.decode import decode
-from measureapp.fringe.map_memory import MapMemory
 from measureapp.fringe.patterns import pattern_images
 from measureapp.fringe.stack_checks import check_stack
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
+from measureapp.map_memory import MapMemory
 from measureapp.pipeline.bracket import propose_bracket
 from measureapp.pipeline.live_decoding import LiveDecoding
 from measureapp.pipeline.validity import check_before_scan, validity_of
@@ -200,7 +200,7 @@ def cloud_of_view(
     maps: Mapping[str, PhaseMap] | None = None,
     memory: MapMemory | None = None,
 ) -> ViewResult:
-    """Decode (where ``maps`` were not decoded already, in ``memory``), match, triangulate and judge one viewpoint.
+    """Decode (where ``maps`` were not decoded already), match, triangulate and judge one viewpoint, all in ``memory``.
 
     Raises
     ------
@@ -211,7 +211,7 @@ def cloud_of_view(
     if maps is None:
         check_stack(stack)
         maps = decode(stack, None, PartOf(progress, 0.0, 0.5), memory)
-    result = reconstruct(maps, calibration.cameras, progress=PartOf(progress, 0.5, 1.0), rectifier=rectifier)
+    result = reconstruct(maps, calibration.cameras, progress=PartOf(progress, 0.5, 1.0), rectifier=rectifier, memory=memory)
     findings = diagnose(maps, calibration.cameras) if _looks_wrong(result, maps) else ()
     for finding in findings:
         if finding.severity == "error":

@@ -10,6 +10,7 @@ import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray, in_bands, read_only
 from measureapp.data.point_state import PointState
+from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.cubics import PixelSteps
 from measureapp.reconstruct.settings import ReconstructSettings
@@ -120,6 +121,7 @@ def cleaned(
     lens: Lens,
     centres_mm: Sequence[FloatArray],
     settings: ReconstructSettings,
+    memory: MapMemory | None = None,
 ) -> DepthGrid:
     """Remove what cannot be trusted from a depth map; ``fate`` is written to. Islands are what hangs together after all else is gone.
 
@@ -127,15 +129,17 @@ def cleaned(
     ----------
     others : (H, W) uint8, bit i: the camera at ``centres_mm[i]``, in the frame of the depth map's, takes part
     """
+    memory = memory or MapMemory()
     height, width = depth_mm.shape
     border = settings.normal_radius_px
-    inverse = np.zeros((height + 2 * border, width + 2 * border), np.float32)
+    inverse = memory.empty((height + 2 * border, width + 2 * border), np.float32)
+    inverse[:border], inverse[-border:], inverse[:, :border], inverse[:, -border:] = 0, 0, 0, 0
     per_px = np.float32(lens.spacing * np.tan(np.radians(max(settings.max_incidence_deg, ONE_SURFACE_DEG))))
     made = DepthGrid(depth_mm, sigma_mm, others, fate, lens, inverse, border, per_px)
     worst = np.float32(settings.max_sigma_mm)
     in_bands(lambda start, stop: kernels.invert(depth_mm, sigma_mm, worst, border, start, stop, inverse, fate), height)
     _judge(made, centres_mm, settings)
-    _drop_islands(made, settings.min_island_px)
+    _drop_islands(made, settings.min_island_px, memory)
     return made
 
 
@@ -170,9 +174,9 @@ def _judge(grid: DepthGrid, centres_mm: Sequence[FloatArray], settings: Reconstr
     )
 
 
-def _drop_islands(grid: DepthGrid, least: int) -> None:
+def _drop_islands(grid: DepthGrid, least: int, memory: MapMemory) -> None:
     shape = grid.fate.shape
-    starts, stops, counts = np.empty(shape, np.int16), np.empty(shape, np.int16), np.empty(shape[0], np.int32)
+    starts, stops, counts = memory.empty(shape, np.int16), memory.empty(shape, np.int16), np.empty(shape[0], np.int32)
     in_bands(
         lambda start, stop: kernels.find_runs(
             grid.inverse, grid.sigma_mm, grid.fate, grid.per_px, grid.border, start, stop, starts, stops, counts
@@ -194,15 +198,15 @@ class PointArrays:
     cameras: IntArray  # (N,) uint8
 
     @classmethod
-    def of(cls, count: int) -> PointArrays:
+    def of(cls, count: int, memory: MapMemory) -> PointArrays:
         """Make room for points."""
         return cls(
-            np.empty((count, 3), np.float64),
-            np.empty((count, 3), np.float32),
-            np.empty(count, np.float32),
-            np.empty(count, np.float32),
-            np.empty((count, 2), np.int32),
-            np.empty(count, np.uint8),
+            memory.empty((count, 3), np.float64),
+            memory.empty((count, 3), np.float32),
+            memory.empty(count, np.float32),
+            memory.empty(count, np.float32),
+            memory.empty((count, 2), np.int32),
+            memory.empty(count, np.uint8),
         )
 
 
@@ -274,6 +278,6 @@ def gather(
 def gathered_normals(grid: DepthGrid) -> tuple[IntArray, FloatArray]:
     """Return the pixels (N, 2) and normals (N, 3) of the points left."""
     counts = points_per_row(grid)
-    out = PointArrays.of(int(counts.sum()))
+    out = PointArrays.of(int(counts.sum()), MapMemory())
     gather(grid, counts, 0, grid.depth_mm, 1.0, (1,), np.eye(4), out)
     return out.pixel, out.normals

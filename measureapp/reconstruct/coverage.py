@@ -39,10 +39,11 @@ def keep_new(
 
     Returns
     -------
-    (N, 2) distance in px between a point's image in the earlier camera and the place with its phase, and the variance of it
+    (N, 2) distance in px between a point's image in the earlier camera and the place with its phase, and the variance of it, of samples
+    from all over the image
     """
     here, sight = views[name], sight_of(name, earlier, views, rectifier)
-    depth, fate = view.depth_mm, view.fate
+    depth, fate, every = view.depth_mm, view.fate, sample_step(view.depth_mm.shape)
 
     def work(start: int, stop: int) -> FloatArray:
         rows = slice(start, stop)
@@ -76,8 +77,11 @@ def keep_new(
             known[row[hidden], column[hidden]] = False
         fate[rows][known] = np.where(differs[known], np.uint8(PointState.CONTRADICTED), np.uint8(PointState.SEEN_BY_ANOTHER))
         depth[rows][known] = 0
-        of_them = found & known
-        return np.column_stack([shift[of_them], variance[of_them] / np.maximum(slope[of_them], np.float32(1e-9)) ** 2])
+        # Of pixels that take part in points already only samples were matched; among all others most are wrong, or at borders.
+        samples = (slice(-start % every, None, every), slice(None, None, every))
+        of_them = (found & known)[samples]
+        steep = np.maximum(slope[samples][of_them], np.float32(1e-9))
+        return np.column_stack([shift[samples][of_them], variance[samples][of_them] / steep**2])
 
     return np.concatenate(in_bands(work, len(depth)))
 

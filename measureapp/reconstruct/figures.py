@@ -10,6 +10,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 
 TRIMMED_PX = 3.0
+LEAST_SAMPLES = 30  # below, the median's error is a fifth of the scatter and more, and a few wrong points decide it
 MEDIAN_OF_CHI2 = 0.4549364  # of one degree of freedom
 MEDIAN_ERROR = 1.2533141  # standard error of the median of normal values, in standard deviations over √N
 CHI2_MEDIAN_ERROR = 1.0611  # standard error of the median of χ² of one degree of freedom, times √N
@@ -30,14 +31,19 @@ class PairFigures:
 
     names: tuple[str, str]
     matched: int
-    epipolar_rms_px: float | None  # rms of the distances below 3 px, phase noise included; None without a third camera or direction
+    epipolar_rms_px: (
+        float | None
+    )  # rms of the distances below 3 px, phase noise included; None without enough of a third camera or direction
     epipolar_px: float | None = None  # robust size of what the phase noise does not explain: the calibration's errors
     across_px: float | None = None  # the same across the epipolar lines, from horizontal fringes; None without them
     skipped: str = ""  # why the pair was not matched
 
 
 def pair_figures(names: tuple[str, str], matched: int, shifts: Sequence[FloatArray], across: FloatArray | None = None) -> PairFigures:
-    """Judge a pair by samples (…, 2) of the distance in px and its variance, along and across the epipolar lines; (0, 0) for none."""
+    """Judge a pair by samples (…, 2) of the distance in px and its variance, along and across the epipolar lines; (0, 0) for none.
+
+    Fewer samples than LEAST_SAMPLES say nothing: the figures of that direction are None.
+    """
     off, variance = _samples(shifts)
     off_across, variance_across = _samples([] if across is None else [across])
     across_px = unexplained_px(off_across, variance_across) if len(off_across) else None
@@ -51,7 +57,8 @@ def pair_figures(names: tuple[str, str], matched: int, shifts: Sequence[FloatArr
 
 def _samples(shifts: Sequence[FloatArray]) -> tuple[FloatArray, FloatArray]:
     joined = np.concatenate([np.zeros((0, 2)), *(each.reshape(-1, 2) for each in shifts)]).astype(np.float64)
-    off, variance = joined[joined[:, 1] > 0].T
+    known = joined[joined[:, 1] > 0]
+    off, variance = (known if len(known) >= LEAST_SAMPLES else known[:0]).T
     return off, variance
 
 

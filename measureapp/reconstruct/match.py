@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray, in_bands
+from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.phase_view import PhaseView
 from measureapp.reconstruct.rectifier import Rectifier
@@ -46,6 +47,7 @@ def match_view(
     covered: Mapping[str, IntArray],
     rectifier: Rectifier,
     settings: ReconstructSettings,
+    memory: MapMemory,
 ) -> DepthMap:
     """Match camera ``name`` with each of ``others``; candidates that another camera contradicts are dropped, the rest fused.
 
@@ -60,16 +62,26 @@ def match_view(
     shape = view.phase.shape
     every = sample_step(shape)
     made = DepthMap(
-        np.empty(shape, np.float32),
-        np.empty(shape, np.float32),
-        np.empty(shape, np.uint8),
-        np.empty(shape, np.uint8),
+        memory.empty(shape, np.float32),
+        memory.empty(shape, np.float32),
+        memory.empty(shape, np.uint8),
+        memory.empty(shape, np.uint8),
         np.zeros(shape if len(others) == 1 else (0, 0), np.float32),
         (),
         np.zeros((len(others), *(-(-length // every) for length in shape), 2), np.float32),
     )
     work = _Work(
-        name, tuple(others), views, tables, skip, tuple(covered[other].reshape(-1) for other in others), rectifier, settings, made, every
+        name,
+        tuple(others),
+        views,
+        tables,
+        skip,
+        tuple(covered[other].reshape(-1) for other in others),
+        rectifier,
+        settings,
+        made,
+        every,
+        memory,
     )
     bands = in_bands(work.rows, shape[0], max(8, shape[0] // ROWS_PER_BAND))
     totals = np.sum(bands, axis=0)
@@ -137,12 +149,13 @@ class _Work:
     settings: ReconstructSettings
     made: DepthMap
     every: int
+    memory: MapMemory
 
     def rows(self, start: int, stop: int) -> IntArray:
         """Do the rows from ``start`` to ``stop``; returns how many pixels were matched with each other camera."""
         view, count = self.views[self.name], len(self.others)
         shape = (count, stop - start, view.phase.shape[1])
-        found: list[Any] = [np.empty(shape, dtype) for dtype in (np.float32, np.float32, np.float32, np.int32, np.uint8)]
+        found: list[Any] = [self.memory.empty(shape, dtype) for dtype in (np.float32, np.float32, np.float32, np.int32, np.uint8)]
         matched = [
             match_rows(
                 self.name, other, self.views, self.tables[other], self.skip, self.rectifier, (start, stop), [part[k] for part in found]

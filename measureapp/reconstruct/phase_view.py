@@ -8,6 +8,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray, in_bands, read_only
 from measureapp.data.phase import PhaseMap
+from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
 
 SPARSE = 16  # one pixel of so many in each direction tells what a phase map is like
@@ -25,11 +26,12 @@ class PhaseView:
     some_slopes: FloatArray  # (N, 2) the known slopes of a sparse choice of pixels
 
     @classmethod
-    def of(cls, phase_map: PhaseMap, step_rad: float) -> PhaseView:
+    def of(cls, phase_map: PhaseMap, step_rad: float, memory: MapMemory | None = None) -> PhaseView:
         """Take the slopes of a phase map, over neighbours less than ``step_rad`` apart."""
+        memory = memory or MapMemory()
         phase, sigma = read_only(phase_map.phase_rad, np.float32), read_only(phase_map.sigma_rad, np.float32)
         state = read_only(phase_map.state, np.uint8)
-        pixels, quad = np.empty((*phase.shape, 4), np.float32), np.empty(phase.shape, np.uint8)
+        pixels, quad = memory.empty((*phase.shape, 4), np.float32), memory.empty(phase.shape, np.uint8)
         step, flat = np.float32(step_rad), pixels.reshape(len(pixels), -1)
         in_bands(lambda start, stop: kernels.slopes(phase, sigma, state, step, start, stop, flat, quad), len(phase))
         some = pixels[::SPARSE, ::SPARSE, 1:3].reshape(-1, 2)

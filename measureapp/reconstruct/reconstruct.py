@@ -15,6 +15,7 @@ from measureapp.data.cloud import PointCloud
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.point_state import PointState
 from measureapp.errors import ReconstructError
+from measureapp.map_memory import MapMemory
 from measureapp.progress import NoProgress, Progress
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.clean import DepthGrid, Lens, PointArrays, cleaned, gather, points_per_row, rejections
@@ -44,6 +45,7 @@ def reconstruct(
     settings: ReconstructSettings | None = None,
     progress: Progress | None = None,
     rectifier: Rectifier | None = None,
+    memory: MapMemory | None = None,
 ) -> Reconstruction:
     """Match all pairs of cameras and intersect their rays.
 
@@ -57,6 +59,7 @@ def reconstruct(
     settings : None for the defaults
     progress : told after each camera; where the task can be cancelled
     rectifier : of this calibration, to share its maps between calls; None makes one
+    memory : for all that is made, the cloud among it, to be used again by later calls; None takes fresh memory
 
     Raises
     ------
@@ -66,21 +69,27 @@ def reconstruct(
     settings = settings or ReconstructSettings()
     progress = progress or NoProgress()
     rectifier = rectifier or Rectifier(cameras)
+    memory = memory or MapMemory()
     names = _usable_names(phase_maps, cameras)
     if settings.grid == "rectified" or (settings.grid == "auto" and len(names) == 2):
-        return _on_rectified_grid(names, phase_maps, rectifier, settings, progress)
-    return _reconstruct(names, phase_maps, rectifier, settings, progress)
+        return _on_rectified_grid(names, phase_maps, rectifier, settings, progress, memory)
+    return _reconstruct(names, phase_maps, rectifier, settings, progress, memory)
 
 
 def _on_rectified_grid(
-    names: tuple[str, ...], phase_maps: Mapping[str, PhaseMap], rectifier: Rectifier, settings: ReconstructSettings, progress: Progress
+    names: tuple[str, ...],
+    phase_maps: Mapping[str, PhaseMap],
+    rectifier: Rectifier,
+    settings: ReconstructSettings,
+    progress: Progress,
+    memory: MapMemory,
 ) -> Reconstruction:
     """Reconstruct two cameras with the first one's phase taken to the rectified grid; pixels are named by the real image."""
     if len(names) != 2:
         raise ReconstructError(f"A rectified grid needs two cameras, not {len(names)}.", "Choose the grid of the images.")
     grid, turned = rectifier.rectified(names[0], names[1])
     maps = dict(phase_maps) | {names[0]: on_rectified_grid(phase_maps[names[0]], grid, settings.max_phase_step_rad)}
-    made = _reconstruct(names, maps, turned, settings, progress)
+    made = _reconstruct(names, maps, turned, settings, progress, memory)
     native = np.rint(grid.native[made.cloud.pixel[:, 0], made.cloud.pixel[:, 1]]).astype(np.int32)
     fates = dict(made.fates) | {names[0]: _native_fate(made.fates[names[0]], grid.native, phase_maps[names[0]])}
     return replace(made, cloud=replace(made.cloud, pixel=native[:, ::-1]), fates=fates)
@@ -100,9 +109,14 @@ def _native_fate(fate: IntArray, native: FloatArray, phase_map: PhaseMap) -> Int
 
 
 def _reconstruct(
-    names: tuple[str, ...], phase_maps: Mapping[str, PhaseMap], rectifier: Rectifier, settings: ReconstructSettings, progress: Progress
+    names: tuple[str, ...],
+    phase_maps: Mapping[str, PhaseMap],
+    rectifier: Rectifier,
+    settings: ReconstructSettings,
+    progress: Progress,
+    memory: MapMemory,
 ) -> Reconstruction:
-    work = _Work(names, phase_maps, rectifier, settings)
+    work = _Work(names, phase_maps, rectifier, settings, memory)
     for number, name in enumerate(names[:-1]):
         progress.report(number, len(names) - 1, f"matching {name}")
         work.match(number)
@@ -120,13 +134,18 @@ class _Work:
     """One view: the cameras one after the other, each for what those before it do not have."""
 
     def __init__(
-        self, names: tuple[str, ...], phase_maps: Mapping[str, PhaseMap], rectifier: Rectifier, settings: ReconstructSettings
+        self,
+        names: tuple[str, ...],
+        phase_maps: Mapping[str, PhaseMap],
+        rectifier: Rectifier,
+        settings: ReconstructSettings,
+        memory: MapMemory,
     ) -> None:
-        self.names, self.phase_maps, self.rectifier, self.settings = names, phase_maps, rectifier, settings
-        self.views = {name: PhaseView.of(phase_maps[name], settings.max_phase_step_rad) for name in names}
+        self.names, self.phase_maps, self.rectifier, self.settings, self.memory = names, phase_maps, rectifier, settings, memory
+        self.views = {name: PhaseView.of(phase_maps[name], settings.max_phase_step_rad, memory) for name in names}
         self.witnesses = dict(self.views)  # of points of later cameras; without pixels that two others contradict
         maps_across = {name: each for name in names if (each := phase_maps[name].across) is not None}
-        self.views_across = {name: PhaseView.of(each, settings.max_phase_step_rad) for name, each in maps_across.items()}
+        self.views_across = {name: PhaseView.of(each, settings.max_phase_step_rad, memory) for name, each in maps_across.items()}
         self.across: dict[tuple[str, str], FloatArray] = {}
         self.skipped = self._pairs_along_the_fringes()
         self.covered = {name: np.zeros(self.views[name].phase.shape, np.uint8) for name in names[1:]}
@@ -158,8 +177,8 @@ class _Work:
         if not others or skip.all():
             self.fates[name] = np.where(skip == 0, np.uint8(PointState.UNMATCHED), skip)
             return
-        tables = pair_tables(name, others, self.views, self.phase_maps[name], self.rectifier)
-        view = match_view(name, others, self.views, tables, skip, self.covered, self.rectifier, self.settings)
+        tables = pair_tables(name, others, self.views, self.phase_maps[name], self.rectifier, self.memory)
+        view = match_view(name, others, self.views, tables, skip, self.covered, self.rectifier, self.settings, self.memory)
         for place, other in enumerate(others):
             self.matched[name, other] = view.matched[place]
             self.shifts[name, other] = [view.shifts[place]]
@@ -172,7 +191,7 @@ class _Work:
         camera_from_reference = cameras[name].reference_from_camera.inverse()
         centres = [camera_from_reference.apply(cameras[other].reference_from_camera.translation_mm) for other in others]
         lens = Lens(self.rectifier.rays(name), self.rectifier.ray_steps(name), 1.0 / float(cameras[name].pinhole.matrix[0, 0]))
-        grid = cleaned(view.depth_mm, view.sigma_mm, view.others, view.fate, lens, centres, self.settings)
+        grid = cleaned(view.depth_mm, view.sigma_mm, view.others, view.fate, lens, centres, self.settings, self.memory)
         self.fates[name] = view.fate
         self.grids[name] = (grid, others)
 
@@ -180,7 +199,7 @@ class _Work:
         """Return the phase of a camera without some pixels."""
         seen = self.phase_maps[name]
         state = np.where(pixels, np.uint8(PixelState.OUT_OF_RANGE), seen.state)
-        return PhaseView.of(replace(seen, state=state), self.settings.max_phase_step_rad)
+        return PhaseView.of(replace(seen, state=state), self.settings.max_phase_step_rad, self.memory)
 
     def _skip(self, number: int) -> IntArray:
         """Return the fate of pixels that are not matched: they have no phase, or take part in points already; 0 for all others."""
@@ -191,7 +210,7 @@ class _Work:
 
     def _marked(self, name: str, sampled: int, uncovered: PointState) -> IntArray:
         state, covered = self.views[name].state, self.covered[name]
-        marked, every = np.empty_like(covered), sample_step(covered.shape)
+        marked, every = self.memory.empty(covered.shape, np.uint8), sample_step(covered.shape)
         numbers = (every, np.uint8(sampled), np.uint8(uncovered))
         in_bands(lambda start, stop: kernels.mark_covered(state, covered, *numbers, start, stop, marked), len(marked))
         return marked
@@ -214,7 +233,7 @@ class _Work:
         """Gather the points of all cameras in the reference camera's frame."""
         order = self.rectifier.cameras.names
         counts = {name: points_per_row(grid) for name, (grid, _) in self.grids.items()}
-        out = PointArrays.of(int(sum(count.sum() for count in counts.values())))
+        out = PointArrays.of(int(sum(count.sum() for count in counts.values())), self.memory)
         first = 0
         for name, (grid, others) in self.grids.items():
             seen, camera = self.phase_maps[name], self.rectifier.cameras.cameras[name]

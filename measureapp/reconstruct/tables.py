@@ -10,6 +10,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray, in_bands, read_only
 from measureapp.data.phase import PhaseMap
+from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.phase_view import PhaseView
 from measureapp.reconstruct.rectifier import EpipolarLines, Rectifier
@@ -50,10 +51,15 @@ def fringe_sine(name: str, other: str, views: dict[str, PhaseView], rectifier: R
 
 
 def pair_tables(
-    name: str, others: Sequence[str], views: dict[str, PhaseView], maps: PhaseMap, rectifier: Rectifier
+    name: str,
+    others: Sequence[str],
+    views: dict[str, PhaseView],
+    maps: PhaseMap,
+    rectifier: Rectifier,
+    memory: MapMemory | None = None,
 ) -> dict[str, PairTables]:
     """Sort camera ``name`` and each of ``others`` for their common epipolar lines; one thread per table."""
-    made, jobs = {}, []
+    memory, made, jobs = memory or MapMemory(), {}, []
     for other in others:
         sides = _sides(name, other, views, rectifier)
         rise = np.concatenate([side.rises()[0] for side in sides])
@@ -62,11 +68,11 @@ def pair_tables(
         bins = int(np.clip((range_rad + 2 * RANGE_MARGIN_RAD) / max(BIN_PX * usual, 1e-9), 16, MOST_BINS))
         per_rad = bins / (range_rad + 2 * RANGE_MARGIN_RAD)
         shape = (rectifier.pair(name, other).rows // kernels.LINES_PER_CELL + 3, bins + 2)
-        tables = [np.empty(shape, np.int32) for _ in sides]
+        tables = [memory.empty(shape, np.int32) for _ in sides]
         made[other] = PairTables(tables[0], tables[1], -RANGE_MARGIN_RAD, per_rad)
         jobs += [_fill(side, made[other], table) for side, table in zip(sides, tables, strict=True)]
     in_bands(lambda start, stop: [job() for job in jobs[start:stop]], len(jobs), len(jobs))
-    return {other: _spread(tables) for other, tables in made.items()}
+    return {other: _spread(tables, memory) for other, tables in made.items()}
 
 
 def _sides(name: str, other: str, views: dict[str, PhaseView], rectifier: Rectifier) -> list[_Side]:
@@ -77,12 +83,19 @@ def _fill(side: _Side, tables: PairTables, table: IntArray) -> Callable[[], None
     view, (along_x, along_y) = side.view, side.lines.direction
     every = 1 if view.phase.size < EVERY_PIXEL_BELOW else 2
     numbers = [np.float32(value) for value in (along_x, along_y, tables.lowest_rad, tables.per_rad)]
-    arguments: tuple[Any, ...] = (view.pixels, side.lines.pixels, *numbers, every, table)
+    arguments: tuple[Any, ...] = (
+        view.pixels.reshape(len(view.pixels), -1),
+        side.lines.pixels.reshape(len(view.pixels), -1),
+        *numbers,
+        every,
+        table.shape,
+        table.reshape(-1),
+    )
     return lambda: kernels.fill_table(*arguments)
 
 
-def _spread(tables: PairTables) -> PairTables:
+def _spread(tables: PairTables, memory: MapMemory) -> PairTables:
     """Fill gaps of the other camera's table and mark in it what is repeated in the first one's."""
-    wider = np.empty_like(tables.there)
+    wider = memory.empty(tables.there.shape, np.int32)
     in_bands(lambda start, stop: kernels.spread_table(tables.there, tables.here, start, stop, wider), len(wider))
     return PairTables(read_only(tables.here), read_only(wider), tables.lowest_rad, tables.per_rad)

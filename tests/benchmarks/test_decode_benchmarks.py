@@ -24,8 +24,8 @@ import pytest
 from measureapp.data.fringe import FringeStack
 from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.fringe.decode import decode_camera
-from measureapp.fringe.map_memory import MapMemory
 from measureapp.fringe.settings import DecodeSettings
+from measureapp.map_memory import MapMemory
 from tests.fringe.conftest import EXPOSURES_US, images_of
 
 Benchmark = Callable[..., Any]

@@ -197,6 +197,21 @@ def test_phase_noise_is_not_taken_for_a_shifted_camera_but_a_shifted_camera_is(h
         assert after.epipolar_px > 0.1
 
 
+def test_pixels_that_one_camera_has_wrong_are_not_all_that_the_figure_of_the_other_pair_is_taken_from(
+    head: Head, rectifier: Rectifier
+) -> None:
+    maps = head.phase_maps(plane(550, 0.2, 0.1), SIGMA_RAD, 7)
+    phase = maps["left"].phase_rad.copy()
+    phase[: int(0.3 * len(phase))] += np.float32(2 * np.pi)  # there the others have points of their own, and left differs from all of them
+    maps["left"] = replace(maps["left"], phase_rad=phase)
+    made = reconstruct(maps, head.cameras, rectifier=rectifier)
+    figures = made.pairs[2]
+    assert figures.names == ("right", "upper") and figures.epipolar_px is not None and figures.epipolar_rms_px is not None
+    # Half of all samples are 0.5 / 0.7 of the right ones: those below 1.57 standard deviations
+    # instead of 0.67, as if there were an error of √(1.57² / 0.67² − 1) = 2.1 of them; the rms is of samples in which wrong ones are few.
+    assert figures.epipolar_px < 1.2 * 2.1 * figures.epipolar_rms_px
+
+
 def test_order_errors_of_patches_spoil_no_other_point(head: Head, rectifier: Rectifier) -> None:
     maps = head.phase_maps(plane(550, 0.2, 0.1), SIGMA_RAD, 5)
     random = np.random.default_rng(6)

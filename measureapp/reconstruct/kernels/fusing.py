@@ -4,8 +4,6 @@ A rectified pair is described to the kernels by ``turn`` (3, 3), rectified axes 
 (focal, x0, y0) with x_px = focal · x − x0, y_px = focal · y − y0; a ``grid`` (rows, columns, 2) of native pixels (x, y) at every
 ``stride``-th rectified pixel leads back to the image. Rows of both images of a pair are the same epipolar lines.
 """
-# One loop over pixels cannot be cut into functions without leaving SIMD code.
-# ruff: noqa: PLR0912, PLR0915
 
 from __future__ import annotations
 
@@ -26,6 +24,7 @@ VALID, NO_PHASE, UNMATCHED, AMBIGUOUS, CONTRADICTED = (
 )
 BOTH, NONE = np.uint8(3), np.uint8(0)
 ZERO = np.float32(0)
+EXCESS, ALONG, GAIN, NOISE, HERE, LINE = range(6)  # what is known of a candidate as another camera sees it
 OCCLUDES_PX = 16.0  # nearer by so much disparity, a surface seen instead of a point hides it
 
 
@@ -118,6 +117,142 @@ def hidden(wanted: Any, here: Any, row: Any, repeats: Any, lines: Any, frame: An
     return bool(nearer > OCCLUDES_PX)
 
 
+@njit(**INLINE)
+def take_over(z: Any, skip: Any, there: Any, fate: Any, bits: Any, covered: Any) -> None:
+    """Write fate and cameras of the pixels of a row that `fuse_both` solved, and which pixels of both other cameras take part."""
+    for x in range(len(z)):
+        fate[x] = skip[x]
+    for x in range(len(z)):
+        bits[x] = BOTH if z[x] > ZERO else NONE
+    last = len(covered) - 1
+    first_there, last_there = there[0], there[last]
+    first_covered, last_covered = covered[0], covered[last]
+    for x in range(len(z)):
+        if z[x] > ZERO:
+            first_covered[first_there[x]] = 1
+            last_covered[last_there[x]] = 1
+
+
+@njit(**INLINE)
+def choose_single(z: Any, z_sigma: Any, bits: Any, skip: Any, sampled: Any, every: Any, singly: Any) -> int:
+    """List the pixels of a row that are fused one by one: those not solved yet, and samples of all others; returns how many."""
+    left = 0
+    for x in range(len(z)):
+        if skip[x] == 0 and (z[x] == ZERO or (sampled and x % every == 0)):
+            singly[left] = x
+            left += 1
+            z[x] = 0
+            z_sigma[x] = 0
+            bits[x] = 0
+    return left
+
+
+@njit(**INLINE)
+def look_with_all(
+    singly: Any, left: Any, rays: Any, phase: Any, depth: Any, gain: Any, variance: Any, others: Any, sights: Any, seen: Any
+) -> None:
+    """Look at every candidate of the chosen pixels of a row with every other camera; a candidate's own camera sees what it matched."""
+    for c in range(len(others)):
+        other = others[c]
+        for k in range(len(others)):
+            for i in range(left):
+                x = singly[i]
+                sights[k, c, i] = BLANK
+                if depth[k, x] <= 0:
+                    continue
+                if c == k:
+                    sights[k, c, i] = SEEN
+                    seen[EXCESS, k, c, i], seen[GAIN, k, c, i], seen[NOISE, k, c, i] = 0.0, gain[k, x], variance[k, x]
+                    continue
+                sight, over, along, rise, noise, here, _there, line = see(phase[x], rays[x, 0], rays[x, 1], depth[k, x], other)
+                sights[k, c, i] = sight
+                seen[EXCESS, k, c, i], seen[ALONG, k, c, i], seen[GAIN, k, c, i] = over, along, rise
+                seen[NOISE, k, c, i], seen[HERE, k, c, i], seen[LINE, k, c, i] = noise, here, line
+
+
+@njit(**INLINE)
+def spread_of(seen: Any, k: Any, c: Any, i: Any, own: Any) -> Any:
+    """Return the variance of what camera c sees in excess at the candidate of camera k, which has the noise of both phases in it."""
+    ratio = seen[GAIN, k, c, i] / seen[GAIN, k, k, i]
+    return seen[NOISE, k, c, i] + own * (ratio - 1) ** 2 + seen[NOISE, k, k, i] * ratio**2
+
+
+@njit(**INLINE)
+def best_candidate(i: Any, phase: Any, own: Any, sights: Any, seen: Any, tables: Any, limits: Any, agrees: Any) -> int:
+    """Return the candidate that most cameras agree with and none contradicts, −1 for none; ``agrees`` (M, M): who agrees with which."""
+    count = len(tables)
+    sigmas, tolerance_px = limits
+    best, best_support = -1, 0
+    for k in range(count):
+        if sights[k, k, i] != SEEN:
+            continue
+        support = 0
+        for c in range(count):
+            agrees[k, c] = c == k
+            support += c == k
+            if c == k or sights[k, c, i] != SEEN:
+                continue
+            excess, slope = seen[EXCESS, k, c, i], seen[ALONG, k, c, i]
+            if abs(excess) <= sigmas * np.sqrt(spread_of(seen, k, c, i, own)) + tolerance_px * abs(slope):
+                support += 1
+                agrees[k, c] = True
+            elif not hidden(phase + excess, seen[HERE, k, c, i], seen[LINE, k, c, i], *tables[c]):
+                support = -100
+        if support > best_support:
+            best_support = support
+            best = k
+    return best
+
+
+@njit(**INLINE)
+def note_shifts(i: Any, own: Any, sights: Any, seen: Any, shifts: Any, row: Any, column: Any) -> None:
+    """Note where other cameras see the phases of the candidates, in px along the epipolar line, and the variance of it."""
+    count = len(shifts)
+    for k in range(count):
+        for c in range(count):
+            if c == k or sights[k, c, i] != SEEN:
+                continue
+            slope = seen[ALONG, k, c, i]
+            shifts[k, row, column, 0] = seen[EXCESS, k, c, i] / slope
+            shifts[k, row, column, 1] = spread_of(seen, k, c, i, own) / slope**2
+
+
+@njit(**INLINE)
+def why_none(i: Any, x: Any, sights: Any, reason: Any) -> Any:
+    """Return the fate of a pixel without a candidate that is left."""
+    fate = UNMATCHED
+    for k in range(len(reason)):
+        if reason[k, x] == REPEATS:
+            fate = AMBIGUOUS
+    for k in range(len(reason)):
+        if sights[k, k, i] == SEEN:
+            fate = CONTRADICTED
+    return fate
+
+
+@njit(**INLINE)
+def solve(i: Any, own: Any, agrees: Any, best: Any, seen: Any) -> Any:
+    """Return what to add to the depth of a candidate, its standard deviation (0 where there is no solution) and the cameras in it."""
+    zz, zd, dd = 0.0, 0.0, 1.0 / (own + 1e-20)
+    rz, rd = 0.0, 0.0
+    taking = 0
+    for c in range(len(agrees)):
+        if not agrees[best, c]:
+            continue
+        excess, gain = seen[EXCESS, best, c, i], seen[GAIN, best, c, i]
+        weight = 1.0 / (seen[NOISE, best, c, i] + 1e-20)
+        zz += weight * gain * gain
+        zd -= weight * gain
+        dd += weight
+        rz -= weight * gain * excess
+        rd += weight * excess
+        taking |= 1 << c
+    determinant = zz * dd - zd * zd
+    if determinant <= 0:
+        return 0.0, 0.0, taking
+    return (rz * dd - zd * rd) / determinant, np.sqrt(dd / determinant), taking
+
+
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
 def fuse(
     rays: Any,
@@ -148,111 +283,39 @@ def fuse(
 
     Unknowns are z and the projector's true phase; one equation per camera.
     """
-    count = len(others)
-    width = phase.shape[1]
+    count, width = len(others), phase.shape[1]
+    limits = (sigmas, tolerance_px)
     agrees = np.zeros((count, count), np.bool_)
     singly = np.zeros(width, np.int32)
-    sights = np.zeros((count, count, width), np.uint8)
-    e, along, g = np.zeros((count, count, width)), np.zeros((count, count, width)), np.zeros((count, count, width))
-    noise, here, line = np.zeros((count, count, width)), np.zeros((count, count, width)), np.zeros((count, count, width))
+    sights, seen = np.zeros((count, count, width), np.uint8), np.zeros((6, count, count, width))
     for y in range(row_start, row_stop):
         row = y - row_start
-        fate_row, skip_row, bits_row, z_row = fate[y], skip[y], bits[y], z[y]
-        for x in range(width):
-            fate_row[x] = skip_row[x]
-        for x in range(width):
-            bits_row[x] = BOTH if z_row[x] > ZERO else NONE
+        take_over(z[y], skip[y], there[:, row], fate[y], bits[y], covered)
         sampled = y % sample == 0
-        first_there, last_there = there[0, row], there[count - 1, row]
-        first_covered, last_covered = covered[0], covered[count - 1]
-        for x in range(width):
-            if z_row[x] > ZERO:
-                first_covered[first_there[x]] = 1
-                last_covered[last_there[x]] = 1
-        left = 0
-        for x in range(width):
-            if skip_row[x] == 0 and (z_row[x] == ZERO or (sampled and x % sample == 0)):
-                singly[left] = x
-                left += 1
-                z[y, x] = 0
-                z_sigma[y, x] = 0
-                bits[y, x] = 0
-        for c in range(count):
-            other = others[c]
-            for k in range(count):
-                for i in range(left):
-                    x = singly[i]
-                    sights[k, c, i] = BLANK
-                    if depth[k, row, x] <= 0:
-                        continue
-                    if c == k:
-                        sights[k, c, i], e[k, c, i] = SEEN, 0.0
-                        g[k, c, i], noise[k, c, i] = gain[k, row, x], variance[k, row, x]
-                    else:
-                        seen = see(phase[y, x], rays[y, x, 0], rays[y, x, 1], depth[k, row, x], other)
-                        sights[k, c, i], e[k, c, i], along[k, c, i], g[k, c, i], noise[k, c, i], here[k, c, i], _xt, line[k, c, i] = seen
+        left = choose_single(z[y], z_sigma[y], bits[y], skip[y], sampled, sample, singly)
+        look_with_all(singly, left, rays[y], phase[y], depth[:, row], gain[:, row], variance[:, row], others, sights, seen)
         for i in range(left):
             x = singly[i]
-            noted = sampled and x % sample == 0
             own = sigma[y, x] * sigma[y, x]
-            best, best_support, tried = -1, 0, False
-            for k in range(count):
-                if depth[k, row, x] <= 0:
-                    continue
-                tried = True
-                support = 0
-                for c in range(count):
-                    agrees[k, c] = c == k
-                    support += c == k
-                    if c == k or sights[k, c, i] != SEEN:
-                        continue
-                    excess, slope = e[k, c, i], along[k, c, i]
-                    ratio = g[k, c, i] / g[k, k, i]
-                    spread = noise[k, c, i] + own * (ratio - 1) ** 2 + noise[k, k, i] * ratio**2
-                    if noted:
-                        shifts[k, y // sample, x // sample, 0] = excess / slope
-                        shifts[k, y // sample, x // sample, 1] = spread / slope**2
-                    if abs(excess) <= sigmas * np.sqrt(spread) + tolerance_px * abs(slope):
-                        support += 1
-                        agrees[k, c] = True
-                    elif not hidden(phase[y, x] + excess, here[k, c, i], line[k, c, i], *tables[c]):
-                        support = -100
-                if support > best_support:
-                    best_support = support
-                    best = k
+            if sampled and x % sample == 0:
+                note_shifts(i, own, sights, seen, shifts, y // sample, x // sample)
+            best = best_candidate(i, phase[y, x], own, sights, seen, tables, limits, agrees)
             if best < 0:
-                fate[y, x] = UNMATCHED
-                for k in range(count):
-                    if reason[k, row, x] == REPEATS:
-                        fate[y, x] = AMBIGUOUS
-                if tried:
-                    fate[y, x] = CONTRADICTED
+                fate[y, x] = why_none(i, x, sights, reason[:, row])
                 continue
-            zz, zd, dd = 0.0, 0.0, 1.0 / (own + 1e-20)
-            rz, rd = 0.0, 0.0
-            taking = 0
+            step, deviation, taking = solve(i, own, agrees, best, seen)
             for c in range(count):
-                if not agrees[best, c]:
-                    continue
-                weight = 1.0 / (noise[best, c, i] + 1e-20)
-                zz += weight * g[best, c, i] * g[best, c, i]
-                zd -= weight * g[best, c, i]
-                dd += weight
-                rz -= weight * g[best, c, i] * e[best, c, i]
-                rd += weight * e[best, c, i]
-                taking |= 1 << c
-                if depth[c, row, x] > 0:
+                if agrees[best, c] and depth[c, row, x] > 0:
                     covered[c][there[c, row, x]] = 1
-            determinant = zz * dd - zd * zd
-            if determinant <= 0:
+            if deviation <= 0:
                 fate[y, x] = AMBIGUOUS
                 continue
-            z[y, x] = depth[best, row, x] + (rz * dd - zd * rd) / determinant
-            z_sigma[y, x] = np.sqrt(dd / determinant)
+            z[y, x] = depth[best, row, x] + step
+            z_sigma[y, x] = deviation
             bits[y, x] = taking
             fate[y, x] = VALID
             if count == 1:
-                pair_gain[y, x] = g[0, 0, i]
+                pair_gain[y, x] = seen[GAIN, 0, 0, i]
 
 
 @njit(**LOOP)

@@ -33,7 +33,7 @@ BEYOND = np.float32(0.1)  # so far out of its four pixels a place may lie, in px
 EDGE = np.float32(1.001)
 LOST = np.float32(100.0)
 HELD, TWICE = np.float32(MATCHED), np.float32(REPEATS)
-ROWS_AHEAD = np.uint32(2)  # the next row of pixels is matched about so far below
+ROWS_AHEAD = np.uint32(4)  # so far below is asked for what rows soon need: 2 is enough where epipolar lines are level, 4 where tilted
 TWO, FOUR = np.uint32(1), np.uint32(2)  # as shifts
 
 (PHASE, X, Y, DEPTH_SCALE, U, V, QUAD, LEFT, NOISE, Z, GAIN, NEXT_U, NEXT_V, CODE) = (k * CHUNK for k in range(14))
@@ -303,11 +303,11 @@ def match(
     limits = (np.float32(shape[1]) - EDGE, np.float32(shape[0]) - EDGE)
     s, g, r, at = stack_float32(SCRATCH), stack_float32(GATHERED), stack_float32(GATHERED), stack_int32(PLACES)
     matched = 0
-    for y in range(row_start, row_stop):
-        out = y - row_start
-        depth[out] = 0
-        reason[out] = WITHOUT_PARTNER
-        for first in range(0, columns, CHUNK):
+    depth[:] = ZERO
+    reason[:] = WITHOUT_PARTNER
+    for first in range(0, columns, CHUNK):  # down the columns: what a row takes from the other camera is near at hand for the next
+        for y in range(row_start, row_stop):
+            out = y - row_start
             n = min(CHUNK, columns - first)
             part, pairs = slice(first, first + n), slice(2 * first, 2 * (first + n))
             if none_wanted(skip[y, part], n):
@@ -326,5 +326,6 @@ def match(
                 n = keep_unsettled(s, at, n)
                 if n == 0:
                     break
-        matched += count_matched(reason[out])
+    for row in range(row_stop - row_start):
+        matched += count_matched(reason[row])
     return matched

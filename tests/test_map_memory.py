@@ -6,7 +6,7 @@ import numpy as np
 
 from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.fringe.decode import decode
-from measureapp.fringe.map_memory import MapMemory
+from measureapp.map_memory import MapMemory
 from tests.fringe.conftest import images_of, ramp, stack_of
 
 
@@ -25,6 +25,16 @@ def test_memory_is_not_given_out_again_while_a_view_of_it_lives() -> None:
     again = memory.empty(200, np.uint16)  # as many bytes
     assert address(again) == place
     assert again.dtype == np.uint16 and again.shape == (200,) and again.flags.writeable
+
+
+def test_an_array_of_nearly_the_same_size_takes_the_place_of_one_that_is_gone() -> None:
+    memory = MapMemory()
+    first = memory.empty((1000, 3), np.float64)
+    place = address(first)
+    del first
+    again = memory.empty((990, 3), np.float64)  # a cloud with a few points less
+    assert again.shape == (990, 3) and again.flags.c_contiguous
+    assert address(again) == place
 
 
 def test_an_array_without_elements_can_be_had() -> None:

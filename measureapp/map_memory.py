@@ -1,0 +1,42 @@
+"""Memory of maps over images and of clouds that is used again, view after view."""
+
+from __future__ import annotations
+
+import weakref
+from math import prod
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+
+class MapMemory:
+    """Gives out arrays and takes their memory back by itself, once neither they nor any view of them are held any more.
+
+    The first touch of memory that comes fresh from the system takes as long as a third of the decoding, and as long as all of the
+    reconstruction. Whoever makes view after view (a scan, a batch) keeps one of these and passes it along. Arrays of nearly one size take
+    each other's place, so it hardly holds more than was in use at one time; all goes back to the system with it.
+    """
+
+    def __init__(self) -> None:
+        self._free: dict[int, list[npt.NDArray[np.uint8]]] = {}
+
+    def empty(self, shape: int | tuple[int, ...], dtype: npt.DTypeLike) -> npt.NDArray[Any]:
+        """Return an array of a shape, whose elements hold anything."""
+        count = prod(shape) if isinstance(shape, tuple) else shape
+        size = _rounded(count * np.dtype(dtype).itemsize)
+        free = self._free.setdefault(size, [])
+        try:
+            memory = free.pop()
+        except IndexError:
+            memory = np.empty(size, np.uint8)
+        # Views of this array refer to it, and not past it to the memory, because a memoryview stands between them.
+        array = np.frombuffer(memory.data, dtype, count) if count else np.empty(0, dtype)
+        weakref.finalize(array, free.append, memory).atexit = False
+        return array.reshape(shape)
+
+
+def _rounded(size: int) -> int:
+    """Return a size up to a 16th larger, one of 16 between two powers of two. What is never touched of it is never given by the system."""
+    step = 1 << max(size.bit_length() - 5, 0)
+    return -(-size // step) * step
