@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.fringe.kernels.prefetch import LINE, will_read
+from measureapp.fringe.kernels.memory import LINE, will_read
 from measureapp.fringe.kernels.records import CHUNK, LOOKED_AT
 
 # With the error model of Python a division is a branch, and the loop around it stays scalar.
