@@ -6,6 +6,7 @@ import numpy as np
 
 from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.fringe.decode import decode
+from measureapp.fringe.kernels.memory import LINE
 from measureapp.fringe.map_memory import MapMemory
 from tests.fringe.conftest import images_of, ramp, stack_of
 
@@ -25,6 +26,12 @@ def test_memory_is_not_given_out_again_while_a_view_of_it_lives() -> None:
     again = memory.empty(200, np.uint16)  # as many bytes
     assert address(again) == place
     assert again.dtype == np.uint16 and again.shape == (200,) and again.flags.writeable
+
+
+def test_arrays_begin_with_a_line_of_the_cache() -> None:
+    memory = MapMemory()
+    held = [memory.empty(count, np.float32) for count in (3, 100, 5000, 5000)]
+    assert [address(array) % LINE for array in held] == [0, 0, 0, 0]
 
 
 def test_an_array_without_elements_can_be_had() -> None:
