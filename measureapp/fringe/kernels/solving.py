@@ -457,7 +457,7 @@ def solve(
                 set_apart(sums, off, n, model, work)
             elif alike != known:
                 set_together(alike, model, work)
-            known = -1 if apart else alike
+            known = np.int64(-1 if apart else alike)
             if apart:
                 if alike >= 0:
                     sums.taken[:, off : off + n] = np.uint16(alike)
