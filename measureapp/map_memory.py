@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+LINE = 64  # bytes of a line of the processor's cache
+
 
 class MapMemory:
     """Gives out arrays and takes their memory back by itself, once neither they nor any view of them are held any more.
@@ -29,11 +31,18 @@ class MapMemory:
         try:
             memory = free.pop()
         except IndexError:
-            memory = np.empty(size, np.uint8)
+            memory = _aligned(size)
         # Views of this array refer to it, and not past it to the memory, because a memoryview stands between them.
         array = np.frombuffer(memory.data, dtype, count) if count else np.empty(0, dtype)
         weakref.finalize(array, free.append, memory).atexit = False
         return array.reshape(shape)
+
+
+def _aligned(size: int) -> npt.NDArray[np.uint8]:
+    """Return so many bytes that begin with a line of the cache, so that kernels may write whole lines."""
+    memory = np.empty(size + LINE, np.uint8)
+    begin = -memory.ctypes.data % LINE
+    return memory[begin : begin + size]
 
 
 def _rounded(size: int) -> int:

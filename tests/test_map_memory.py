@@ -6,7 +6,7 @@ import numpy as np
 
 from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.fringe.decode import decode
-from measureapp.map_memory import MapMemory
+from measureapp.map_memory import LINE, MapMemory
 from tests.fringe.conftest import images_of, ramp, stack_of
 
 
@@ -35,6 +35,12 @@ def test_an_array_of_nearly_the_same_size_takes_the_place_of_one_that_is_gone() 
     again = memory.empty((990, 3), np.float64)  # a cloud with a few points less
     assert again.shape == (990, 3) and again.flags.c_contiguous
     assert address(again) == place
+
+
+def test_arrays_begin_with_a_line_of_the_cache() -> None:
+    memory = MapMemory()
+    held = [memory.empty(count, np.float32) for count in (3, 100, 5000, 5000)]
+    assert [address(array) % LINE for array in held] == [0, 0, 0, 0]
 
 
 def test_an_array_without_elements_can_be_had() -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.phase import PixelState
 from measureapp.errors import DecodeError
-from measureapp.fringe.kernels.records import BLOCK, CHUNK, RESIDUAL_SCALE, Layout, Maps, Model, Work
+from measureapp.fringe.kernels.records import BLOCK, CHUNK, RESIDUAL_SCALE, ROWS, SPACING, Layout, Maps, Model, Work
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.unwrap import HeterodynePlan, extent_px, plan_heterodyne
 from measureapp.map_memory import MapMemory
@@ -31,11 +31,10 @@ Solve = Callable[[Model, Layout], Maps]  # returns the maps of a sample: whole c
 
 def make_model(recipe: Recipe, plan: HeterodynePlan | None, decides_later: bool) -> Model:
     """Return what turns sums into phase, with the origin at a crest."""
-    groups, noise, saturation = recipe.groups, recipe.noise, recipe.saturation
+    groups, saturation = recipe.groups, recipe.saturation
     pitches = np.array([group.pitch_px for group in groups])
     scales = pitches.min() / pitches
     frequencies = np.array(plan.frequencies if plan else [1.0])
-    light = _of_exposures(recipe.exposures_us, recipe.weights)
     return Model(
         sine_sign=np.float32(-recipe.patterns.shift_sign),
         origin=np.float32(0),
@@ -47,10 +46,7 @@ def make_model(recipe: Recipe, plan: HeterodynePlan | None, decides_later: bool)
         finest=recipe.finest,
         scales=scales.astype(np.float32),
         correction=_correction_table(recipe),
-        gain=np.float32(1 / noise.electrons_per_grey(saturation)),
-        floor=np.float32(noise.floor_variance(saturation)),
-        black=np.float32(noise.black_grey),
-        **light,
+        **_of_exposures(recipe),
         beyond=np.float32(min(saturation * max(recipe.exposures_us) / min(recipe.exposures_us), 65535.0)),
         least_modulation=np.float32(recipe.settings.min_modulation_grey(saturation)),
         most_sigma=np.float32(recipe.settings.max_sigma_rad),
@@ -63,17 +59,19 @@ def make_model(recipe: Recipe, plan: HeterodynePlan | None, decides_later: bool)
     )
 
 
-def _of_exposures(exposures_us: tuple[int, ...], weights: tuple[int, ...]) -> dict[str, FloatArray | IntArray]:
+def _of_exposures(recipe: Recipe) -> dict[str, FloatArray | IntArray]:
     """Tabulate by set of exposures, bit e for exposure e, what the solver needs of it."""
-    light, weight = np.array(exposures_us, float), np.array(weights, float)
+    noise, saturation = recipe.noise, recipe.saturation
+    light, weight = np.array(recipe.exposures_us, float), np.array(recipe.weights, float)
     sets = np.arange(1 << len(light))
     members = (sets[:, None] >> np.arange(len(light))) & 1 == 1
     total = np.where(members.any(axis=1), members @ (weight * light), np.inf)
     first = np.where(members.any(axis=1), members.argmax(axis=1), -1)
+    shot = members @ (weight**2 * light) / total  # noise of the sum over that of an image as bright
     return {
-        "count": (members @ weight).astype(np.float32),
-        "shot": (members @ (weight**2 * light) / total).astype(np.float32),
-        "dark": (members @ weight**2).astype(np.float32),
+        "black": (members @ weight * noise.black_grey).astype(np.float32),
+        "gain": (shot / noise.electrons_per_grey(saturation)).astype(np.float32),
+        "floor": (members @ weight**2 * noise.floor_variance(saturation)).astype(np.float32),
         "to_longest": (light[0] / total).astype(np.float32),
         "to_brightest": (np.where(first >= 0, light[first], 0.0) / total).astype(np.float32),
         "first": first.astype(np.int8),
@@ -131,9 +129,12 @@ def make_maps(dtype: np.dtype[np.unsignedinteger], pixels: int, memory: MapMemor
 
 def make_work(groups: int) -> Work:
     """Return the arrays in which a block of pixels is solved."""
-    shapes = {"phase": (groups, BLOCK), "power": (groups, BLOCK)}
-    arrays = {name: np.empty(shapes.get(name, (BLOCK,)), np.float32) for name in Work._fields if name != "code"}
-    return Work(**arrays, code=np.empty((3, BLOCK), np.int32))
+    return Work(
+        phase=np.empty((groups, BLOCK), np.float32),
+        power=np.empty((groups, BLOCK), np.float32),
+        rows=np.empty(ROWS * SPACING, np.float32),
+        code=np.empty((3, BLOCK), np.int32),
+    )
 
 
 def plan_of(recipe: Recipe) -> HeterodynePlan | None:

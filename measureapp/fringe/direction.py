@@ -139,7 +139,7 @@ class DirectionDecoder:
         plan = plan_of(self._recipe)
         model = make_model(self._recipe, plan, decides_later=self._recipe.settings.vote_radius > 0)
         chunks = sampled_chunks(self._pixels)
-        pixels, memory = sum(end - begin for begin, end in chunks), MapMemory()
+        pixels, memory = sum(end - begin for begin, end in chunks), self._memory
         sample = self._recipe.sums(self._dtype, pixels, memory)
         for number, (begin, end) in enumerate(chunks):
             fill(sample, number * CHUNK, begin, end)

@@ -79,6 +79,22 @@ def test_highlights_and_dark_places_are_told_apart() -> None:
     assert (decoded.phase_rad[~decoded.valid] == 0).all()
 
 
+@pytest.mark.parametrize("rule", ["combined", "paper"])
+def test_spots_that_saturate_are_decoded_as_if_all_were_so_bright_and_the_rest_as_if_there_were_none(rule: str) -> None:
+    settings = DecodeSettings(rule=rule, vote_radius=0, edge_step_rad=1e6)
+    column = ramp(40, 1300)
+    dim = images_of(column, PAPER_PATTERNS, EXPOSURES_US)
+    bright = images_of(column, PAPER_PATTERNS, EXPOSURES_US, mean=300.0, modulation=200.0)
+    spots = np.zeros(column.shape, np.bool_)
+    spots[3:5, 700] = spots[10, 100:900] = spots[20:24, 30:60] = spots[30:, 1000:] = True
+    mixed = decode(stack_of(np.where(spots, bright, dim), exposures_us=EXPOSURES_US), settings)["left"]
+    alone = [decode(stack_of(images, exposures_us=EXPOSURES_US), settings)["left"] for images in (bright, dim)]
+    for name in ("phase_rad", "sigma_rad", "modulation", "grey", "state", "exposure_index"):
+        of_bright, of_dim = (getattr(phase_map, name) for phase_map in alone)
+        np.testing.assert_array_equal(getattr(mixed, name), np.where(spots, of_bright, of_dim), name)
+    assert (mixed.exposure_index[spots] > 0).mean() > 0.9 > 0.1 > (mixed.exposure_index[~spots] > 0).mean()
+
+
 def test_highlights_take_the_brightest_unsaturated_exposure_by_the_papers_rule() -> None:
     column = ramp(20, 200)
     images = images_of(column, PAPER_PATTERNS, EXPOSURES_US, 300.0, 190.0, seed=None)  # peaks 490, 392, 294, 196, 98

@@ -64,12 +64,9 @@ class Model(NamedTuple):
     finest: Any  # int, group of the finest pitch
     scales: Any  # (G,) float32, frequency of a group over the finest
     correction: Any  # (G, L + 1) float32, cycles to add to the wrapped phase at -0.5 … 0.5; (G, 0): none
-    gain: Any  # float32, variance in grey levels squared per grey level
-    floor: Any  # float32, variance in the dark in grey levels squared
-    black: Any  # float32, grey level of no light
-    count: Any  # (2^E,) float32, Σw of the exposures of a set
-    shot: Any  # (2^E,) float32, Σw²t / Σwt of a set: shot noise of the sum over that of an image as bright
-    dark: Any  # (2^E,) float32, Σw² of a set
+    black: Any  # (2^E,) float32, grey levels of no light in the sum of a set
+    gain: Any  # (2^E,) float32, variance of the sum of a set per grey level of it, shot noise
+    floor: Any  # (2^E,) float32, variance of the sum of a set in the dark, grey levels squared
     to_longest: Any  # (2^E,) float32, the longest exposure over Σwt of a set
     to_brightest: Any  # (2^E,) float32, the longest exposure of a set over its Σwt
     first: Any  # (2^E,) int8, the longest exposure of a set, -1 for none
@@ -101,11 +98,15 @@ class Work(NamedTuple):
 
     phase: Any  # (G, BLOCK) float32, cycles from column 0
     power: Any  # (G, BLOCK) float32
-    value: Any  # (BLOCK,) float32, absolute phase in cycles
-    wrapped: Any  # (BLOCK,) float32
-    residual: Any  # (BLOCK,) float32
-    modulation: Any  # (BLOCK,) float32
-    noise: Any  # (BLOCK,) float32
-    weight: Any  # (BLOCK,) float32
-    count: Any  # (BLOCK,) float32
+    rows: Any  # (ROWS · SPACING,) float32, one after the other
     code: Any  # (3, BLOCK) int32
+
+
+# Where the rows of `Work` begin. At fixed distances in one array the compiler sees that they do not overlap, and keeps loops over many
+# of them SIMD code; of arrays by themselves it would have to find out at every start of a loop, and gives up at more than a few.
+ROWS = 12
+SPACING = BLOCK + 80  # no power of two: lines of the cache at such distances drive each other out
+VALUE, RESIDUAL, WRAPPED, SHIFT, WEIGHT, MODULATION, BLACK, GAIN, FLOOR, TO_BRIGHTEST, TO_LONGEST, LOST = (
+    row * SPACING for row in range(ROWS)
+)
+SIGMA, LEVEL, REASON = WEIGHT, SHIFT, WRAPPED  # of no more use when these are known

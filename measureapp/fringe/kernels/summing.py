@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.fringe.kernels.prefetch import LINE, will_read
+from measureapp.fringe.kernels.memory import will_read
 from measureapp.fringe.kernels.records import CHUNK, LOOKED_AT
+from measureapp.map_memory import LINE
 
 # With the error model of Python a division is a branch, and the loop around it stays scalar.
 ENTRY: dict[str, Any] = {"nogil": True, "_nrt": False, "cache": True, "error_model": "numpy", "fastmath": True}
