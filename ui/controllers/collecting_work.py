@@ -219,7 +219,7 @@ def setup_for(
         board=board,
         camera_names=cameras,
         cameras=known.cameras if needs_cameras and known is not None else None,
-        hand_eye=known.hand_eye if kind == "guide" and known is not None else None,
+        hand_eye=known.hand_eye if kind in {"guide", "axis"} and known is not None else None,
         noise=AxisNoise() if rig is None else expected_noise(rig),
         standoff_mm=None if rig is None else rig.standoff_mm,
         serials={} if rig is None else {camera.name: camera.serial for camera in rig.cameras},

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from math import hypot
 from typing import TYPE_CHECKING, Literal
 
 from measureapp.errors import CalibrationError
@@ -123,6 +122,7 @@ def rig_of(snapshot: Collection, before: RigCalibration | None) -> RigCalibratio
     from measureapp.calibrate.linear_guide import GuideSolution
     from measureapp.calibrate.rig import carry_axis
     from measureapp.calibrate.rotation_axis import AxisSolution
+    from measureapp.pipeline.collecting.carried import axis_carried
 
     solved = snapshot.solved
     assert solved is not None
@@ -136,23 +136,12 @@ def rig_of(snapshot: Collection, before: RigCalibration | None) -> RigCalibratio
         raise CalibrationError("The rest of the rig is not calibrated yet.", "Calibrate the whole rig first.")
     if isinstance(solution, HandEyeSolution):
         return replace(before, hand_eye=solution.hand_eye)
-    noise, hand_eye = snapshot.setup.noise, before.hand_eye
-    carried_rad = hypot(hand_eye.rotation_sigma_rad, noise.robot_rad)  # what camera and robot add to anything seen from one pose
     if isinstance(solution, GuideSolution):
-        guide = solution.guide
-        return replace(before, guide=replace(guide, direction_sigma_rad=hypot(guide.direction_sigma_rad, carried_rad)))
+        return replace(before, guide=solution.guide)
     assert isinstance(solution, AxisSolution)
     seen = solution.best.axis
     axis = carry_axis(seen, before.guide_from_camera(snapshot.observation(solved.used[0]).readback.full()))
-    carried_mm = hypot(hand_eye.translation_sigma_mm, noise.robot_mm, carried_rad * hypot(*seen.point_mm))
-    return replace(
-        before,
-        axis=replace(
-            axis,
-            point_sigma_mm=hypot(axis.point_sigma_mm, carried_mm),
-            direction_sigma_rad=hypot(axis.direction_sigma_rad, carried_rad),
-        ),
-    )
+    return replace(before, axis=axis_carried(axis, seen, before.hand_eye, snapshot.setup.noise))
 
 
 def facts_of(snapshot: Collection, solved: Solved) -> tuple[tuple[str, str], ...]:

@@ -23,14 +23,13 @@ from measureapp.arrays import ImageArray
 from measureapp.calibrate.axis_noise import AxisNoise
 from measureapp.calibrate.sightings import FoundBoard
 from measureapp.data.board import AnyBoard
-from measureapp.data.calibration import HandEye
 from measureapp.errors import FrameMismatch, InputError, StorageError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.collecting.observation import Observation, Readback, Refusal, StoredImage
 from measureapp.pipeline.collecting.setup import Setup
 from measureapp.project.atomic import replacing, write_json
 from measureapp.project.camera_file import read_cameras, write_cameras
-from measureapp.project.documents import transform_document, transform_from
+from measureapp.project.documents import hand_eye_from, link_document, transform_document, transform_from
 from measureapp.project.frame_store import checksum
 
 SCHEMA_VERSION = 1
@@ -143,7 +142,7 @@ def _setup_document(setup: Setup) -> dict[str, Any]:
         "board": setup.board.model_dump(mode="json") | {"kind": getattr(setup.board, "kind", "checkerboard")},
         "camera_names": list(setup.camera_names),
         "cameras_known": setup.cameras is not None,
-        "flange_from_camera": None if setup.hand_eye is None else transform_document(setup.hand_eye.flange_from_camera),
+        "hand_eye": None if setup.hand_eye is None else link_document(setup.hand_eye),
         "noise": asdict(setup.noise),
         "distortion_count": setup.distortion_count,
         "standoff_mm": setup.standoff_mm,
@@ -153,13 +152,13 @@ def _setup_document(setup: Setup) -> dict[str, Any]:
 
 
 def _setup_from(document: Mapping[str, Any], folder: Path) -> Setup:
-    known = document["flange_from_camera"]
+    known = document["hand_eye"]
     return Setup(
         kind=document["kind"],
         board=BOARD.validate_python(document["board"]),
         camera_names=tuple(document["camera_names"]),
         cameras=read_cameras(folder / CAMERAS) if document["cameras_known"] else None,
-        hand_eye=None if known is None else HandEye(transform_from(known)),
+        hand_eye=None if known is None else hand_eye_from(known),
         noise=AxisNoise(**document["noise"]),
         distortion_count=int(document["distortion_count"]),
         standoff_mm=document["standoff_mm"],

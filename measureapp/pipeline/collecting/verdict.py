@@ -8,6 +8,7 @@ from typing import Literal
 
 import numpy as np
 
+from measureapp.arrays import FloatArray
 from measureapp.calibrate.camera_array import CameraArraySolution
 from measureapp.calibrate.camera_validation import cross_validate
 from measureapp.calibrate.hand_eye import HandEyeSolution
@@ -16,6 +17,7 @@ from measureapp.calibrate.linear_guide import GuideSolution
 from measureapp.calibrate.rotation_axis import AxisSolution
 from measureapp.data.uncertainty import COVERAGE_FACTOR
 from measureapp.errors import CalibrationError
+from measureapp.pipeline.collecting.carried import axis_sigmas
 from measureapp.pipeline.collecting.collection import Collection
 from measureapp.pipeline.collecting.on_part import (
     RADIUS_MM,
@@ -28,7 +30,7 @@ from measureapp.pipeline.collecting.on_part import (
     sideways_sigma_mm,
     volume_of,
 )
-from measureapp.pipeline.collecting.setup import Kind
+from measureapp.pipeline.collecting.setup import Kind, Setup
 from measureapp.pipeline.collecting.solved import Solved
 from measureapp.pipeline.collecting.solving import camera_problem
 from measureapp.progress import NoProgress, Progress
@@ -122,7 +124,7 @@ def _expanded(collection: Collection, solved: Solved) -> tuple[float, str]:
     if isinstance(solution, CameraArraySolution):
         return _of_cameras(solution, setup.standoff_mm, setup.length_mm)
     if isinstance(solution, AxisSolution):
-        value = COVERAGE_FACTOR * half_turn_sigma_mm(solution.best.axis, solution.covariance)
+        value = COVERAGE_FACTOR * half_turn_sigma_mm(solution.best.axis, _of_axis(solution, setup))
         return value, f"Moves a point {RADIUS_MM:.0f} mm from the axis by {millimetres(value)} (k = 2) between views half a turn apart"
     if isinstance(solution, HandEyeSolution):
         value = COVERAGE_FACTOR * placing_sigma_mm(solution)
@@ -138,6 +140,14 @@ def _expanded(collection: Collection, solved: Solved) -> tuple[float, str]:
         raise CalibrationError("The observations of the solution are no longer there.", "Solve again.")
     typical, worst = (COVERAGE_FACTOR * sigma for sigma in fitting_together_sigma_mm(solution, chosen))
     return typical, f"Views of one part fit together to {millimetres(typical)} (k = 2), at worst {millimetres(worst)}, before registration"
+
+
+def _of_axis(solution: AxisSolution, setup: Setup) -> FloatArray:
+    """Return the covariance (4, 4) of direction and point; with a robot between, what that and hand-eye add is in it."""
+    if setup.hand_eye is None:
+        return solution.covariance
+    turn_rad, shift_mm = axis_sigmas(solution.best.axis, setup.hand_eye, setup.noise)
+    return np.asarray(solution.covariance + np.diag([turn_rad**2] * 2 + [shift_mm**2] * 2))
 
 
 def _of_cameras(solution: CameraArraySolution, standoff_mm: float | None, length_mm: float) -> tuple[float, str]:
