@@ -47,7 +47,7 @@ def settle(qtbot, wizard):
 
 def read_folder(qtbot, wizard, folder):
     wizard.setup.source.setValue("images")
-    wizard.setup.folder.setText(str(folder))
+    wizard.setup.folder.setValue(folder)
     wizard.footer.primary.click()
     settle(qtbot, wizard)
 

@@ -16,18 +16,19 @@ class WizardKind:
     action: str  # on its button
     tip: str
     purpose: str  # said on the first page
-    takes_images: bool  # whether recorded images alone are enough, without read-backs of the axes
+    tables: tuple[str, ...]  # what recorded images need besides: where these axes stood
     step: str  # the name of the second step
     needs_rig: bool = False  # it renews one link of a rig that is calibrated
 
 
+ALL = ("base_from_flange", "guide_mm", "table_rad")
 CAMERAS = WizardKind(
     "cameras",
     "Calibrate the cameras",
     "Cameras",
     "Focal length, image centre, distortion and place of every camera",
     "Finds lens and place of every camera from images of a board seen from many sides. Fill the images to their borders, and tilt the board.",
-    True,
+    (),
     "Show the board",
 )
 RIG = WizardKind(
@@ -36,7 +37,7 @@ RIG = WizardKind(
     "Whole rig",
     "Cameras, hand–eye, linear guide and table axis in one automatic run",
     "Fix the board on the table. The rig looks at it from all sides, slides along the guide and turns the table, and everything is solved together.",
-    False,
+    ALL,
     "Take the views",
 )
 HAND_EYE = WizardKind(
@@ -45,7 +46,7 @@ HAND_EYE = WizardKind(
     "Hand–eye",
     "Where the head sits on the robot's flange",
     "Finds where the head sits on the flange, with the cameras as they are calibrated. Fix the board on the table; the robot turns the head.",
-    False,
+    ("base_from_flange",),
     "Take the views",
     True,
 )
@@ -55,7 +56,7 @@ GUIDE = WizardKind(
     "Linear guide",
     "Direction and scale of the guide",
     "Finds direction and scale of the guide, with cameras and hand–eye as they are calibrated. Fix the board on the table; the robot slides past.",
-    False,
+    ("base_from_flange", "guide_mm"),
     "Take the views",
     True,
 )
@@ -65,7 +66,7 @@ AXIS = WizardKind(
     "Table axis",
     "Where the rotary table's axis stands",
     "Finds the table's axis, with cameras and robot as they are calibrated. Fix the board on the table; the table turns it.",
-    False,
+    ALL,
     "Take the views",
     True,
 )

@@ -32,9 +32,7 @@ def axis_sigmas(seen: RotationAxis, hand_eye: HandEye, noise: AxisNoise) -> tupl
 def axis_carried(axis: RotationAxis, seen: RotationAxis, hand_eye: HandEye, noise: AxisNoise) -> RotationAxis:
     """Return ``axis``, which is ``seen`` told in the guide's frame, as uncertain as robot and hand-eye make it."""
     turn_rad, shift_mm = axis_sigmas(seen, hand_eye, noise)
-    return replace(
-        axis, point_sigma_mm=hypot(axis.point_sigma_mm, shift_mm), direction_sigma_rad=hypot(axis.direction_sigma_rad, turn_rad)
-    )
+    return replace(axis, point_sigma_mm=hypot(axis.point_sigma_mm, shift_mm), direction_sigma_rad=hypot(axis.direction_sigma_rad, turn_rad))
 
 
 def _turn_rad(hand_eye: HandEye, noise: AxisNoise) -> float:
