@@ -50,6 +50,7 @@ class Result:
     comparison: str
     has_truth: bool
     has_previous: bool
+    held_back: str = ""  # what the check with views held back gave
 
 
 def concluded(job: Job, snapshot: Collection, before: Before) -> Result:
@@ -82,6 +83,21 @@ def concluded(job: Job, snapshot: Collection, before: Before) -> Result:
         bool(true),
         bool(previous),
     )
+
+
+def checked(job: Job, found: Result) -> Result:
+    """Check with views held back, and judge again; runs on a job's thread."""
+    from measureapp.pipeline.collecting import check_held_back, judge
+
+    try:
+        held_back = check_held_back(found.snapshot, job)
+    except CalibrationError as error:  # too few views
+        return replace(found, held_back=str(error))
+    if held_back is None:
+        return found
+    verdict = judge(found.snapshot, held_back=held_back)
+    reasons = (verdict.reason, *(reason for reason in verdict.reasons if reason != held_back.verdict))
+    return replace(found, verdict=verdict.sentence, sign=SIGNS[verdict.level], reasons=reasons, held_back=held_back.verdict)
 
 
 def compared(snapshot: Collection, before: Before) -> str:

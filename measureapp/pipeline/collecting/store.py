@@ -32,7 +32,7 @@ from measureapp.project.camera_file import read_cameras, write_cameras
 from measureapp.project.documents import hand_eye_from, link_document, transform_document, transform_from
 from measureapp.project.frame_store import checksum
 
-SCHEMA_VERSION = 1
+SESSION_VERSION, OBSERVATION_VERSION = 2, 1
 SESSION, CAMERAS = "session.json", "cameras.json"
 BOARD: TypeAdapter[Any] = TypeAdapter(AnyBoard)
 Act = Literal["add", "remove"]
@@ -87,7 +87,7 @@ class Store:
     def keep_session(self, setup: Setup, actions: Sequence[Action], done: int) -> None:
         """Write the settings and what was done."""
         document = {
-            "schema_version": SCHEMA_VERSION,
+            "schema_version": SESSION_VERSION,
             **_setup_document(setup),
             "actions": [{"act": action.act, "observation": action.observation} for action in actions],
             "done": done,
@@ -108,8 +108,7 @@ class Store:
             raise InputError(f"{self.folder} holds no calibration session.", "Start one by naming the kind, the board and images.")
         document = _read(self.folder / SESSION)
         try:
-            if document["schema_version"] != SCHEMA_VERSION:
-                raise ValueError(f"schema_version is {document['schema_version']!r}, not {SCHEMA_VERSION}")
+            document = migrated(document)
             setup = _setup_from(document, self.folder)
             actions = [Action(entry["act"], str(entry["observation"])) for entry in document["actions"]]
             done = int(document["done"])
@@ -134,6 +133,24 @@ def _read(path: Path) -> Any:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise StorageError(f"{path} cannot be read: {error}.", "Restore it from a backup, or start again.") from error
+
+
+def migrated(document: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return a session's document in the present form: version 1 kept the hand-eye transform without its standard deviations.
+
+    Raises
+    ------
+    ValueError
+        A version that is not known.
+    """
+    version = document["schema_version"]
+    if version == 1:
+        known = document["flange_from_camera"]
+        link = None if known is None else {"flange_from_camera": known}
+        return {**document, "schema_version": SESSION_VERSION, "hand_eye": link}
+    if version != SESSION_VERSION:
+        raise ValueError(f"schema_version is {version!r}, not {SESSION_VERSION}")
+    return document
 
 
 def _setup_document(setup: Setup) -> dict[str, Any]:
@@ -171,7 +188,7 @@ def _observation_document(observation: Observation) -> dict[str, Any]:
     readback = observation.readback
     pose: RigidTransform | None = readback.base_from_flange
     return {
-        "schema_version": SCHEMA_VERSION,
+        "schema_version": OBSERVATION_VERSION,
         "id": observation.id,
         "images": {
             camera: {"checksum": image.checksum, "size_px": list(image.size_px), "name": image.name}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.camera_array import CameraArraySolution
-from measureapp.calibrate.camera_validation import cross_validate
+from measureapp.calibrate.camera_validation import CrossValidation
 from measureapp.calibrate.hand_eye import HandEyeSolution
 from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.linear_guide import GuideSolution
@@ -32,8 +32,6 @@ from measureapp.pipeline.collecting.on_part import (
 )
 from measureapp.pipeline.collecting.setup import Kind, Setup
 from measureapp.pipeline.collecting.solved import Solved
-from measureapp.pipeline.collecting.solving import camera_problem
-from measureapp.progress import NoProgress, Progress
 
 Level = Literal["good", "usable", "bad"]
 MOST_LEFT_OUT = 0.25  # of the observations
@@ -86,13 +84,13 @@ class Verdict:
         return "More observations alone will not make it good: sharper images, a larger board, or larger differences between positions are needed."
 
 
-def judge(collection: Collection, limits: Limits | None = None, progress: Progress | None = None, *, validated: bool = False) -> Verdict:
+def judge(collection: Collection, limits: Limits | None = None, *, held_back: CrossValidation | None = None) -> Verdict:
     """Judge the last solution of a collection.
 
     Parameters
     ----------
     limits : instead of the usual ones of its kind
-    validated : check the cameras with views held back as well, which takes some seconds
+    held_back : what `check_held_back` found; a solution that fails it is never good
 
     Raises
     ------
@@ -105,8 +103,8 @@ def judge(collection: Collection, limits: Limits | None = None, progress: Progre
     limits = limits or LIMITS[collection.setup.kind]
     expanded, what = _expanded(collection, solved)
     reasons = _reasons(collection, solved)
-    if validated:
-        reasons += _validated(collection, solved, progress or NoProgress())
+    if held_back is not None and not held_back.healthy:
+        reasons.append(held_back.verdict)
     level: Level = "good" if expanded <= limits.good_mm else "usable" if expanded <= limits.usable_mm else "bad"
     if level == "good" and reasons:
         level = "usable"
@@ -184,13 +182,3 @@ def _warnings(solved: Solved) -> list[str]:
     if isinstance(solution, RigSolution):
         return [*solution.warnings, *(f"Not seen: {what}." for what in solution.not_observable)]
     return [] if isinstance(solution, CameraArraySolution) else list(solution.warnings)
-
-
-def _validated(collection: Collection, solved: Solved, progress: Progress) -> Sequence[str]:
-    cameras = solved.camera_solution
-    if cameras is None:
-        return []
-    sizes = {name: (camera.pinhole.width_px, camera.pinhole.height_px) for name, camera in cameras.calibration.cameras.items()}
-    entered = [one for one in collection.observations if one.id in solved.of]
-    checked = cross_validate(camera_problem(collection.setup, entered, sizes), cameras, progress=progress)
-    return [] if checked.healthy else [checked.verdict]
