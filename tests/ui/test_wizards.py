@@ -78,7 +78,13 @@ def test_a_folder_of_images_becomes_an_accepted_calibration(qtbot, wizard, recor
     assert not wizard.isVisible()
     assert application.session.cameras.names == ("left", "right")
     assert read_cameras(folder / "result" / "cameras.json").names == ("left", "right")
-    assert [row[0] for row in application.window.pages["calibration"].table.texts()] == ["Camera left", "Camera right"]
+    page = application.window.pages["calibration"]
+    assert [row[0] for row in page.table.texts()] == ["Camera left", "Camera right"]
+    application.session.open_project("", "", None)  # as at the next start
+    assert not page.last_one.isHidden()
+    page.last_one.click()
+    qtbot.waitUntil(lambda: application.session.cameras is not None, timeout=PATIENCE_MS)
+    assert application.session.cameras.names == ("left", "right")
 
 
 def test_the_check_with_views_held_back_can_be_stopped_and_the_result_stays(qtbot, wizard, recorded):

@@ -9,11 +9,13 @@ from typing import TYPE_CHECKING, Literal
 from measureapp.errors import CalibrationError
 from ui.controllers import result_values as values
 from ui.controllers.collecting_nouns import Kind
-from ui.controllers.kept_sessions import project_on_disk
+from ui.controllers.kept_sessions import RESULT, project_on_disk
 from ui.look.wording import millimetres, quantity
 from ui.session import Session
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
     from measureapp.pipeline.collecting.collection import Collection
     from measureapp.pipeline.collecting.solved import Solved
@@ -22,7 +24,6 @@ if TYPE_CHECKING:
 Sign = Literal["pass", "fail", "not proven"]
 SIGNS: Mapping[str, Sign] = {"good": "pass", "usable": "not proven", "bad": "fail"}
 REST_STAYS = "Hand–eye, guide and table axis were found with the earlier cameras: calibrate the rig next."
-RESULT = "result"  # folder of an accepted result that belongs to no project
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,7 +181,6 @@ def accepted(found: Result, session: Session) -> tuple[str, str]:
     """Make a result the calibration in use, on disk first; returns what to tell. Raises StorageError."""
     from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
     from measureapp.pipeline.collecting import keep
-    from measureapp.project.folder import ProjectFolder
 
     project = project_on_disk(session)
     kind, place = found.snapshot.setup.kind, found.snapshot.folder / RESULT
@@ -192,8 +192,8 @@ def accepted(found: Result, session: Session) -> tuple[str, str]:
         kept = keep(found.snapshot, place / f"{kind}.json")
         cameras = kept if isinstance(kept, CameraArrayCalibration) else cameras
         rig = rig if rig is None else replace(rig, cameras=cameras)
-        if project is not None and rig is not None:
-            ProjectFolder.open(project).save_calibration(rig)
+        if rig is not None:
+            _save_rig(rig, place, project)
     if rig is not None:
         session.set_calibration(rig)
     elif session.calibration is None:
@@ -205,3 +205,14 @@ def accepted(found: Result, session: Session) -> tuple[str, str]:
         "The calibration is accepted.",
         REST_STAYS if kind == "cameras" and rig is not None else f"It lies in {place if project is None else project}.",
     )
+
+
+def _save_rig(rig: RigCalibration, place: Path, project: Path | None) -> None:
+    """Keep the rig with its new link: in the project, or whole beside the session, to be taken up at the next start."""
+    from measureapp.pipeline.collecting.keeping import write_rig
+    from measureapp.project.folder import ProjectFolder
+
+    if project is None:
+        write_rig(rig, place)
+    else:
+        ProjectFolder.open(project).save_calibration(rig)
