@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
     from measureapp.pipeline.collecting.collection import Collection
     from measureapp.pipeline.collecting.solved import Solved
+    from measureapp.pipeline.collecting.verdict import Verdict
     from ui.workers.job import Job
 
 Sign = Literal["pass", "fail", "not proven"]
@@ -74,7 +75,7 @@ def concluded(job: Job, snapshot: Collection, before: Before) -> Result:
         snapshot,
         verdict.sentence,
         SIGNS[verdict.level],
-        (verdict.reason, *verdict.reasons),
+        reasons_of(verdict),
         cameras,
         rig,
         values.rows_beside(shown, true, previous),
@@ -97,8 +98,12 @@ def checked(job: Job, found: Result) -> Result:
     if held_back is None:
         return found
     verdict = judge(found.snapshot, held_back=held_back)
-    reasons = (verdict.reason, *(reason for reason in verdict.reasons if reason != held_back.verdict))
-    return replace(found, verdict=verdict.sentence, sign=SIGNS[verdict.level], reasons=reasons, held_back=held_back.verdict)
+    return replace(found, verdict=verdict.sentence, sign=SIGNS[verdict.level], held_back=held_back.verdict)
+
+
+def reasons_of(verdict: Verdict) -> tuple[str, ...]:
+    """Return why a verdict is what it is: the limits, what would make it better, what else speaks against it."""
+    return (verdict.reason, *([verdict.remedy] if verdict.remedy else []), *verdict.reasons)
 
 
 def compared(snapshot: Collection, before: Before) -> str:

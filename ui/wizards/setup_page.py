@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFormLayout, QSpinBox, QWidget
 
 from measureapp.data.board import BoardDescription
@@ -29,12 +29,7 @@ TABLES = {  # axis -> name, columns
     "table_rad": ("Table angles", "position,angle_deg"),
 }
 TABLE_FILES = "Tables (*.csv);;All files (*)"
-TIPS = (
-    "Cover the images to their borders and corners: lenses distort most there.",
-    "Tilt the board by 20° to 45° to all four sides: that tells the focal length from the distance.",
-    "Show it nearer and farther, sharp, evenly lit and not so bright that its white is clipped.",
-    "The wizard says what is missing while you collect, and keeps every view at once.",
-)
+KEPT_TIP = "The wizard says what is missing while you collect, and keeps every view at once."
 
 
 class SetupPage(QWidget):
@@ -72,6 +67,7 @@ class SetupPage(QWidget):
         self._rig_name, self._rig_note = label("", "strong"), label("", "small", wrap=True)
         form = QFormLayout()
         form.setHorizontalSpacing(16)
+        form.setLabelAlignment(Qt.AlignmentFlag.AlignVCenter)
         form.addRow("Resolution", self.resolution)
         form.addRow("Seed of the rig", self.seed)
         self._virtual_form = QWidget()
@@ -86,7 +82,9 @@ class SetupPage(QWidget):
         both = row(source, board, spacing=16)
         both.setStretch(0, 1)
         both.setStretch(1, 1)
-        tips = card(label("Good views", "heading"), *(label(f"•  {tip}", "body", wrap=True) for tip in TIPS), margin=20)
+        tips = card(
+            label("Good views", "heading"), *(label(f"•  {tip}", "body", wrap=True) for tip in (*self._kind.tips, KEPT_TIP)), margin=20
+        )
         layout = column(label(self._kind.purpose, "body", wrap=True), self.kept, both, tips, 0, spacing=12)
         self.setLayout(layout)
 
@@ -97,6 +95,7 @@ class SetupPage(QWidget):
         form = QFormLayout()
         form.setContentsMargins(0, 8, 0, 0)
         form.setHorizontalSpacing(16)
+        form.setLabelAlignment(Qt.AlignmentFlag.AlignVCenter)
         for axis, field in self.tables.items():
             form.addRow(TABLES[axis][0], field)
         fields = QWidget()
@@ -130,9 +129,9 @@ class SetupPage(QWidget):
     def problem(self) -> str:
         """Return why one cannot begin yet; empty where one can."""
         if self.board.problem():
-            return "The sizes of the board contradict each other."
+            return "Check the board"
         if self.source.value() == IMAGES and self.folder.value() is None:
-            return "Choose the folder with the images."
+            return "Choose a folder"
         return ""
 
     def _show_source(self) -> None:

@@ -15,7 +15,7 @@ from measureapp.data.calibration import HandEye, LinearGuide, RotationAxis
 
 def guide_carried(guide: LinearGuide, hand_eye: HandEye, noise: AxisNoise) -> LinearGuide:
     """Return a guide whose direction is as uncertain as robot and hand-eye make it."""
-    return replace(guide, direction_sigma_rad=hypot(guide.direction_sigma_rad, _turn_rad(hand_eye, noise)))
+    return replace(guide, direction_sigma_rad=hypot(guide.direction_sigma_rad, turn_sigma_rad(hand_eye, noise)))
 
 
 def axis_sigmas(seen: RotationAxis, hand_eye: HandEye, noise: AxisNoise) -> tuple[float, float]:
@@ -25,7 +25,7 @@ def axis_sigmas(seen: RotationAxis, hand_eye: HandEye, noise: AxisNoise) -> tupl
     ----------
     seen : in the frame of the camera; a turn of the camera moves it the more, the farther away it is
     """
-    turn_rad = _turn_rad(hand_eye, noise)
+    turn_rad = turn_sigma_rad(hand_eye, noise)
     return turn_rad, hypot(hand_eye.translation_sigma_mm, noise.robot_mm, turn_rad * hypot(*seen.point_mm))
 
 
@@ -35,5 +35,6 @@ def axis_carried(axis: RotationAxis, seen: RotationAxis, hand_eye: HandEye, nois
     return replace(axis, point_sigma_mm=hypot(axis.point_sigma_mm, shift_mm), direction_sigma_rad=hypot(axis.direction_sigma_rad, turn_rad))
 
 
-def _turn_rad(hand_eye: HandEye, noise: AxisNoise) -> float:
+def turn_sigma_rad(hand_eye: HandEye, noise: AxisNoise) -> float:
+    """Return by how much robot and hand-eye may turn what the cameras see, one standard deviation."""
     return hypot(hand_eye.rotation_sigma_rad, noise.robot_rad)

@@ -17,7 +17,7 @@ from measureapp.calibrate.linear_guide import GuideSolution
 from measureapp.calibrate.rotation_axis import AxisSolution
 from measureapp.data.uncertainty import COVERAGE_FACTOR
 from measureapp.errors import CalibrationError
-from measureapp.pipeline.collecting.carried import axis_sigmas
+from measureapp.pipeline.collecting.carried import axis_sigmas, turn_sigma_rad
 from measureapp.pipeline.collecting.collection import Collection
 from measureapp.pipeline.collecting.on_part import (
     RADIUS_MM,
@@ -36,6 +36,8 @@ from measureapp.pipeline.collecting.solved import Solved
 Level = Literal["good", "usable", "bad"]
 MOST_LEFT_OUT = 0.25  # of the observations
 MOST_TIMES = 10.0  # as many observations again: beyond, something else has to change
+MOSTLY = 0.5
+BY_THE_ROBOT = "Most of it comes from robot and hand–eye. Calibrate the whole rig: it averages over many robot poses."
 STROKE_MM = 500.0  # a usual travel of the guide
 
 
@@ -66,6 +68,7 @@ class Verdict:
     expanded_mm: float  # k = 2
     limits: Limits
     reasons: tuple[str, ...]  # what else speaks against it; each makes a good one at most usable
+    limited_by: str = ""  # what makes it better, where that is not more observations
 
     @property
     def reason(self) -> str:
@@ -79,6 +82,8 @@ class Verdict:
         times = (self.expanded_mm / self.limits.good_mm) ** 2
         if times <= 1.0:
             return ""
+        if self.limited_by:
+            return self.limited_by
         if times <= MOST_TIMES:
             return f"About {max(times, 1.5):.1f} times as many observations, as different from each other, would make it good."
         return "More observations alone will not make it good: sharper images, a larger board, or larger differences between positions are needed."
@@ -108,7 +113,7 @@ def judge(collection: Collection, limits: Limits | None = None, *, held_back: Cr
     level: Level = "good" if expanded <= limits.good_mm else "usable" if expanded <= limits.usable_mm else "bad"
     if level == "good" and reasons:
         level = "usable"
-    return Verdict(level, f"{what}: {level}.", expanded, limits, tuple(reasons))
+    return Verdict(level, f"{what}: {level}.", expanded, limits, tuple(reasons), _limited_by(collection.setup, solved))
 
 
 def millimetres(value: float) -> str:
@@ -138,6 +143,18 @@ def _expanded(collection: Collection, solved: Solved) -> tuple[float, str]:
         raise CalibrationError("The observations of the solution are no longer there.", "Solve again.")
     typical, worst = (COVERAGE_FACTOR * sigma for sigma in fitting_together_sigma_mm(solution, chosen))
     return typical, f"Views of one part fit together to {millimetres(typical)} (k = 2), at worst {millimetres(worst)}, before registration"
+
+
+def _limited_by(setup: Setup, solved: Solved) -> str:
+    solution = solved.solution
+    if setup.hand_eye is None or not isinstance(solution, AxisSolution | GuideSolution):
+        return ""
+    if isinstance(solution, GuideSolution):
+        share = turn_sigma_rad(setup.hand_eye, setup.noise) / solution.guide.direction_sigma_rad
+    else:
+        seen = solution.best.axis
+        share = 1.0 - half_turn_sigma_mm(seen, solution.covariance) / half_turn_sigma_mm(seen, _of_axis(solution, setup))
+    return BY_THE_ROBOT if share > MOSTLY else ""
 
 
 def _of_axis(solution: AxisSolution, setup: Setup) -> FloatArray:
