@@ -64,6 +64,7 @@ class ResultPage(QWidget):
         clear(self._group_place)
         self.groups = Segments({name: name for name in names})
         self.groups.valueChanged.connect(self._show_rows)
+        self.groups.setVisible(len(names) > 1)
         self._group_place.addWidget(self.groups)
         self._group_place.addStretch(1)
         self.truth_note.setVisible(result.has_truth)
