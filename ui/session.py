@@ -145,7 +145,7 @@ class Session(QObject):
 
     def set_calibration(self, calibration: RigCalibration | None) -> None:
         """Tell what the rig's geometry is."""
-        self.calibration = calibration
+        self.calibration, self.validity = calibration, None  # what was known of another one says nothing about it
         self.cameras = None if calibration is None else calibration.cameras
         self.calibrationChanged.emit()
 

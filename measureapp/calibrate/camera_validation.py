@@ -122,13 +122,13 @@ def cross_validate(
     for fold in range(folds):
         part = PartOf(progress, fold / (folds + 2), (fold + 1) / (folds + 2), f"without part {fold + 1}: ")
         out = set(views[fold::folds])
-        trained = solve(_only(kept, [view for view in views if view not in out]), part)
+        trained = solve(_only(kept, [view for view in views if view not in out]), part, solution)
         held += [_held_back(view, kept, trained, solution) for view in views if view in out]
     halves: tuple[HalvesCheck, ...] = ()
     if len(views) >= LEAST_VIEWS_FOR_HALVES:
         parts = (_only(kept, views[::2]), _only(kept, views[1::2]))
-        first = solve(parts[0], PartOf(progress, folds / (folds + 2), (folds + 1) / (folds + 2), "first half: "))
-        second = solve(parts[1], PartOf(progress, (folds + 1) / (folds + 2), 1.0, "second half: "))
+        first = solve(parts[0], PartOf(progress, folds / (folds + 2), (folds + 1) / (folds + 2), "first half: "), solution)
+        second = solve(parts[1], PartOf(progress, (folds + 1) / (folds + 2), 1.0, "second half: "), solution)
         covered = {name: _covered(name, problem.sizes_px[name], parts) for name in solution.calibration.names}
         halves = tuple(
             _halves(name, first, second, pixels, _range_mm(solution, name))

@@ -45,6 +45,7 @@ class AxisProblem:
     closure_radius_mm: float = CLOSURE_RADIUS_MM
     by_cameras: FloatArray | None = None  # (n, 6, C), change of ``poses`` with the parameters of ``camera_prior``
     camera_prior: LabelledCovariance | None = None  # what the calibration of the cameras leaves uncertain
+    names: tuple[str, ...] = ()  # of the positions, for messages; empty: their numbers from 0
 
     @property
     def changes_by_cameras(self) -> FloatArray:
@@ -119,12 +120,13 @@ def problem_from_poses(
     *,
     power: float = 2.0,
     free_angles: bool = False,
+    names: Sequence[str] = (),
 ) -> AxisProblem:
     """Return the problem of board poses; angles count only where all of them are known."""
     corners = np.array([pose.camera_from_board.apply(board.corners_mm) for pose in poses]).reshape(len(poses), -1, 3)
     known = [angle for angle in angles_rad if angle is not None]
     angles = np.array(known) if poses and len(known) == len(poses) else None
-    return AxisProblem(corners, angles, tuple(poses), power, free_angles)
+    return AxisProblem(corners, angles, tuple(poses), power, free_angles, names=tuple(names))
 
 
 def solve(problem: AxisProblem, progress: Progress | None = None) -> AxisSolution:
@@ -146,7 +148,7 @@ def solve(problem: AxisProblem, progress: Progress | None = None) -> AxisSolutio
             f"{len(corners)} table positions with {corners.shape[1]} corners do not determine the axis.",
             f"Give at least {LEAST_POSITIONS} positions of at least 3 corners.",
         )
-    start = _start(corners, problem.angles_rad)
+    start = _start(corners, problem.angles_rad, problem.names)
     free = problem.free_angles or problem.angles_rad is None
     progress.report(0, 3, "maximum likelihood")
     likely, covariance, variance = _maximum_likelihood(problem, corners, start, free)
@@ -170,7 +172,7 @@ def solve(problem: AxisProblem, progress: Progress | None = None) -> AxisSolutio
     return AxisSolution(ordered, refused, sweep, problem.power, covariance, diagnostics, warnings)
 
 
-def _start(corners: FloatArray, angles_rad: FloatArray | None) -> Turning:
+def _start(corners: FloatArray, angles_rad: FloatArray | None, names: Sequence[str]) -> Turning:
     seen = turning_of(corners)
     if angles_rad is None:
         return seen
@@ -184,7 +186,7 @@ def _start(corners: FloatArray, angles_rad: FloatArray | None) -> Turning:
     worst = int(np.argmax(wrong))
     if wrong[worst] > ANGLE_TOLERANCE_RAD:
         raise CalibrationError(
-            f"Position {worst} turned by {np.rad2deg(seen.angles_rad[worst]):.2f}° against the first, "
+            f"Position {names[worst] if names else worst} turned by {np.rad2deg(seen.angles_rad[worst]):.2f}° against the first, "
             f"but its angle says {np.rad2deg(given[worst]):.2f}°.",
             "Check the order of the positions, the unit (degrees) of the angles, and that the board did not move on the table.",
         )

@@ -2,17 +2,28 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.data.plan import ScanPlan, Viewpoint
+from measureapp.data.plan import FlangePose, ScanPlan, Viewpoint
 from measureapp.data.rig import RigDescription
+from measureapp.geometry.transform import RigidTransform, rotation_about
 from measureapp.planning.reach import obstacles
 from measureapp.planning.viewpoints import Gaze, viewpoint_looking_at
 
 BOARD_ABOVE_TABLE_MM = 90.0  # centre of a board on its stand, tilted 45° towards the robot
 BOARD_ELEVATION_DEG = 45.0
-POSES = 26
+LIGHT_DEG, STRONG_DEG = 24.0, 42.0  # with 42° the board still leans by 20° before a camera that looks askance by as much
+LEANS_DEG = (0.0, 90.0, 180.0, 270.0)  # to which side of the image the board's face turns: right, down, left, up
+TURNS_DEG = (0.0, 90.0, 180.0, -90.0)  # of the board in the image
+CORNERS = ((-1, -1), (1, 1), (1, -1), (-1, 1))
+DISTANCES_MM = (20.0, 55.0, 95.0)  # beyond the standoff
+ASIDE = (0.155, 0.145)  # of the field, how far the board's middle goes into a corner: its outer marks then come near the image's border
+ASIDE_ON_EDGE = (0.215, 0.07)  # the same where the board stands on its short side
+ASIDE_STRONG = 0.9  # of that for a strong lean, by which the board's nearer side grows
+SLIDE_SHARE = 0.7  # of the way sideways that the slide goes, the arm the rest
 STATION_ANGLES_DEG = (-50.0, -25.0, 0.0, 25.0, 50.0)
 CHECK_ANGLES_DEG = (-12.0, 0.0, 12.0, 0.0)
 
@@ -20,42 +31,80 @@ CHECK_ANGLES_DEG = (-12.0, 0.0, 12.0, 0.0)
 def calibration_viewpoints(rig: RigDescription, plan: ScanPlan | None = None) -> tuple[Viewpoint, ...]:
     """Return the viewpoints of an automatic rig calibration: `pose…` for cameras and hand-eye, `axis…`, `guide…`, `station…`.
 
-    The tilts and rolls of the poses follow Tsai and Lenz (IEEE Trans. Robotics and Automation 5(3), 1989): large
-    rotations about axes that are not parallel. From the stations of ``plan`` the board is seen at several table angles:
+    The poses bring the board into the corners of the images, for distortion is known only where there were marks, and let it lean to
+    all four sides. Turning it in the image meanwhile also gives hand-eye what Tsai and Lenz ask for (IEEE Trans. Robotics and
+    Automation 5(3), 1989): large rotations about axes that are not parallel. From the stations of ``plan`` the board is seen at several table angles:
     a part seems swollen by twice the robot's error towards the table unless that error is known where the scan is made.
     Places the rig cannot reach are left out.
     """
-    centre = np.array(rig.table.centre_in_guide_mm) + np.array([0.0, 0.0, BOARD_ABOVE_TABLE_MM])
+    centre = _board_middle_mm(rig)
     candidates = (*_poses(rig, centre), *_axis(rig, centre), *_guide(rig, centre), *_stations(plan))
     return tuple(viewpoint for viewpoint in candidates if not obstacles(viewpoint, rig))
 
 
 def check_viewpoints(rig: RigDescription) -> tuple[Viewpoint, ...]:
-    """Return a few poses of the calibration, the table turned a little, which differ in every axis: each link of the chain is tested."""
-    poses = [viewpoint for viewpoint in calibration_viewpoints(rig) if viewpoint.id.startswith("pose")]
-    spread = [poses[round(step * (len(poses) - 1) / (len(CHECK_ANGLES_DEG) - 1))] for step in range(len(CHECK_ANGLES_DEG))]
-    return tuple(viewpoint.model_copy(update={"table_deg": angle}) for viewpoint, angle in zip(spread, CHECK_ANGLES_DEG, strict=True))
+    """Return a few poses with the board in the middle, the table turned a little, which differ in every axis: each link of the chain is tested."""
+    centre = _board_middle_mm(rig)
+    looks = [
+        _Look(LIGHT_DEG, lean, turn, rig.standoff_mm + DISTANCES_MM[1], (0, 0)) for lean, turn in zip(LEANS_DEG, TURNS_DEG, strict=True)
+    ]
+    views = [_viewpoint(rig, f"check{number:02d}", centre, look) for number, look in enumerate(looks, start=1)]
+    turned = [view.model_copy(update={"table_deg": angle}) for view, angle in zip(views, CHECK_ANGLES_DEG, strict=True)]
+    return tuple(view for view in turned if not obstacles(view, rig))
+
+
+def _board_middle_mm(rig: RigDescription) -> FloatArray:
+    return np.array(rig.table.centre_in_guide_mm) + np.array([0.0, 0.0, BOARD_ABOVE_TABLE_MM])
+
+
+@dataclass(frozen=True, slots=True)
+class _Look:
+    """How the board is to appear before the head."""
+
+    tilt_deg: float  # of its face against the head's line of sight
+    lean_deg: float  # to which side of the image its face turns; 0: right, 90: down
+    turn_deg: float  # in the image, before it is tilted
+    distance_mm: float
+    corner: tuple[int, int]  # of the image, into which it goes; (0, 0): in the middle
+
+    def head_from_board(self, rig: RigDescription) -> RigidTransform:
+        """Return head_from_board, the board's origin in its middle."""
+        lean = np.deg2rad(self.lean_deg)
+        tilt = rotation_about([-np.sin(lean), np.cos(lean), 0.0], np.deg2rad(self.tilt_deg))
+        turn = rotation_about([0.0, 0.0, 1.0], np.deg2rad(self.turn_deg))
+        camera = rig.camera(rig.reference)
+        field_mm = np.array([camera.width_px, camera.height_px]) * self.distance_mm / camera.focal_px
+        aside = np.array(ASIDE_ON_EDGE if self.turn_deg % 180.0 else ASIDE) * (ASIDE_STRONG if self.tilt_deg > LIGHT_DEG else 1.0)
+        return RigidTransform.from_parts(tilt @ turn, [*(aside * self.corner * field_mm), self.distance_mm], "head", "board")
 
 
 def _poses(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
-    """Tilts to all sides, three rolls, three distances, and targets beside the board that carry it to the image's borders."""
+    """The board leaning to each of four sides, lightly once per corner of the image and strongly twice, turned in the image meanwhile.
+
+    A strong lean goes by the sides of the board, where the robot can reach: to lean up or down in the image the head is rolled.
+    """
     views = []
-    azimuths = (-30.0, -12.0, 12.0, 30.0, 0.0)
-    elevations = (BOARD_ELEVATION_DEG - 18.0, BOARD_ELEVATION_DEG + 2.0, BOARD_ELEVATION_DEG + 22.0)
-    rolls = (-35.0, 0.0, 35.0, 15.0)
-    distances = (rig.standoff_mm + 15.0, rig.standoff_mm + 50.0, rig.standoff_mm + 90.0)
-    sides = np.array([[0, 0, 0], [0, 26, 0], [0, -26, 0], [10, 0, 20], [-10, 0, -20]], float)
-    for number in range(POSES):
-        gaze = Gaze(
-            azimuths[number % 5],
-            elevations[(number // 5) % 3] + (6.0 if number % 2 else 0.0),
-            distances[(number * 2) % 3],
-            rolls[(number * 3 + number // 5) % 4],
-        )
-        target = centre + sides[(number * 2 + number // 5) % 5]
-        guide_mm = round(float(-0.7 * gaze.distance_mm * np.sin(np.deg2rad(gaze.azimuth_deg))), 1)
-        views.append(viewpoint_looking_at(rig, f"pose{number + 1:02d}", target, gaze, guide_mm=guide_mm))
-    return views
+    for way, lean_deg in enumerate(LEANS_DEG):
+        for corner, side in enumerate(CORNERS):
+            distance_mm = rig.standoff_mm + DISTANCES_MM[(way + 2 * corner) % 3]
+            views.append(_Look(LIGHT_DEG, lean_deg, TURNS_DEG[(way + corner) % 4], distance_mm, side))
+    for way, lean_deg in enumerate(LEANS_DEG):
+        for again, distance_mm in enumerate((DISTANCES_MM[0], DISTANCES_MM[-1])):
+            turn_deg = TURNS_DEG[2 * again + way % 2]
+            views.append(_Look(STRONG_DEG, lean_deg, turn_deg, rig.standoff_mm + distance_mm, CORNERS[(way + 2 * again) % 4]))
+    return [_viewpoint(rig, f"pose{number:02d}", centre, look) for number, look in enumerate(views, start=1)]
+
+
+def _viewpoint(rig: RigDescription, name: str, centre: FloatArray, look: _Look) -> Viewpoint:
+    """The viewpoint from which the board on its stand appears like that, the slide following the head."""
+    slope = np.deg2rad(BOARD_ELEVATION_DEG)
+    across, down = np.array([0.0, -1.0, 0.0]), np.array([-np.sin(slope), 0.0, -np.cos(slope)])
+    guide_from_board = RigidTransform.from_parts(np.column_stack([across, down, np.cross(across, down)]), centre, "guide", "board")
+    guide_from_head = guide_from_board @ look.head_from_board(rig).inverse()
+    guide_mm = round(SLIDE_SHARE * float(guide_from_head.translation_mm[1]), 1)
+    base_from_guide = RigidTransform.from_parts(np.eye(3), [0.0, -guide_mm, 0.0], "base", "guide")
+    base_from_flange = base_from_guide @ guide_from_head @ rig.flange_from_head.transform("flange", "head").inverse()
+    return Viewpoint(id=name, flange=FlangePose.of(base_from_flange), guide_mm=guide_mm, table_deg=0.0)
 
 
 def _axis(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:

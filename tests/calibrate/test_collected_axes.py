@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -27,8 +29,8 @@ def shown(monkeypatch):
 def start(tmp_path, board, head, rig):
     """Start a session of a kind with what it needs to know."""
 
-    def made(kind, cameras=True, name="session"):
-        hand_eye = HandEye(rig.flange_from_camera) if kind == "guide" else None
+    def made(kind, cameras=True, name="session", hand_eye=None):
+        hand_eye = hand_eye or (HandEye(rig.flange_from_camera) if kind == "guide" else None)
         known = head if cameras else None
         return Collection.create(tmp_path / name, Setup(kind, board, ("left", "right", "upper"), known, hand_eye, NOISE))
 
@@ -165,3 +167,32 @@ def test_a_read_back_that_is_missing_is_named(start, shown, rig, simulate, gener
     corners = simulate.corners(rig.head, rig.board, rig.camera_from_board(chosen(simulate, rig, "axis")[0]), SIGMA_PX, generator)
     with pytest.raises(CalibrationError, match="lacks the robot's pose and the guide's position and the table's angle"):
         shown.add(session, corners)
+
+
+def test_an_angle_that_contradicts_the_images_is_refused_with_the_observation_s_name(shown, start, rig, simulate, generator):
+    session = start("axis")
+    readbacks = chosen(simulate, rig, "axis")
+    show(shown, session, rig, simulate, readbacks, generator)
+    session.remove("01")
+    first, wrong = session.observation("02"), session.observation("05")
+    assert first.readback.table_rad != wrong.readback.table_rad
+    said = replace(wrong.readback, table_rad=wrong.readback.table_rad + np.deg2rad(10.0))
+    session._all["05"] = replace(session._all["05"], readback=said)
+    with pytest.raises(CalibrationError, match="Position 05 turned by"):
+        session.solve()
+
+
+@pytest.mark.parametrize("kind", ["axis", "guide"])
+def test_the_verdict_on_one_link_holds_what_robot_and_hand_eye_add(shown, start, rig, simulate, generator, kind):
+    hand_eye = HandEye(rig.flange_from_camera, rotation_sigma_rad=1e-4, translation_sigma_mm=0.03)
+    session = start(kind, hand_eye=hand_eye)
+    show(shown, session, rig, simulate, chosen(simulate, rig, kind), generator)
+    solution = session.solve().solution
+    turn_rad = np.hypot(hand_eye.rotation_sigma_rad, NOISE.robot_rad)
+    if kind == "guide":
+        assert solution.guide.direction_sigma_rad > turn_rad
+        assert judge(session).expanded_mm > 2 * 500.0 * turn_rad  # k = 2, over a stroke of 500 mm
+    else:
+        shift_mm = np.linalg.norm([hand_eye.translation_sigma_mm, NOISE.robot_mm, turn_rad * np.linalg.norm(solution.best.axis.point_mm)])
+        assert judge(session).expanded_mm > 2 * 2 * shift_mm  # half a turn shows an axis beside its place twice
+    assert Collection.open(session.folder).setup.hand_eye.rotation_sigma_rad == hand_eye.rotation_sigma_rad

@@ -9,7 +9,9 @@ import pytest
 from recorded import recorded
 
 from measureapp.data.board import CheckerboardDescription
+from measureapp.data.calibration import HandEye
 from measureapp.errors import CalibrationError, InputError, StorageError
+from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.collecting import Collection, ReadbackFiles, Setup, add_recorded
 from measureapp.project.board_images import find_board_images
 from tests.calibrate.shown_board import Shown
@@ -216,3 +218,15 @@ def test_recorded_pairs_with_wrongly_refined_corners_are_left_out_with_the_reaso
     assert wrong == {"02", "05"}
     assert session.observation("02").standing == "rejected"  # in both cameras
     assert set(session.observation("05").residuals_px) == {"left"}
+
+
+def test_a_session_of_the_first_version_opens_with_its_hand_eye_transform(tmp_path, board, head):
+    transform = RigidTransform.from_vector([0.0, 0.3, 0.0], [-174.2, 1.3, 81.2], "flange", "camera")
+    session = Collection.create(tmp_path / "s", Setup("guide", board, ("left", "right", "upper"), head, HandEye(transform, 1e-4, 0.02)))
+    stored = session.folder / "session.json"
+    document = json.loads(stored.read_text(encoding="utf-8"))
+    kept = document.pop("hand_eye")
+    stored.write_text(json.dumps(document | {"schema_version": 1, "flange_from_camera": kept["flange_from_camera"]}), encoding="utf-8")
+    known = Collection.open(session.folder).setup.hand_eye
+    assert np.allclose(known.flange_from_camera.matrix, transform.matrix)
+    assert known.rotation_sigma_rad == 0.0

@@ -47,7 +47,7 @@ def settle(qtbot, wizard):
 
 def read_folder(qtbot, wizard, folder):
     wizard.setup.source.setValue("images")
-    wizard.setup.folder.setText(str(folder))
+    wizard.setup.folder.setValue(folder)
     wizard.footer.primary.click()
     settle(qtbot, wizard)
 
@@ -69,12 +69,34 @@ def test_a_folder_of_images_becomes_an_accepted_calibration(qtbot, wizard, recor
     estimate, sigma = (float(text.removeprefix("± ").split("\u00a0")[0]) for text in focal[1:3])
     assert abs(estimate - FOCAL) < 5 * sigma + 1.0  # drawing the board costs some hundredths of a pixel, a few tenths of the focal length
     assert not wizard.calibrating.result.has_truth
+    assert "Collect more" in wizard.footer.words  # the check leaves the choice open
+    qtbot.waitUntil(lambda: not wizard.calibrating.is_checking, timeout=PATIENCE_MS)
+    assert "views held back fit with" in wizard.result.held_back.text()
+    assert wizard.result.stop_check.isHidden()
     folder = wizard.collecting.collection.folder
     wizard._accept()
     assert not wizard.isVisible()
     assert application.session.cameras.names == ("left", "right")
     assert read_cameras(folder / "result" / "cameras.json").names == ("left", "right")
-    assert [row[0] for row in application.window.pages["calibration"].table.texts()] == ["Camera left", "Camera right"]
+    page = application.window.pages["calibration"]
+    assert [row[0] for row in page.table.texts()] == ["Camera left", "Camera right"]
+    application.session.open_project("", "", None)  # as at the next start
+    assert not page.last_one.isHidden()
+    page.last_one.click()
+    qtbot.waitUntil(lambda: application.session.cameras is not None, timeout=PATIENCE_MS)
+    assert application.session.cameras.names == ("left", "right")
+
+
+def test_the_check_with_views_held_back_can_be_stopped_and_the_result_stays(qtbot, wizard, recorded):
+    read_folder(qtbot, wizard, recorded)
+    wizard._conclude()
+    qtbot.waitUntil(lambda: wizard.calibrating.is_checking, timeout=PATIENCE_MS)
+    wizard.result.stop_check.click()
+    qtbot.waitUntil(lambda: not wizard.calibrating.is_checking, timeout=PATIENCE_MS)
+    assert wizard.calibrating.result is not None
+    assert wizard.calibrating.result.held_back == ""
+    assert wizard.result._held_back.isHidden()
+    assert {"Accept", "Accept all the same"} & set(wizard.footer.words)
 
 
 def test_delete_removes_a_view_and_ctrl_z_brings_it_back(qtbot, wizard, recorded):

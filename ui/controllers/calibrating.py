@@ -24,6 +24,8 @@ class CalibratingController(QObject):
     """Judges and accepts what was collected."""
 
     concluded = Signal(object)  # Result
+    checking = Signal(float)  # share of the check with views held back
+    checked = Signal(object)  # Result after it, or as it was where the check was stopped
 
     def __init__(
         self, kind: Kind, session: Session, demo: DemoController, collecting: JobRunner, solving: JobRunner, parent: QObject | None = None
@@ -34,6 +36,7 @@ class CalibratingController(QObject):
         self.collecting = CollectingController(kind, session, collecting, solving, self)
         self.result: results.Result | None = None
         self._job: Job | None = None
+        self._check: Job | None = None  # with views held back
 
     @property
     def is_concluding(self) -> bool:
@@ -55,8 +58,14 @@ class CalibratingController(QObject):
         board = DEFAULT_BOARD if project is None else ProjectFolder.open(project).settings.board
         return RigSetup(rig.name, rig.driver == VIRTUAL, project is not None, settings.resolution, settings.seed, board)
 
+    @property
+    def is_checking(self) -> bool:
+        """Whether the result is being checked with views held back."""
+        return self._check is not None
+
     def forget_result(self) -> None:
         """Begin without a result."""
+        self.stop_check()
         self.result = None
 
     def conclude(self) -> None:
@@ -64,7 +73,7 @@ class CalibratingController(QObject):
         collection = self.collecting.collection
         if collection is None or self._job is not None:
             return
-        self.result = None
+        self.forget_result()
         snapshot = collection.snapshot()
         before = results.Before(self._session.cameras, self._session.calibration, self.collecting.truth)
         self._job = self._solving.run(
@@ -77,7 +86,36 @@ class CalibratingController(QObject):
     @Slot(object)
     def _keep(self, found: results.Result) -> None:
         self._job, self.result = None, found
+        if found.snapshot.setup.calibrates_cameras:
+            self._check = self._solving.run(
+                "Checking with views held back", lambda job: results.checked(job, found), self._keep_checked, quiet=True
+            )
+            self._check.progressed.connect(self._show_check)
+            self._check.cancelled.connect(self._check_stopped)
+            self._check.failed.connect(self._check_stopped)
         self.concluded.emit(found)
+
+    @Slot(float, str)
+    def _show_check(self, share: float, _note: str) -> None:
+        if self.is_checking:
+            self.checking.emit(share)
+
+    @Slot(object)
+    def _keep_checked(self, found: results.Result) -> None:
+        if self.sender() is self._check and self.result is not None:
+            self._check, self.result = None, found
+            self.checked.emit(found)
+
+    @Slot()
+    def _check_stopped(self) -> None:
+        if self.sender() is self._check:
+            self._check = None
+            self.checked.emit(self.result)
+
+    def stop_check(self) -> None:
+        """End the check with views held back; the result stays as it is."""
+        if self._check is not None:
+            self._check.cancel()
 
     @Slot()
     def _stopped(self) -> None:
@@ -104,5 +142,5 @@ class CalibratingController(QObject):
         """End what runs; everything collected is on disk."""
         if self._job is not None:
             self._job.cancel()
-        self.result = None
+        self.forget_result()
         self.collecting.close()

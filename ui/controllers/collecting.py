@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from pathlib import Path
 from queue import SimpleQueue
 from typing import TYPE_CHECKING
@@ -11,16 +10,17 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QImage
 
-from measureapp.errors import InputError, MeasureError
+from measureapp.errors import MeasureError
 from ui.controllers import collecting_work as work
+from ui.controllers.beginning import begun_with_images, begun_with_rig
+from ui.controllers.collected_images import CollectedImages
 from ui.controllers.collecting_nouns import Kept, Kind, LiveImage, SeenView, Start
 from ui.controllers.jobs import JobRunner
-from ui.controllers.kept_sessions import newest_kept, next_folder, project_on_disk, sessions_folder
-from ui.controllers.rig_connection import VIRTUAL, RigConnection
+from ui.controllers.kept_sessions import newest_kept, project_on_disk, sessions_folder
+from ui.controllers.rig_connection import RigConnection
 from ui.controllers.seen_views import seen_view
 from ui.session import Session
 from ui.workers.job import Job
-from ui.workers.mailbox import Mailboxes
 
 if TYPE_CHECKING:
     from measureapp.data.calibration import RigCalibration
@@ -28,8 +28,6 @@ if TYPE_CHECKING:
     from measureapp.data.rig import RigDescription
     from measureapp.pipeline.collecting.collection import Collection
     from measureapp.pipeline.collecting.observation import Observation
-
-IMAGES_KEPT = 9  # in memory, of those looked at last
 
 
 class CollectingController(QObject):
@@ -51,15 +49,12 @@ class CollectingController(QObject):
         self._forget()
 
     def _forget(self) -> None:
-        self._live: Mailboxes[LiveImage] = Mailboxes()
         self._changes: work.Changes = SimpleQueue()
         self.collection: Collection | None = None
         self.thought: work.Thought | None = None
         self._rig: RigDescription | None = None
         self._connection: RigConnection | None = None
-        self._thumbnails: dict[tuple[str, str], QImage] = {}
-        self._newest: dict[str, LiveImage] = {}
-        self._images: OrderedDict[tuple[str, str], np.ndarray] = OrderedDict()
+        self._images = CollectedImages()
         self.views: tuple[SeenView, ...] = ()
 
     # what there is
@@ -126,35 +121,25 @@ class CollectingController(QObject):
 
     def newest_image(self, camera: str) -> LiveImage | None:
         """Return the newest image of a camera while its board is still looked for."""
-        return self._newest.get(camera)
+        return self._images.newest(camera)
 
     def take_live(self) -> bool:
         """Take the newest images out of their mailbox; tells whether there were any."""
-        found = self._live.take_all()
-        self._newest.update(found)
-        return bool(found)
+        return self._images.take_live()
 
     def image(self, id_: str, camera: str) -> np.ndarray | None:
         """Return the image of one camera in a view, or None where it has none (or it cannot be read)."""
-        if (id_, camera) not in self._images and self.collection is not None:
-            stored = self.collection.observation(id_).images.get(camera)
-            if stored is None:
-                return None
-            try:
-                self._remember(id_, camera, stored.pixels())
-            except MeasureError as error:
-                self.told.emit(error.message, error.hint, "error")
-                return None
-        return self._images.get((id_, camera))
+        if self.collection is None:
+            return None
+        try:
+            return self._images.full(self.collection, id_, camera)
+        except MeasureError as error:
+            self.told.emit(error.message, error.hint, "error")
+            return None
 
     def size_px(self, camera: str) -> tuple[int, int] | None:
         """Return width and height of a camera's images."""
         return None if self.collection is None else self.collection.size_px(camera)
-
-    def _remember(self, id_: str, camera: str, pixels: np.ndarray) -> None:
-        self._images[id_, camera] = pixels
-        while len(self._images) > IMAGES_KEPT:
-            self._images.popitem(last=False)
 
     # beginning
 
@@ -166,41 +151,16 @@ class CollectingController(QObject):
         """Begin anew; recorded images are read at once."""
         try:
             if start.folder is None:
-                self._begin_with_rig(start)
+                self._take_over(*begun_with_rig(self.kind, start, self._session), {})
             else:
-                self._begin_with_images(start)
+                self._begin_with_images(start, start.folder)
         except MeasureError as error:
             self.told.emit(error.message, error.hint, "error")
 
-    def _begin_with_rig(self, start: Start) -> None:
-        from measureapp.project.atomic import write_text
-
-        rig = self._session.rig
-        if rig is None:
-            raise InputError("No rig is known yet.", "Wait until it is loaded, or use recorded images.")
-        if rig.driver == VIRTUAL and project_on_disk(self._session) is None:
-            rig = rig.at_resolution(start.resolution).model_copy(update={"driver_settings": {**rig.driver_settings, "seed": start.seed}})
-        names = (rig.reference, *(camera.name for camera in rig.cameras if camera.name != rig.reference))
-        collection = self._created(start, names, rig)
-        write_text(collection.folder / work.RIG_FILE, rig.model_dump_json(indent=2))
-        self._take_over(collection, rig, {})
-
-    def _begin_with_images(self, start: Start) -> None:
-        from measureapp.project.recorded_boards import cameras_of, find_recorded
-
-        assert start.folder is not None
-        positions = find_recorded(start.folder)
-        collection = self._created(start, cameras_of(positions), None)
+    def _begin_with_images(self, start: Start, folder: Path) -> None:
+        collection, recorded = begun_with_images(self.kind, start, folder, self._session)
         self._take_over(collection, None, {})
-        self._run(f"Reading {start.folder.name}", lambda job: work.read(job, positions, collection, self._changes))
-
-    def _created(self, start: Start, names: tuple[str, ...], rig: RigDescription | None) -> Collection:
-        from measureapp.pipeline.collecting.collection import Collection
-
-        return Collection.create(
-            next_folder(sessions_folder(project_on_disk(self._session)), self.kind),
-            work.setup_for(self.kind, start.board, names, rig, self._session.calibration),
-        )
+        self._run(f"Reading {folder.name}", lambda job: work.read(job, recorded, collection, self._changes))
 
     def resume(self, folder: Path) -> None:
         """Go on with a session that was kept."""
@@ -214,7 +174,7 @@ class CollectingController(QObject):
 
     def _take_over(self, collection: Collection, rig: RigDescription | None, thumbnails: dict[tuple[str, str], QImage]) -> None:
         self._forget()
-        self.collection, self._rig, self._thumbnails = collection, rig, thumbnails
+        self.collection, self._rig, self._images = collection, rig, CollectedImages(thumbnails)
         self.begun.emit()
         self._after_change()
 
@@ -249,7 +209,7 @@ class CollectingController(QObject):
         collection, rig = self.collection, self._rig
         if collection is None or rig is None or self.is_collecting or not viewpoints:
             return
-        connection, live, changes = self._connection, self._live, self._changes
+        connection, live, changes = self._connection, self._images.live, self._changes
 
         def run(job: Job) -> None:
             job.report(0, 1, "Connecting the rig")
@@ -285,12 +245,7 @@ class CollectingController(QObject):
             case work.Skipped():
                 self.told.emit(event.error.message, event.error.hint, "warning")
             case work.Added() if self.collection is not None:
-                for camera, picture in event.thumbnails.items():
-                    self._thumbnails[event.id, camera] = picture
-                    self._remember(event.id, camera, event.images[camera])
-                    newest = self._newest.get(camera)
-                    if newest is not None and newest.view == event.name:
-                        del self._newest[camera]
+                self._images.add(event)
                 self._after_change()
 
     @Slot(object)
@@ -309,7 +264,7 @@ class CollectingController(QObject):
         self._job = None
         if not any(view.corners_px for view in self.views):
             self._tell_nothing_found()
-        self._newest.clear()
+        self._images.forget_newest()
         work.make_changes(self._changes)
         self._after_change()
 
@@ -362,7 +317,8 @@ class CollectingController(QObject):
         self.views = () if collection is None else tuple(self._seen(one) for one in collection.observations)
 
     def _seen(self, observation: Observation) -> SeenView:
-        pictures = {camera: self._thumbnails[key] for camera in observation.images if (key := (observation.id, camera)) in self._thumbnails}
+        known = self._images.thumbnails
+        pictures = {camera: known[key] for camera in observation.images if (key := (observation.id, camera)) in known}
         return seen_view(observation, None if self.thought is None else self.thought.solved, pictures)
 
     # solving meanwhile

@@ -38,6 +38,7 @@ class Start:
     folder: Path | None  # of recorded images; None: the rig takes them
     resolution: Resolution
     seed: int
+    tables: Mapping[str, Path] = field(default_factory=dict)  # where the axes stood at recorded images: axis -> table
 
 
 @dataclass(frozen=True)

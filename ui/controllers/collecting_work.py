@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from measureapp.devices.rig import Rig
     from measureapp.pipeline.collecting.coaching import Advice
     from measureapp.pipeline.collecting.collection import Collection
+    from measureapp.pipeline.collecting.observation import Readback
     from measureapp.pipeline.collecting.setup import Setup
     from measureapp.pipeline.collecting.solved import Solved
     from measureapp.pipeline.collecting.suggested import Suggestion
@@ -71,6 +72,7 @@ class Thought:
     suggestion: Suggestion | None  # from where the rig should look next, after the planned viewpoints
 
 
+Recorded = tuple["RecordedPosition", "Readback"]
 Change = Callable[[], object]
 Changes = SimpleQueue[Change]
 Work = Callable[["Job"], object]
@@ -133,16 +135,16 @@ def take(job: Job, rig: Rig, viewpoints: Sequence[Viewpoint], collection: Collec
         job.emit_event(Added(found.id, viewpoint.id, view.images, {camera: thumbnail(pixels) for camera, pixels in view.images.items()}))
 
 
-def read(job: Job, positions: Sequence[RecordedPosition], collection: Collection, changes: Changes) -> None:
+def read(job: Job, recorded: Sequence[Recorded], collection: Collection, changes: Changes) -> None:
     """Add recorded images; one that cannot be read is told and left out."""
     from measureapp.project.images import read_image
 
-    for done, position in enumerate(positions):
-        job.report(done, len(positions), f"Looking for the board in image {position.name}")
+    for done, (position, readback) in enumerate(recorded):
+        job.report(done, len(recorded), f"Looking for the board in image {position.name}")
         try:
             images = {camera: read_image(path) for camera, path in position.files.items()}
             names = {camera: path.name for camera, path in position.files.items()}
-            found = collection.add(images, position.readback, names)
+            found = collection.add(images, readback, names)
         except InputError as error:
             job.emit_event(Skipped(error))
             continue
@@ -219,7 +221,7 @@ def setup_for(
         board=board,
         camera_names=cameras,
         cameras=known.cameras if needs_cameras and known is not None else None,
-        hand_eye=known.hand_eye if kind == "guide" and known is not None else None,
+        hand_eye=known.hand_eye if kind in {"guide", "axis"} and known is not None else None,
         noise=AxisNoise() if rig is None else expected_noise(rig),
         standoff_mm=None if rig is None else rig.standoff_mm,
         serials={} if rig is None else {camera.name: camera.serial for camera in rig.cameras},

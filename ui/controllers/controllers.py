@@ -12,6 +12,7 @@ from ui.controllers.documents import DocumentsController
 from ui.controllers.holes import HolesController
 from ui.controllers.jobs import JobRunner
 from ui.controllers.project import ProjectController
+from ui.controllers.recent_calibration import RecentCalibrationController
 from ui.controllers.startup import StartupController
 from ui.controllers.stored_images import StoredImagesController
 from ui.session import Session
@@ -35,6 +36,7 @@ class Controllers(QObject):
         self.holes = HolesController(session, self.explaining, self)
         kinds: tuple[Kind, ...] = ("cameras", "axis", "hand-eye", "guide", "rig")
         self.calibrating = {kind: CalibratingController(kind, session, self.demo, self.jobs, self.solving, self) for kind in kinds}
+        self.recent_calibration = RecentCalibrationController(session, self.background, self)
         self.startup = StartupController(session, self.background, self)
 
     @property

@@ -9,6 +9,7 @@ from ui.controllers.collecting_nouns import Kept, Kind
 from ui.session import Session
 
 SESSIONS = Path("MeasureApp") / "calibrations"
+RESULT, CAMERAS = "result", "cameras.json"  # in a session's folder: what was accepted of it without a project
 
 
 def project_on_disk(session: Session) -> Path | None:
@@ -32,6 +33,17 @@ def newest_kept(folder: Path, kind: Kind) -> Kept | None:
             saved = datetime.fromtimestamp((place / "session.json").stat().st_mtime, UTC)
             return Kept(place, views, saved.isoformat())
     return None
+
+
+def newest_result() -> tuple[Path, str] | None:
+    """Return the folder of the newest result accepted without a project, and when (ISO 8601)."""
+    places = [path.parent for path in sessions_folder(None).glob(f"*/{RESULT}/{CAMERAS}")]
+    newest = max(places, key=_written, default=None)
+    return None if newest is None else (newest, datetime.fromtimestamp(_written(newest), UTC).isoformat())
+
+
+def _written(place: Path) -> float:
+    return (place / CAMERAS).stat().st_mtime
 
 
 def next_folder(folder: Path, kind: Kind) -> Path:

@@ -4,26 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from math import hypot
 from typing import TYPE_CHECKING, Literal
 
 from measureapp.errors import CalibrationError
 from ui.controllers import result_values as values
 from ui.controllers.collecting_nouns import Kind
-from ui.controllers.kept_sessions import project_on_disk
+from ui.controllers.kept_sessions import RESULT, project_on_disk
 from ui.look.wording import millimetres, quantity
 from ui.session import Session
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
     from measureapp.pipeline.collecting.collection import Collection
     from measureapp.pipeline.collecting.solved import Solved
+    from measureapp.pipeline.collecting.verdict import Verdict
     from ui.workers.job import Job
 
 Sign = Literal["pass", "fail", "not proven"]
 SIGNS: Mapping[str, Sign] = {"good": "pass", "usable": "not proven", "bad": "fail"}
 REST_STAYS = "Hand–eye, guide and table axis were found with the earlier cameras: calibrate the rig next."
-RESULT = "result"  # folder of an accepted result that belongs to no project
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,6 +52,7 @@ class Result:
     comparison: str
     has_truth: bool
     has_previous: bool
+    held_back: str = ""  # what the check with views held back gave
 
 
 def concluded(job: Job, snapshot: Collection, before: Before) -> Result:
@@ -73,7 +75,7 @@ def concluded(job: Job, snapshot: Collection, before: Before) -> Result:
         snapshot,
         verdict.sentence,
         SIGNS[verdict.level],
-        (verdict.reason, *verdict.reasons),
+        reasons_of(verdict),
         cameras,
         rig,
         values.rows_beside(shown, true, previous),
@@ -83,6 +85,25 @@ def concluded(job: Job, snapshot: Collection, before: Before) -> Result:
         bool(true),
         bool(previous),
     )
+
+
+def checked(job: Job, found: Result) -> Result:
+    """Check with views held back, and judge again; runs on a job's thread."""
+    from measureapp.pipeline.collecting import check_held_back, judge
+
+    try:
+        held_back = check_held_back(found.snapshot, job)
+    except CalibrationError as error:  # too few views
+        return replace(found, held_back=str(error))
+    if held_back is None:
+        return found
+    verdict = judge(found.snapshot, held_back=held_back)
+    return replace(found, verdict=verdict.sentence, sign=SIGNS[verdict.level], held_back=held_back.verdict)
+
+
+def reasons_of(verdict: Verdict) -> tuple[str, ...]:
+    """Return why a verdict is what it is: the limits, what would make it better, what else speaks against it."""
+    return (verdict.reason, *([verdict.remedy] if verdict.remedy else []), *verdict.reasons)
 
 
 def compared(snapshot: Collection, before: Before) -> str:
@@ -123,6 +144,7 @@ def rig_of(snapshot: Collection, before: RigCalibration | None) -> RigCalibratio
     from measureapp.calibrate.linear_guide import GuideSolution
     from measureapp.calibrate.rig import carry_axis
     from measureapp.calibrate.rotation_axis import AxisSolution
+    from measureapp.pipeline.collecting.carried import axis_carried
 
     solved = snapshot.solved
     assert solved is not None
@@ -136,23 +158,12 @@ def rig_of(snapshot: Collection, before: RigCalibration | None) -> RigCalibratio
         raise CalibrationError("The rest of the rig is not calibrated yet.", "Calibrate the whole rig first.")
     if isinstance(solution, HandEyeSolution):
         return replace(before, hand_eye=solution.hand_eye)
-    noise, hand_eye = snapshot.setup.noise, before.hand_eye
-    carried_rad = hypot(hand_eye.rotation_sigma_rad, noise.robot_rad)  # what camera and robot add to anything seen from one pose
     if isinstance(solution, GuideSolution):
-        guide = solution.guide
-        return replace(before, guide=replace(guide, direction_sigma_rad=hypot(guide.direction_sigma_rad, carried_rad)))
+        return replace(before, guide=solution.guide)
     assert isinstance(solution, AxisSolution)
     seen = solution.best.axis
     axis = carry_axis(seen, before.guide_from_camera(snapshot.observation(solved.used[0]).readback.full()))
-    carried_mm = hypot(hand_eye.translation_sigma_mm, noise.robot_mm, carried_rad * hypot(*seen.point_mm))
-    return replace(
-        before,
-        axis=replace(
-            axis,
-            point_sigma_mm=hypot(axis.point_sigma_mm, carried_mm),
-            direction_sigma_rad=hypot(axis.direction_sigma_rad, carried_rad),
-        ),
-    )
+    return replace(before, axis=axis_carried(axis, seen, before.hand_eye, snapshot.setup.noise))
 
 
 def facts_of(snapshot: Collection, solved: Solved) -> tuple[tuple[str, str], ...]:
@@ -175,7 +186,6 @@ def accepted(found: Result, session: Session) -> tuple[str, str]:
     """Make a result the calibration in use, on disk first; returns what to tell. Raises StorageError."""
     from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
     from measureapp.pipeline.collecting import keep
-    from measureapp.project.folder import ProjectFolder
 
     project = project_on_disk(session)
     kind, place = found.snapshot.setup.kind, found.snapshot.folder / RESULT
@@ -187,8 +197,8 @@ def accepted(found: Result, session: Session) -> tuple[str, str]:
         kept = keep(found.snapshot, place / f"{kind}.json")
         cameras = kept if isinstance(kept, CameraArrayCalibration) else cameras
         rig = rig if rig is None else replace(rig, cameras=cameras)
-        if project is not None and rig is not None:
-            ProjectFolder.open(project).save_calibration(rig)
+        if rig is not None:
+            _save_rig(rig, place, project)
     if rig is not None:
         session.set_calibration(rig)
     elif session.calibration is None:
@@ -200,3 +210,14 @@ def accepted(found: Result, session: Session) -> tuple[str, str]:
         "The calibration is accepted.",
         REST_STAYS if kind == "cameras" and rig is not None else f"It lies in {place if project is None else project}.",
     )
+
+
+def _save_rig(rig: RigCalibration, place: Path, project: Path | None) -> None:
+    """Keep the rig with its new link: in the project, or whole beside the session, to be taken up at the next start."""
+    from measureapp.pipeline.collecting.keeping import write_rig
+    from measureapp.project.folder import ProjectFolder
+
+    if project is None:
+        write_rig(rig, place)
+    else:
+        ProjectFolder.open(project).save_calibration(rig)

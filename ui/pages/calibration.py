@@ -82,6 +82,9 @@ class CalibrationPage(Page):
         self.cameras_alone = Button("Cameras only…", self.look, "camera", "normal", CAMERAS.tip)
         self.cameras_alone.clicked.connect(partial(self.open_wizard, CAMERAS))
         self.empty.add_quiet(self.cameras_alone)
+        self.last_one = Button("Use the last one", self.look, "undo")
+        self.last_one.clicked.connect(self.controllers.recent_calibration.take_up)
+        self.empty.add_quiet(self.last_one)
 
     def _open_rig_wizard(self) -> None:
         self.open_wizard(RIG)
@@ -108,9 +111,18 @@ class CalibrationPage(Page):
         else:
             self.empty.say("No calibration yet", EMPTY_TEXT)
 
+    def _offer_last_one(self) -> None:
+        """A calibration accepted without a project is offered again."""
+        saved = self.controllers.recent_calibration.saved
+        self.last_one.setVisible(bool(saved) and self.session.folder is None)
+        age = when(saved) if saved else ""
+        self.last_one.setToolTip(f"Take up the calibration that was accepted without a project{f' ({age})' if age else ''}")
+
     def _show(self) -> None:
         calibration, cameras = self.session.calibration, self.session.cameras
         self.show_filled(cameras is not None)
+        if cameras is None:
+            self._offer_last_one()
         for kind in KINDS:
             self.offers[kind.kind].setEnabled(calibration is not None or not kind.needs_rig)
         for part in (self.figure, self.shares):

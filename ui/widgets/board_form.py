@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QFormLayout, QLabel, QSpinBox, QWidget
 
 from measureapp.data.board import DICTIONARIES, BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
@@ -52,6 +52,7 @@ class BoardForm(QWidget):
         self._form = QFormLayout(self)
         self._form.setContentsMargins(0, 0, 0, 0)
         self._form.setHorizontalSpacing(16)
+        self._form.setLabelAlignment(Qt.AlignmentFlag.AlignVCenter)
         self._form.setVerticalSpacing(8)
         self._form.addRow("Board", self.kind)
         self._form.addRow(self._columns_word, self.columns)

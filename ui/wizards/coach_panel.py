@@ -45,14 +45,15 @@ class CoachPanel(QWidget):
 
     def advise(self, lines: Sequence[str], levels: Sequence[Level]) -> None:
         """Show what is missing; without lines nothing is."""
-        self.lines = tuple(lines)
+        same, self.lines = tuple(lines) == self.lines and self._words.count() > 0, tuple(lines)
         self.heading.setText("What is still missing" if self.lines else "Nothing is missing")
         shown = sorted(levels, key=lambda level: level.enough)[:MOST_GAUGES]
         self.gauges.show_levels([level for level in levels if level in shown])
         rest = len(levels) - len(shown)
         self.rest.setText(f"{rest} more have enough" if rest and all(level.enough for level in levels if level not in shown) else "")
         self.rest.setVisible(bool(self.rest.text()))
-        self._redraw()
+        if not same:
+            self._redraw()
 
     def judge(self, words: str, working: str) -> None:
         """Show how good it would be now, and what is being computed."""

@@ -198,7 +198,9 @@ class CollectPage(QWidget):
         reason = view.reasons.get(camera, "") or (view.reason if view.verdict == "fail" else "")
         residual = view.residuals_px.get(camera)
         figure = f"residual {quantity(residual, 'px', 3)}" if residual is not None else ""
-        corners = several(len(view.corners_px[camera]), "corner") if camera in view.corners_px else "no board found"
+        if camera not in view.corners_px:
+            return reason or "No board found"
+        corners = several(len(view.corners_px[camera]), "corner")
         return ", ".join(part for part in (corners, figure, reason) if part)
 
     def _thumbnail(self, view: SeenView) -> Thumbnail:

@@ -16,19 +16,27 @@ class WizardKind:
     action: str  # on its button
     tip: str
     purpose: str  # said on the first page
-    takes_images: bool  # whether recorded images alone are enough, without read-backs of the axes
+    tables: tuple[str, ...]  # what recorded images need besides: where these axes stood
     step: str  # the name of the second step
+    tips: tuple[str, ...]  # what good views are like
     needs_rig: bool = False  # it renews one link of a rig that is calibrated
 
 
+VIEWS = (
+    "Cover the images to their borders and corners: lenses distort most there.",
+    "Tilt the board by 20° to 45° to all four sides: that tells the focal length from the distance.",
+    "Show it nearer and farther, sharp, evenly lit and not so bright that its white is clipped.",
+)
+ALL = ("base_from_flange", "guide_mm", "table_rad")
 CAMERAS = WizardKind(
     "cameras",
     "Calibrate the cameras",
     "Cameras",
     "Focal length, image centre, distortion and place of every camera",
     "Finds lens and place of every camera from images of a board seen from many sides. Fill the images to their borders, and tilt the board.",
-    True,
+    (),
     "Show the board",
+    VIEWS,
 )
 RIG = WizardKind(
     "rig",
@@ -36,8 +44,9 @@ RIG = WizardKind(
     "Whole rig",
     "Cameras, hand–eye, linear guide and table axis in one automatic run",
     "Fix the board on the table. The rig looks at it from all sides, slides along the guide and turns the table, and everything is solved together.",
-    False,
+    ALL,
     "Take the views",
+    VIEWS,
 )
 HAND_EYE = WizardKind(
     "hand-eye",
@@ -45,8 +54,13 @@ HAND_EYE = WizardKind(
     "Hand–eye",
     "Where the head sits on the robot's flange",
     "Finds where the head sits on the flange, with the cameras as they are calibrated. Fix the board on the table; the robot turns the head.",
-    False,
+    ("base_from_flange",),
     "Take the views",
+    (
+        "The board must not move between the views.",
+        "Turn the head about all three axes: up and down, sideways, and about its line of sight.",
+        "Take ten poses or more: the robot's own errors average out.",
+    ),
     True,
 )
 GUIDE = WizardKind(
@@ -55,8 +69,12 @@ GUIDE = WizardKind(
     "Linear guide",
     "Direction and scale of the guide",
     "Finds direction and scale of the guide, with cameras and hand–eye as they are calibrated. Fix the board on the table; the robot slides past.",
-    False,
+    ("base_from_flange", "guide_mm"),
     "Take the views",
+    (
+        "Neither the board nor the robot's arm moves; the slide does.",
+        "Slide as far as the board stays in sight: the longer the way, the better its direction.",
+    ),
     True,
 )
 AXIS = WizardKind(
@@ -65,8 +83,12 @@ AXIS = WizardKind(
     "Table axis",
     "Where the rotary table's axis stands",
     "Finds the table's axis, with cameras and robot as they are calibrated. Fix the board on the table; the table turns it.",
-    False,
+    ALL,
     "Take the views",
+    (
+        "Fix the board on the table so that it cannot slip.",
+        "Turn the table as far as the board stays in sight: short arcs leave their centre uncertain.",
+    ),
     True,
 )
 KINDS = (RIG, CAMERAS, HAND_EYE, GUIDE, AXIS)

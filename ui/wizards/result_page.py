@@ -9,7 +9,7 @@ from ui.controllers.result import Result
 from ui.controllers.result_values import ValueRow
 from ui.look.look import Look
 from ui.look.wording import NOTHING, quantity
-from ui.widgets.basic import card, clear, column, label, row
+from ui.widgets.basic import Button, card, clear, column, label, row
 from ui.widgets.data_table import Cell, DataTable, number
 from ui.widgets.segments import Segments
 
@@ -17,6 +17,7 @@ HEADERS = ["Value", "Estimate", "Standard deviation", "True value", "Error", "Ch
 TRUE, ERROR, CHANGE = 3, 4, 5
 FAR = 3.0  # standard deviations
 TRUTH_NOTE = "True values are known because the rig is simulated. Nothing that measures reads them."
+CHECK_TIP = "Stop this check; the result stays as it is, and can be accepted meanwhile too"
 SIDE, MARGIN = 344, 20
 
 
@@ -37,11 +38,13 @@ class ResultPage(QWidget):
         self._facts = column(spacing=8)
         self.comparison = label("", "body", wrap=True)
         facts = card(label("How it was found", "heading"), self._facts, margin=16)
+        self.held_back, self.stop_check = label("", "body", wrap=True), Button("Stop", look, "cancel", "quiet", CHECK_TIP)
+        self._held_back = card(label("Checked with views held back", "heading"), self.held_back, row(self.stop_check, 0), margin=16)
         self._compared = card(label("Compared with the one before", "heading"), self.comparison, margin=16)
         side = QWidget()
         side.setObjectName("clear")
         side.setFixedWidth(SIDE)
-        side.setLayout(column(facts, self._compared, 0, self.truth_note, spacing=12))
+        side.setLayout(column(facts, self._held_back, self._compared, 0, self.truth_note, spacing=12))
         left = column(self._group_place, self.table, spacing=8)
         left.setStretch(1, 1)
         middle = row(left, side, spacing=16)
@@ -61,6 +64,7 @@ class ResultPage(QWidget):
         clear(self._group_place)
         self.groups = Segments({name: name for name in names})
         self.groups.valueChanged.connect(self._show_rows)
+        self.groups.setVisible(len(names) > 1)
         self._group_place.addWidget(self.groups)
         self._group_place.addStretch(1)
         self.truth_note.setVisible(result.has_truth)
@@ -75,9 +79,26 @@ class ResultPage(QWidget):
             self._facts.addWidget(_paragraph(words))
         for view, reason in result.left_out:
             self._facts.addWidget(_paragraph(f"View {view} left out: {reason}"))
+        self.show_checked(result)
         self.comparison.setText(result.comparison)
         self._compared.setVisible(bool(result.comparison))
         self._show_rows()
+
+    def show_checking(self, share: float) -> None:
+        """Show how far the check with views held back is."""
+        self.held_back.setText(f"Each view is predicted by cameras calibrated without it: {quantity(100 * share, '%', 0)}")
+        self._held_back.show()
+        self.stop_check.show()
+
+    def show_checked(self, result: Result | None) -> None:
+        """Show what the check gave; nothing where it was stopped."""
+        self.stop_check.hide()
+        self._held_back.setVisible(result is not None and bool(result.held_back))
+        if result is not None and result.held_back:
+            self._result = result
+            self.verdict.setText(result.verdict)
+            self._show_sign()
+            self.held_back.setText(result.held_back)
 
     def _show_rows(self) -> None:
         if self._result is not None:

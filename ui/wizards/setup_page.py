@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFileDialog, QFormLayout, QLineEdit, QSpinBox, QWidget
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFormLayout, QSpinBox, QWidget
 
 from measureapp.data.board import BoardDescription
 from ui.controllers.collecting_nouns import Kept, RigSetup, Start
@@ -13,6 +11,7 @@ from ui.look.look import Look
 from ui.look.wording import several, when
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.board_form import BoardForm
+from ui.widgets.path_field import PathField
 from ui.widgets.segments import Segments
 from ui.wizards.kinds import WizardKind
 
@@ -20,12 +19,17 @@ RIG, IMAGES = "rig", "images"
 FOLDER_HINT = "A folder with images such as left01.png, right01.png: images with the same number show the same place of the board."
 VIRTUAL_HINT = "A simulated rig with hidden errors. The result page shows the true values beside the estimates."
 REAL_HINT = "The robot brings the cameras to the board. Fix the board on the table first, and keep the cell clear."
-TIPS = (
-    "Cover the images to their borders and corners: lenses distort most there.",
-    "Tilt the board by 20° to 45° to all four sides: that tells the focal length from the distance.",
-    "Show it nearer and farther, sharp, evenly lit and not so bright that its white is clipped.",
-    "The wizard says what is missing while you collect, and keeps every view at once.",
+TABLES_HINT = (
+    "One line per position of the board, in the order of the images. "
+    "A folder in which a project keeps its views of the board needs no tables: it holds where the axes stood."
 )
+TABLES = {  # axis -> name, columns
+    "base_from_flange": ("Robot poses", "name,x_mm,y_mm,z_mm,qw,qx,qy,qz"),
+    "guide_mm": ("Guide positions", "name,position_mm"),
+    "table_rad": ("Table angles", "position,angle_deg"),
+}
+TABLE_FILES = "Tables (*.csv);;All files (*)"
+KEPT_TIP = "The wizard says what is missing while you collect, and keeps every view at once."
 
 
 class SetupPage(QWidget):
@@ -37,15 +41,13 @@ class SetupPage(QWidget):
     def __init__(self, look: Look, kind: WizardKind) -> None:
         super().__init__()
         self._kind = kind
-        self.source = Segments({RIG: "From the rig", IMAGES: "Recorded images"} if kind.takes_images else {RIG: "From the rig"})
+        self.source = Segments({RIG: "From the rig", IMAGES: "Recorded images"})
         self.source.valueChanged.connect(self._show_source)
         self.board = BoardForm()
         self.board.edited.connect(self.changed)
-        self.folder = QLineEdit()
-        self.folder.setPlaceholderText("Folder with the images")
-        self.folder.textChanged.connect(lambda _text: self.changed.emit())
-        self._browse = Button("Browse…", look, "open")
-        self._browse.clicked.connect(self._choose_folder)
+        self.folder = PathField(look, "Folder with images of the board", "Folder with the images")
+        self.folder.valueChanged.connect(self.changed)
+        self.tables = {axis: PathField(look, *TABLES[axis], files=TABLE_FILES) for axis in kind.tables}
         self.resolution = Segments({"quarter": "Quarter", "half": "Half", "full": "Full"})
         self.seed = QSpinBox()
         self.seed.setRange(1, 9999)
@@ -65,6 +67,7 @@ class SetupPage(QWidget):
         self._rig_name, self._rig_note = label("", "strong"), label("", "small", wrap=True)
         form = QFormLayout()
         form.setHorizontalSpacing(16)
+        form.setLabelAlignment(Qt.AlignmentFlag.AlignVCenter)
         form.addRow("Resolution", self.resolution)
         form.addRow("Seed of the rig", self.seed)
         self._virtual_form = QWidget()
@@ -72,18 +75,32 @@ class SetupPage(QWidget):
         form.setContentsMargins(0, 0, 0, 0)
         self._rig_part = QWidget()
         self._rig_part.setLayout(column(self._rig_name, self._rig_note, 8, self._virtual_form))
-        folder = row(self.folder, self._browse)
-        folder.setStretch(0, 1)
         self._images_part = QWidget()
-        self._images_part.setLayout(column(folder, label(FOLDER_HINT, "small", wrap=True)))
+        self._images_part.setLayout(column(self.folder, label(FOLDER_HINT, "small", wrap=True), *self._table_part()))
         source = card(label("Images", "heading"), 4, row(self.source, 0), 8, self._rig_part, self._images_part, 0, margin=20)
         board = card(label("Board", "heading"), 4, self.board, 0, margin=20)
         both = row(source, board, spacing=16)
         both.setStretch(0, 1)
         both.setStretch(1, 1)
-        tips = card(label("Good views", "heading"), *(label(f"•  {tip}", "body", wrap=True) for tip in TIPS), margin=20)
+        tips = card(
+            label("Good views", "heading"), *(label(f"•  {tip}", "body", wrap=True) for tip in (*self._kind.tips, KEPT_TIP)), margin=20
+        )
         layout = column(label(self._kind.purpose, "body", wrap=True), self.kept, both, tips, 0, spacing=12)
         self.setLayout(layout)
+
+    def _table_part(self) -> list[QWidget]:
+        """The tables that tell where the axes stood at recorded images."""
+        if not self.tables:
+            return []
+        form = QFormLayout()
+        form.setContentsMargins(0, 8, 0, 0)
+        form.setHorizontalSpacing(16)
+        form.setLabelAlignment(Qt.AlignmentFlag.AlignVCenter)
+        for axis, field in self.tables.items():
+            form.addRow(TABLES[axis][0], field)
+        fields = QWidget()
+        fields.setLayout(form)
+        return [fields, label(TABLES_HINT, "small", wrap=True)]
 
     def offer_rig(self, rig: RigSetup) -> None:
         """Show which rig would take the images, and start with its board."""
@@ -105,15 +122,16 @@ class SetupPage(QWidget):
     def value(self) -> Start:
         """Return what is set. Raises ValueError where the board's sizes contradict each other."""
         board: BoardDescription = self.board.value()
-        folder = Path(self.folder.text().strip()).expanduser() if self.source.value() == IMAGES else None
-        return Start(board, folder, self.resolution.value(), self.seed.value())
+        folder = self.folder.value() if self.source.value() == IMAGES else None
+        tables = {axis: path for axis, field in self.tables.items() if (path := field.value()) is not None}
+        return Start(board, folder, self.resolution.value(), self.seed.value(), tables)
 
     def problem(self) -> str:
         """Return why one cannot begin yet; empty where one can."""
         if self.board.problem():
-            return "The sizes of the board contradict each other."
-        if self.source.value() == IMAGES and not self.folder.text().strip():
-            return "Choose the folder with the images."
+            return "Check the board"
+        if self.source.value() == IMAGES and self.folder.value() is None:
+            return "Choose a folder"
         return ""
 
     def _show_source(self) -> None:
@@ -121,9 +139,3 @@ class SetupPage(QWidget):
         self._images_part.setVisible(images)
         self._rig_part.setVisible(not images)
         self.changed.emit()
-
-    def _choose_folder(self) -> None:
-        start = self.folder.text() or str(Path.home())
-        chosen = QFileDialog.getExistingDirectory(self, "Folder with images of the board", start)
-        if chosen:
-            self.folder.setText(chosen)

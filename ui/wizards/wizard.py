@@ -67,6 +67,9 @@ class CalibrationWizard(QDialog):
         collecting.progressed.connect(footer.show_progress)
         collecting.told.connect(footer.say)
         self.calibrating.concluded.connect(self._show_result)
+        self.calibrating.checking.connect(self.result.show_checking)
+        self.calibrating.checked.connect(self._show_checked)
+        self.result.stop_check.clicked.connect(self.calibrating.stop_check)
         for keys, action in (
             (QKeySequence.StandardKey.Delete, self.collect.remove_chosen),
             (QKeySequence.StandardKey.Undo, collecting.undo),
@@ -92,6 +95,8 @@ class CalibrationWizard(QDialog):
     def show_step(self, step: int) -> None:
         """Show one step."""
         self.stack.setCurrentIndex(step)
+        if step != RESULT:
+            self.calibrating.stop_check()  # what is collected next is solved on the same thread
         if step == COLLECT:
             self.collect.begin()
         else:
@@ -192,6 +197,13 @@ class CalibrationWizard(QDialog):
     @Slot(object)
     def _show_result(self, found: Result) -> None:
         self.result.show_result(found)
+        if self.calibrating.is_checking:
+            self.result.show_checking(0.0)
+        self.refresh()
+
+    @Slot(object)
+    def _show_checked(self, found: Result | None) -> None:
+        self.result.show_checked(found)
         self.refresh()
 
     def _accept(self) -> None:

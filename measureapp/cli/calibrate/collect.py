@@ -68,7 +68,8 @@ def register(group: typer.Typer) -> None:
         elif solve or validate or compare is not None:
             collection.solve(PartOf(progress, 0.6, 0.8))
         if collection.solved is not None:
-            verdict = collecting.judge(collection, progress=PartOf(progress, 0.8, 1.0), validated=validate)
+            held_back = collecting.check_held_back(collection, PartOf(progress, 0.8, 1.0)) if validate else None
+            verdict = collecting.judge(collection, held_back=held_back)
         if compare is not None:
             comparison = collecting.compare(previous_result(compare), collection)
         progress.report(1, 1)

@@ -9,6 +9,7 @@ from measureapp.pipeline.collecting.coaching import Advice, Gauge, Ghost, coach
 from measureapp.pipeline.collecting.collection import Collection
 from measureapp.pipeline.collecting.comparison import Change, Comparison, compare
 from measureapp.pipeline.collecting.estimates import Estimate, estimates_of, result_of
+from measureapp.pipeline.collecting.held_back import check_held_back
 from measureapp.pipeline.collecting.keeping import accept, keep, read_result
 from measureapp.pipeline.collecting.observation import Observation, Readback, Refusal, StoredImage
 from measureapp.pipeline.collecting.recorded import ReadbackFiles, add_recorded, add_views
@@ -39,6 +40,7 @@ __all__ = [
     "accept",
     "add_recorded",
     "add_views",
+    "check_held_back",
     "coach",
     "compare",
     "estimates_of",

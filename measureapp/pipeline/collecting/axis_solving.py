@@ -25,6 +25,7 @@ from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.pipeline.collecting.carried import guide_carried
 from measureapp.pipeline.collecting.observation import Observation
 from measureapp.pipeline.collecting.setup import Setup
 from measureapp.pipeline.collecting.solved import Solution, Solved, misfit_mm, misfit_px, sentences
@@ -182,7 +183,8 @@ def _rms_of(misfits: Mapping[str, float]) -> float:
 
 def _axis(setup: Setup, kept: Sequence[Observation], poses: Poses, progress: Progress) -> _Answer:
     angles = [one.readback.table_rad for one in kept]
-    solution = solve_axis(problem_from_poses([poses[one.id] for one in kept], setup.board, angles), progress)
+    names = [one.id for one in kept]
+    solution = solve_axis(problem_from_poses([poses[name] for name in names], setup.board, angles, names=names), progress)
     best = solution.best
     motions = np.array([best.axis.turned(float(angle)).matrix for angle in best.angles_rad])
     first = mean_pose(inverted(motions) @ np.array([poses[one.id].camera_from_board.matrix for one in kept]))
@@ -204,7 +206,8 @@ def _guide(setup: Setup, kept: Sequence[Observation], poses: Poses, progress: Pr
         for one, flange, slide in zip(kept, _flanges(kept), slides, strict=True)
     ]
     progress.report(0, 1, "straight line of the guide")
-    solution = solve_guide(GuideProblem(tuple(seen), setup.hand_eye))
+    found = solve_guide(GuideProblem(tuple(seen), setup.hand_eye))
+    solution = replace(found, guide=guide_carried(found.guide, setup.hand_eye, setup.noise))
     shifts = np.array([solution.guide.guide_from_base(slide).matrix for slide in slides])
     cameras = shifts @ np.array([flange.matrix for flange in _flanges(kept)]) @ setup.hand_eye.flange_from_camera.matrix
     board = mean_pose(cameras @ np.array([poses[one.id].camera_from_board.matrix for one in kept]))

@@ -13,7 +13,7 @@ from measureapp.calibrate.sightings import BoardRefused, FoundBoard
 from measureapp.data.board import BoardDescription
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError, InputError
-from measureapp.pipeline.collecting.observation import Observation, Readback, Refusal
+from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback, Refusal
 from measureapp.pipeline.collecting.setup import NEEDED, Setup
 from measureapp.pipeline.collecting.solved import Solved
 from measureapp.pipeline.collecting.solving import shortfalls_of, solve
@@ -21,7 +21,6 @@ from measureapp.pipeline.collecting.store import Act, Action, Store
 from measureapp.progress import Progress
 
 DETECTION_THREADS = 2
-WORDS = {"base_from_flange": "the robot's pose", "guide_mm": "the guide's position", "table_rad": "the table's angle"}
 
 
 class Collection:
@@ -253,7 +252,7 @@ class Collection:
         missing = [name for name in NEEDED[self.setup.kind] if getattr(readback, name) is None]
         if missing:
             raise CalibrationError(
-                "The read-back lacks " + " and ".join(WORDS[name] for name in missing) + ".", "Give it with every observation."
+                "The read-back lacks " + " and ".join(READBACK_WORDS[name] for name in missing) + ".", "Give it with every observation."
             )
 
     def _refuse_twice(self, checksums: Mapping[str, str]) -> None:

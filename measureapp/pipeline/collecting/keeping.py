@@ -86,6 +86,12 @@ def keep(collection: Collection, target: Path, *, valid_days: float | None = Non
     return result
 
 
+def write_rig(rig: RigCalibration, folder: Path) -> None:
+    """Write a rig as `read_result` reads it: cameras.json and rig.json. Raises StorageError."""
+    write_cameras(folder / CAMERAS, rig.cameras)
+    write_json(folder / RIG, rig_calibration_document(rig))
+
+
 def read_result(path: Path) -> Calibrated:
     """Read an earlier result: what `accept` wrote, a cameras.json, or the rig of a project.
 
@@ -118,8 +124,7 @@ def _write_rig(result: RigCalibration, solution: Solution, target: Path) -> None
         uncertainty = uncertainty_of(solution) if isinstance(solution, RigSolution) else None
         ProjectFolder.open(target).save_calibration(result, uncertainty)
         return
-    write_cameras(target / CAMERAS, result.cameras)
-    write_json(target / RIG, rig_calibration_document(result))
+    write_rig(result, target)
 
 
 def _link(result: HandEye | LinearGuide | RotationAxis, provenance: Provenance) -> dict[str, Any]:

@@ -14,6 +14,7 @@ from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.images import read_image
 
+READBACK_WORDS = {"base_from_flange": "the robot's pose", "guide_mm": "the guide's position", "table_rad": "the table's angle"}
 Standing = Literal["new", "used", "rejected", "removed", "no board"]
 
 

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from measureapp.errors import InputError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.collecting.collection import Collection
-from measureapp.pipeline.collecting.observation import Observation, Readback
+from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback
 from measureapp.progress import NoProgress, Progress
 from measureapp.project.board_images import BoardImages
 from measureapp.project.board_views import load_all
 from measureapp.project.frame_store import checksum
 from measureapp.project.images import read_image
+from measureapp.project.recorded_boards import RecordedPosition
 from measureapp.project.tables import read_angles, read_guide, read_poses, require_millimetres
 
 
@@ -47,6 +48,31 @@ class ReadbackFiles:
             Readback(poses[index] if poses else None, along[index] if along else None, angles[index] if angles else None)
             for index in range(count)
         ]
+
+
+def readbacks_of(positions: Sequence[RecordedPosition], files: ReadbackFiles, needed: Sequence[str]) -> list[Readback]:
+    """Return where the axes stood at recorded positions: by tables, or as it was recorded with them.
+
+    Parameters
+    ----------
+    needed : what every position must have, by the fields of `Readback`
+
+    Raises
+    ------
+    InputError
+        A table cannot be read or does not fit the positions, or something needed is missing.
+    """
+    if files == ReadbackFiles():
+        found = [Readback() if position.readback is None else Readback.of(position.readback) for position in positions]
+    else:
+        found = files.read(len(positions))
+    missing = [name for name in needed if any(getattr(one, name) is None for one in found)]
+    if missing:
+        raise InputError(
+            f"Not known at the images: {' and '.join(READBACK_WORDS[name] for name in missing)}.",
+            "Choose a table with one line per position of the board, or the folder in which a project keeps its views of the board.",
+        )
+    return found
 
 
 def add_recorded(

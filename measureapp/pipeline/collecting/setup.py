@@ -48,7 +48,7 @@ class Setup:
     board: BoardDescription
     camera_names: tuple[str, ...]  # the reference first
     cameras: CameraArrayCalibration | None = None  # needed by axis, hand-eye and guide; a rig without them calibrates its own
-    hand_eye: HandEye | None = None  # needed by guide
+    hand_eye: HandEye | None = None  # needed by guide; an axis that is to be told in the rig is judged with it
     noise: AxisNoise = field(default_factory=AxisNoise)
     distortion_count: int = 5
     standoff_mm: float | None = None  # where parts are measured; None: where the board was shown

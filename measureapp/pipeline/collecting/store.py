@@ -23,17 +23,16 @@ from measureapp.arrays import ImageArray
 from measureapp.calibrate.axis_noise import AxisNoise
 from measureapp.calibrate.sightings import FoundBoard
 from measureapp.data.board import AnyBoard
-from measureapp.data.calibration import HandEye
 from measureapp.errors import FrameMismatch, InputError, StorageError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.collecting.observation import Observation, Readback, Refusal, StoredImage
 from measureapp.pipeline.collecting.setup import Setup
 from measureapp.project.atomic import replacing, write_json
 from measureapp.project.camera_file import read_cameras, write_cameras
-from measureapp.project.documents import transform_document, transform_from
+from measureapp.project.documents import hand_eye_from, link_document, transform_document, transform_from
 from measureapp.project.frame_store import checksum
 
-SCHEMA_VERSION = 1
+SESSION_VERSION, OBSERVATION_VERSION = 2, 1
 SESSION, CAMERAS = "session.json", "cameras.json"
 BOARD: TypeAdapter[Any] = TypeAdapter(AnyBoard)
 Act = Literal["add", "remove"]
@@ -88,7 +87,7 @@ class Store:
     def keep_session(self, setup: Setup, actions: Sequence[Action], done: int) -> None:
         """Write the settings and what was done."""
         document = {
-            "schema_version": SCHEMA_VERSION,
+            "schema_version": SESSION_VERSION,
             **_setup_document(setup),
             "actions": [{"act": action.act, "observation": action.observation} for action in actions],
             "done": done,
@@ -109,8 +108,7 @@ class Store:
             raise InputError(f"{self.folder} holds no calibration session.", "Start one by naming the kind, the board and images.")
         document = _read(self.folder / SESSION)
         try:
-            if document["schema_version"] != SCHEMA_VERSION:
-                raise ValueError(f"schema_version is {document['schema_version']!r}, not {SCHEMA_VERSION}")
+            document = migrated(document)
             setup = _setup_from(document, self.folder)
             actions = [Action(entry["act"], str(entry["observation"])) for entry in document["actions"]]
             done = int(document["done"])
@@ -137,13 +135,31 @@ def _read(path: Path) -> Any:
         raise StorageError(f"{path} cannot be read: {error}.", "Restore it from a backup, or start again.") from error
 
 
+def migrated(document: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return a session's document in the present form: version 1 kept the hand-eye transform without its standard deviations.
+
+    Raises
+    ------
+    ValueError
+        A version that is not known.
+    """
+    version = document["schema_version"]
+    if version == 1:
+        known = document["flange_from_camera"]
+        link = None if known is None else {"flange_from_camera": known}
+        return {**document, "schema_version": SESSION_VERSION, "hand_eye": link}
+    if version != SESSION_VERSION:
+        raise ValueError(f"schema_version is {version!r}, not {SESSION_VERSION}")
+    return document
+
+
 def _setup_document(setup: Setup) -> dict[str, Any]:
     return {
         "kind": setup.kind,
         "board": setup.board.model_dump(mode="json") | {"kind": getattr(setup.board, "kind", "checkerboard")},
         "camera_names": list(setup.camera_names),
         "cameras_known": setup.cameras is not None,
-        "flange_from_camera": None if setup.hand_eye is None else transform_document(setup.hand_eye.flange_from_camera),
+        "hand_eye": None if setup.hand_eye is None else link_document(setup.hand_eye),
         "noise": asdict(setup.noise),
         "distortion_count": setup.distortion_count,
         "standoff_mm": setup.standoff_mm,
@@ -153,13 +169,13 @@ def _setup_document(setup: Setup) -> dict[str, Any]:
 
 
 def _setup_from(document: Mapping[str, Any], folder: Path) -> Setup:
-    known = document["flange_from_camera"]
+    known = document["hand_eye"]
     return Setup(
         kind=document["kind"],
         board=BOARD.validate_python(document["board"]),
         camera_names=tuple(document["camera_names"]),
         cameras=read_cameras(folder / CAMERAS) if document["cameras_known"] else None,
-        hand_eye=None if known is None else HandEye(transform_from(known)),
+        hand_eye=None if known is None else hand_eye_from(known),
         noise=AxisNoise(**document["noise"]),
         distortion_count=int(document["distortion_count"]),
         standoff_mm=document["standoff_mm"],
@@ -172,7 +188,7 @@ def _observation_document(observation: Observation) -> dict[str, Any]:
     readback = observation.readback
     pose: RigidTransform | None = readback.base_from_flange
     return {
-        "schema_version": SCHEMA_VERSION,
+        "schema_version": OBSERVATION_VERSION,
         "id": observation.id,
         "images": {
             camera: {"checksum": image.checksum, "size_px": list(image.size_px), "name": image.name}

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
+from measureapp.arrays import FloatArray
 from measureapp.calibrate.camera_array import CameraArraySolution
-from measureapp.calibrate.camera_validation import cross_validate
+from measureapp.calibrate.camera_validation import CrossValidation
 from measureapp.calibrate.hand_eye import HandEyeSolution
 from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.linear_guide import GuideSolution
 from measureapp.calibrate.rotation_axis import AxisSolution
 from measureapp.data.uncertainty import COVERAGE_FACTOR
 from measureapp.errors import CalibrationError
+from measureapp.pipeline.collecting.carried import axis_sigmas, turn_sigma_rad
 from measureapp.pipeline.collecting.collection import Collection
 from measureapp.pipeline.collecting.on_part import (
     RADIUS_MM,
@@ -28,14 +30,14 @@ from measureapp.pipeline.collecting.on_part import (
     sideways_sigma_mm,
     volume_of,
 )
-from measureapp.pipeline.collecting.setup import Kind
+from measureapp.pipeline.collecting.setup import Kind, Setup
 from measureapp.pipeline.collecting.solved import Solved
-from measureapp.pipeline.collecting.solving import camera_problem
-from measureapp.progress import NoProgress, Progress
 
 Level = Literal["good", "usable", "bad"]
 MOST_LEFT_OUT = 0.25  # of the observations
 MOST_TIMES = 10.0  # as many observations again: beyond, something else has to change
+MOSTLY = 0.5
+BY_THE_ROBOT = "Most of it comes from robot and hand–eye. Calibrate the whole rig: it averages over many robot poses."
 STROKE_MM = 500.0  # a usual travel of the guide
 
 
@@ -66,6 +68,7 @@ class Verdict:
     expanded_mm: float  # k = 2
     limits: Limits
     reasons: tuple[str, ...]  # what else speaks against it; each makes a good one at most usable
+    limited_by: str = ""  # what makes it better, where that is not more observations
 
     @property
     def reason(self) -> str:
@@ -79,18 +82,20 @@ class Verdict:
         times = (self.expanded_mm / self.limits.good_mm) ** 2
         if times <= 1.0:
             return ""
+        if self.limited_by:
+            return self.limited_by
         if times <= MOST_TIMES:
             return f"About {max(times, 1.5):.1f} times as many observations, as different from each other, would make it good."
         return "More observations alone will not make it good: sharper images, a larger board, or larger differences between positions are needed."
 
 
-def judge(collection: Collection, limits: Limits | None = None, progress: Progress | None = None, *, validated: bool = False) -> Verdict:
+def judge(collection: Collection, limits: Limits | None = None, *, held_back: CrossValidation | None = None) -> Verdict:
     """Judge the last solution of a collection.
 
     Parameters
     ----------
     limits : instead of the usual ones of its kind
-    validated : check the cameras with views held back as well, which takes some seconds
+    held_back : what `check_held_back` found; a solution that fails it is never good
 
     Raises
     ------
@@ -103,12 +108,12 @@ def judge(collection: Collection, limits: Limits | None = None, progress: Progre
     limits = limits or LIMITS[collection.setup.kind]
     expanded, what = _expanded(collection, solved)
     reasons = _reasons(collection, solved)
-    if validated:
-        reasons += _validated(collection, solved, progress or NoProgress())
+    if held_back is not None and not held_back.healthy:
+        reasons.append(held_back.verdict)
     level: Level = "good" if expanded <= limits.good_mm else "usable" if expanded <= limits.usable_mm else "bad"
     if level == "good" and reasons:
         level = "usable"
-    return Verdict(level, f"{what}: {level}.", expanded, limits, tuple(reasons))
+    return Verdict(level, f"{what}: {level}.", expanded, limits, tuple(reasons), _limited_by(collection.setup, solved))
 
 
 def millimetres(value: float) -> str:
@@ -122,7 +127,7 @@ def _expanded(collection: Collection, solved: Solved) -> tuple[float, str]:
     if isinstance(solution, CameraArraySolution):
         return _of_cameras(solution, setup.standoff_mm, setup.length_mm)
     if isinstance(solution, AxisSolution):
-        value = COVERAGE_FACTOR * half_turn_sigma_mm(solution.best.axis, solution.covariance)
+        value = COVERAGE_FACTOR * half_turn_sigma_mm(solution.best.axis, _of_axis(solution, setup))
         return value, f"Moves a point {RADIUS_MM:.0f} mm from the axis by {millimetres(value)} (k = 2) between views half a turn apart"
     if isinstance(solution, HandEyeSolution):
         value = COVERAGE_FACTOR * placing_sigma_mm(solution)
@@ -138,6 +143,26 @@ def _expanded(collection: Collection, solved: Solved) -> tuple[float, str]:
         raise CalibrationError("The observations of the solution are no longer there.", "Solve again.")
     typical, worst = (COVERAGE_FACTOR * sigma for sigma in fitting_together_sigma_mm(solution, chosen))
     return typical, f"Views of one part fit together to {millimetres(typical)} (k = 2), at worst {millimetres(worst)}, before registration"
+
+
+def _limited_by(setup: Setup, solved: Solved) -> str:
+    solution = solved.solution
+    if setup.hand_eye is None or not isinstance(solution, AxisSolution | GuideSolution):
+        return ""
+    if isinstance(solution, GuideSolution):
+        share = turn_sigma_rad(setup.hand_eye, setup.noise) / solution.guide.direction_sigma_rad
+    else:
+        seen = solution.best.axis
+        share = 1.0 - half_turn_sigma_mm(seen, solution.covariance) / half_turn_sigma_mm(seen, _of_axis(solution, setup))
+    return BY_THE_ROBOT if share > MOSTLY else ""
+
+
+def _of_axis(solution: AxisSolution, setup: Setup) -> FloatArray:
+    """Return the covariance (4, 4) of direction and point; with a robot between, what that and hand-eye add is in it."""
+    if setup.hand_eye is None:
+        return solution.covariance
+    turn_rad, shift_mm = axis_sigmas(solution.best.axis, setup.hand_eye, setup.noise)
+    return np.asarray(solution.covariance + np.diag([turn_rad**2] * 2 + [shift_mm**2] * 2))
 
 
 def _of_cameras(solution: CameraArraySolution, standoff_mm: float | None, length_mm: float) -> tuple[float, str]:
@@ -174,13 +199,3 @@ def _warnings(solved: Solved) -> list[str]:
     if isinstance(solution, RigSolution):
         return [*solution.warnings, *(f"Not seen: {what}." for what in solution.not_observable)]
     return [] if isinstance(solution, CameraArraySolution) else list(solution.warnings)
-
-
-def _validated(collection: Collection, solved: Solved, progress: Progress) -> Sequence[str]:
-    cameras = solved.camera_solution
-    if cameras is None:
-        return []
-    sizes = {name: (camera.pinhole.width_px, camera.pinhole.height_px) for name, camera in cameras.calibration.cameras.items()}
-    entered = [one for one in collection.observations if one.id in solved.of]
-    checked = cross_validate(camera_problem(collection.setup, entered, sizes), cameras, progress=progress)
-    return [] if checked.healthy else [checked.verdict]

@@ -1,0 +1,68 @@
+"""How a session of a wizard begins: in a new folder, with the rig or with recorded images."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from measureapp.errors import InputError
+from ui.controllers import collecting_work as work
+from ui.controllers.collecting_nouns import Kind, Start
+from ui.controllers.kept_sessions import next_folder, project_on_disk, sessions_folder
+from ui.controllers.rig_connection import VIRTUAL
+from ui.session import Session
+
+if TYPE_CHECKING:
+    from measureapp.data.rig import RigDescription
+    from measureapp.pipeline.collecting.collection import Collection
+    from measureapp.pipeline.collecting.recorded import ReadbackFiles
+
+NEEDED = {"cameras": (), "hand-eye": ("base_from_flange",), "guide": ("base_from_flange", "guide_mm")}
+ALL = ("base_from_flange", "guide_mm", "table_rad")  # an axis is told in the rig, so it has to be known where the head stood
+
+
+def begun_with_rig(kind: Kind, start: Start, session: Session) -> tuple[Collection, RigDescription]:
+    """Return a new collection and the rig that takes its images. Raises InputError where no rig is known."""
+    from measureapp.project.atomic import write_text
+
+    rig = session.rig
+    if rig is None:
+        raise InputError("No rig is known yet.", "Wait until it is loaded, or use recorded images.")
+    if rig.driver == VIRTUAL and project_on_disk(session) is None:
+        rig = rig.at_resolution(start.resolution).model_copy(update={"driver_settings": {**rig.driver_settings, "seed": start.seed}})
+    collection = _created(kind, start, tuple(camera.name for camera in rig.cameras), rig, session)
+    write_text(collection.folder / work.RIG_FILE, rig.model_dump_json(indent=2))
+    return collection, rig
+
+
+def begun_with_images(kind: Kind, start: Start, folder: Path, session: Session) -> tuple[Collection, list[work.Recorded]]:
+    """Return a new collection and the images it is to be filled with.
+
+    Raises
+    ------
+    InputError
+        No images, a table that cannot be read or does not fit them, or axes whose positions are not told.
+    """
+    from measureapp.pipeline.collecting.recorded import readbacks_of
+    from measureapp.project.recorded_boards import cameras_of, find_recorded
+
+    positions = find_recorded(folder)
+    readbacks = readbacks_of(positions, _tables(start), NEEDED.get(kind, ALL))
+    return _created(kind, start, cameras_of(positions), None, session), list(zip(positions, readbacks, strict=True))
+
+
+def _tables(start: Start) -> ReadbackFiles:
+    from measureapp.pipeline.collecting.recorded import ReadbackFiles
+
+    return ReadbackFiles(*(start.tables.get(name) for name in ALL))
+
+
+def _created(kind: Kind, start: Start, names: tuple[str, ...], rig: RigDescription | None, session: Session) -> Collection:
+    """The rig's reference camera comes first, where it is among them."""
+    from measureapp.pipeline.collecting.collection import Collection
+
+    reference = "" if session.rig is None else session.rig.reference
+    return Collection.create(
+        next_folder(sessions_folder(project_on_disk(session)), kind),
+        work.setup_for(kind, start.board, tuple(sorted(names, key=lambda name: name != reference)), rig, session.calibration),
+    )
