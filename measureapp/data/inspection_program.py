@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from typing import Annotated, Literal, get_args
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
+from measureapp.data.alignment_program import AlignmentProgram, BestFit, alignment_entry, alignment_features
 from measureapp.data.model import Model
 
 Vector = tuple[float, float, float]
@@ -202,9 +203,14 @@ class InspectionProgram(Model):
     schema_version: Literal[1] = 1
     name: str = Field(min_length=1)
     nominal: str | None = Field(default=None, description="mesh file of the nominal, relative to the program's file")
-    alignment: Literal["best-fit", "none"] = "best-fit"
+    alignment: AlignmentProgram = Field(default=BestFit(), description="a word like best-fit, or a table with `method`")
     features: tuple[Annotated[MeasuredFeature | ConstructedFeature, Field(discriminator="shape")], ...] = Field(min_length=1)
     dimensions: tuple[DimensionProgram, ...] = ()
+
+    @field_validator("alignment", mode="before")
+    @classmethod
+    def _alignment_in_one_word(cls, given: object) -> object:
+        return alignment_entry(given) if isinstance(given, str) else given
 
     @model_validator(mode="after")
     def _names_meet(self) -> InspectionProgram:
@@ -218,6 +224,9 @@ class InspectionProgram(Model):
             if twice := known.intersection(names):
                 raise ValueError(f"two features are called {sorted(twice)[0]!r}")
             known.update(names)
+        for needed in alignment_features(self.alignment):
+            if needed not in known:
+                raise ValueError(f"the alignment needs feature {needed!r}, which is not defined")
         for dimension in self.dimensions:
             for needed in (name for names in (*dimension.feature_sets, *dimension.datum_sets) for name in names):
                 if needed not in known:

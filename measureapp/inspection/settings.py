@@ -21,6 +21,9 @@ class AlignmentSettings(Model):
     least_overlap: float = Field(default=0.6, ge=0, le=1, description="share of the points that must lie near the nominal")
     near_share: float = Field(default=0.01, gt=0, description="'near' in the overlap, as a share of the nominal's diagonal")
     normals_within_deg: float = Field(default=60.0, gt=0, le=180)
+    told_apart_mm: float = Field(
+        default=0.01, ge=0, description="positions of a part that repeats about an axis differ when one fits worse by more than this (rms)"
+    )
 
 
 class UncertaintySettings(Model):
