@@ -72,7 +72,7 @@ def dimension_line(dimension: Dimension) -> str:
 
 def alignment_lines(alignment: Alignment) -> str:
     """Return how the part was laid onto its nominal: name, residuals, what stays open, notes."""
-    lines = [f"Alignment: {alignment.name}, rms {alignment.rms_mm:.3f} mm."]
+    lines = [f"Alignment: {alignment.name}" + (f", rms {alignment.rms_mm:.3f} mm." if alignment.rms_mm > 0 else ".")]
     if alignment.residuals_mm:
         lines.append("Off their nominal places: " + ", ".join(f"{name} {off:.4f} mm" for name, off in alignment.residuals_mm.items()) + ".")
     if alignment.undetermined:

@@ -57,7 +57,7 @@ def _divided(surface: NominalSurface) -> tuple[Mesh, FloatArray]:
     from trimesh.remesh import subdivide_to_size
 
     faces = np.arange(3 * len(surface.triangles)).reshape(-1, 3)
-    vertices, triangles, parents = subdivide_to_size(
+    vertices, triangles, parents = subdivide_to_size(  # type: ignore[no-untyped-call]
         surface.vertices_mm[surface.triangles].reshape(-1, 3), faces, FINEST_SHARE * surface.diagonal_mm, max_iter=20, return_index=True
     )
     normals = np.zeros((len(vertices), 3))

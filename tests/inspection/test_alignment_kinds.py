@@ -120,7 +120,7 @@ def test_a_centre_can_be_held_along_chosen_directions() -> None:
 
 
 def test_a_missing_feature_refuses_the_alignment_and_says_which() -> None:
-    with pytest.raises(InspectionError, match="3-2-1.*has no answer: front: only 0 points"):
+    with pytest.raises(InspectionError, match=r"3-2-1.*has no answer: front: only 0 points"):
         aligned(block(only="top"), "3-2-1:top,front,side")
 
 
