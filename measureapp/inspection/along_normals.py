@@ -9,7 +9,7 @@ from measureapp.inspection.nominal_surface import NominalSurface
 
 REACH_MM = 1.0  # farther from the nominal than this the nearest place need not lie along the normal
 LEAN_DEG = 12.0  # between the normals of point and nominal
-SLIDE_MM = 0.1  # greatest distance along the nominal between where the ray hits and the foot of the perpendicular
+SLIDE_MM = 0.02  # greatest distance along the nominal between where the ray hits and the foot of the perpendicular
 
 
 def distances_along_normals(points_mm: FloatArray, normals: FloatArray, surface: NominalSurface) -> tuple[FloatArray, IntArray, BoolArray]:

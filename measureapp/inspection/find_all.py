@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+from measureapp.data.blade_section import BladeSection
 from measureapp.data.inspection_program import ConstructedFeature, InspectionProgram, copy_names, needed_names
+from measureapp.inspection.blades.find import find_blades
 from measureapp.inspection.constructed import construct
 from measureapp.inspection.features import Found, find
 from measureapp.inspection.measured import MeasuredPoints
@@ -36,6 +38,8 @@ def find_all(
         progress.report(1 + number / len(program.features), 3, described.name)
         if isinstance(described, ConstructedFeature):
             found.update(construct(described, found))
+        elif isinstance(described, BladeSection):
+            found.update(find_blades(described, points, surface, settings))
         else:
             found.update(find(described, points, edges, settings))
     return found

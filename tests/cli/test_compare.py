@@ -105,7 +105,7 @@ def test_sections_bands_and_the_coloured_nominal_are_written(cloud: Path, tmp_pa
     assert all(float(row["z_mm"]) == pytest.approx(20, abs=1e-5) for row in rows if row["section"] == "z=20")
     assert np.std([float(row["deviation_mm"]) for row in measured]) == pytest.approx(0.02, rel=5 / np.sqrt(2 * len(measured)))
     vertex = read_ply(coloured).elements["vertex"]
-    assert {"deviation_mm", "measured", "red"} <= set(vertex) and vertex["measured"].mean() > 0.99
+    assert {"deviation_mm", "measured", "red"} <= set(vertex) and vertex["measured"].mean() > 0.95
     answer(capsys, str(cloud), str(NOMINAL), *where, "--section-file", str(document))
     stored = json.loads(document.read_text())
     assert stored["alignment"] == "best fit" and len(stored["sections"]) == 2

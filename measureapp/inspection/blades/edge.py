@@ -8,12 +8,13 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 
-LEAST_POINTS = 24
+LEAST_POINTS = 20
 ROUNDS = 12
-WEIGHTINGS = 5
+STEPS = 6
 DEPTH = 0.75  # of the radius: how far from the outermost point the edge reaches inwards
-ROUGH = 4.0  # times the scatter of the sides: above this the edge is not round
+ROUGH = 2.0  # times the scatter of the sides: above this the edge is not round
 GREATEST = 1.6  # times half the thickness beside the edge
+LEAST_SHARE = 0.05  # of the points in each third across the edge
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -27,11 +28,10 @@ class Edge:
 
 
 def fit_edge(points_mm: FloatArray, start_mm: FloatArray, inwards: FloatArray, half_thickness_mm: float, scatter_mm: float) -> Edge:
-    """Fit the conic that is symmetric to the mean line's direction to the points of an edge.
+    """Fit a circle to the points of an edge, from the outermost one to three quarters of the radius inwards.
 
-    In coordinates a inwards and b across, (b - b0)² = 2ρ(a - a0) + D(a - a0)²: for every circle, ellipse and parabola ρ is
-    the radius of curvature at the outermost point (a0, b0). It is linear in b², b, a, a² and is weighted by its gradient
-    (P. D. Sampson, Computer Graphics and Image Processing 18(1), 1982).
+    Orthogonal distances, Gauss-Newton. The outermost point is that of the circle, against the direction of the mean line,
+    so that it does not rest on the farthest of the noisy points.
 
     Parameters
     ----------
@@ -41,47 +41,43 @@ def fit_edge(points_mm: FloatArray, start_mm: FloatArray, inwards: FloatArray, h
     scatter_mm : standard deviation of the points from the blade's sides
     """
     offset = points_mm - start_mm
-    a, b = offset @ inwards, offset @ np.array([-inwards[1], inwards[0]])
-    apex, centre, radius = float(np.percentile(a[a < 2 * half_thickness_mm], 1)) if (a < 2 * half_thickness_mm).any() else 0.0, 0.0, half_thickness_mm
-    near = np.zeros(len(a), bool)
+    frame = np.stack([inwards, [-inwards[1], inwards[0]]])
+    local = offset @ frame.T
+    local = local[(local[:, 0] < 4 * half_thickness_mm) & (np.abs(local[:, 1]) < 2 * half_thickness_mm + 4 * scatter_mm)]
+    if len(local) < LEAST_POINTS:
+        return Edge(None, reason=f"only {len(local)} points were measured on its edge")
+    radius = half_thickness_mm
+    centre = np.array([np.percentile(local[:, 0], 1) + radius, 0.0])
+    count = 0
     for _ in range(ROUNDS):
-        chosen = (a - apex < DEPTH * radius) & (np.abs(b - centre) < 1.5 * half_thickness_mm + 3 * scatter_mm)
-        if chosen.sum() < LEAST_POINTS:
-            return Edge(None, reason=f"only {chosen.sum()} points were measured on its edge")
-        solution, distances = _conic(a[chosen], b[chosen])
-        constant, linear, square = solution[0] + solution[1] ** 2 / 4, solution[2], solution[3]
-        squared = linear**2 - 4 * square * constant
-        if squared <= 0 or linear + np.sqrt(squared) <= 0:
+        chosen = local[local[:, 0] - (centre[0] - radius) < DEPTH * radius]
+        if len(chosen) < LEAST_POINTS:
+            return Edge(None, reason=f"only {len(chosen)} points were measured on its edge, {LEAST_POINTS} are needed")
+        centre, radius, distances = _circle(chosen, centre, radius)
+        if not half_thickness_mm / 30 < radius < 3 * half_thickness_mm:
             return Edge(None, reason="its edge is not round, or was not measured")
-        root = float(np.sqrt(squared))
-        apex, centre = -2 * constant / (linear + root), solution[1] / 2
-        radius = min(max(root / 2, half_thickness_mm / 20), 2 * half_thickness_mm)
-        if np.array_equal(chosen, near):
+        if len(chosen) == count:
             break
-        near = chosen
-    if reason := _unfit(a[chosen] - apex, b[chosen] - centre, root / 2, distances, half_thickness_mm, scatter_mm):
+        count = len(chosen)
+    if reason := _unfit((chosen[:, 1] - centre[1]) / radius, radius, distances, half_thickness_mm, scatter_mm):
         return Edge(None, reason=reason)
-    place = start_mm + apex * inwards + centre * np.array([-inwards[1], inwards[0]])
-    return Edge(place, root / 2, int(chosen.sum()))
+    return Edge(start_mm + (centre - [radius, 0.0]) @ frame, float(radius), len(chosen))
 
 
-def _conic(a: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Solve b² = A + B·b + C·a + D·a²; return the unknowns, and the distances of the points to first order."""
-    design = np.column_stack([np.ones_like(a), b, a, a * a])
-    weights = np.ones_like(a)
-    for _ in range(WEIGHTINGS):
-        solution = np.linalg.lstsq(design * weights[:, None], b * b * weights, rcond=None)[0]
-        gradient = np.hypot(solution[2] + 2 * solution[3] * a, 2 * b - solution[1])
-        weights = 1 / np.maximum(gradient, 1e-3 * gradient.max())
-    return solution, (b * b - design @ solution) * weights
+def _circle(points_mm: FloatArray, centre: FloatArray, radius: float) -> tuple[FloatArray, float, FloatArray]:
+    for _ in range(STEPS):
+        away = points_mm - centre
+        length = np.maximum(np.linalg.norm(away, axis=1), 1e-9)
+        design = np.column_stack([-away / length[:, None], -np.ones(len(length))])
+        step = np.linalg.lstsq(design, radius - length, rcond=1e-9)[0]
+        centre, radius = centre + step[:2], float(radius + step[2])
+    return centre, radius, np.linalg.norm(points_mm - centre, axis=1) - radius
 
 
-def _unfit(
-    depth: FloatArray, across: FloatArray, radius_mm: float, distances: FloatArray, half_thickness_mm: float, scatter_mm: float
-) -> str:
-    if min(np.mean(across > 0.3 * radius_mm), np.mean(across < -0.3 * radius_mm)) < 0.05 or np.mean(np.abs(across) < 0.3 * radius_mm) < 0.05:
-        return "its edge was measured on one side only"
-    rough = float(np.sqrt(np.mean(distances**2)))
-    if radius_mm > GREATEST * half_thickness_mm or rough > ROUGH * scatter_mm + 0.02 * radius_mm:
+def _unfit(across: FloatArray, radius_mm: float, distances: FloatArray, half_thickness_mm: float, scatter_mm: float) -> str:
+    thirds = (np.mean(across < -0.33), np.mean(np.abs(across) <= 0.33), np.mean(across > 0.33))
+    if min(thirds) < LEAST_SHARE:
+        return "its edge was measured in part only"
+    if radius_mm > GREATEST * half_thickness_mm or float(np.sqrt(np.mean(distances**2))) > ROUGH * scatter_mm + 0.03 * radius_mm:
         return "its edge is not round"
     return ""

@@ -21,17 +21,18 @@ class MeanLine:
     """A curve y(x) along the chord, from ``first_mm`` to ``last_mm`` a polynomial, beyond them straight."""
 
     height: Chebyshev
+    slope: Chebyshev
     first_mm: float
     last_mm: float
 
     def heights(self, x_mm: FloatArray) -> FloatArray:
         """Return y (N,) at x."""
         inside = np.clip(x_mm, self.first_mm, self.last_mm)
-        return np.asarray(self.height(inside) + (x_mm - inside) * self.slopes(inside))
+        return np.asarray(self.height(inside) + (x_mm - inside) * self.slope(inside))
 
     def slopes(self, x_mm: FloatArray) -> FloatArray:
         """Return dy/dx (N,) at x."""
-        return np.asarray(self.height.deriv()(np.clip(x_mm, self.first_mm, self.last_mm)))
+        return np.asarray(self.slope(np.clip(x_mm, self.first_mm, self.last_mm)))
 
     def points(self, x_mm: FloatArray) -> FloatArray:
         """Return the points (N, 2) at x."""
@@ -73,15 +74,20 @@ def first_mean_line(points_mm: FloatArray) -> MeanLine:
     for number in range(BINS):
         inside = points_mm[strip == number]
         if len(inside) >= 4:
-            places.append(inside[:, 0].mean())
-            middles.append(np.percentile(inside[:, 1], [3, 97]).mean())
+            places.append(float(inside[:, 0].mean()))
+            middles.append(float(np.percentile(inside[:, 1], [3, 97]).mean()))
     if len(places) < BINS / 2:
         raise FitError("the points do not cover the section from one edge to the other", "Scan the blade more densely.")
-    return MeanLine(Chebyshev.fit(places, middles, 4, domain=[low, high]), float(low), float(high))
+    return _line(np.array(places), np.array(middles), 4, float(low), float(high))
 
 
 def moved_line(line: MeanLine, x_mm: FloatArray, shifts_mm: FloatArray) -> MeanLine:
     """Return the line moved along its normals by ``shifts_mm`` (N,) at ``x_mm`` (N,), which run from its new first to its new last place."""
     moved = line.points(x_mm) + shifts_mm[:, None] * line.normals(x_mm)
     first, last = float(moved[0, 0]), float(moved[-1, 0])
-    return MeanLine(Chebyshev.fit(moved[:, 0], moved[:, 1], DEGREE, domain=[first, last]), first, last)
+    return _line(moved[:, 0], moved[:, 1], DEGREE, first, last)
+
+
+def _line(x_mm: FloatArray, y_mm: FloatArray, degree: int, first_mm: float, last_mm: float) -> MeanLine:
+    height = Chebyshev.fit(x_mm, y_mm, degree, domain=[first_mm, last_mm])
+    return MeanLine(height, height.deriv(), first_mm, last_mm)
