@@ -47,7 +47,7 @@ class InspectionSettings(Model):
     form_cell_mm: float = Field(default=5.0, gt=0, description="form is taken over the means of cells of this size")
     least_turn: float = Field(default=0.75, gt=0, le=1, description="share of the turn that must be measured for roundness and run-out")
     blade_points: int = Field(
-        default=4_000, ge=500, description="a blade section is taken from at most this many of its points, evenly chosen"
+        default=6_000, ge=500, description="a blade section is taken from at most this many of its points, evenly chosen"
     )
     blade_trials: int = Field(default=30, ge=10, description="repetitions with simulated noise from which the uncertainty of a blade comes")
     fit_points: int = Field(default=30_000, ge=1000, description="a feature is fitted to at most this many of its points, evenly chosen")

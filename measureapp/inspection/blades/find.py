@@ -54,7 +54,8 @@ def find_blades(
             reason = f"{name}: only {len(chosen)} points were measured there, {4 * settings.least_points} are needed"
             found[name] = Found(name, None, reason)
             continue
-        chosen = chosen[:: -(-len(chosen) // settings.blade_points)]
+        if len(chosen) > settings.blade_points:
+            chosen = chosen[np.linspace(0, len(chosen) - 1, settings.blade_points).astype(int)]
         try:
             found[name] = _found(name, number, points.where(chosen), turned[chosen], frame, surface, settings)
         except FitError as error:
