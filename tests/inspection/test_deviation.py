@@ -65,9 +65,14 @@ def test_a_nominal_without_area_is_refused() -> None:
         deviation(MeasuredPoints(np.zeros((3, 3))), line, no_alignment())
 
 
-def test_points_with_normals_are_measured_as_those_without(samples) -> None:
-    """Rays along noisy normals and closest points agree; near edges, where rays lie, the closest point decides."""
-    nominal, rng = samples("impeller").nominal, np.random.default_rng(5)
+def test_points_with_normals_are_measured_as_those_without() -> None:
+    """Rays along noisy normals and closest points agree on a wavy surface of facets that meet at a few degrees."""
+    import trimesh
+
+    made, rng = trimesh.creation.icosphere(5, 50.0), np.random.default_rng(5)
+    vertices = np.array(made.vertices)
+    vertices[:, 2] += 2 * np.sin(vertices[:, 0] / 10)
+    nominal = Mesh(vertices, made.faces, "nominal")
     points = sampled(nominal, 40_000)
     assert points.normals is not None
     lifted = points.points_mm + rng.normal(0, 0.2, (40_000, 1)) * points.normals
@@ -75,14 +80,8 @@ def test_points_with_normals_are_measured_as_those_without(samples) -> None:
     leaning /= np.linalg.norm(leaning, axis=1, keepdims=True)
     surface = NominalSurface(nominal)
     by_rays, _ = distances_and_normals(lifted, leaning, surface)
-    closest = signed_distances(lifted, surface)
-    edges = surface.sharp_edges()
-    assert edges is not None
-    away = edges.query(lifted)[0] > 1.5
-    assert away.mean() > 0.8
-    assert np.abs(by_rays - closest)[away].max() < 0.02 * np.sin(np.radians(25))  # 0.02 mm along facets that meet at less than 25°
-    # beside a sharp edge the face that the point's own normal names is meant: never nearer than the closest one
-    assert np.all(np.abs(by_rays) > np.abs(closest) - 0.01)
+    # 0.02 mm between hit and foot, over facets that meet at less than 10°
+    assert np.abs(by_rays - signed_distances(lifted, surface)).max() < 0.02 * np.sin(np.radians(10))
 
 
 def test_points_far_from_the_nominal_are_measured_to_the_closest_point() -> None:
