@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from measureapp.cli.outcome import alignment_lines
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+from measureapp.errors import InputError
 
 if TYPE_CHECKING:
     from measureapp.data.measurement import Alignment
     from measureapp.data.mesh import Mesh
+    from measureapp.inspection.deviation import Deviation
+    from measureapp.inspection.histogram import Histogram
     from measureapp.project.geometry_files import PlainPoints
+
+SECTION_FILE = Path("sections.csv")
 
 
 def register(app: typer.Typer) -> None:
@@ -23,31 +29,55 @@ def register(app: typer.Typer) -> None:
         cloud: Annotated[Path, typer.Argument(help="Cloud or mesh: PLY, STL, OBJ, PCD, XYZ; in mm.")],
         nominal: Annotated[Path, typer.Argument(help="Nominal mesh: STL, PLY, OBJ.")],
         align: Annotated[
-            str, typer.Option("--align", help="best-fit, none, or a file with the 4×4 matrix nominal_from_part (text or JSON).")
+            str,
+            typer.Option("--align", help="best-fit, none, cyclic:COUNT, or a file with the 4×4 matrix nominal_from_part (text or JSON)."),
         ] = "best-fit",
+        tolerance: Annotated[
+            tuple[float, float] | None, typer.Option(help="Lower and upper limit in mm: how the points spread over its bands.")
+        ] = None,
+        section: Annotated[
+            list[str] | None, typer.Option(help="Cut here (again for more): x=0, y=-5, z=20, or r=100 about the z axis.")
+        ] = None,
+        section_width: Annotated[float, typer.Option(min=0.001, help="Points count for a section from this wide a strip, in mm.")] = 1.0,
+        section_file: Annotated[Path, typer.Option(help="Where the sections go: CSV or JSON, by its ending.")] = SECTION_FILE,
+        map_file: Annotated[
+            Path | None, typer.Option("--map", help="Write the nominal with its deviations as PLY; grey where nothing was measured.")
+        ] = None,
+        reach: Annotated[float, typer.Option(min=0.001, help="A place is measured when a point lies closer than this, in mm.")] = 2.0,
         as_json: JsonOption = False,
     ) -> None:
         """Compare a cloud with its nominal; deviations are positive outside."""
         from measureapp.inspection.deviation import deviation
+        from measureapp.inspection.histogram import histogram
         from measureapp.project.geometry_files import read_cloud_or_mesh, read_mesh
         from measureapp.report.json_document import alignment_document
 
         measured, surface = read_cloud_or_mesh(cloud), read_mesh(nominal)
-        found = deviation(measured, surface, _alignment(align, measured, surface), progress=TerminalProgress())
+        found = deviation(measured, surface, _alignment(align, measured, surface), near_mm=reach, progress=TerminalProgress())
         figures = {name: float(getattr(found, f"{name}_mm")) for name in ("mean", "rms", "p95", "min", "max")}
-        document = {
+        document: dict[str, Any] = {
             "deviation_mm": figures,
             "alignment": alignment_document(found.alignment),
             "points": len(found.distances_mm),
             "unmeasured_share": found.unmeasured_share,
         }
         lines = [
-            f"Alignment: {found.alignment.name}",
+            alignment_lines(found.alignment),
             "Deviation: " + ", ".join(f"{name} {value:+.3f} mm" for name, value in figures.items()),
             f"{found.unmeasured_share:.1%} of the nominal's surface has no measured point near it.",
         ]
-        if found.alignment.undetermined:
-            lines.append("Left open by the points: " + ", ".join(found.alignment.undetermined) + ".")
+        if tolerance is not None:
+            bands = histogram(found.distances_mm, *tolerance)
+            document["bands"] = _bands_document(bands)
+            lines.append(f"Below the tolerance {bands.below:.2%}, within {bands.within:.2%}, above {bands.above:.2%} of the points.")
+        if section:
+            _write_sections(found, surface, section, section_width, section_file)
+            document["sections"] = str(section_file)
+            lines.append(f"Sections: {section_file}")
+        if map_file is not None:
+            _write_map(found, surface, reach, map_file)
+            document["map"] = str(map_file)
+            lines.append(f"Coloured nominal: {map_file}")
         reply(document, "\n".join(lines), as_json)
 
 
@@ -59,4 +89,46 @@ def _alignment(align: str, measured: PlainPoints | Mesh, nominal: Mesh) -> Align
         return best_fit(measured, nominal)
     if align == "none":
         return no_alignment()
+    if align.startswith("cyclic:"):
+        return _cyclic(align, measured, nominal)
     return given_alignment(read_transform(Path(align), "nominal", "part"), f"given: {Path(align).name}")
+
+
+def _cyclic(align: str, measured: PlainPoints | Mesh, nominal: Mesh) -> Alignment:
+    from measureapp.data.alignment_program import BestFit
+    from measureapp.inspection.cyclic_fit import cyclic_fit
+    from measureapp.inspection.measured import MeasuredPoints
+    from measureapp.inspection.nominal_surface import NominalSurface
+    from measureapp.inspection.settings import InspectionSettings
+
+    count = align.removeprefix("cyclic:")
+    if not count.isdigit() or not 2 <= int(count) <= 1000:
+        raise InputError(f"--align {align}: how often the part repeats in one turn must be 2 to 1000.", "Give cyclic:7, for example.")
+    return cyclic_fit(MeasuredPoints.of(measured), NominalSurface(nominal), BestFit(fold=int(count)), InspectionSettings())
+
+
+def _bands_document(bands: Histogram) -> dict[str, Any]:
+    shares = {"below": bands.below, "within": bands.within, "above": bands.above}
+    return {**shares, "edges_mm": bands.edges_mm.tolist(), "counts": bands.counts.tolist()}
+
+
+def _write_sections(found: Deviation, nominal: Mesh, named: list[str], width_mm: float, path: Path) -> None:
+    from measureapp.cli.section_words import cutting_surface
+    from measureapp.inspection.nominal_surface import NominalSurface
+    from measureapp.inspection.section import section
+    from measureapp.project.deviation_files import write_sections
+
+    surface = NominalSurface(nominal)
+    made = [section(words, found, surface, cutting_surface(words), width_mm / 2) for words in named]
+    write_sections(path, made, found.alignment.name)
+
+
+def _write_map(found: Deviation, nominal: Mesh, reach_mm: float, path: Path) -> None:
+    from measureapp.inspection.deviation_map import deviation_map
+    from measureapp.project.deviation_files import write_deviation_map
+    from measureapp.report.part_pictures import NOT_MEASURED, diverging, nice_limit
+
+    made = deviation_map(found, nominal, reach_mm)
+    colours = diverging(made.distances_mm / nice_limit(found.p95_mm))
+    colours[~made.measured] = NOT_MEASURED
+    write_deviation_map(path, made, colours, found.alignment.name)

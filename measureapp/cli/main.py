@@ -18,7 +18,7 @@ from measureapp.errors import DeviceError, MeasureError
 from measureapp.progress import Cancelled
 
 DONE, OUT_OF_TOLERANCE, BAD_INPUT, DEVICE_FAILED, CANCELLED = 0, 1, 2, 3, 130
-NOT_COMMANDS = ("main", "outcome", "reply")
+NOT_COMMANDS = ("main", "outcome", "reply", "section_words")
 
 
 def build() -> typer.Typer:

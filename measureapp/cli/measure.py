@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from measureapp.cli.main import OUT_OF_TOLERANCE
-from measureapp.cli.outcome import dimension_line
+from measureapp.cli.outcome import alignment_lines, dimension_line
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 
@@ -19,6 +19,14 @@ def register(app: typer.Typer) -> None:
     def measure(
         cloud: Annotated[Path, typer.Argument(help="Cloud or mesh: PLY, STL, OBJ, PCD, XYZ; in mm.")],
         program: Annotated[Path, typer.Argument(help="Inspection program (TOML).")],
+        alignment: Annotated[
+            str | None,
+            typer.Option(
+                "--alignment",
+                help="Instead of the program's: best-fit, none, local:FEATURE,…, cyclic:COUNT, 3-2-1:PLANE,LINE,POINT, "
+                "rps:POINT,POINT,POINT,… or datums:A,B,C.",
+            ),
+        ] = None,
         as_json: JsonOption = False,
     ) -> None:
         """Measure the dimensions of an inspection program; exit code 1 when any does not pass."""
@@ -27,10 +35,12 @@ def register(app: typer.Typer) -> None:
         from measureapp.inspection.settings import InspectionSettings
         from measureapp.inspection.verdict import RULES
         from measureapp.project.geometry_files import read_cloud_or_mesh
-        from measureapp.project.program_file import read_program, read_program_nominal
+        from measureapp.project.program_file import read_program, read_program_nominal, with_alignment
         from measureapp.report.json_document import alignment_document, dimension_document
 
         described = read_program(program)
+        if alignment is not None:
+            described = with_alignment(described, alignment)
         nominal = read_program_nominal(program, described)
         settings = InspectionSettings()
         inspection = inspect(read_cloud_or_mesh(cloud), described, nominal, settings, TerminalProgress())
@@ -41,8 +51,7 @@ def register(app: typer.Typer) -> None:
             "dimensions": [dimension_document(dimension) for dimension in inspection.dimensions],
             "verdict_rule": rule,
         }
-        alignment = inspection.alignment
-        lines = [f"{inspection.program}. Alignment: {alignment.name}, rms {alignment.rms_mm:.3f} mm."]
+        lines = [f"{inspection.program}. {alignment_lines(inspection.alignment)}"]
         reply(document, "\n".join([*lines, *map(dimension_line, inspection.dimensions), rule]), as_json)
         if any(dimension.verdict is not Verdict.PASS for dimension in inspection.dimensions):
             raise typer.Exit(OUT_OF_TOLERANCE)

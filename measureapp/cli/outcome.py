@@ -5,7 +5,7 @@ from __future__ import annotations
 from measureapp.acquire.events import Event, ExposuresChosen, ValidityKnown, ViewpointFailed
 from measureapp.cli.reply import say
 from measureapp.data.dimension import Dimension, Verdict
-from measureapp.data.measurement import Measurement
+from measureapp.data.measurement import Alignment, Measurement
 
 MARK = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdict.NOT_MEASURED: "–"}
 
@@ -68,3 +68,13 @@ def dimension_line(dimension: Dimension) -> str:
         f"{start}{dimension.measured:9.3f}{uncertainty} {dimension.unit} (nominal {dimension.nominal:g}, error {dimension.error:+.3f})"
         f"  {dimension.verdict.value}"
     )
+
+
+def alignment_lines(alignment: Alignment) -> str:
+    """Return how the part was laid onto its nominal: name, residuals, what stays open, notes."""
+    lines = [f"Alignment: {alignment.name}" + (f", rms {alignment.rms_mm:.3f} mm." if alignment.rms_mm > 0 else ".")]
+    if alignment.residuals_mm:
+        lines.append("Off their nominal places: " + ", ".join(f"{name} {off:.4f} mm" for name, off in alignment.residuals_mm.items()) + ".")
+    if alignment.undetermined:
+        lines.append("Left open by the points: " + ", ".join(alignment.undetermined) + ".")
+    return "\n".join([*lines, *(f"{note}." for note in alignment.notes)])

@@ -5,9 +5,12 @@ from __future__ import annotations
 import re
 from typing import Annotated, Literal, get_args
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
+from measureapp.data.alignment_program import AlignmentProgram, BestFit, alignment_entry, alignment_features
+from measureapp.data.blade_section import BLADE_ANGLES, BLADE_KINDS, BLADE_PAIRS, BLADE_ZONES, BladeKind, BladeSection
 from measureapp.data.model import Model
+from measureapp.data.repeat import Repeat
 
 Vector = tuple[float, float, float]
 Range = tuple[float, float]
@@ -32,20 +35,13 @@ ZoneKind = Literal[
     "line_profile",
     "surface_profile",
 ]
-DimensionKind = SizeKind | ZoneKind
+DimensionKind = SizeKind | ZoneKind | BladeKind
 Criterion = Literal["minimum-zone", "least-squares"]
-PAIRS = ("distance", "thickness", "step", "angle")
-ZONES: tuple[str, ...] = get_args(ZoneKind)  # the width of a zone: never negative, ideally 0
+PAIRS = ("distance", "thickness", "step", "angle", *BLADE_PAIRS)
+ZONES: tuple[str, ...] = (*get_args(ZoneKind), *BLADE_ZONES)  # the width of a zone: never negative, ideally 0
 FORMS = ("flatness", "straightness", "roundness", "cylindricity")
 ONE_DATUM = ("concentricity", "coaxiality", "circular_runout", "total_runout")
 PROFILES = ("line_profile", "surface_profile")
-
-
-class Repeat(Model):
-    """A pattern about the z axis: copy k (from 1) of a feature is turned by (k − 1)·angle and called `name.k`."""
-
-    count: int = Field(ge=2, le=1000)
-    angle_deg: float = 0.0
 
 
 class Cut(Model):
@@ -164,7 +160,9 @@ class DimensionProgram(Model):
     def _has_the_datums_of_its_kind(self) -> DimensionProgram:
         if (self.kind in FORMS or self.kind not in ZONES) and self.datums:
             raise ValueError(f"a {self.kind} has no datums")
-        if self.kind in ZONES and self.kind not in (*FORMS, *PROFILES) and not self.datums:
+        if self.kind in BLADE_ZONES and self.datums:
+            raise ValueError(f"a {self.kind} has no datums")
+        if self.kind in ZONES and self.kind not in (*FORMS, *PROFILES, *BLADE_ZONES) and not self.datums:
             raise ValueError(f"a {self.kind} needs `datums`")
         if self.kind in ONE_DATUM and len(self.datums) > 1:
             raise ValueError(f"a {self.kind} has one datum")
@@ -180,7 +178,7 @@ class DimensionProgram(Model):
     @property
     def unit(self) -> str:
         """The unit of the value: degrees for angles, else millimetres."""
-        return "°" if self.kind == "angle" else "mm"
+        return "°" if self.kind in ("angle", *BLADE_ANGLES) else "mm"
 
     @property
     def feature_sets(self) -> tuple[tuple[str, ...], ...]:
@@ -202,9 +200,14 @@ class InspectionProgram(Model):
     schema_version: Literal[1] = 1
     name: str = Field(min_length=1)
     nominal: str | None = Field(default=None, description="mesh file of the nominal, relative to the program's file")
-    alignment: Literal["best-fit", "none"] = "best-fit"
-    features: tuple[Annotated[MeasuredFeature | ConstructedFeature, Field(discriminator="shape")], ...] = Field(min_length=1)
+    alignment: AlignmentProgram = Field(default=BestFit(), description="a word like best-fit, or a table with `method`")
+    features: tuple[Annotated[MeasuredFeature | ConstructedFeature | BladeSection, Field(discriminator="shape")], ...] = Field(min_length=1)
     dimensions: tuple[DimensionProgram, ...] = ()
+
+    @field_validator("alignment", mode="before")
+    @classmethod
+    def _alignment_in_one_word(cls, given: object) -> object:
+        return alignment_entry(given) if isinstance(given, str) else given
 
     @model_validator(mode="after")
     def _names_meet(self) -> InspectionProgram:
@@ -218,8 +221,15 @@ class InspectionProgram(Model):
             if twice := known.intersection(names):
                 raise ValueError(f"two features are called {sorted(twice)[0]!r}")
             known.update(names)
+        blades = {name for one in self.features if isinstance(one, BladeSection) for name in copy_names(one.name, one.repeat)}
+        for needed in alignment_features(self.alignment):
+            if needed not in known:
+                raise ValueError(f"the alignment needs feature {needed!r}, which is not defined")
         for dimension in self.dimensions:
             for needed in (name for names in (*dimension.feature_sets, *dimension.datum_sets) for name in names):
+                if needed in known and (needed in blades) != (dimension.kind in BLADE_KINDS):
+                    what = "is no blade_section" if needed not in blades else "is a blade_section"
+                    raise ValueError(f"dimension {dimension.name!r}: {needed!r} {what}, a {dimension.kind} is not taken of it")
                 if needed not in known:
                     raise ValueError(f"dimension {dimension.name!r} needs feature {needed!r}, which is not defined")
         if len({dimension.name for dimension in self.dimensions}) != len(self.dimensions):

@@ -43,6 +43,8 @@ class Alignment:
     rms_mm: float
     overlap: float = 1.0  # share of the points that lie near the nominal
     undetermined: tuple[str, ...] = ()  # motions the points leave open, in words: "shift along x", "turn about z"
+    residuals_mm: Mapping[str, float] = field(default_factory=dict)  # of each feature it rests on: how far off its nominal place it stays
+    notes: tuple[str, ...] = ()  # what else to know about it, in sentences
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -47,13 +47,17 @@ class DatumSystem:
 
     def _require(self, rows: FloatArray, what: str, name: str) -> None:
         if len(rows) and self.free.shape[1] and np.abs(rows @ self.free).max() > OPEN:
-            raise InspectionError(f"The datums {'|'.join(self.names)} do not fix the {what} of {name}: they leave open {self._open()}")
+            raise InspectionError(
+                f"The datums {'|'.join(self.names)} do not fix the {what} of {name}: they leave open {', '.join(open_motions(self.free))}"
+            )
 
-    def _open(self) -> str:
-        axes = [
-            name for name, axis in zip(MOTIONS, np.eye(6), strict=True) if np.linalg.norm(self.free @ (self.free.T @ axis) - axis) < OPEN
-        ]
-        return ", ".join(axes) or "a turn or shift along no axis of the drawing"
+
+def open_motions(free: FloatArray) -> tuple[str, ...]:
+    """Return the motions (6, F) that are left open, in words."""
+    if free.shape[1] == 0:
+        return ()
+    axes = [name for name, axis in zip(MOTIONS, np.eye(6), strict=True) if np.linalg.norm(free @ (free.T @ axis) - axis) < OPEN]
+    return tuple(axes) if axes else ("a turn or shift along no axis of the drawing",)
 
 
 def nominals_of(datums: Sequence[Found]) -> list[Feature]:
@@ -85,7 +89,7 @@ def datum_system(nominals: Sequence[Feature], measured: Sequence[Feature]) -> Da
         if np.abs(fixed).max(initial=0.0) < OPEN:
             raise InspectionError(f"Datum {nominal.name} fixes nothing that {'|'.join(names[: names.index(nominal.name)])} has not fixed")
         placed = _laid(placed, free, nominal, feature)
-        free = free @ _solver(fixed)[1]
+        free = free @ solver(fixed)[1]
     return DatumSystem(names, placed, free)
 
 
@@ -99,26 +103,26 @@ def _laid(placed: FloatArray, free: FloatArray, nominal: Feature, feature: Featu
             expected = direction_of(nominal)
             direction = direction * (np.sign(direction @ expected) or 1.0)  # an axis has no sense
             off = ARM_MM * (tangents(expected) @ (direction - expected))
-            inverse, rest = _solver(orientations @ free)
+            inverse, rest = solver(orientations @ free)
             turn, turning = -free @ inverse @ off, free @ rest
-        placed = _twist(turn) @ placed
+        placed = twist(turn) @ placed
         point = placed[:3, :3] @ feature.point_mm + placed[:3, 3]
-        inverse, _ = _solver(_locations(nominal, point) @ turning)
-        shift = -turning @ inverse @ (_location_sides(nominal) @ (point - nominal.point_mm))
-        placed = _twist(shift) @ placed
+        inverse, _ = solver(_locations(nominal, point) @ turning)
+        shift = -turning @ inverse @ (location_sides(nominal) @ (point - nominal.point_mm))
+        placed = twist(shift) @ placed
         if np.abs(turn).max() + np.abs(shift).max() < 1e-12:
             break
     return placed
 
 
-def _solver(rows: FloatArray) -> tuple[FloatArray, FloatArray]:
+def solver(rows: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return the inverse of ``rows`` for the motions they fix, and the motions (columns) that they leave open."""
     u, sizes, vt = np.linalg.svd(rows)
     rank = int(np.count_nonzero(sizes > OPEN))
     return vt[:rank].T @ (u[:, :rank] / sizes[:rank]).T, vt[rank:].T
 
 
-def _twist(motion: FloatArray) -> FloatArray:
+def twist(motion: FloatArray) -> FloatArray:
     """Return the 4×4 motion of a screw: shift and turn at once, so that a group of motions is not left."""
     x, y, z = motion[3:] / ARM_MM
     angle = float(np.sqrt(x * x + y * y + z * z))
@@ -133,7 +137,7 @@ def _twist(motion: FloatArray) -> FloatArray:
     return made
 
 
-def _location_sides(nominal: Feature) -> FloatArray:
+def location_sides(nominal: Feature) -> FloatArray:
     """The directions (K, 3) in which a feature of the drawing has a place."""
     if nominal.shape == "plane":
         return direction_of(nominal)[None]
@@ -142,7 +146,7 @@ def _location_sides(nominal: Feature) -> FloatArray:
 
 def _locations(nominal: Feature, point_mm: FloatArray) -> FloatArray:
     """What a motion (shift, turn times `ARM_MM`) does to a point of the feature, in its sides (K, 6)."""
-    sides = _location_sides(nominal)
+    sides = location_sides(nominal)
     return np.hstack([sides, np.cross(point_mm, sides) / ARM_MM])
 
 

@@ -10,6 +10,7 @@ from scipy.spatial import cKDTree
 from measureapp.arrays import FloatArray, read_only
 from measureapp.data.measurement import Alignment
 from measureapp.data.mesh import Mesh
+from measureapp.inspection.along_normals import distances_along_normals
 from measureapp.inspection.measured import HasPoints, MeasuredPoints, sampled
 from measureapp.inspection.nominal_surface import NominalSurface
 from measureapp.progress import NoProgress, Progress
@@ -24,6 +25,7 @@ class Deviation:
 
     points_mm: FloatArray  # (N, 3), in the nominal's frame
     distances_mm: FloatArray  # (N,)
+    nominal_normals: FloatArray  # (N, 3), of the nominal where each point was measured against it
     mean_mm: float
     rms_mm: float
     p95_mm: float  # of the absolute distances
@@ -34,6 +36,7 @@ class Deviation:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "points_mm", read_only(self.points_mm, np.float64, (None, 3)))
+        object.__setattr__(self, "nominal_normals", read_only(self.nominal_normals, np.float32, (len(self.points_mm), 3)))
         object.__setattr__(self, "distances_mm", read_only(self.distances_mm, np.float64, (len(self.points_mm),)))
 
 
@@ -58,15 +61,17 @@ def deviation(
     """
     points = MeasuredPoints.of(measured).seen_from(alignment.nominal_from_part)
     surface = NominalSurface(nominal)
-    distances = np.empty(len(points))
+    distances, normals = np.empty(len(points)), np.empty((len(points), 3), np.float32)
     for start in range(0, len(points), CHUNK):
         progress.report(start, len(points), "distances from the nominal")
         chunk = slice(start, start + CHUNK)
-        distances[chunk] = signed_distances(points.points_mm[chunk], surface)
+        own = None if points.normals is None else points.normals[chunk]
+        distances[chunk], normals[chunk] = distances_and_normals(points.points_mm[chunk], own, surface)
     progress.report(1, 1, "distances from the nominal")
     return Deviation(
         points.points_mm,
         distances,
+        normals,
         float(distances.mean()),
         float(np.sqrt(np.mean(distances**2))),
         float(np.percentile(np.abs(distances), 95)),
@@ -79,14 +84,35 @@ def deviation(
 
 def signed_distances(points_mm: FloatArray, surface: NominalSurface) -> FloatArray:
     """Return distances (N,) to the nearest surface point, positive on the side its normal points to."""
+    return distances_and_normals(points_mm, None, surface)[0]
+
+
+def distances_and_normals(points_mm: FloatArray, normals: FloatArray | None, surface: NominalSurface) -> tuple[FloatArray, FloatArray]:
+    """Return signed distances (N,) from the surface and its normals there (N, 3).
+
+    Points that have normals are measured along them where they lie near a face that looks the same way; all others
+    from the closest point of the surface.
+    """
+    if normals is None:
+        return _from_closest(points_mm, surface)
+    distances, triangles, sure = distances_along_normals(points_mm, normals, surface)
+    facing = surface.normals[triangles]
+    rest = np.flatnonzero(~sure)
+    if len(rest):
+        distances[rest], facing[rest] = _from_closest(points_mm[rest], surface)
+    return distances, facing
+
+
+def _from_closest(points_mm: FloatArray, surface: NominalSurface) -> tuple[FloatArray, FloatArray]:
     closest = surface.closest(points_mm)
     offset = points_mm - closest.points_mm
     side = np.where(np.einsum("nd,nd->n", offset, closest.normals) < 0, -1.0, 1.0)
-    return side * np.linalg.norm(offset, axis=1)
+    return side * np.linalg.norm(offset, axis=1), closest.normals
 
 
 def unmeasured_share(points_mm: FloatArray, nominal: Mesh, near_mm: float) -> float:
     """Return the share of the nominal's area that no point lies near."""
     places = sampled(nominal, COVERAGE_SAMPLES).points_mm
-    distance, _ = cKDTree(points_mm).query(places, distance_upper_bound=near_mm)
+    tree = cKDTree(points_mm, balanced_tree=False, compact_nodes=False)  # built three times as fast
+    distance, _ = tree.query(places, distance_upper_bound=near_mm, workers=-1)
     return float(np.mean(~np.isfinite(distance)))

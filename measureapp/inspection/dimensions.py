@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from measureapp.data.dimension import Dimension, Verdict
-from measureapp.data.inspection_program import ZONES, ConstructedFeature, DimensionProgram, InspectionProgram
+from measureapp.data.inspection_program import ZONES, DimensionProgram, InspectionProgram
 from measureapp.data.measurement import Alignment, Inspection
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
-from measureapp.inspection.alignment import best_fit, no_alignment
-from measureapp.inspection.constructed import construct
-from measureapp.inspection.features import Found, find
+from measureapp.inspection.align import align
+from measureapp.inspection.features import Found
+from measureapp.inspection.find_all import find_all
 from measureapp.inspection.measured import HasPoints, MeasuredPoints
 from measureapp.inspection.nominal_surface import NominalSurface
 from measureapp.inspection.settings import InspectionSettings
@@ -49,41 +49,14 @@ def inspect(
     points = MeasuredPoints.of(measured)
     surface = None if nominal is None else NominalSurface(nominal)
     progress.report(0, 3, "alignment")
-    placed = alignment or _align(points, program, surface, settings, getattr(measured, "frame", "part"))
+    placed = alignment or align(points, program, surface, settings, getattr(measured, "frame", "part"))
     progress.report(1, 3, "features")
-    found = _find_all(points.seen_from(placed.nominal_from_part), program, surface, settings, progress)
+    found = find_all(points.seen_from(placed.nominal_from_part), program, surface, settings, progress)
     progress.report(2, 3, "dimensions")
     dimensions = tuple(_dimension(described, found, settings) for described in program.dimensions)
     features = tuple(one.feature for one in found.values() if one.feature is not None)
     progress.report(3, 3, "inspected")
     return Inspection(program.name, placed, features, dimensions)
-
-
-def _align(
-    points: MeasuredPoints, program: InspectionProgram, surface: NominalSurface | None, settings: InspectionSettings, frame: str
-) -> Alignment:
-    if program.alignment == "none":
-        return no_alignment(frame)
-    if surface is None:
-        raise InspectionError(
-            f"The program {program.name!r} aligns by best fit but there is no nominal mesh.",
-            'Name one (nominal = "…") in the program, or set alignment = "none".',
-        )
-    return best_fit(points, surface, settings.alignment, frame)
-
-
-def _find_all(
-    points: MeasuredPoints, program: InspectionProgram, surface: NominalSurface | None, settings: InspectionSettings, progress: Progress
-) -> dict[str, Found]:
-    edges = None if surface is None else surface.sharp_edges()
-    found: dict[str, Found] = {}
-    for number, described in enumerate(program.features):
-        progress.report(1 + number / len(program.features), 3, described.name)
-        if isinstance(described, ConstructedFeature):
-            found.update(construct(described, found))
-        else:
-            found.update(find(described, points, edges, settings))
-    return found
 
 
 def _dimension(described: DimensionProgram, found: dict[str, Found], settings: InspectionSettings) -> Dimension:

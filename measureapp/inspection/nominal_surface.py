@@ -27,6 +27,14 @@ class Closest:
     triangles: IntArray  # (N,)
 
 
+@dataclass(frozen=True, slots=True)
+class Hits:
+    """Where rays hit a surface first."""
+
+    distances_mm: FloatArray  # (N,), inf where a ray misses
+    triangles: IntArray  # (N,), meaningless where it misses
+
+
 class NominalSurface:
     """A nominal mesh prepared for queries; welded, without degenerate triangles.
 
@@ -75,6 +83,15 @@ class NominalSurface:
             normals = normals.copy()
             normals[border] = self._pseudo_normals(triangles[border], weights[border])
         return Closest(points, normals, triangles)
+
+    def hits(self, points_mm: FloatArray, directions: FloatArray) -> Hits:
+        """Return where rays from ``points_mm`` (N, 3) along unit ``directions`` (N, 3) hit the surface first."""
+        import open3d as o3d
+
+        rays = np.empty((len(points_mm), 6), np.float32)
+        rays[:, :3], rays[:, 3:] = points_mm - self._offset, directions
+        answer = self._scene.cast_rays(o3d.core.Tensor.from_numpy(rays))
+        return Hits(answer["t_hit"].numpy().astype(np.float64), answer["primitive_ids"].numpy().astype(np.int64))
 
     def _pseudo_normals(self, triangles: IntArray, weights: FloatArray) -> FloatArray:
         """Normals on edges (mean of both sides) and corners (weighted by angle)."""

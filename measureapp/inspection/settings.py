@@ -21,6 +21,9 @@ class AlignmentSettings(Model):
     least_overlap: float = Field(default=0.6, ge=0, le=1, description="share of the points that must lie near the nominal")
     near_share: float = Field(default=0.01, gt=0, description="'near' in the overlap, as a share of the nominal's diagonal")
     normals_within_deg: float = Field(default=60.0, gt=0, le=180)
+    told_apart_mm: float = Field(
+        default=0.01, ge=0, description="positions of a part that repeats about an axis differ when one fits worse by more than this (rms)"
+    )
 
 
 class UncertaintySettings(Model):
@@ -43,4 +46,8 @@ class InspectionSettings(Model):
     parallel_within_deg: float = Field(default=3.0, gt=0)
     form_cell_mm: float = Field(default=5.0, gt=0, description="form is taken over the means of cells of this size")
     least_turn: float = Field(default=0.75, gt=0, le=1, description="share of the turn that must be measured for roundness and run-out")
+    blade_points: int = Field(
+        default=6_000, ge=500, description="a blade section is taken from at most this many of its points, evenly chosen"
+    )
+    blade_trials: int = Field(default=30, ge=10, description="repetitions with simulated noise from which the uncertainty of a blade comes")
     fit_points: int = Field(default=30_000, ge=1000, description="a feature is fitted to at most this many of its points, evenly chosen")

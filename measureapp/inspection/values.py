@@ -7,9 +7,11 @@ from collections.abc import Callable
 import numpy as np
 
 from measureapp.arrays import FloatArray
+from measureapp.data.blade_section import BLADE_KINDS
 from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import FORMS, ZONES, DimensionProgram
 from measureapp.errors import InspectionError
+from measureapp.inspection.blades.values import blade_value
 from measureapp.inspection.features import Found
 from measureapp.inspection.form import form_value
 from measureapp.inspection.settings import InspectionSettings
@@ -30,6 +32,8 @@ def value_of(described: DimensionProgram, found: tuple[Found, ...], datums: tupl
     for one in (*found, *datums):
         feature_of(one)
     kind = described.kind
+    if kind in BLADE_KINDS:
+        return blade_value(described, found, settings)
     if kind in ("diameter", "radius"):
         return _round(found[0], settings, 2.0 if kind == "diameter" else 1.0)
     if kind in FORMS:

@@ -144,6 +144,7 @@ def inspection_from(document: Mapping[str, Any]) -> Inspection:
     alignment = dict(document["alignment"])
     alignment["nominal_from_part"] = transform_from(alignment["nominal_from_part"])
     alignment["undetermined"] = tuple(alignment["undetermined"])
+    alignment["notes"] = tuple(alignment.get("notes", ()))
     return Inspection(
         program=document["program"],
         alignment=Alignment(**alignment),

@@ -9,6 +9,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from measureapp.data.alignment_program import FORMS
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InputError
@@ -37,6 +38,15 @@ def read_program(path: Path) -> InspectionProgram:
         return InspectionProgram.model_validate(document)
     except ValidationError as error:
         raise InputError(f"{path}: {_first_problem(error, document)}.", "Correct this entry of the inspection program.") from error
+
+
+def with_alignment(program: InspectionProgram, words: str) -> InspectionProgram:
+    """Return ``program`` with another alignment, given in one word like `best-fit` or `datums:A,B,C`. Raises InputError."""
+    document = {**program.model_dump(exclude_unset=True), "alignment": words}
+    try:
+        return InspectionProgram.model_validate(document)
+    except ValidationError as error:
+        raise InputError(f"--alignment {words}: {_first_problem(error, document)}.", f"Give {FORMS}.") from error
 
 
 def read_program_nominal(path: Path, program: InspectionProgram) -> Mesh | None:

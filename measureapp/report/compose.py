@@ -145,13 +145,16 @@ def _cloud_facts(measurement: Measurement, deviation: Deviation | None, why_not:
 
 def _alignment_facts(alignment: Alignment) -> list[Fact]:
     facts = [Fact("Alignment to the nominal", alignment.name)]
-    if alignment.rms_mm > 0:
+    if alignment.residuals_mm:
+        stays = ", ".join(f"{name} {number(residual)} mm" for name, residual in alignment.residuals_mm.items())
+        facts.append(Fact("Off their nominal places after the alignment", stays))
+    elif alignment.rms_mm > 0:
         facts.append(
             Fact("Residual of the alignment", f"{number(alignment.rms_mm)} mm rms over {percent(alignment.overlap)} of the points")
         )
     if alignment.undetermined:
         facts.append(Fact("Left open by the points", ", ".join(alignment.undetermined)))
-    return facts
+    return facts + [Fact("About the alignment", note) for note in alignment.notes]
 
 
 def _validity_facts(validity: Validity) -> tuple[Fact, ...]:

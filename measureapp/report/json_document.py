@@ -41,6 +41,8 @@ def alignment_document(alignment: Alignment) -> dict[str, Any]:
         "rms_mm": alignment.rms_mm,
         "overlap": alignment.overlap,
         "undetermined": list(alignment.undetermined),
+        "residuals_mm": dict(alignment.residuals_mm),
+        "notes": list(alignment.notes),
     }
 
 

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import csv
 import json
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from measureapp.cli import main
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.measured import sampled
 from measureapp.project.geometry_files import read_mesh
+from measureapp.project.ply import read_ply
 from measureapp.resources import resource
 
 NOMINAL = resource("parts/gypsum/nominal.stl")
@@ -86,3 +88,40 @@ def test_a_nominal_that_does_not_exist_is_refused(cloud: Path, capsys) -> None:
 def test_an_unknown_alignment_is_refused(cloud: Path, capsys) -> None:
     assert main(["compare", str(cloud), str(NOMINAL), "--align", "best"]) == 2
     assert "best-fit" in capsys.readouterr().err
+
+
+def test_sections_bands_and_the_coloured_nominal_are_written(cloud: Path, tmp_path: Path, capsys) -> None:
+    table, document, coloured = tmp_path / "s.csv", tmp_path / "s.json", tmp_path / "map.ply"
+    where = ("--section", "z=20", "--section", "r=30")
+    told = answer(
+        capsys, str(cloud), str(NOMINAL), *where, "--section-file", str(table), "--tolerance", "-0.02", "0.02", "--map", str(coloured)
+    )
+    assert told["bands"]["within"] == pytest.approx(0.683, abs=0.02)
+    assert sum(told["bands"]["counts"]) == told["points"]
+    with table.open() as file:
+        rows = list(csv.DictReader(file))
+    measured = [row for row in rows if row["section"] == "z=20" and row["curve"] == "measured"]
+    assert {row["section"] for row in rows} == {"z=20", "r=30"}
+    assert all(float(row["z_mm"]) == pytest.approx(20, abs=1e-5) for row in rows if row["section"] == "z=20")
+    assert np.std([float(row["deviation_mm"]) for row in measured]) == pytest.approx(0.02, rel=5 / np.sqrt(2 * len(measured)))
+    vertex = read_ply(coloured).elements["vertex"]
+    assert {"deviation_mm", "measured", "red"} <= set(vertex) and vertex["measured"].mean() > 0.95
+    answer(capsys, str(cloud), str(NOMINAL), *where, "--section-file", str(document))
+    stored = json.loads(document.read_text())
+    assert stored["alignment"] == "best fit" and len(stored["sections"]) == 2
+
+
+@pytest.mark.parametrize(
+    ("options", "complaint"),
+    [
+        (("--section", "q=3"), "is not a section"),
+        (("--section", "z=500"), "meets neither"),
+        (("--section", "z=20", "--section-file", "s.xls"), "no ending that says"),
+        (("--map", "m.stl"), "does not end in .ply"),
+        (("--align", "cyclic:one"), "must be 2 to 1000"),
+        (("--tolerance", "0.1", "-0.1"), "is empty"),
+    ],
+)
+def test_what_cannot_be_written_is_refused(options: tuple[str, ...], complaint: str, cloud: Path, capsys) -> None:
+    assert main(["compare", str(cloud), str(NOMINAL), *options]) in (2, 3, 4)
+    assert complaint in capsys.readouterr().err

@@ -60,3 +60,17 @@ def test_geometrical_tolerances_are_answered_with_their_datums_and_origin(capsys
     assert position["kind"] == "position" and position["datums"] == ["gear face", "bore"]
     assert position["tolerance"] == [0.0, 0.2] and position["nominal"] == 0.0
     assert "datums gear face|bore" in position["origin"] and "points" in position["origin"]
+
+
+def test_the_alignment_can_be_chosen_and_is_named(clouds, capsys) -> None:
+    main(["measure", str(clouds["good"]), str(PROGRAM), "--alignment", "none", "--json"])
+    assert json.loads(capsys.readouterr().out)["alignment"]["name"].startswith("none")
+    assert main(["measure", str(clouds["good"]), str(PROGRAM), "--alignment", "cyclic:2"]) == 0
+    assert "Alignment: best fit, 2 positions about the axis" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("words", ["nearest", "datums:nothing", "rps:a"])
+def test_an_alignment_that_is_none_is_refused(words: str, clouds, capsys) -> None:
+    assert main(["measure", str(clouds["good"]), str(PROGRAM), "--alignment", words]) == 2
+    err = capsys.readouterr().err
+    assert f"--alignment {words}" in err and "3-2-1:PLANE,LINE,POINT" in err

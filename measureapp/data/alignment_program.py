@@ -1,0 +1,136 @@
+"""How an inspection program lays the measured part onto its nominal."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from measureapp.data.model import Model
+
+Vector = tuple[float, float, float]
+Range = tuple[float, float]
+
+
+class NoAlignment(Model):
+    """The part's frame is taken as the nominal's."""
+
+    method: Literal["none"] = "none"
+
+
+class Region(Model):
+    """A part of space in the nominal's frame; what is left out does not limit it."""
+
+    x_mm: Range | None = None
+    y_mm: Range | None = None
+    z_mm: Range | None = None
+    radial_mm: Range | None = Field(default=None, description="from/to distance from the z axis")
+
+    @model_validator(mode="after")
+    def _limits_something(self) -> Region:
+        given = [extent for extent in (self.x_mm, self.y_mm, self.z_mm, self.radial_mm) if extent is not None]
+        if not given:
+            raise ValueError("a region needs at least one of x_mm, y_mm, z_mm, radial_mm")
+        if any(low >= high for low, high in given):
+            raise ValueError("the ranges of a region must run from the smaller to the greater value")
+        return self
+
+
+class BestFit(Model):
+    """Least distances of all points from the nominal mesh, or of those of chosen features and regions alone."""
+
+    method: Literal["best-fit"] = "best-fit"
+    features: tuple[str, ...] = Field(default=(), description="only the points of these features")
+    regions: tuple[Region, ...] = Field(default=(), description="only the points in these regions")
+    fold: int | None = Field(default=None, ge=2, le=1000, description="how often the part repeats in one turn: every position is tried")
+    axis_point_mm: Vector = (0.0, 0.0, 0.0)
+    axis: Vector = Field(default=(0.0, 0.0, 1.0), description="the axis it repeats about")
+
+    @model_validator(mode="after")
+    def _is_consistent(self) -> BestFit:
+        if sum(value * value for value in self.axis) < 1e-12:
+            raise ValueError("`axis` has no length")
+        if self.fold is not None and (self.features or self.regions):
+            raise ValueError("`fold` tries positions with all points: leave out `features` and `regions`")
+        return self
+
+
+class ThreeTwoOne(Model):
+    """A plane holds three motions, a line or axis two of the rest, a point the last one."""
+
+    method: Literal["3-2-1"] = "3-2-1"
+    plane: str
+    line: str
+    point: str
+
+
+class ReferencePoint(Model):
+    """A feature held at its nominal place along given directions."""
+
+    feature: str
+    along: tuple[Vector, ...] = Field(
+        default=(), max_length=3, description="directions it is held in; left out: the normal of a surface point or plane, all of a centre"
+    )
+
+    @model_validator(mode="after")
+    def _directions_have_length(self) -> ReferencePoint:
+        if any(sum(value * value for value in direction) < 1e-12 for direction in self.along):
+            raise ValueError("a direction of `along` has no length")
+        return self
+
+
+class ReferencePoints(Model):
+    """Reference point system: all points held at once, by least squares where they are more than needed."""
+
+    method: Literal["rps"] = "rps"
+    points: tuple[ReferencePoint, ...] = Field(min_length=3)
+
+
+class DatumAlignment(Model):
+    """Datums A, B and C laid onto the drawing's, each as far as those before it leave it free."""
+
+    method: Literal["datums"] = "datums"
+    datums: tuple[str, ...] = Field(min_length=1, max_length=3)
+
+
+AlignmentProgram = Annotated[NoAlignment | BestFit | ThreeTwoOne | ReferencePoints | DatumAlignment, Field(discriminator="method")]
+FORMS = "best-fit, none, local:FEATURE,…, cyclic:COUNT, 3-2-1:PLANE,LINE,POINT, rps:POINT,POINT,POINT,… or datums:A,B,C"
+
+
+def alignment_features(alignment: AlignmentProgram) -> tuple[str, ...]:
+    """Return the names of the features an alignment rests on."""
+    if isinstance(alignment, BestFit):
+        return alignment.features
+    if isinstance(alignment, ThreeTwoOne):
+        return (alignment.plane, alignment.line, alignment.point)
+    if isinstance(alignment, ReferencePoints):
+        return tuple(point.feature for point in alignment.points)
+    return alignment.datums if isinstance(alignment, DatumAlignment) else ()
+
+
+def alignment_entry(words: str) -> dict[str, object]:
+    """Return the entry of a program for an alignment in one word; its values are not checked yet.
+
+    Raises
+    ------
+    ValueError
+        It has none of the forms of `FORMS`.
+
+    >>> alignment_entry("cyclic:7")
+    {'method': 'best-fit', 'fold': 7}
+    """
+    method, _, rest = words.partition(":")
+    names = [name.strip() for name in rest.split(",") if name.strip()]
+    if method in ("best-fit", "none") and not rest:
+        return {"method": method}
+    if method == "cyclic" and rest.strip().isdigit():
+        return {"method": "best-fit", "fold": int(rest)}
+    if method == "local" and names:
+        return {"method": "best-fit", "features": names}
+    if method == "3-2-1" and len(names) == 3:
+        return {"method": method, "plane": names[0], "line": names[1], "point": names[2]}
+    if method == "rps" and names:
+        return {"method": method, "points": [{"feature": name} for name in names]}
+    if method == "datums" and names:
+        return {"method": method, "datums": names}
+    raise ValueError(f"{words!r} is not an alignment: give {FORMS}")

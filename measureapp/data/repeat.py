@@ -1,0 +1,14 @@
+"""Patterns of features about an axis."""
+
+from __future__ import annotations
+
+from pydantic import Field
+
+from measureapp.data.model import Model
+
+
+class Repeat(Model):
+    """A pattern about the z axis: copy k (from 1) of a feature is turned by (k − 1)·angle and called `name.k`."""
+
+    count: int = Field(ge=2, le=1000)
+    angle_deg: float = 0.0

@@ -1,0 +1,1 @@
+"""Blades: section curves, their mean line, chord, thickness, edges, twist and pitch."""

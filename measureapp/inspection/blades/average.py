@@ -1,0 +1,73 @@
+"""The average blade of a part, how far each blade is turned against it, and what then remains."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.inspection.blades.cut import SectionFrame
+from measureapp.inspection.blades.profile import Profile, profile
+
+ROUNDS = 3
+STEPS = 4
+POOLED = 12_000
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Against:
+    """One blade against the average of all."""
+
+    turn_rad: float  # by which it stands ahead of its even place, about the axis
+    turn_sigma_rad: float  # from the scatter of its points, as if they erred independently
+    lengths_mm: FloatArray  # (K,), of its side points, along the mean line
+    upper: BoolArray  # (K,), on which side
+    deviations_mm: FloatArray  # (K,), outside the average blade is positive, once turned onto it
+    on_side: IntArray  # (K,), indices of the points
+
+
+def against_average(blades: list[FloatArray], frame: SectionFrame) -> list[Against]:
+    """Compare blades with their average.
+
+    The points of all blades are turned onto each other about the axis, and one profile is laid through them; then each
+    blade is turned onto that anew.
+
+    Parameters
+    ----------
+    blades : points (N, 3) of each blade, turned back to the first
+    """
+    turns = np.zeros(len(blades))
+    found: list[Against] = []
+    for _ in range(ROUNDS):
+        turned = [frame.turned(points, -turn) for points, turn in zip(blades, turns, strict=True)]
+        flat = np.vstack([frame.flat(points) for points in turned])
+        average = profile(flat[:: max(1, len(flat) // POOLED)], frame.shape)
+        found = [_against(points, frame, average) for points in blades]
+        turns = np.array([one.turn_rad for one in found])
+        turns -= turns.mean()
+    return found
+
+
+def _against(points_mm: FloatArray, frame: SectionFrame, average: Profile) -> Against:
+    turn = 0.0
+    for _ in range(STEPS):
+        moved = frame.turned(points_mm, -turn)
+        on_side, lengths, upper, off, normals = _offsets(frame.flat(moved), average)
+        effect = np.einsum("nd,nd->n", frame.effect_of_turn(moved[on_side]), normals)
+        turn += float(effect @ off / (effect @ effect))
+    moved = frame.turned(points_mm, -turn)
+    on_side, lengths, upper, off, _ = _offsets(frame.flat(moved), average)
+    sigma = float(np.std(off) / np.linalg.norm(effect))
+    return Against(turn, sigma, lengths, upper, np.where(upper, off, -off), on_side)
+
+
+def _offsets(flat_mm: FloatArray, average: Profile) -> tuple[IntArray, FloatArray, BoolArray, FloatArray, FloatArray]:
+    """Which points lie on the sides, where, and how far along the mean line's normals from the average's side."""
+    x, heights = average.line.feet(flat_mm)
+    on_side = np.flatnonzero((x > average.line.first_mm) & (x < average.line.last_mm))
+    lengths = average.line.lengths(x)[on_side]
+    above, below = average.sides.heights(lengths)
+    upper = heights[on_side] > 0
+    off = heights[on_side] - np.where(upper, above, below)
+    return on_side, lengths, upper, off, average.line.normals(x[on_side])

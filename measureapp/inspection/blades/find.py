@@ -1,0 +1,130 @@
+"""The blade sections of a program, found on the measured points, with their scatter under simulated noise."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.data.blade_section import BladeSection
+from measureapp.data.feature import Feature
+from measureapp.data.inspection_program import copy_names
+from measureapp.errors import FitError
+from measureapp.inspection.blades.average import Against, against_average
+from measureapp.inspection.blades.cut import SectionFrame
+from measureapp.inspection.blades.profile import Profile, profile
+from measureapp.inspection.deviation import distances_and_normals
+from measureapp.inspection.features import Found
+from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.nominal_surface import NominalSurface
+from measureapp.inspection.settings import InspectionSettings
+from measureapp.inspection.uncertainty import effective_views, shared_error_factor
+
+SEED = 6
+TRIAL_ROUNDS = 3
+LEAST_TRIALS = 0.8  # of the trials must give a value for it to count as determined
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FoundBlade(Found):
+    """One blade section: its profile, the scatter of its values, and its place among the others."""
+
+    profile: Profile | None = None
+    frame: SectionFrame | None = None
+    sigmas: Mapping[str, float] | None = None  # standard uncertainty of each value of `numbers`
+    against: Against | None = None
+    number: int = 0  # from 0
+    to_nominal_mm: FloatArray | None = None  # (K,) signed, of the points; None without a nominal mesh
+
+
+def find_blades(
+    described: BladeSection, points: MeasuredPoints, surface: NominalSurface | None, settings: InspectionSettings
+) -> Mapping[str, Found]:
+    """Find a section on every blade; ``points`` are in the nominal's frame."""
+    frame = SectionFrame.of(described)
+    names = copy_names(described.name, described.repeat)
+    found: dict[str, Found] = {}
+    blades: dict[str, FloatArray] = {}
+    for number, name in enumerate(names):
+        turned = frame.turned_back(points.points_mm, number)
+        chosen = frame.chosen(turned)
+        if len(chosen) < 4 * settings.least_points:
+            reason = f"{name}: only {len(chosen)} points were measured there, {4 * settings.least_points} are needed"
+            found[name] = Found(name, None, reason)
+            continue
+        if len(chosen) > settings.blade_points:
+            chosen = chosen[np.linspace(0, len(chosen) - 1, settings.blade_points).astype(int)]
+        try:
+            found[name] = _found(name, number, points.where(chosen), turned[chosen], frame, surface, settings)
+        except FitError as error:
+            found[name] = Found(name, None, f"{name}: {error.message}")
+            continue
+        blades[name] = turned[chosen]
+    return found if len(blades) < 2 else _among_each_other(found, blades, frame)
+
+
+def _among_each_other(found: dict[str, Found], blades: dict[str, FloatArray], frame: SectionFrame) -> dict[str, Found]:
+    for name, against in zip(blades, against_average(list(blades.values()), frame), strict=True):
+        one = found[name]
+        if isinstance(one, FoundBlade):
+            found[name] = replace(one, against=against)
+    return found
+
+
+def _found(
+    name: str,
+    number: int,
+    own: MeasuredPoints,
+    turned_mm: FloatArray,
+    frame: SectionFrame,
+    surface: NominalSurface | None,
+    settings: InspectionSettings,
+) -> FoundBlade:
+    flat = frame.flat(turned_mm)
+    made = profile(flat, frame.shape)
+    factor = shared_error_factor(turned_mm[made.on_side], made.residuals_mm, settings.uncertainty.correlation_mm)
+    middle = own.points_mm.mean(axis=0)
+    left_out = len(flat) - int(made.on_side.sum()) - made.leading.points - made.trailing.points
+    feature = Feature(name, "point", middle, None, points=len(flat), left_out=max(left_out, 0), rms_mm=made.scatter_mm)
+    sigmas = {key: factor * sigma for key, sigma in _scatter(flat, made, frame, settings.blade_trials).items()}
+    away = None if surface is None else distances_and_normals(own.points_mm, own.normals, surface)[0]
+    return FoundBlade(name, feature, "", factor, effective_views(own.view), own.points_mm, None, made, frame, sigmas, None, number, away)
+
+
+def numbers(made: Profile, frame: SectionFrame) -> dict[str, float]:
+    """Return the values of a profile that do not need other blades; those it has not are left out. Angles in rad."""
+    values = {"max_thickness": made.thickness_mm, "stagger": frame.stagger_rad(made.chord, made.ends_mm[0])}
+    if made.leading.apex_mm is not None:
+        values["leading_radius"] = made.leading.radius_mm
+        values["max_thickness_place"] = made.thickness_at_mm
+    if made.trailing.apex_mm is not None:
+        values["trailing_radius"] = made.trailing.radius_mm
+    if made.leading.apex_mm is not None and made.trailing.apex_mm is not None:
+        values["chord"], values["camber"] = float(np.linalg.norm(made.chord)), made.camber_mm
+    return values
+
+
+def _scatter(flat_mm: FloatArray, made: Profile, frame: SectionFrame, trials: int) -> dict[str, float]:
+    """Repeat the evaluation with noise of the points' own scatter (Monte Carlo, JCGM 101); what fails too often is left out.
+
+    A greatest value grows with the noise. The trials show how much it grows from the noise of the points to √2 of it; what
+    it had grown by before is 1 / (√2 - 1) of that and counts as uncertainty.
+    """
+    rng = np.random.default_rng(SEED)
+    kept: dict[str, list[float]] = {}
+    for _ in range(trials):
+        noisy = flat_mm + made.scatter_mm * rng.standard_normal(flat_mm.shape)
+        try:
+            again = profile(noisy, frame.shape, made, TRIAL_ROUNDS)
+        except FitError:
+            continue
+        for key, value in numbers(again, frame).items():
+            kept.setdefault(key, []).append(value)
+    base = numbers(made, frame)
+    return {
+        key: float(np.hypot(np.std(values, ddof=1), (np.mean(values) - base[key]) / (np.sqrt(2) - 1)))
+        for key, values in kept.items()
+        if key in base and len(values) >= LEAST_TRIALS * trials
+    }

@@ -1,0 +1,123 @@
+"""The values of blade sections as dimensions: of one blade, between two, and against the average blade or the nominal."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from measureapp.arrays import FloatArray, IntArray
+from measureapp.data.inspection_program import DimensionProgram
+from measureapp.errors import InspectionError
+from measureapp.inspection.blades.find import FoundBlade, numbers
+from measureapp.inspection.cells import LEAST_IN_CELL, noise_reach
+from measureapp.inspection.features import Found
+from measureapp.inspection.settings import InspectionSettings
+from measureapp.inspection.value import Value, placement_of
+
+LEAST_CELLS = 6
+MISSING = {
+    "chord": ("leading", "trailing"),
+    "camber": ("leading", "trailing"),
+    "max_thickness_place": ("leading",),
+    "leading_radius": ("leading",),
+    "trailing_radius": ("trailing",),
+}
+
+
+def blade_value(described: DimensionProgram, found: tuple[Found, ...], settings: InspectionSettings) -> Value:
+    """Return the value of a blade dimension from its sections.
+
+    Raises
+    ------
+    InspectionError
+        The value does not exist: an edge was not measured, there is no nominal, or a single blade has no pitch.
+    """
+    blades = [one for one in found if isinstance(one, FoundBlade)]
+    if described.kind == "pitch":
+        return _pitch(blades[0], blades[1], settings)
+    if described.kind == "twist":
+        first, second = (_single("stagger", one, settings) for one in blades)
+        return Value((second.value - first.value + 180) % 360 - 180, float(np.hypot(first.sigma, second.sigma)), "Monte Carlo")
+    if described.kind == "blade_form":
+        return _form(blades[0], settings)
+    if described.kind == "blade_profile":
+        return _profile(blades[0], settings)
+    return _single(described.kind, blades[0], settings)
+
+
+def _single(kind: str, blade: FoundBlade, settings: InspectionSettings) -> Value:
+    made, frame, sigmas = blade.profile, blade.frame, blade.sigmas
+    assert made is not None and frame is not None and sigmas is not None
+    for name in MISSING.get(kind, ()):
+        edge = getattr(made, name)
+        if edge.apex_mm is None:
+            raise InspectionError(f"{blade.name} has no {kind.replace('_', ' ')}: at its {name} end {edge.reason}")
+    if kind not in sigmas:
+        raise InspectionError(f"{blade.name}: its points do not determine the {kind.replace('_', ' ')}, simulated noise made it fail")
+    value, sigma, placed = numbers(made, frame)[kind], sigmas[kind], placement_of(blade, settings)
+    how = f"Monte Carlo, {settings.blade_trials} trials"
+    if kind == "stagger":
+        lean = float(np.sqrt(2)) * placed / float(np.linalg.norm(made.chord))
+        return Value(float(np.degrees(value)), float(np.degrees(np.hypot(sigma, lean))), how)
+    sides = 1.0 if kind.endswith("radius") else float(np.sqrt(2))  # two places, each seen by views of its own
+    return Value(value, float(np.hypot(sigma, sides * placed)), how)
+
+
+def _pitch(one: FoundBlade, other: FoundBlade, settings: InspectionSettings) -> Value:
+    """Turn about the axis that lays one blade onto the other."""
+    for blade in (one, other):
+        if blade.against is None:
+            raise InspectionError(f"{blade.name}: a pitch needs at least two measured blades of one section")
+    if one.frame is not other.frame:
+        raise InspectionError(f"{one.name} and {other.name} are blades of different sections: they have no pitch")
+    assert one.against is not None and other.against is not None and one.frame is not None
+    count = one.frame.described.count
+    steps = (other.number - one.number) % count or count
+    turn = 2 * np.pi * steps / count + other.against.turn_rad - one.against.turn_rad
+    return Value(float(np.degrees(turn)), float(np.degrees(np.hypot(_turn_sigma(one, settings), _turn_sigma(other, settings)))))
+
+
+def _turn_sigma(blade: FoundBlade, settings: InspectionSettings) -> float:
+    """Standard uncertainty in rad of how far a blade is turned about the axis."""
+    assert blade.against is not None and blade.frame is not None
+    points = blade.frame.turned_back(blade.points_mm[blade.against.on_side], blade.number)
+    lever = float(np.sqrt(np.mean(np.sum(blade.frame.effect_of_turn(points) ** 2, axis=1))))
+    return float(np.hypot(blade.error_factor * blade.against.turn_sigma_rad, placement_of(blade, settings) / lever))
+
+
+def _form(blade: FoundBlade, settings: InspectionSettings) -> Value:
+    """Width of the zone about the part's average blade, once the blade is turned onto it about the axis."""
+    if blade.against is None:
+        raise InspectionError(f"{blade.name}: an average blade needs at least two measured blades of this section")
+    against = blade.against
+    where = np.floor(against.lengths_mm / settings.form_cell_mm).astype(int) * 2 + against.upper
+    return _zone(blade, where, against.deviations_mm, settings, "about the average blade, turned onto it about the axis")
+
+
+def _profile(blade: FoundBlade, settings: InspectionSettings) -> Value:
+    """Width of the zone about the nominal, as the alignment lays the part."""
+    if blade.to_nominal_mm is None:
+        raise InspectionError(f"{blade.name}: a blade profile needs the nominal mesh, and the program names none")
+    assert blade.profile is not None and blade.frame is not None
+    flat = blade.frame.flat(blade.frame.turned_back(blade.points_mm, blade.number))
+    x, heights = blade.profile.line.feet(flat)
+    where = np.floor(blade.profile.line.lengths(x) / settings.form_cell_mm).astype(int) * 2 + (heights > 0)
+    kept = blade.profile.on_side
+    return _zone(blade, where[kept], blade.to_nominal_mm[kept], settings, "about the nominal, placed by the alignment")
+
+
+def _zone(blade: FoundBlade, where: IntArray, deviations_mm: FloatArray, settings: InspectionSettings, what: str) -> Value:
+    """Twice the greatest mean deviation over pieces of both sides, so that noise does not grow with the number of points."""
+    _, cell = np.unique(where, return_inverse=True)
+    counts = np.bincount(cell)
+    full = counts >= max(LEAST_IN_CELL, 0.25 * float(np.median(counts)))
+    if full.sum() < LEAST_CELLS:
+        raise InspectionError(f"{blade.name}: its points fill only {full.sum()} pieces of its sides, {LEAST_CELLS} are needed")
+    means = (np.bincount(cell, weights=deviations_mm) / counts)[full]
+    noise = float(
+        np.median(
+            np.sqrt(np.bincount(cell, weights=(deviations_mm - (np.bincount(cell, weights=deviations_mm) / counts)[cell]) ** 2)[full])
+            / counts[full]
+        )
+    )
+    sigma = np.hypot(noise_reach(int(full.sum())) * noise, 2 * placement_of(blade, settings))
+    return Value(2 * float(np.abs(means).max()), float(sigma), f"means over {settings.form_cell_mm:g} mm, {what}")

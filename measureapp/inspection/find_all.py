@@ -1,0 +1,53 @@
+"""The features of a program, found on the measured points."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from measureapp.data.blade_section import BladeSection
+from measureapp.data.inspection_program import ConstructedFeature, InspectionProgram, copy_names, needed_names
+from measureapp.inspection.blades.find import find_blades
+from measureapp.inspection.constructed import construct
+from measureapp.inspection.features import Found, find
+from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.nominal_surface import NominalSurface
+from measureapp.inspection.settings import InspectionSettings
+from measureapp.progress import NoProgress, Progress
+
+
+def find_all(
+    points: MeasuredPoints,
+    program: InspectionProgram,
+    surface: NominalSurface | None,
+    settings: InspectionSettings,
+    progress: Progress = NoProgress(),  # noqa: B008 - stateless
+    only: Collection[str] | None = None,
+) -> dict[str, Found]:
+    """Return every feature, or why it was not found, by name; ``points`` are in the nominal's frame.
+
+    Parameters
+    ----------
+    only : names of the features wanted (what they are made of is found too); None wants all
+    """
+    wanted = None if only is None else _with_what_they_need(program, only)
+    edges = None if surface is None else surface.sharp_edges()
+    found: dict[str, Found] = {}
+    for number, described in enumerate(program.features):
+        if wanted is not None and wanted.isdisjoint(copy_names(described.name, described.repeat)):
+            continue
+        progress.report(1 + number / len(program.features), 3, described.name)
+        if isinstance(described, ConstructedFeature):
+            found.update(construct(described, found))
+        elif isinstance(described, BladeSection):
+            found.update(find_blades(described, points, surface, settings))
+        else:
+            found.update(find(described, points, edges, settings))
+    return found
+
+
+def _with_what_they_need(program: InspectionProgram, names: Collection[str]) -> set[str]:
+    wanted = set(names)
+    for described in reversed(program.features):  # a feature is made of features before it
+        if isinstance(described, ConstructedFeature) and not wanted.isdisjoint(copy_names(described.name, described.repeat)):
+            wanted.update(needed_names(described))
+    return wanted

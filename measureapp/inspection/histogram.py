@@ -1,0 +1,46 @@
+"""How deviations spread over the bands of a tolerance."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from measureapp.arrays import FloatArray, IntArray
+from measureapp.errors import InspectionError
+
+BANDS_IN_TOLERANCE = 10
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Histogram:
+    """Counts of deviations in equal bands; the first and the last are open outwards."""
+
+    edges_mm: FloatArray  # (B + 1,), the outermost are finite: where the open bands begin to be drawn
+    counts: IntArray  # (B,)
+    below: float  # share of the points under the lower tolerance
+    within: float
+    above: float
+
+
+def histogram(distances_mm: FloatArray, lower_mm: float, upper_mm: float) -> Histogram:
+    """Sort deviations into ten bands within the tolerance and five on each side of it, the outermost open.
+
+    Raises
+    ------
+    InspectionError
+        The lower tolerance does not lie below the upper one, or there are no deviations.
+
+    >>> found = histogram(np.array([-0.3, 0.0, 0.05, 0.2]), -0.1, 0.1)
+    >>> found.below, found.within, found.above
+    (0.25, 0.5, 0.25)
+    """
+    if not lower_mm < upper_mm:
+        raise InspectionError(f"The tolerance from {lower_mm:g} to {upper_mm:g} mm is empty.", "Give the lower limit first.")
+    if len(distances_mm) == 0:
+        raise InspectionError("There are no deviations to sort.", "Compare a cloud that has points.")
+    half = (upper_mm - lower_mm) / 2
+    edges = np.linspace(lower_mm - half, upper_mm + half, 2 * BANDS_IN_TOLERANCE + 1)
+    counts = np.histogram(np.clip(distances_mm, edges[0], edges[-1]), edges)[0]
+    below, above = float(np.mean(distances_mm < lower_mm)), float(np.mean(distances_mm > upper_mm))
+    return Histogram(edges, counts, below, float(np.mean((distances_mm >= lower_mm) & (distances_mm <= upper_mm))), above)
