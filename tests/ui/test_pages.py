@@ -199,10 +199,10 @@ def test_the_inspection_page_shows_value_error_and_verdict(filled):
 def test_selecting_a_dimension_labels_it_in_the_viewport(filled):
     page = filled.pages["inspection"]
     filled.show_page("inspection")
-    page.table.selectRow(0)
+    page.table.select(0)
     assert [label.text for label in page.view._labels] == ["a 120.021 mm"]
     assert len(page.view._lines[-1].lines) == 3
-    page.table.selectRow(3)
+    page.table.select(3)
     assert page.view._labels == ()
     assert page.properties.note == "No points lie near the feature."
 

@@ -20,7 +20,6 @@ if TYPE_CHECKING:
 
 DENSE_TRIANGLES = 150_000  # so dense that rounded edges are not seen
 SCALE_SAMPLES = 20_000  # of each cloud decide the end of the scale
-FILLED_IN = (110, 118, 123)
 ColourBy = Literal["view", "sigma", "grey", "residual"]
 
 
@@ -122,11 +121,20 @@ def points_layer(stitched: StitchedCloud, frame: RigidTransform, shade: tuple[in
     return CloudLayer(frame.apply(stitched.points_mm), plain(shade, len(stitched)), frame.rotate(stitched.normals))
 
 
+def filled_share(mesh: Mesh) -> float:
+    """Return the share of a surface's area that was filled in without points; dimensions are never measured there."""
+    if mesh.measured is None or mesh.measured.all():
+        return 0.0
+    first, second, third = (mesh.vertices_mm[mesh.triangles[:, corner]] for corner in range(3))
+    areas = np.linalg.norm(np.cross(second - first, third - first), axis=1)
+    return float(areas[~mesh.measured[mesh.triangles].all(axis=1)].sum() / max(float(areas.sum()), 1e-12))
+
+
 def mesh_layer(mesh: Mesh, frame: RigidTransform, shade: tuple[int, int, int]) -> SurfaceLayer:
-    """Return the measured surface in another frame; what was filled in without points is darker."""
+    """Return the measured surface in another frame; what was filled in without points is hatched."""
     colours = plain(shade, len(mesh.vertices_mm))
     if mesh.measured is not None:
-        colours[~mesh.measured] = FILLED_IN
+        colours[~mesh.measured] = UNKNOWN
     vertices = frame.apply(mesh.vertices_mm)
     normals = vertex_normals(vertices, mesh.triangles) if len(mesh.triangles) > DENSE_TRIANGLES else None
     return SurfaceLayer(vertices, mesh.triangles, colours, normals=normals)

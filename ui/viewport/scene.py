@@ -14,6 +14,7 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkRenderingAnnotation import vtkCaptionActor2D
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProp, vtkRenderer
 
+from ui.viewport.colouring import HATCH_SHADE, UNKNOWN
 from ui.viewport.layers import CloudLayer, Label, LineLayer, SurfaceLayer, shuffled_prefix
 
 MOVING_POINTS = 150_000
@@ -21,6 +22,13 @@ STILL_POINTS = 1_500_000
 READABLE_AMBIENT = 0.78
 FINE_FROM = 200_000  # points; fewer are drawn larger
 TWO_SIDED = "//VTK::Normal::Impl\n  if (normalVCVSOutput.z < 0.0) { normalVCVSOutput = -normalVCVSOutput; }\n"
+HATCH_PERIOD_PX = 9.0
+IS_UNKNOWN = "all(lessThan(abs(diffuseColor - vec3({}, {}, {}) / 255.0), vec3(0.012)))".format(*UNKNOWN)
+HATCHED = (  # stripes of the screen, so that what was not measured is told apart at every distance
+    "//VTK::Color::Impl\n"
+    f"  if ({IS_UNKNOWN} && mod(gl_FragCoord.x + gl_FragCoord.y, {HATCH_PERIOD_PX}) < {HATCH_PERIOD_PX / 2})\n"
+    f"  {{ ambientColor *= {HATCH_SHADE}; diffuseColor *= {HATCH_SHADE}; }}\n"
+)
 OPENING_DIRECTION = (-1.0, -1.1, 0.85)
 FRAMING_POINTS = 4_000
 FILLED_SHARE = 0.86  # of the picture's width or height, whichever is reached first
@@ -172,6 +180,7 @@ def _points_actor(points: np.ndarray, colours: np.ndarray, normals: np.ndarray |
     if normals is not None:
         data.GetPointData().SetNormals(numpy_to_vtk(np.ascontiguousarray(normals), deep=True))
     actor = _actor(data)
+    actor.GetShaderProperty().AddFragmentShaderReplacement("//VTK::Color::Impl", True, HATCHED, False)
     if normals is None:
         actor.GetProperty().LightingOff()
     else:
@@ -189,6 +198,7 @@ def _surface_actor(layer: SurfaceLayer) -> vtkActor:
     if layer.colours is not None:
         data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(layer.colours, np.uint8), deep=True))
     actor = _actor(_shaded(data, layer))
+    actor.GetShaderProperty().AddFragmentShaderReplacement("//VTK::Color::Impl", True, HATCHED, False)
     actor.GetProperty().SetColor(*(value / 255 for value in layer.colour))
     actor.GetProperty().SetOpacity(layer.opacity)
     actor.GetProperty().SetAmbient(0.32)
