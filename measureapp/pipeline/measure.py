@@ -23,6 +23,8 @@ from measureapp.data.measurement import Inspection, Measurement, ViewResult
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
+from measureapp.data.validity import Validity
+from measureapp.data.view_choices import ViewChoices
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, DecodeError, ReconstructError, RegistrationError
 from measureapp.fringe.bracket import BracketLimits
@@ -32,6 +34,7 @@ from measureapp.fringe.patterns import pattern_images
 from measureapp.fringe.stack_checks import check_stack
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 from measureapp.pipeline.bracket import propose_bracket
+from measureapp.pipeline.chosen_views import chosen, with_refused
 from measureapp.pipeline.live_decoding import LiveDecoding
 from measureapp.pipeline.validity import check_before_scan, validity_of
 from measureapp.pipeline.watch import Stopwatch
@@ -250,27 +253,44 @@ def _completeness(maps: Mapping[str, PhaseMap], pixels: np.typing.NDArray[Any]) 
 
 
 def assemble(
-    project: ProjectFolder, calibrated: RigCalibration, views: Sequence[ViewResult], on_event: OnEvent, progress: Progress, watch: Stopwatch
+    project: ProjectFolder,
+    calibrated: RigCalibration,
+    views: Sequence[ViewResult],
+    on_event: OnEvent,
+    progress: Progress,
+    watch: Stopwatch,
+    *,
+    choices: ViewChoices | None = None,
+    validity: Validity | None = None,
 ) -> Measurement:
     """Stitch the clouds of all views, make the surface, measure the dimensions and keep everything.
+
+    Parameters
+    ----------
+    choices : views used or refused by hand; None: as the project keeps them
+    validity : of the calibration, where it is known for these views; None: judged anew
 
     Raises
     ------
     RegistrationError
         No view gave a cloud worth stitching.
     """
-    validity = validity_of(project, calibrated, views)
-    on_event(ValidityKnown(validity))
-    good = [view for view in views if view.quality.accepted]
+    if validity is None:
+        validity = validity_of(project, calibrated, views)
+        on_event(ValidityKnown(validity))
+    choices = project.view_choices() if choices is None else choices
+    good = chosen(views, choices)
     if not good:
-        reasons = "; ".join(sorted({view.quality.reason for view in views})) or "no view gave points"
+        reasons = "; ".join(sorted({view.quality.reason or "refused by hand" for view in views})) or "no view gave points"
         told = " ".join(("", *validity.told))
         raise RegistrationError(f"There is nothing to stitch: {reasons}.{told}", "Look at the images; change exposures or viewpoints.")
     with watch.stage("stitching"):
         clouds, placed = [view.cloud for view in good], [view.part_from_camera for view in good]
         standing = stations([view.readback for view in good])
         settings, prior = stitch_settings(calibrated, good), _placed_by_axes(project, good)
-        stitched = stitch(clouds, placed, settings, PartOf(progress, 0.0, 0.5), stations=standing, prior_covariance=prior)
+        part = PartOf(progress, 0.0, 0.5)
+        stitched = stitch(clouds, placed, settings, part, stations=standing, prior_covariance=prior, accepted=choices.used)
+        stitched = with_refused(stitched, views, choices)
     on_event(StitchReady(stitched))
     with watch.stage("surface"):
         mesh = surface(stitched, progress=PartOf(progress, 0.5, 0.7))

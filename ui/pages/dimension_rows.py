@@ -34,7 +34,7 @@ def dimension_cells(dimension: Dimension) -> list[Cell]:
     unit = "" if dimension.unit == "mm" else unit_of(dimension)
     digits = DIGITS.get(dimension.unit, 3)
     return [
-        Cell(dimension_words(dimension.name), bold=True),
+        Cell(dimension_words(dimension.name)),
         number(quantity(dimension.nominal, unit, digits)),
         number(quantity(dimension.measured, unit, digits)),
         number(quantity(dimension.error, unit, digits, signed=True)),
@@ -74,7 +74,7 @@ def branches_of(dimensions: Sequence[Dimension], features: Sequence[Feature]) ->
     others = other_features(dimensions, features)
     if others:
         blank = [Cell("")] * 5
-        rows.append(Branch((Cell(OTHERS, bold=True), *blank), tuple(feature_words(feature) for feature in others)))
+        rows.append(Branch((Cell(OTHERS), *blank), tuple(feature_words(feature) for feature in others)))
     return rows
 
 
@@ -118,7 +118,7 @@ def dimension_properties(dimension: Dimension, features: Sequence[Feature], rule
             ("Uncertainty (k = 2)", quantity(dimension.uncertainty, unit)),
         ),
     )
-    taken = tuple(("", sentence(part)) for part in dimension.origin.split("; ") if part)
+    taken = tuple(("", sentence(part)) for part in dimension.origin.split("; ") if part and not part.startswith("datums "))
     groups = [values]
     if taken:
         groups.append(Group("Where the value comes from", taken))

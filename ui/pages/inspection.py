@@ -46,7 +46,7 @@ HEADERS = ["Dimension", "Nominal", "Measured", "Error", "U", "Verdict"]
 FILLED = "Filled without points, never measured on"
 UNLIMITED = 16_777_215  # Qt's largest height of a widget
 UNITS = "Lengths in mm, U for k = 2"
-TABLE_WIDTH, DEVIATION_HEIGHT = 544, 400
+TABLE_WIDTH, DEVIATION_HEIGHT = 584, 400
 SIDE_SHARES = (1000, 0, 500, 1)  # the rest stays empty only when table and histogram have what they can use
 OUTLINE = (70, 82, 90)  # seen on the part in both themes
 

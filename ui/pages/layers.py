@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -89,8 +89,10 @@ def view_layer(
     return CloudLayer(cloud.points_mm, colours, cloud.normals, to_read=colour_by in {"sigma", "residual"})
 
 
-def stitched_layer(theme: Theme, stitched: StitchedCloud, colour_by: ColourBy, end_mm: float, visible: Collection[int]) -> CloudLayer:
-    """Return the merged points of the visible views, coloured."""
+def stitched_layer(
+    theme: Theme, stitched: StitchedCloud, colour_by: ColourBy, end_mm: float, visible: Collection[int], places: Mapping[str, int]
+) -> CloudLayer:
+    """Return the merged points of the visible views, coloured; ``places`` tells the place of a view among all, which is its colour."""
     keep = np.isin(stitched.view, list(visible))
     view = stitched.view[keep]
     if colour_by == "sigma":
@@ -101,7 +103,7 @@ def stitched_layer(theme: Theme, stitched: StitchedCloud, colour_by: ColourBy, e
         residuals = np.array([placement.residual_mm for placement in stitched.placements])
         colours = along(GROWING, residuals[view], 0.0, end_mm)
     else:
-        palette = np.array([view_colour(theme, index) for index in range(len(stitched.placements))], np.uint8)
+        palette = np.array([view_colour(theme, places.get(found.viewpoint_id, 0)) for found in stitched.placements], np.uint8)
         colours = palette[view]
     return CloudLayer(stitched.points_mm[keep], colours, stitched.normals[keep], to_read=colour_by in {"sigma", "residual"})
 

@@ -23,7 +23,7 @@ READABLE_AMBIENT = 0.78
 FINE_FROM = 200_000  # points; fewer are drawn larger
 TWO_SIDED = "//VTK::Normal::Impl\n  if (normalVCVSOutput.z < 0.0) { normalVCVSOutput = -normalVCVSOutput; }\n"
 HATCH_PERIOD_PX = 9.0
-IS_UNKNOWN = "all(lessThan(abs(diffuseColor - vec3({}, {}, {}) / 255.0), vec3(0.012)))".format(*UNKNOWN)
+IS_UNKNOWN = "all(lessThan(abs(vertexColorVSOutput.rgb - vec3({}, {}, {}) / 255.0), vec3(0.012)))".format(*UNKNOWN)
 HATCHED = (  # stripes of the screen, so that what was not measured is told apart at every distance
     "//VTK::Color::Impl\n"
     f"  if ({IS_UNKNOWN} && mod(gl_FragCoord.x + gl_FragCoord.y, {HATCH_PERIOD_PX}) < {HATCH_PERIOD_PX / 2})\n"
@@ -198,7 +198,8 @@ def _surface_actor(layer: SurfaceLayer) -> vtkActor:
     if layer.colours is not None:
         data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(layer.colours, np.uint8), deep=True))
     actor = _actor(_shaded(data, layer))
-    actor.GetShaderProperty().AddFragmentShaderReplacement("//VTK::Color::Impl", True, HATCHED, False)
+    if layer.colours is not None:
+        actor.GetShaderProperty().AddFragmentShaderReplacement("//VTK::Color::Impl", True, HATCHED, False)
     actor.GetProperty().SetColor(*(value / 255 for value in layer.colour))
     actor.GetProperty().SetOpacity(layer.opacity)
     actor.GetProperty().SetAmbient(0.32)
