@@ -166,7 +166,7 @@ def test_hiding_a_view_takes_its_points_away(filled, measurement, monkeypatch, d
     page.stage.setValue("after")
     drawn(page)
     shown = []
-    monkeypatch.setattr(page.view, "set_clouds", lambda layers: shown.append(sum(len(layer.points_mm) for layer in layers)))
+    monkeypatch.setattr(page.view, "set_clouds", lambda layers, _cloud: shown.append(sum(len(layer.points_mm) for layer in layers)))
     page.table.cellClicked.emit(0, 0)
     drawn(page)
     page.table.cellClicked.emit(0, 0)

@@ -105,7 +105,9 @@ def stitched_layer(
     else:
         palette = np.array([view_colour(theme, places.get(found.viewpoint_id, 0)) for found in stitched.placements], np.uint8)
         colours = palette[view]
-    return CloudLayer(stitched.points_mm[keep], colours, stitched.normals[keep], to_read=colour_by in {"sigma", "residual"})
+    return CloudLayer(
+        stitched.points_mm.astype(np.float32)[keep], colours, stitched.normals[keep], to_read=colour_by in {"sigma", "residual"}
+    )
 
 
 def deviation_layers(comparison: Comparison, normals: np.ndarray, end_mm: float) -> list[CloudLayer]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from ui.look.look import Look
@@ -27,7 +27,7 @@ class Properties:
     groups: tuple[Group, ...] = ()
     note: str = ""
     action: str = ""  # what one can do with it, on a button
-    decision: str = ""  # what one can decide about it, on a second button
+    decision: str = ""  # what one can decide about it, on a button above the rest
 
 
 FOLDED_WIDTH = 48
@@ -87,18 +87,21 @@ class PropertiesPanel(QFrame):
         clear(self._rows)
         if properties.note:
             self._rows.addWidget(label(properties.note, "soft", wrap=True))
+        self._offer(properties.decision, self.decisionClicked)
         for group in properties.groups:
             self._rows.addSpacing(12)
             self._rows.addWidget(label(group.heading, "caption"))
             self._rows.addWidget(_hairline())
             self._rows.addLayout(_grid(group))
-        for words, clicked in ((properties.decision, self.decisionClicked), (properties.action, self.actionClicked)):
-            if words:
-                button = Button(words, self._look)
-                button.clicked.connect(clicked)
-                self._rows.addSpacing(8)
-                self._rows.addWidget(button)
+        self._offer(properties.action, self.actionClicked)
         self._rows.addStretch(1)
+
+    def _offer(self, words: str, clicked: SignalInstance) -> None:
+        if words:
+            button = Button(words, self._look)
+            button.clicked.connect(clicked)
+            self._rows.addSpacing(8)
+            self._rows.addWidget(button)
 
 
 def _hairline() -> QFrame:
