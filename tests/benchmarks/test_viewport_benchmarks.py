@@ -18,7 +18,7 @@ from ui.viewport.layers import CloudLayer
 from ui.viewport.shuffled import ShuffledCloud, shuffled
 
 LEARNING_FRAMES, FRAMES = 8, 20
-LEAST_FRAMES_PER_S = 10.0
+LEAST_FRAMES_PER_S, MOST_OF_SMALL = 10.0, 1.6
 pytestmark = pytest.mark.slow
 
 
@@ -32,35 +32,42 @@ def wavy_ball(count: int) -> ShuffledCloud:
 
 @pytest.mark.timeout(600)
 @pytest.mark.parametrize("millions", [5, 30])
-def test_a_cloud_turns_at_ten_frames_a_second(qtbot, millions: int, record_property) -> None:
+def test_a_large_cloud_turns_as_fast_as_a_small_one(qtbot, millions: int, record_property) -> None:
     view = CloudView(Look("light"))
     qtbot.addWidget(view)
     view.resize(1280, 960)
     view.show()
     view.activate()
     view.set_clouds((), wavy_ball(millions * 1_000_000))
-    inner, scene = view._view, view._scene
+    large_s, shown = turned(view)
+    view._scene.set_moving(False)
+    started = time.perf_counter()
+    view._view.refresh()
+    view.screenshot()
+    complete_s = time.perf_counter() - started
+    assert view._scene._drawn == len(view._scene._blocks)
+    peak_mib = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    view.set_clouds((), wavy_ball(shown))
+    small_s, _ = turned(view)
+    told = f"{millions} M points: {1 / large_s:.1f} frames/s ({shown} points; {1 / small_s:.1f} with a cloud of that size)"
+    told += f", all of them in {complete_s:.1f} s, peak {peak_mib:.0f} MiB, load {os.getloadavg()[0]:.1f}"
+    record_property("told", told)
+    assert large_s < MOST_OF_SMALL * small_s
+    if os.getloadavg()[0] < (os.cpu_count() or 1):  # on a computer that others keep busy, frames a second say nothing
+        assert 1 / large_s >= LEAST_FRAMES_PER_S
+    view.close_view()
+    view.close()
+
+
+def turned(view: CloudView) -> tuple[float, int]:
+    """Return the median seconds of a frame while turning, and how many points it has."""
+    scene, seconds = view._scene, []
     scene.reset_camera()
     scene.set_moving(True)
-    seconds = []
     for _ in range(LEARNING_FRAMES + FRAMES):
         started = time.perf_counter()
         scene.renderer.GetActiveCamera().Azimuth(3.0)
-        inner.refresh()
+        view._view.refresh()
         view.screenshot()
         seconds.append(time.perf_counter() - started)
-    shown = scene.frame_points
-    scene.set_moving(False)
-    started = time.perf_counter()
-    inner.refresh()
-    view.screenshot()
-    complete_s = time.perf_counter() - started
-    frames_per_s = 1.0 / float(np.median(seconds[LEARNING_FRAMES:]))
-    peak_mib = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
-    told = f"{millions} M points: {frames_per_s:.1f} frames/s with {shown} of them, all in {complete_s:.1f} s, peak {peak_mib:.0f} MiB"
-    print(told)
-    record_property("told", told)
-    assert scene._drawn == len(scene._blocks)
-    assert frames_per_s >= LEAST_FRAMES_PER_S
-    view.close_view()
-    view.close()
+    return float(np.median(seconds[LEARNING_FRAMES:])), scene.frame_points

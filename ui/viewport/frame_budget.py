@@ -4,7 +4,7 @@ from __future__ import annotations
 
 FRAME_S = 0.075  # leaves a fourth of a tenth of a second for everything else
 LEARNING = 0.4  # weight of the newest frame
-LEAST_POINTS = 20_000
+LEAST_POINTS = 10_000
 SOFTWARE_S_PER_POINT, HARDWARE_S_PER_POINT = 4e-7, 5e-9  # until the first frame is measured
 SOFTWARE_NAMES = ("llvmpipe", "softpipe", "swr", "software", "swiftshader", "gdi generic", "basic render")
 

@@ -20,6 +20,7 @@ from ui.viewport.layers import Label, LineLayer, SurfaceLayer
 from ui.viewport.shuffled import ShuffledCloud, shuffled
 
 FINE_FROM = 200_000  # points; fewer are drawn larger
+FINE_POINT_PX, COARSE_POINT_PX = 2.0, 4.0
 HATCH_PERIOD_PX = 9.0
 IS_UNKNOWN = "all(lessThan(abs(vertexColorVSOutput.rgb - vec3({}, {}, {}) / 255.0), vec3(0.012)))".format(*UNKNOWN)
 HATCHED = (  # stripes of the screen, so that what was not measured is told apart at every distance
@@ -66,7 +67,6 @@ class Scene:
         self._blocks = [_points_actor(cloud.points_mm[part], cloud.colours[part]) for part in parts]
         self._bounds = () if not len(cloud) else (cloud.points_mm.min(axis=0), cloud.points_mm.max(axis=0))
         for block in self._blocks:
-            block.GetProperty().SetPointSize(2.0 if len(cloud) > FINE_FROM else 3.0)
             self.renderer.AddActor(block)
 
     def set_moving(self, moving: bool) -> None:
@@ -103,13 +103,19 @@ class Scene:
         start = int(self._ends[self._drawn - 1]) if self._drawn else 0
         end = max(self._drawn + 1, int(np.searchsorted(self._ends, start + budget, side="right")))
         end = min(end, len(self._blocks))
+        size = self._point_size(int(self._ends[end - 1]) if end and self._moving else len(self._cloud))
         for place, block in enumerate(self._blocks):
             block.SetVisibility(self._drawn <= place < end)
+            block.GetProperty().SetPointSize(size)
         first, self._drawn = self._drawn == 0, end
         for kind, props in self._others.items():
             for prop in props:
                 prop.SetVisibility(self.is_complete if kind == "labels" else first)
         self.renderer.SetUseFXAA(self.budget.software and not self._moving and self.is_complete)
+
+    def _point_size(self, points: int) -> float:
+        """Return the size of points in pixels: the fewer stand for the part, the larger, so that it does not become transparent."""
+        return float(np.clip(FINE_POINT_PX * np.sqrt(FINE_FROM / max(points, 1)), FINE_POINT_PX, COARSE_POINT_PX))
 
     def _set_preserved(self, preserved: bool) -> None:
         self.renderer.SetPreserveColorBuffer(preserved)

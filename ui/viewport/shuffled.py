@@ -11,7 +11,7 @@ from ui.viewport.colouring import UNKNOWN
 from ui.viewport.layers import CloudLayer
 
 SEED = 0
-LEAST_BLOCK, LARGEST_BLOCK = 25_000, 500_000  # points
+LEAST_BLOCK, LARGEST_BLOCK = 10_000, 500_000  # points
 CHUNK = 1_000_000
 LIGHT = np.array([-1.0, -1.1, 0.85], np.float32) / np.float32(np.linalg.norm([-1.0, -1.1, 0.85]))  # from where one looks first
 AMBIENT, FRONT, BACK = 0.4, 0.62, 0.45  # shares of the light; the back is lit more weakly, so that it has relief too

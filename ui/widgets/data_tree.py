@@ -83,6 +83,8 @@ class DataTree(QTreeView):
         """Select a row, or a leaf below it."""
         index = self._items.index(row, 0)
         leaf = min(leaf, self._items.rowCount(index) - 1)
+        if leaf >= 0:
+            self.expand(index)
         self.setCurrentIndex(index if leaf < 0 else self._items.index(leaf, 0, index))
 
     def selected(self) -> tuple[int, int]:
