@@ -28,6 +28,7 @@ def kept(application, window, measurement, tmp_path, monkeypatch):
 
     monkeypatch.setattr(folders.ProjectFolder, "open", lambda _path: SimpleNamespace(view_choices=lambda: store.choices, nominal=None))
     monkeypatch.setattr(chosen_views, "restitch", restitch)
+    monkeypatch.setattr(application.controllers.documents, "preview", lambda: None)
     application.session.open_project("demo", "gypsum", tmp_path)
     application.session.set_measurement(measurement, {})
     window.show_page("clouds")
