@@ -89,7 +89,8 @@ class CloudsPage(ViewportPage):
         else:
             self.empty.say(*EMPTY)
         self._show_undo()
-        self._select(self.table.currentIndex().row())
+        if self._asked[2] is None:  # no point is picked whose properties are being read
+            self._select(max(0, self.table.currentIndex().row()))
 
     def _show_undo(self) -> None:
         self.undo.setVisible(bool(self.session.views) and self.controllers.view_choices.can_undo)

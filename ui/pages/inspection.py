@@ -183,7 +183,7 @@ class InspectionPage(ViewportPage):
 
         def compose(_job: Job) -> Picture:
             if wanted == "deviation" and comparison is not None:
-                normals = nominal_from_part.rotate(stitched.normals)
+                normals = nominal_from_part.rotate(comparison.stitched.normals)
                 return Picture(tuple(deviation_layers(comparison, normals, scale_end_mm(comparison))))
             if wanted == "surface" and mesh is not None:
                 return Picture(surface=mesh_layer(mesh, nominal_from_part, shade))
