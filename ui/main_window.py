@@ -132,6 +132,7 @@ class MainWindow(QMainWindow):
         session, controllers = self.session, self.controllers
         self.rail.chosen.connect(self.show_page)
         self.properties.actionClicked.connect(self._act)
+        self.properties.decisionClicked.connect(self._decide)
         self.header.openClicked.connect(self._choose_project)
         self.header.helpClicked.connect(self._show_help)
         self.header.role.valueChanged.connect(self._change_role)
@@ -157,6 +158,9 @@ class MainWindow(QMainWindow):
 
     def _act(self) -> None:
         self.page.act()
+
+    def _decide(self) -> None:
+        self.page.decide()
 
     def _unfold(self) -> None:
         self.properties.fold(False)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -11,17 +11,29 @@ from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.cli.outcome import measurement_lines, passed, tell_failures
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
+if TYPE_CHECKING:
+    from measureapp.project.folder import ProjectFolder
+
 
 def register(app: typer.Typer) -> None:
     """Add the commands."""
 
     @app.command()
-    def process(project: Annotated[Path, typer.Argument(help="Project folder.")], as_json: JsonOption = False) -> None:
+    def process(
+        project: Annotated[Path, typer.Argument(help="Project folder.")],
+        accept: Annotated[
+            list[str] | None, typer.Option(help="Use this view whatever its figures say, now and later; may be given several times.")
+        ] = None,
+        refuse: Annotated[list[str] | None, typer.Option(help="Leave this view out, now and later; may be given several times.")] = None,
+        as_json: JsonOption = False,
+    ) -> None:
         """Recompute everything, calibration included, from the stored images."""
         from measureapp.pipeline import process_project
         from measureapp.project.folder import ProjectFolder
 
-        outcome = process_project(ProjectFolder.open(project), tell_failures, TerminalProgress())
+        folder = ProjectFolder.open(project)
+        _choose(folder, accept or [], refuse or [])
+        outcome = process_project(folder, tell_failures, TerminalProgress())
         reply(outcome.document, "\n".join(measurement_lines(outcome.measurement)), as_json)
         if not passed(outcome.measurement):
             raise typer.Exit(OUT_OF_TOLERANCE)
@@ -38,3 +50,20 @@ def register(app: typer.Typer) -> None:
         reply({"checked": checked, "damaged": damaged}, "\n".join([*lines, summary]), as_json)
         if damaged:
             raise typer.Exit(OUT_OF_TOLERANCE)
+
+
+def _choose(project: ProjectFolder, accepted: list[str], refused: list[str]) -> None:
+    """Keep with the project which views are used or refused by hand."""
+    from measureapp.errors import InputError
+    from measureapp.pipeline.chosen_views import check_choices
+
+    if both := sorted(set(accepted) & set(refused)):
+        raise InputError(f"The view {both[0]!r} is accepted and refused at once.", "Name it once.")
+    choices = project.view_choices()
+    for name in accepted:
+        choices = choices.with_choice(name, "use")
+    for name in refused:
+        choices = choices.with_choice(name, "refuse")
+    if accepted or refused:
+        check_choices(choices, project.stored_viewpoints())
+        project.save_view_choices(choices)

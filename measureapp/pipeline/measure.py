@@ -23,6 +23,8 @@ from measureapp.data.measurement import Inspection, Measurement, ViewResult
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
+from measureapp.data.validity import Validity
+from measureapp.data.view_choices import ViewChoices
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, DecodeError, ReconstructError, RegistrationError
 from measureapp.fringe.bracket import BracketLimits
@@ -32,6 +34,7 @@ from measureapp.fringe.stack_checks import check_stack
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 from measureapp.map_memory import MapMemory
 from measureapp.pipeline.bracket import propose_bracket
+from measureapp.pipeline.chosen_views import chosen, with_refused
 from measureapp.pipeline.live_decoding import LiveDecoding
 from measureapp.pipeline.validity import check_before_scan, validity_of
 from measureapp.pipeline.watch import Stopwatch
@@ -265,21 +268,30 @@ def assemble(
     progress: Progress,
     watch: Stopwatch,
     groundwork: Groundwork | None = None,
+    *,
+    choices: ViewChoices | None = None,
+    validity: Validity | None = None,
 ) -> Measurement:
     """Stitch the clouds of all views, make the surface, measure the dimensions and keep everything.
 
-    ``groundwork`` is what was done of stitching while the views came.
+    Parameters
+    ----------
+    groundwork : what was done of stitching while the views came
+    choices : views used or refused by hand; None: as the project keeps them
+    validity : of the calibration, where it is known for these views; None: judged anew
 
     Raises
     ------
     RegistrationError
         No view gave a cloud worth stitching.
     """
-    validity = validity_of(project, calibrated, views)
-    on_event(ValidityKnown(validity))
-    good = [view for view in views if view.quality.accepted]
+    if validity is None:
+        validity = validity_of(project, calibrated, views)
+        on_event(ValidityKnown(validity))
+    choices = project.view_choices() if choices is None else choices
+    good = chosen(views, choices)
     if not good:
-        reasons = "; ".join(sorted({view.quality.reason for view in views})) or "no view gave points"
+        reasons = "; ".join(sorted({view.quality.reason or "refused by hand" for view in views})) or "no view gave points"
         told = " ".join(("", *validity.told))
         raise RegistrationError(f"There is nothing to stitch: {reasons}.{told}", "Look at the images; change exposures or viewpoints.")
     with watch.stage("stitching"):
@@ -287,7 +299,17 @@ def assemble(
         standing = stations([view.readback for view in good])
         settings, prior = stitch_settings(calibrated, good), _placed_by_axes(project, good)
         part = PartOf(progress, 0.0, 0.5)
-        stitched = stitch(clouds, placed, settings, part, stations=standing, prior_covariance=prior, groundwork=groundwork)
+        stitched = stitch(
+            clouds,
+            placed,
+            settings,
+            part,
+            stations=standing,
+            prior_covariance=prior,
+            accepted=choices.used,
+            groundwork=groundwork,
+        )
+        stitched = with_refused(stitched, views, choices)
     on_event(StitchReady(stitched))
     with watch.stage("surface"):
         mesh = surface(stitched, progress=PartOf(progress, 0.5, 0.7))

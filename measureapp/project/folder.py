@@ -6,6 +6,7 @@ calibration/        views/ (images of the board and read-backs), cameras.json, r
                     former/, checks/, history.jsonl
 stacks/             raw fringe images: permanent
 inspection/         program.toml and the nominal it names
+view_choices.json   views used or refused by hand
 results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`
 report/             documents
 """
@@ -26,6 +27,7 @@ from measureapp.data.model import Model, first_problem
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.data.validity import CheckRecord
+from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import CalibrationError, InputError, StorageError
 from measureapp.project import board_views, calibration_store, results
 from measureapp.project.atomic import write_text
@@ -38,6 +40,7 @@ if TYPE_CHECKING:
 DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
 ModelT = TypeVar("ModelT", bound=BaseModel)
 PROGRAM, NOMINAL = "program.toml", "nominal"
+VIEW_CHOICES = "view_choices.json"
 
 
 class ProjectSettings(Model):
@@ -185,6 +188,15 @@ class ProjectFolder:
     def nominal(self) -> Path | None:
         """The nominal's mesh file, if there is one."""
         return next(iter(sorted((self.path / "inspection").glob(f"{NOMINAL}.*"))), None)
+
+    def view_choices(self) -> ViewChoices:
+        """Return which views are used or refused by hand. Raises StorageError when the file is damaged."""
+        path = self.path / VIEW_CHOICES
+        return _read_model(path, ViewChoices) if path.exists() else ViewChoices()
+
+    def save_view_choices(self, choices: ViewChoices) -> None:
+        """Keep which views are used or refused by hand. Raises StorageError."""
+        write_text(self.path / VIEW_CHOICES, choices.model_dump_json(indent=2))
 
     @property
     def results(self) -> Path:

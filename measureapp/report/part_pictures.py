@@ -11,11 +11,12 @@ from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.deviation import Deviation, signed_distances
 from measureapp.inspection.nominal_surface import NominalSurface
 from measureapp.report.model import DeviationSummary, Picture
-from measureapp.report.picture import ViewDirection, cloud_picture, png, surface_picture
+from measureapp.report.picture import SURFACE_COLOUR, ViewDirection, cloud_picture, png, surface_picture
 
 OBLIQUE, TOP = ViewDirection(-58.0, 34.0), ViewDirection(-90.0, 89.9)
 BLUE, WHITE, RED = np.array([0.13, 0.34, 0.67]), np.array([0.97, 0.97, 0.97]), np.array([0.76, 0.15, 0.18])
 NOT_MEASURED = np.array([0.62, 0.64, 0.67])
+FILLED_IN = np.array([0.36, 0.39, 0.42])
 BINS = 40
 NICE_LIMITS_MM = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 WIDE = (840, 500)
@@ -23,9 +24,12 @@ WIDE = (840, 500)
 
 def part_pictures(measurement: Measurement) -> tuple[Picture, ...]:
     """Return pictures of the measured surface (or cloud) from obliquely above and from the top."""
-    what = "Measured points" if measurement.mesh is None else "Measured surface"
+    mesh = measurement.mesh
+    what, colours = "Measured points" if mesh is None else "Measured surface", None
+    if mesh is not None and mesh.measured is not None and not mesh.measured.all():
+        what, colours = "Measured surface (dark: filled without points)", np.where(mesh.measured[:, None], SURFACE_COLOUR, FILLED_IN)
     return tuple(
-        Picture(f"{what}, {where}", png(_render(measurement, None, direction, None)))
+        Picture(f"{what}, {where}", png(_render(measurement, None, direction, colours)))
         for where, direction in (("seen obliquely", OBLIQUE), ("seen from above", TOP))
     )
 

@@ -16,7 +16,7 @@ from measureapp.project.atomic import replacing
 from measureapp.report.compose import compose
 from measureapp.report.model import DeviationSummary, Fact, ReportModel, ViewLine
 from measureapp.report.part_pictures import diverging
-from measureapp.report.words import COLOURS, NEUTRAL, SIGNS, number, percent, tolerance
+from measureapp.report.words import COLOURS, NEUTRAL, SIGNS, datums, number, percent, spoken, tolerance
 from measureapp.resources import resource
 
 TEMPLATE = "report/report.typ"
@@ -87,6 +87,7 @@ def typst_document(model: ReportModel) -> dict[str, Any]:
         "header": _facts(model.header),
         "pictures": [{"file": f"picture{n}.png", "caption": picture.caption} for n, picture in enumerate(model.pictures)],
         "dimensions": [_dimension(dimension) for dimension in model.dimensions],
+        "origins": [_origin(dimension) for dimension in model.dimensions if dimension.origin],
         "deviation": None if model.deviation is None else _deviation(model.deviation),
         "views": [_view(view) for view in model.views],
         "sections": [{"title": section.title, "facts": _facts(section.facts)} for section in model.sections],
@@ -111,6 +112,16 @@ def _dimension(dimension: Dimension) -> dict[str, str]:
         "sign": SIGNS[dimension.verdict],
         "colour": COLOURS[dimension.verdict],
         "reason": dimension.reason,
+    }
+
+
+def _origin(dimension: Dimension) -> dict[str, str]:
+    """What a value is and what it rests on."""
+    return {
+        "name": dimension.name,
+        "kind": spoken(dimension.kind),
+        "datums": datums(dimension.datums),
+        "origin": dimension.origin,
     }
 
 

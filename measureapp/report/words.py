@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Any
 
 from measureapp.data.dimension import Verdict
 
 MINUS = "−"
 NONE = "–"
+DATUM_LETTERS = "ABC"
 SIGNS: dict[Verdict, str] = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdict.NOT_MEASURED: "–"}
 COLOURS: dict[Verdict, str] = {
     Verdict.PASS: "#1B998B",
@@ -51,6 +53,18 @@ def tolerance(lower: float, upper: float) -> str:
     if lower == -upper:
         return f"± {upper:g}"
     return " / ".join("0" if limit == 0 else f"{limit:+g}" for limit in (lower, upper)).replace("-", MINUS)
+
+
+def datums(names: Sequence[str]) -> str:
+    """Return datums in their order with their letters; those of a pattern without.
+
+    >>> datums(("gear face", "bore")), datums(())
+    ('A gear face, B bore', '–')
+    """
+    if not names:
+        return NONE
+    lettered = len(names) <= len(DATUM_LETTERS)
+    return ", ".join(f"{letter} {name}" for letter, name in zip(DATUM_LETTERS, names, strict=False)) if lettered else ", ".join(names)
 
 
 def setting(value: Any) -> str:

@@ -3,12 +3,13 @@ from __future__ import annotations
 import csv
 import io
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from measureapp.data.dimension import Verdict
+from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.mesh import Mesh
 from measureapp.errors import StorageError
 from measureapp.report.compose import compose, overall
@@ -16,7 +17,7 @@ from measureapp.report.csv import csv_text
 from measureapp.report.documents import ALL_KINDS, write_documents
 from measureapp.report.html import html_text
 from measureapp.report.json_document import dimension_document, report_document
-from measureapp.report.part_pictures import diverging, nice_limit
+from measureapp.report.part_pictures import diverging, nice_limit, part_pictures
 from measureapp.report.pdf import model_page_images, pdf_bytes, typst_document
 from measureapp.report.words import number, tolerance
 
@@ -120,3 +121,33 @@ def test_a_cloud_that_does_not_match_the_nominal_is_reported_without_deviation_a
     model = compose(measured(dimensions=None), tiny, pictures=False)
     assert model.deviation is None
     assert any(fact.name == "Not compared with the nominal" and "metres" in fact.value for fact in model.sections[0].facts)
+
+
+def test_the_report_says_what_a_value_is_and_what_it_rests_on(measured) -> None:
+    zone = Dimension(
+        "boss_position", 0.0, 0.005, 0.077, 0.0, 0.2, Verdict.PASS,
+        features=("boss",), kind="position", datums=("gear face", "bore"), origin="boss: 1372 points, 99 left out; associated axis",
+    )  # fmt: skip
+    model = compose(measured((zone,)), pictures=False)
+    printed = typst_document(model)
+    assert printed["dimensions"][0]["tolerance"] == "0 / +0.2"
+    assert printed["origins"] == [
+        {
+            "name": "boss_position",
+            "kind": "position",
+            "datums": "A gear face, B bore",
+            "origin": "boss: 1372 points, 99 left out; associated axis",
+        }
+    ]
+    assert "k = 2" in printed["rule"] and "ISO 14253-1" in printed["rule"]
+    assert pdf_bytes(model).startswith(b"%PDF-")
+    html = html_text(model)
+    assert "A gear face, B bore" in html and "1372 points, 99 left out" in html and "ISO 14253-1" in html
+
+
+def test_surface_that_was_filled_without_points_is_told_apart_in_the_pictures(measured) -> None:
+    filled, whole = measured(), measured()
+    whole = replace(whole, mesh=replace(whole.mesh, measured=None))
+    assert "dark: filled without points" in part_pictures(filled)[0].caption
+    assert "filled" not in part_pictures(whole)[0].caption
+    assert part_pictures(filled)[0].png != part_pictures(whole)[0].png

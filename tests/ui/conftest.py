@@ -133,7 +133,15 @@ def measurement(calibration: RigCalibration, inspection: Inspection) -> Measurem
     views = tuple(make_view(index) for index in range(VIEWS))
     placements = tuple(
         ViewPlacement(
-            view.viewpoint_id, view.part_from_camera, view.part_from_camera, 0.21 + 0.01 * i, 0.02, 0.014 + 0.004 * i, 0.62, "good", True
+            view.viewpoint_id,
+            view.part_from_camera,
+            view.part_from_camera,
+            0.21 + 0.01 * i,
+            0.02,
+            0.014 + 0.004 * i,
+            0.62,
+            "good",
+            view.quality.accepted,
         )
         for i, view in enumerate(views)
     )

@@ -63,7 +63,7 @@ def test_the_card_sums_up_the_deviations_in_words(qtbot, compared):
     card.show_comparison(compared)
     assert "rms" in card.words.text()
     assert "mm" in card.words.text()
-    assert card.unmeasured.text().startswith("Not measured: ")
+    assert card.unmeasured.words.text().startswith("Not measured: ")
     assert card.histogram.counts.sum() == len(compared.stitched)
     card.show_comparison(None)
     assert card.isHidden()

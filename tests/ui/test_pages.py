@@ -166,7 +166,7 @@ def test_hiding_a_view_takes_its_points_away(filled, measurement, monkeypatch, d
     page.stage.setValue("after")
     drawn(page)
     shown = []
-    monkeypatch.setattr(page.view, "set_clouds", lambda layers: shown.append(sum(len(layer.points_mm) for layer in layers)))
+    monkeypatch.setattr(page.view, "set_clouds", lambda layers, _cloud: shown.append(sum(len(layer.points_mm) for layer in layers)))
     page.table.cellClicked.emit(0, 0)
     drawn(page)
     page.table.cellClicked.emit(0, 0)
@@ -199,10 +199,10 @@ def test_the_inspection_page_shows_value_error_and_verdict(filled):
 def test_selecting_a_dimension_labels_it_in_the_viewport(filled):
     page = filled.pages["inspection"]
     filled.show_page("inspection")
-    page.table.selectRow(0)
+    page.table.select(0)
     assert [label.text for label in page.view._labels] == ["a 120.021 mm"]
     assert len(page.view._lines[-1].lines) == 3
-    page.table.selectRow(3)
+    page.table.select(3)
     assert page.view._labels == ()
     assert page.properties.note == "No points lie near the feature."
 
@@ -289,7 +289,7 @@ def test_stored_images_of_every_camera_are_read_from_the_project(tmp_path, monke
 def test_a_view_that_stitching_left_out_says_so_with_its_reason(measurement):
     from dataclasses import replace
 
-    from ui.pages.clouds import view_properties, view_verdict
+    from ui.pages.view_words import view_properties, view_verdict
 
     view, placement = measurement.views[0], measurement.stitched.placements[0]
     assert view_verdict(view, placement)[:2] == ("pass", "Good")
@@ -339,7 +339,7 @@ def test_the_papers_patterns_promise_their_wrong_orders(rig):
 def test_decoded_shares_and_losses_are_told_where_they_are_stored(filled, application, measurement):
     from dataclasses import replace
 
-    from ui.pages.clouds import view_properties
+    from ui.pages.view_words import view_properties
 
     figures = {"decoded_ratio": 0.152, "order_conflicts": 3, "phase_sigma_median": 0.0071}
     decode = {"left": figures, "right": {**figures, "decoded_ratio": 0.131}}

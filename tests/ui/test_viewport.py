@@ -10,9 +10,23 @@ from ui.look.look import Look
 from ui.viewport import colouring
 from ui.viewport.backend import choose_backend
 from ui.viewport.cloud_view import PREPARING, CloudView
-from ui.viewport.layers import CloudLayer, Label, LineLayer, SurfaceLayer, shuffled_prefix
+from ui.viewport.frame_budget import FRAME_S, FrameBudget
+from ui.viewport.layers import CloudLayer, Label, LineLayer, SurfaceLayer
+from ui.viewport.shuffled import LIGHT, shuffled
 
 RED = (220, 20, 30)
+
+
+class FixedBudget(FrameBudget):
+    """Learns nothing."""
+
+    def __init__(self, points: int) -> None:
+        super().__init__()
+        self.fixed = points
+
+    @property
+    def points(self) -> int:
+        return self.fixed
 
 
 @pytest.fixture
@@ -119,12 +133,80 @@ def test_a_new_cloud_is_framed_until_the_user_moves_the_camera(view):
     assert reddish(pixels(view))[100:140, 140:180].mean() > 0.9
 
 
-def test_the_part_drawn_while_moving_is_a_random_part_of_the_budgets_size():
-    chosen = shuffled_prefix(1000, 100)
-    assert chosen is not None
-    assert len(set(chosen.tolist())) == 100
-    assert abs(chosen.mean() - 500) < 100
-    assert shuffled_prefix(100, 100) is None
+def test_any_first_part_of_a_shuffled_cloud_stands_for_all_of_it_and_knows_where_its_points_come_from():
+    layers = [block(60_000), CloudLayer(block(40_000).points_mm + np.array([100.0, 0, 0]), colouring.plain((0, 0, 255), 40_000))]
+    cloud = shuffled(layers)
+    parts = cloud.blocks()
+    assert [part.start for part in parts] == [0, *(part.stop for part in parts[:-1])]
+    assert parts[-1].stop == len(cloud) == 100_000
+    share = np.mean(cloud.points_mm[parts[0], 0] > 50)
+    assert abs(share - 0.4) < 5 * np.sqrt(0.4 * 0.6 / 10_000)
+    for place in (0, 777, 99_999):
+        layer, inside = cloud.origin(place)
+        assert np.allclose(cloud.points_mm[place], layers[layer].points_mm[inside], atol=1e-5)
+    assert cloud.points_mm.dtype == np.float32 and cloud.colours.dtype == np.uint8
+
+
+def test_points_are_shaded_by_their_normals_but_what_was_not_measured_keeps_its_colour():
+    normals = np.array([LIGHT, -LIGHT, np.cross(LIGHT, [0, 0, 1])])
+    lit = shuffled([CloudLayer(np.zeros((3, 3)), colouring.plain((200, 200, 200), 3), normals)])
+    grey = {int(lit.order[place]): int(lit.colours[place, 0]) for place in range(3)}
+    assert grey[0] > grey[1] > grey[2] > 60
+    unknown = shuffled([CloudLayer(np.zeros((3, 3)), np.tile(colouring.UNKNOWN, (3, 1)), normals)])
+    assert (unknown.colours == colouring.UNKNOWN).all()
+
+
+def test_the_budget_settles_where_a_frame_takes_its_time_whatever_it_costs_without_points():
+    budget = FrameBudget("OpenGL renderer string:  llvmpipe (LLVM 15.0.6, 256 bits)")
+    assert budget.software
+    for _ in range(60):
+        budget.observe(budget.points, 0.03 + 3e-7 * budget.points)
+    assert 0.03 + 3e-7 * budget.points == pytest.approx(FRAME_S, rel=0.03)
+    assert not FrameBudget("OpenGL renderer string:  NVIDIA GeForce RTX 3060").software
+
+
+def test_a_cloud_drawn_in_parts_is_the_same_picture_as_one_drawn_at_once(view):
+    view.activate()
+    layer = block(150_000)
+    view.set_clouds([CloudLayer(layer.points_mm * [3, 1, 1], layer.colours)])
+    view.set_labels([Label("label", np.zeros(3))])
+    scene = view._scene
+    scene.budget = FixedBudget(10**9)
+    view._view.refresh()
+    whole = pixels(view)
+    scene.budget = FixedBudget(1)
+    view._view.refresh()
+    view._view._render()
+    assert not scene.is_complete
+    assert (pixels(view) == whole).all()
+    assert scene.is_complete
+
+
+def test_while_the_camera_moves_a_frame_has_only_what_its_time_allows(view):
+    view.activate()
+    view.set_clouds([block(150_000)])
+    scene = view._scene
+    scene.budget = FixedBudget(50_000)
+    scene.set_moving(True)
+    pixels(view)
+    view._view.refresh()
+    pixels(view)
+    assert scene.is_complete and scene.frame_points == 50_000
+    scene.set_moving(False)
+    view._view.refresh()
+    pixels(view)
+    assert scene._drawn == len(scene._blocks)
+
+
+def test_what_was_not_measured_is_hatched_on_points_and_surfaces(view):
+    view.activate()
+    corners = np.array([[0, 0, 0], [10, 0, 0], [10, 0, 10], [0, 0, 10]], float)
+    triangles = np.array([[0, 1, 2], [0, 2, 3]])
+    levels = []
+    for colour in (colouring.UNKNOWN, colouring.UNKNOWN + 8):
+        view.set_surface(SurfaceLayer(corners, triangles, np.tile(colour, (4, 1)).astype(np.uint8)))
+        levels.append(pixels(view)[110:130, 150:170].mean(axis=2).std())
+    assert levels[0] > 15 > 2 > levels[1]
 
 
 def test_values_that_are_not_finite_are_grey_on_every_scale():

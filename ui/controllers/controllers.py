@@ -15,6 +15,7 @@ from ui.controllers.project import ProjectController
 from ui.controllers.recent_calibration import RecentCalibrationController
 from ui.controllers.startup import StartupController
 from ui.controllers.stored_images import StoredImagesController
+from ui.controllers.view_choices import ViewChoicesController
 from ui.session import Session
 
 
@@ -34,6 +35,7 @@ class Controllers(QObject):
         self.comparison = ComparisonController(session, self.background, self)
         self.stored_images = StoredImagesController(session, self.background, self)
         self.holes = HolesController(session, self.explaining, self)
+        self.view_choices = ViewChoicesController(session, self.jobs, self)
         kinds: tuple[Kind, ...] = ("cameras", "axis", "hand-eye", "guide", "rig")
         self.calibrating = {kind: CalibratingController(kind, session, self.demo, self.jobs, self.solving, self) for kind in kinds}
         self.recent_calibration = RecentCalibrationController(session, self.background, self)

@@ -9,10 +9,11 @@ from PySide6.QtWidgets import QHeaderView
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
-from ui.look.wording import NOTHING, counted, millimetres, percent, quantity, sentence, several
+from ui.look.wording import NOTHING, counted, millimetres, several
 from ui.pages.holes_dialog import HolesDialog
 from ui.pages.layers import ColourBy, PlacedClouds, placements_of, rgb, scale_end, stitched_layer, view_layer
 from ui.pages.picked_point import merged_point, point_properties, view_point
+from ui.pages.view_words import REFUSED, choice_for, view_properties, view_verdict
 from ui.pages.viewport_page import Composer, Picture, ViewportPage
 from ui.session import Session
 from ui.viewport.colouring import GROWING
@@ -21,7 +22,7 @@ from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.colour_scale import ColourScale
 from ui.widgets.data_table import Cell, DataTable, number, verdict_cell
 from ui.widgets.empty_state import EmptyState
-from ui.widgets.properties_panel import Group, Properties
+from ui.widgets.properties_panel import Properties
 from ui.widgets.segments import Segments
 from ui.workers.job import Job
 
@@ -58,6 +59,10 @@ class CloudsPage(ViewportPage):
         self.holes = Button("Images and holes", look, "holes", tip="The images of the selected view, and why pixels have no point")
         self.holes.clicked.connect(self.act)
         self.action_row.addWidget(self.holes)
+        self.undo = Button("Undo", look, "undo", "quiet", "Take the last choice of a view back")
+        self.undo.clicked.connect(controllers.view_choices.undo)
+        self.action_row.insertWidget(0, self.undo)
+        controllers.view_choices.undoChanged.connect(self._show_undo)
         self._placed = PlacedClouds()
         fit = Button("Show all", look, "fit", "quiet", "Look at everything from the front")
         fit.clicked.connect(self.view.reset_camera)
@@ -83,6 +88,12 @@ class CloudsPage(ViewportPage):
             self.empty.say("No clouds yet", "The first cloud appears when the first viewpoint is processed.", offer=False)
         else:
             self.empty.say(*EMPTY)
+        self._show_undo()
+        if self._asked[2] is None:  # no point is picked whose properties are being read
+            self._select(max(0, self.table.currentIndex().row()))
+
+    def _show_undo(self) -> None:
+        self.undo.setVisible(bool(self.session.views) and self.controllers.view_choices.can_undo)
 
     def placements(self) -> dict[str, ViewPlacement]:
         """Return how each view was stitched, so far."""
@@ -92,6 +103,7 @@ class CloudsPage(ViewportPage):
         views, stitched = self.session.views, self.session.stitched
         self.show_filled(bool(views))
         self.holes.setVisible(bool(views) and self.controllers.holes.can_explain)
+        self._show_undo()
         for name in ("after", "merged"):
             self.stage.set_available(name, stitched is not None)
         if stitched is None and self.stage.value() != "before":
@@ -112,12 +124,13 @@ class CloudsPage(ViewportPage):
 
     def _cells(self, index: int, view: ViewResult, placement: ViewPlacement | None) -> list[Cell]:
         verdict, words, why = view_verdict(view, placement)
+        was_placed = placement is not None and not placement.verdict.startswith(REFUSED)
         return [
             Cell("", sign="hidden" if view.viewpoint_id in self.hidden else "eye", tip="Show or hide this view"),
             Cell(view.viewpoint_id, sign=self.look.theme.view(index).name(), bold=True),
             number(counted(len(view.cloud))),
-            number(millimetres(placement.correction_mm) if placement else NOTHING),
-            number(millimetres(placement.residual_mm) if placement else NOTHING),
+            number(millimetres(placement.correction_mm) if placement is not None and was_placed else NOTHING),
+            number(millimetres(placement.residual_mm) if placement is not None and was_placed else NOTHING),
             verdict_cell(verdict, words, why),
         ]
 
@@ -131,7 +144,10 @@ class CloudsPage(ViewportPage):
         if 0 <= place < len(self.session.views):
             view = self.session.views[place]
             self._asked = (view.viewpoint_id, 0, None)
-            self.show_properties(self._with_action(view_properties(view, self.placements().get(view.viewpoint_id))))
+            placement = self.placements().get(view.viewpoint_id)
+            shown = self._with_action(view_properties(view, placement))
+            can_choose = self.session.stitched is not None and self.controllers.view_choices.can_choose
+            self.show_properties(replace(shown, decision=choice_for(placement)[0]) if can_choose else shown)
 
     def _with_action(self, properties: Properties) -> Properties:
         return replace(properties, action=ACTION) if self.controllers.holes.can_explain else properties
@@ -143,6 +159,12 @@ class CloudsPage(ViewportPage):
         cameras = () if calibration is None else calibration.cameras.names
         if name:
             self.dialog.open_view(name, cameras[place] if place < len(cameras) else "", pixel)
+
+    def decide(self) -> None:
+        """Use the selected view although it was left out, or leave it out."""
+        name = self._asked[0]
+        if name:
+            self.controllers.view_choices.choose(name, choice_for(self.placements().get(name))[1])
 
     def _visible(self) -> list[int]:
         return [index for index, view in enumerate(self.session.views) if view.viewpoint_id not in self.hidden]
@@ -178,11 +200,12 @@ class CloudsPage(ViewportPage):
         self.scale.setVisible(colour_by in SCALE_NAMES)
         self.scale.show_scale(SCALE_NAMES.get(colour_by, ""), GROWING, 0.0, end)
         theme, stage, placed_clouds = self.look.theme, self.stage.value(), self._placed
+        places = {view.viewpoint_id: index for index, view in enumerate(views)}
         visible = self._visible() if stitched is None or stage != "merged" else self._visible_merged(stitched)
 
         def compose(job: Job) -> Picture:
             if stage == "merged" and stitched is not None:
-                return Picture((stitched_layer(theme, stitched, colour_by, end, visible),))
+                return Picture((stitched_layer(theme, stitched, colour_by, end, visible, places),))
             layers = []
             for index in visible:
                 job.check()
@@ -192,64 +215,3 @@ class CloudsPage(ViewportPage):
             return Picture(tuple(layers))
 
         return compose
-
-
-def view_verdict(view: ViewResult, placement: ViewPlacement | None) -> tuple[str, str, str]:
-    """Return the sign of a view's verdict, the word, and the reason."""
-    if not view.quality.accepted:
-        return "fail", "Poor", sentence(view.quality.reason)
-    if placement is not None and not placement.used:
-        return "fail", "Left out", sentence(placement.verdict.removesuffix(": left out"))
-    if placement is not None and placement.verdict != "good":
-        return "not proven", "Doubtful", sentence(placement.verdict)
-    return "pass", "Good", "Accepted by cloud statistics" + (" and fine stitching." if placement is not None else ".")
-
-
-def decoding_group(view: ViewResult) -> Group:
-    """Return how much of the images was decoded."""
-    rows = [(f"Camera {camera}", percent(figures["decoded_ratio"])) for camera, figures in view.decode.items()]
-    conflicts = sum(int(figures["order_conflicts"]) for figures in view.decode.values())
-    noise = [float(figures["phase_sigma_median"]) for figures in view.decode.values() if figures["phase_sigma_median"]]
-    rows.append(("Order conflicts", counted(conflicts)))
-    if noise:
-        rows.append(("Phase noise (median)", quantity(max(noise), "rad", 4)))
-    return Group("Pixels decoded", tuple(rows))
-
-
-def view_properties(view: ViewResult, placement: ViewPlacement | None) -> Properties:
-    """Return what there is to know about one view."""
-    quality = view.quality
-    groups = [
-        Group(
-            "Cloud",
-            (
-                ("Points", counted(quality.points)),
-                ("Density", quantity(quality.density_per_mm2, "per mm²", 2)),
-                ("Noise", millimetres(quality.noise_mm)),
-                ("Outliers", percent(quality.outlier_ratio)),
-                ("Completeness", percent(quality.completeness, 0)),
-            ),
-        )
-    ]
-    if placement is not None:
-        groups.append(
-            Group(
-                "Fine stitching",
-                (
-                    ("Correction", f"{millimetres(placement.correction_mm)} · {quantity(placement.correction_deg, '°')}"),
-                    ("Allowed", f"{millimetres(placement.bound_mm)} · {quantity(placement.bound_deg, '°')}"),
-                    ("Placed within ± σ", f"{millimetres(placement.sigma_mm)} · {quantity(placement.sigma_deg, '°')}"),
-                    ("Held by the axes alone", "; ".join(placement.held_by_axes) or "nothing"),
-                    ("Residual (rms)", millimetres(placement.residual_mm)),
-                    ("Overlap", percent(placement.overlap, 0)),
-                    ("Used", "Yes" if placement.used else "No"),
-                ),
-            )
-        )
-    if view.decode:
-        groups.append(decoding_group(view))
-    left_out = sorted(((count, name) for name, count in view.rejected.items() if count), reverse=True)
-    if left_out:
-        groups.append(Group("Points left out", tuple((sentence(name).rstrip("."), counted(count)) for count, name in left_out)))
-    verdict, _, why = view_verdict(view, placement)
-    return Properties(view.viewpoint_id, tuple(groups), "" if verdict == "pass" else why)

@@ -8,9 +8,10 @@ from PySide6.QtWidgets import QFrame
 
 from ui.look.look import Look
 from ui.look.wording import millimetres, percent
-from ui.viewport.colouring import DIVERGING, UNKNOWN, upper_end
-from ui.widgets.basic import column, label, row
+from ui.viewport.colouring import DIVERGING, upper_end
+from ui.widgets.basic import column, label
 from ui.widgets.histogram import Histogram
+from ui.widgets.not_measured import NotMeasuredLegend
 
 if TYPE_CHECKING:
     from ui.session import Comparison
@@ -24,13 +25,9 @@ class DeviationCard(QFrame):
         self.setObjectName("card")
         self.histogram = Histogram(look)
         self.words = label("", "soft", wrap=True)
-        self.unmeasured = label("", "small")
-        swatch = QFrame()
-        swatch.setFixedSize(12, 12)
-        swatch.setStyleSheet(f"background: rgb({UNKNOWN[0]}, {UNKNOWN[1]}, {UNKNOWN[2]}); border-radius: 3px")
-        legend = row(swatch, self.unmeasured, 0, spacing=8)
+        self.unmeasured = NotMeasuredLegend(look)
         heading = label("Deviation from the drawing", "heading")
-        self.setLayout(column(heading, self.words, self.histogram, legend, margin=16, spacing=8))
+        self.setLayout(column(heading, self.words, self.histogram, self.unmeasured, margin=16, spacing=8))
 
     def show_comparison(self, comparison: Comparison | None) -> None:
         """Show these deviations, or nothing."""
@@ -42,7 +39,7 @@ class DeviationCard(QFrame):
         self.words.setText(
             f"Mean {millimetres(found.mean_mm, signed=True)}, rms {millimetres(found.rms_mm)}; 95 % lie within {millimetres(found.p95_mm)}."
         )
-        self.unmeasured.setText(f"Not measured: {percent(found.unmeasured_share)} of the drawing's surface")
+        self.unmeasured.say(f"Not measured: {percent(found.unmeasured_share)} of the drawing's surface")
 
 
 def scale_end_mm(comparison: Comparison) -> float:

@@ -10,17 +10,27 @@ from PySide6.QtWidgets import QWidget
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
-from ui.look.wording import counted, millimetres, percent, quantity, sentence_case
+from ui.look.wording import millimetres, percent, quantity, sentence_case
 from ui.pages.deviation_card import DeviationCard, scale_end_mm
-from ui.pages.layers import deviation_layers, mesh_layer, points_layer, rgb
+from ui.pages.dimension_rows import (
+    branches_of,
+    dimension_properties,
+    dimension_words,
+    feature_group,
+    features_of,
+    other_features,
+    unit_of,
+)
+from ui.pages.layers import deviation_layers, filled_share, mesh_layer, points_layer, rgb
 from ui.pages.outlines import outline
 from ui.pages.viewport_page import Composer, Picture, ViewportPage
 from ui.session import Session
 from ui.viewport.layers import Label, LineLayer
 from ui.widgets.basic import Button, card, column, label, row
-from ui.widgets.data_table import Cell, DataTable, number, verdict_cell
+from ui.widgets.data_tree import DataTree
 from ui.widgets.empty_state import EmptyState
-from ui.widgets.properties_panel import Group, Properties
+from ui.widgets.not_measured import NotMeasuredLegend
+from ui.widgets.properties_panel import Properties
 from ui.widgets.segments import Segments
 from ui.workers.job import Job
 
@@ -33,12 +43,12 @@ EMPTY = (
     "An inspection program fits features to the measured points and compares their distances with the drawing.",
 )
 HEADERS = ["Dimension", "Nominal", "Measured", "Error", "U", "Verdict"]
+FILLED = "Filled without points, never measured on"
 UNLIMITED = 16_777_215  # Qt's largest height of a widget
 UNITS = "Lengths in mm, U for k = 2"
-TABLE_WIDTH, DEVIATION_HEIGHT = 520, 400
-SIDE_SHARES = (1000, 500, 1)  # the rest stays empty only when table and histogram have what they can use
+TABLE_WIDTH, DEVIATION_HEIGHT = 584, 400
+SIDE_SHARES = (1000, 0, 500, 1)  # the rest stays empty only when table and histogram have what they can use
 OUTLINE = (70, 82, 90)  # seen on the part in both themes
-DIGITS = {"mm": 3, "deg": 3, "°": 3}
 
 
 class InspectionPage(ViewportPage):
@@ -54,14 +64,17 @@ class InspectionPage(ViewportPage):
         self.shape.valueChanged.connect(self.redraw)
         self.deviation = DeviationCard(look)
         self.summary = {verdict: label("", "strong") for verdict in ("pass", "fail", "not proven", "not measured")}
-        self.table = DataTable(look, HEADERS, numeric=(1, 2, 3, 4), stretch=0)
+        self.table = DataTree(look, HEADERS, numeric=(1, 2, 3, 4), stretch=0)
         self.table.rowSelected.connect(self._select)
+        self.table.heightChanged.connect(self._share_height)
+        self.rule = label("", "small", wrap=True)
+        self.filled = NotMeasuredLegend(look)
         fit = Button("Show all", look, "fit", "quiet", "Look at everything from the front")
         fit.clicked.connect(self.view.reset_camera)
-        tools = row(self.shape, fit, 0, *self.summary.values(), label(UNITS, "small"), spacing=16)
+        tools = row(self.shape, fit, self.filled, 0, *self.summary.values(), label(UNITS, "small"), spacing=16)
         side = QWidget()
         side.setFixedWidth(TABLE_WIDTH)
-        beside = column(self.table, self.deviation, 0, spacing=16)
+        beside = column(self.table, self.rule, self.deviation, 0, spacing=12)
         for place, share in enumerate(SIDE_SHARES):
             beside.setStretch(place, share)
         side.setLayout(beside)
@@ -124,25 +137,36 @@ class InspectionPage(ViewportPage):
         self.state.setText(
             f"{sentence_case(self.session.inspection.program)}. Aligned by {alignment.name}, {millimetres(alignment.rms_mm)} rms."
         )
-        self.table.set_rows([dimension_cells(found) for found in dimensions])
+        self.rule.setText(decision_rule())
+        self.table.set_branches(branches_of(dimensions, self.session.inspection.features))
         self._share_height()
-        if not self.table.currentIndex().isValid() and dimensions:
-            self.table.selectRow(0)
-        self._select(max(0, self.table.currentIndex().row()))
+        if self.table.selected()[0] < 0 and dimensions:
+            self.table.select(0)
+        self._select(*self.table.selected())
         if self.isVisible():
             self.controllers.comparison.compare()
         self.redraw()
 
-    def _select(self, place: int) -> None:
-        dimensions = self.dimensions()
-        if 0 <= place < len(dimensions):
-            self.show_properties(dimension_properties(dimensions[place], self._features(dimensions[place])))
-            self._highlight()
+    def _select(self, place: int, leaf: int = -1) -> None:
+        dimension, features = self._chosen(place, leaf)
+        if dimension is not None and leaf < 0:
+            self.show_properties(dimension_properties(dimension, features, decision_rule()))
+        elif features and leaf >= 0:
+            self.show_properties(Properties(sentence_case(features[0].name), (feature_group(features[0]),)))
+        self._highlight()
 
-    def _features(self, dimension: Dimension) -> list[Feature]:
-        inspection = self.session.inspection
-        known = {} if inspection is None else {feature.name: feature for feature in inspection.features}
-        return [known[name] for name in dimension.features if name in known]
+    def _chosen(self, place: int, leaf: int) -> tuple[Dimension | None, list[Feature]]:
+        """Return the dimension of a row, if it is one, and the features found that it or its leaf stands for."""
+        inspection, dimensions = self.session.inspection, self.dimensions()
+        if inspection is None or place < 0:
+            return None, []
+        if place >= len(dimensions):
+            others = other_features(dimensions, inspection.features)
+            return None, others[leaf : leaf + 1] if leaf >= 0 else others
+        known = {feature.name: feature for feature in inspection.features}
+        mine = [feature for _, feature in features_of(dimensions[place], known)]
+        chosen = mine if leaf < 0 else mine[leaf : leaf + 1]
+        return dimensions[place], [feature for feature in chosen if feature is not None]
 
     def composer(self) -> Composer | None:
         """Compose the part in the nominal's frame."""
@@ -154,10 +178,12 @@ class InspectionPage(ViewportPage):
         self.shape.set_available("surface", mesh is not None)
         shade = (196, 204, 208) if self.look.theme.shade == "light" else (150, 162, 168)
         wanted = self.shape.value()
+        filled = filled_share(mesh) if mesh is not None and wanted == "surface" else 0.0
+        self.filled.say(f"{FILLED}: {percent(filled)} of the surface" if filled else "")
 
         def compose(_job: Job) -> Picture:
             if wanted == "deviation" and comparison is not None:
-                normals = nominal_from_part.rotate(stitched.normals)
+                normals = nominal_from_part.rotate(comparison.stitched.normals)
                 return Picture(tuple(deviation_layers(comparison, normals, scale_end_mm(comparison))))
             if wanted == "surface" and mesh is not None:
                 return Picture(surface=mesh_layer(mesh, nominal_from_part, shade))
@@ -166,86 +192,32 @@ class InspectionPage(ViewportPage):
         return compose
 
     def _highlight(self) -> None:
-        """Outline all features quietly; those of the selected dimension stand out and carry its value."""
-        inspection, place = self.session.inspection, self.table.currentIndex().row()
-        dimensions = self.dimensions()
+        """Outline all features quietly; those of the selected row stand out, and a dimension carries its value."""
+        inspection, (place, leaf) = self.session.inspection, self.table.selected()
         if inspection is None:
             return
-        chosen = dimensions[place] if 0 <= place < len(dimensions) else None
-        mine = self._features(chosen) if chosen is not None else []
-        quiet = [outline(feature) for feature in inspection.features if feature not in mine]
+        dimension, mine = self._chosen(place, leaf)
         theme = self.look.theme
+        quiet = [outline(feature) for feature in inspection.features if feature not in mine]
         layers = [LineLayer(tuple(line for line in quiet if len(line)), OUTLINE, 1.5)]
         labels = []
-        if chosen is not None and mine:
-            colour = theme.verdict(chosen.verdict)
-            strong = (colour.red(), colour.green(), colour.blue())
+        if mine:
+            colour = theme.colour("accent") if dimension is None else theme.verdict(dimension.verdict)
             lines = [line for line in (outline(feature) for feature in mine) if len(line)]
             centres = np.array([feature.point_mm for feature in mine])
-            if len(centres) > 1:
-                lines.append(centres)
-            layers.append(LineLayer(tuple(lines), strong, 3.5))
-            words = f"{dimension_words(chosen.name)} {quantity(chosen.measured, _unit(chosen), 3)}".replace("\u00a0", " ")
-            labels.append(Label(words, centres.mean(axis=0), rgb(theme, "text"), rgb(theme, "surface")))
+            if dimension is not None and leaf < 0:
+                if len(centres) > 1:
+                    lines.append(centres)
+                words = f"{dimension_words(dimension.name)} {quantity(dimension.measured, unit_of(dimension), 3)}".replace("\u00a0", " ")
+                labels.append(Label(words, centres.mean(axis=0), rgb(theme, "text"), rgb(theme, "surface")))
+            layers.append(LineLayer(tuple(lines), (colour.red(), colour.green(), colour.blue()), 3.5))
         self.view.set_lines(layers)
         self.view.set_labels(labels)
 
 
-def _unit(dimension: Dimension) -> str:
-    return "°" if dimension.unit == "deg" else dimension.unit
+def decision_rule() -> str:
+    """Return the rule by which the dimensions are judged, in words."""
+    from measureapp.inspection.settings import InspectionSettings
+    from measureapp.inspection.verdict import RULES
 
-
-def dimension_words(name: str) -> str:
-    """Return the name of a dimension as words; a letter stays as it is in the drawing."""
-    return name if len(name) == 1 else sentence_case(name)
-
-
-def dimension_cells(dimension: Dimension) -> list[Cell]:
-    """Return one row of the table."""
-    unit = "" if dimension.unit == "mm" else _unit(dimension)
-    digits = DIGITS.get(dimension.unit, 3)
-    return [
-        Cell(dimension_words(dimension.name), bold=True),
-        number(quantity(dimension.nominal, unit, digits)),
-        number(quantity(dimension.measured, unit, digits)),
-        number(quantity(dimension.error, unit, digits, signed=True)),
-        number(quantity(dimension.uncertainty, unit, digits)),
-        verdict_cell(str(dimension.verdict), tip=dimension.reason),
-    ]
-
-
-def tolerance(lower: float, upper: float, unit: str) -> str:
-    """Return a tolerance: ``± 0.100 mm``, or both limits where they differ."""
-    if -lower == upper:
-        return f"±\u00a0{quantity(upper, unit)}"
-    return f"{quantity(lower, '', signed=True)}\u00a0/\u00a0{quantity(upper, unit, signed=True)}"
-
-
-def dimension_properties(dimension: Dimension, features: list[Feature]) -> Properties:
-    """Return what there is to know about one dimension."""
-    unit = _unit(dimension)
-    values = Group(
-        "Result",
-        (
-            ("Nominal", quantity(dimension.nominal, unit)),
-            ("Tolerance", tolerance(dimension.lower_tolerance, dimension.upper_tolerance, unit)),
-            ("Measured", quantity(dimension.measured, unit)),
-            ("Error", quantity(dimension.error, unit, signed=True)),
-            ("Relative error", percent(dimension.relative_error, 3, signed=True)),
-            ("Uncertainty (k = 2)", quantity(dimension.uncertainty, unit)),
-        ),
-    )
-    fits = tuple(
-        Group(
-            f"{sentence_case(feature.name)} ({feature.shape})",
-            (
-                ("Points", counted(feature.points)),
-                ("Left out", counted(feature.left_out)),
-                ("Form error", millimetres(feature.form_error_mm)),
-                ("Residual (rms)", millimetres(feature.rms_mm)),
-                *([("Radius", millimetres(feature.radius_mm))] if feature.radius_mm is not None else []),
-            ),
-        )
-        for feature in features
-    )
-    return Properties(dimension_words(dimension.name), (values, *fits), dimension.reason)
+    return RULES[InspectionSettings().verdict_rule]

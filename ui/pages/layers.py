@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
 
 DENSE_TRIANGLES = 150_000  # so dense that rounded edges are not seen
 SCALE_SAMPLES = 20_000  # of each cloud decide the end of the scale
-FILLED_IN = (110, 118, 123)
 ColourBy = Literal["view", "sigma", "grey", "residual"]
 
 
@@ -90,8 +89,10 @@ def view_layer(
     return CloudLayer(cloud.points_mm, colours, cloud.normals, to_read=colour_by in {"sigma", "residual"})
 
 
-def stitched_layer(theme: Theme, stitched: StitchedCloud, colour_by: ColourBy, end_mm: float, visible: Collection[int]) -> CloudLayer:
-    """Return the merged points of the visible views, coloured."""
+def stitched_layer(
+    theme: Theme, stitched: StitchedCloud, colour_by: ColourBy, end_mm: float, visible: Collection[int], places: Mapping[str, int]
+) -> CloudLayer:
+    """Return the merged points of the visible views, coloured; ``places`` tells the place of a view among all, which is its colour."""
     keep = np.isin(stitched.view, list(visible))
     view = stitched.view[keep]
     if colour_by == "sigma":
@@ -102,9 +103,11 @@ def stitched_layer(theme: Theme, stitched: StitchedCloud, colour_by: ColourBy, e
         residuals = np.array([placement.residual_mm for placement in stitched.placements])
         colours = along(GROWING, residuals[view], 0.0, end_mm)
     else:
-        palette = np.array([view_colour(theme, index) for index in range(len(stitched.placements))], np.uint8)
+        palette = np.array([view_colour(theme, places.get(found.viewpoint_id, 0)) for found in stitched.placements], np.uint8)
         colours = palette[view]
-    return CloudLayer(stitched.points_mm[keep], colours, stitched.normals[keep], to_read=colour_by in {"sigma", "residual"})
+    return CloudLayer(
+        stitched.points_mm.astype(np.float32)[keep], colours, stitched.normals[keep], to_read=colour_by in {"sigma", "residual"}
+    )
 
 
 def deviation_layers(comparison: Comparison, normals: np.ndarray, end_mm: float) -> list[CloudLayer]:
@@ -122,11 +125,20 @@ def points_layer(stitched: StitchedCloud, frame: RigidTransform, shade: tuple[in
     return CloudLayer(frame.apply(stitched.points_mm), plain(shade, len(stitched)), frame.rotate(stitched.normals))
 
 
+def filled_share(mesh: Mesh) -> float:
+    """Return the share of a surface's area that was filled in without points; dimensions are never measured there."""
+    if mesh.measured is None or mesh.measured.all():
+        return 0.0
+    first, second, third = (mesh.vertices_mm[mesh.triangles[:, corner]] for corner in range(3))
+    areas = np.linalg.norm(np.cross(second - first, third - first), axis=1)
+    return float(areas[~mesh.measured[mesh.triangles].all(axis=1)].sum() / max(float(areas.sum()), 1e-12))
+
+
 def mesh_layer(mesh: Mesh, frame: RigidTransform, shade: tuple[int, int, int]) -> SurfaceLayer:
-    """Return the measured surface in another frame; what was filled in without points is darker."""
+    """Return the measured surface in another frame; what was filled in without points is hatched."""
     colours = plain(shade, len(mesh.vertices_mm))
     if mesh.measured is not None:
-        colours[~mesh.measured] = FILLED_IN
+        colours[~mesh.measured] = UNKNOWN
     vertices = frame.apply(mesh.vertices_mm)
     normals = vertex_normals(vertices, mesh.triangles) if len(mesh.triangles) > DENSE_TRIANGLES else None
     return SurfaceLayer(vertices, mesh.triangles, colours, normals=normals)

@@ -67,5 +67,8 @@ class Page(QWidget):
     def act(self) -> None:
         """Do what the button of the properties says."""
 
+    def decide(self) -> None:
+        """Decide what the second button of the properties says."""
+
     def close_page(self) -> None:
         """Release what must not outlive the window."""

@@ -14,6 +14,7 @@ from ui.pages.page import Page
 from ui.session import Session
 from ui.viewport.cloud_view import CloudView
 from ui.viewport.layers import CloudLayer, SurfaceLayer
+from ui.viewport.shuffled import ShuffledCloud, shuffled
 from ui.widgets.empty_state import EmptyState
 from ui.workers.job import Job
 
@@ -55,12 +56,15 @@ class ViewportPage(Page):
         composer = self.composer()
         if composer is not None:
             self.is_composing = True
-            self.controllers.drawing.run("Drawing", composer, self._show_picture, on_stopped=self._stop_composing, quiet=True)
+            self.controllers.drawing.run(
+                "Drawing", lambda job: _prepared(composer, job), self._show_picture, on_stopped=self._stop_composing, quiet=True
+            )
 
     @Slot(object)
-    def _show_picture(self, picture: Picture) -> None:
+    def _show_picture(self, prepared: tuple[Picture, ShuffledCloud]) -> None:
+        picture, cloud = prepared
         self.view.set_surface(picture.surface)
-        self.view.set_clouds(picture.clouds)
+        self.view.set_clouds(picture.clouds, cloud)
         self._stop_composing()
         if self._stale:
             self.redraw()
@@ -84,3 +88,9 @@ class ViewportPage(Page):
             self.view.activate()
         elif self.session.graphics == "failed":
             self.view.explain(self.session.graphics_problem)
+
+
+def _prepared(composer: Composer, job: Job) -> tuple[Picture, ShuffledCloud]:
+    """Compose the picture and bring its points into the order in which they are drawn; runs on a job's thread."""
+    picture = composer(job)
+    return picture, shuffled(picture.clouds)

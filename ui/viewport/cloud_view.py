@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QLabel, QStackedLayout, QWidget
 from ui.look.look import Look
 from ui.viewport.backend import NO_GRAPHICS, choose_backend, off_screen_window
 from ui.viewport.layers import CloudLayer, Label, LineLayer, SurfaceLayer
+from ui.viewport.shuffled import ShuffledCloud, shuffled
 
 if TYPE_CHECKING:
     from ui.viewport.native import NativeView
@@ -33,6 +34,7 @@ class CloudView(QWidget):
         self._view: OffScreenView | NativeView | None = None
         self._allowed = False
         self._clouds: tuple[CloudLayer, ...] = ()
+        self._cloud = shuffled(())
         self._surface: SurfaceLayer | None = None
         self._lines: tuple[LineLayer, ...] = ()
         self._labels: tuple[Label, ...] = ()
@@ -59,11 +61,12 @@ class CloudView(QWidget):
         """Say why there is no 3-D view."""
         self._placeholder.setText(why)
 
-    def set_clouds(self, layers: Sequence[CloudLayer]) -> None:
-        """Show these clouds."""
+    def set_clouds(self, layers: Sequence[CloudLayer], cloud: ShuffledCloud | None = None) -> None:
+        """Show these clouds; ``cloud`` is all of them shuffled, where that was made already, on a thread."""
         self._clouds = tuple(layers)
+        self._cloud = shuffled(self._clouds) if cloud is None else cloud
         if self._scene is not None:
-            self._scene.set_clouds(self._clouds)
+            self._scene.set_cloud(self._cloud)
             self._refresh()
 
     def set_surface(self, layer: SurfaceLayer | None) -> None:
@@ -125,7 +128,7 @@ class CloudView(QWidget):
         self._scene, self._view = scene, view
         view.clicked.connect(self._pick)
         self._dress()
-        scene.set_clouds(self._clouds)
+        scene.set_cloud(self._cloud)
         scene.set_surface(self._surface)
         scene.set_lines(self._lines)
         scene.set_labels(self._labels)

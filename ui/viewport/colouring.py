@@ -7,7 +7,8 @@ import numpy as np
 # Blue – pale – red (diverging) and dark blue – teal – yellow (growing), as supports of a linear interpolation.
 GROWING = np.array([[38, 24, 95], [33, 96, 140], [31, 150, 139], [104, 198, 96], [240, 228, 66]], float)
 DIVERGING = np.array([[33, 82, 165], [110, 160, 215], [244, 244, 244], [230, 130, 110], [178, 24, 43]], float)
-UNKNOWN = np.array([140, 147, 151], np.uint8)
+UNKNOWN = np.array([140, 147, 151], np.uint8)  # not measured; the 3-D view draws it hatched, whatever it is on
+HATCH_SHADE = 0.62  # of the dark stripes
 
 
 def along(scale: np.ndarray, values: np.ndarray, low: float, high: float) -> np.ndarray:

@@ -46,10 +46,3 @@ class Label:
     point_mm: np.ndarray  # (3,)
     colour: tuple[int, int, int] = (24, 33, 38)
     background: tuple[int, int, int] = (255, 255, 255)
-
-
-def shuffled_prefix(count: int, budget: int, seed: int = 0) -> np.ndarray | None:
-    """Return ``budget`` indices drawn at random of ``count``, sorted; None when all fit."""
-    if count <= budget:
-        return None
-    return np.sort(np.random.default_rng(seed).permutation(count)[:budget])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+
 import numpy as np
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QImage, QResizeEvent
@@ -11,6 +13,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 
+from ui.viewport.frame_budget import FrameBudget
 from ui.viewport.scene import Scene
 
 REST_MS = 200
@@ -31,6 +34,9 @@ class NativeView(QWidget):
         self._window = self._interactor.GetRenderWindow()
         self._window.SetMultiSamples(4)
         self._window.AddRenderer(scene.renderer)
+        self._window.AddObserver("StartEvent", self._begin_frame)  # type: ignore[arg-type]
+        self._window.AddObserver("EndEvent", self._end_frame)  # type: ignore[arg-type]
+        self._adding, self._knows_renderer, self._started = False, False, 0.0
         style = vtkInteractorStyleTrackballCamera()
         self._interactor.SetInteractorStyle(style)
         style.AddObserver("StartInteractionEvent", self._begin_move)  # type: ignore[arg-type]
@@ -41,11 +47,12 @@ class NativeView(QWidget):
         self._rest.setSingleShot(True)
         self._rest.setInterval(REST_MS)
         self._rest.timeout.connect(self._come_to_rest)
+        self._more = QTimer(self)
+        self._more.setSingleShot(True)
+        self._more.timeout.connect(self._go_on)
 
     def refresh(self) -> None:
         """Draw again at the next occasion."""
-        if self._scene.keep_framed:
-            self._scene.reset_camera()
         self._interactor.update()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -56,6 +63,8 @@ class NativeView(QWidget):
     def image(self) -> QImage:
         """Return the picture as it is now."""
         self._window.Render()
+        while not self._scene.is_complete:
+            self._go_on()
         width, height = self._window.GetSize()
         data = vtkUnsignedCharArray()
         self._window.GetPixelData(0, 0, width - 1, height - 1, True, data, 0)
@@ -65,8 +74,33 @@ class NativeView(QWidget):
     def close_view(self) -> None:
         """Give the window back before Qt destroys it."""
         self._rest.stop()
+        self._more.stop()
+        self._window.RemoveAllObservers()
         self._window.RemoveRenderer(self._scene.renderer)
         self._interactor.Finalize()
+
+    def _go_on(self) -> None:
+        """Add points to a picture that is not complete."""
+        if not self._scene.is_complete:
+            self._adding = True
+            self._window.Render()
+            self._adding = False
+
+    def _begin_frame(self, _caller: object, _event: str) -> None:
+        if self._adding:
+            self._scene.go_on()
+        else:
+            self._scene.begin_picture()
+        self._started = time.perf_counter()
+
+    def _end_frame(self, _caller: object, _event: str) -> None:
+        if not self._knows_renderer:
+            self._scene.budget, self._knows_renderer = FrameBudget(self._window.ReportCapabilities()), True
+            return
+        self._window.WaitForCompletion()
+        self._scene.budget.observe(self._scene.frame_points, time.perf_counter() - self._started)
+        if not self._scene.is_complete:
+            self._more.start()
 
     def _begin_move(self, _caller: object, _event: str) -> None:
         self._rest.stop()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QImage, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
@@ -12,6 +14,7 @@ from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
 
+from ui.viewport.frame_budget import FrameBudget
 from ui.viewport.scene import Scene
 
 REST_MS = 200
@@ -28,7 +31,8 @@ class OffScreenView(QWidget):
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self._scene, self._window, self._image, self._stale = scene, window, QImage(), True
-        window.SetMultiSamples(4)
+        scene.budget = FrameBudget(window.ReportCapabilities())
+        window.SetMultiSamples(0 if scene.budget.software else 4)  # four samples cost the processor four times the time
         window.AddRenderer(scene.renderer)
         self._interactor = vtkGenericRenderWindowInteractor()
         self._interactor.SetRenderWindow(window)
@@ -41,6 +45,9 @@ class OffScreenView(QWidget):
         self._rest.setSingleShot(True)
         self._rest.setInterval(REST_MS)
         self._rest.timeout.connect(self._come_to_rest)
+        self._more = QTimer(self)
+        self._more.setSingleShot(True)
+        self._more.timeout.connect(self._go_on)
 
     def refresh(self) -> None:
         """Draw again at the next occasion."""
@@ -50,11 +57,14 @@ class OffScreenView(QWidget):
     def image(self) -> QImage:
         """Return the picture as it is now."""
         self._render()
+        while not self._scene.is_complete:
+            self._go_on()
         return self._image.copy()
 
     def close_view(self) -> None:
         """Give the graphics memory back."""
         self._rest.stop()
+        self._more.stop()
         self._interactor.RemoveAllObservers()
         self._window.RemoveRenderer(self._scene.renderer)
         self._window.Finalize()
@@ -134,13 +144,25 @@ class OffScreenView(QWidget):
             return
         self._window.SetSize(width, height)
         self._interactor.SetSize(width, height)
-        if self._scene.keep_framed:
-            self._scene.reset_camera()
-        self._scene.renderer.ResetCameraClippingRange()
-        self._window.Render()
+        self._scene.begin_picture()
+        self._draw(width, height)
         self._stale = False
+
+    def _go_on(self) -> None:
+        """Add points to a picture that is not complete."""
+        if not self._stale and not self._scene.is_complete:
+            self._scene.go_on()
+            self._draw(self._image.width(), self._image.height())
+            self.update()
+
+    def _draw(self, width: int, height: int) -> None:
+        started = time.perf_counter()
+        self._window.Render()
         self._image = _grab(self._window, width, height)
-        self._image.setDevicePixelRatio(ratio)
+        self._image.setDevicePixelRatio(self.devicePixelRatioF())
+        self._scene.budget.observe(self._scene.frame_points, time.perf_counter() - started)
+        if not self._scene.is_complete:
+            self._more.start()
 
     def changeEvent(self, event: QEvent) -> None:
         """Draw again when the theme changes."""

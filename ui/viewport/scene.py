@@ -14,17 +14,25 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkRenderingAnnotation import vtkCaptionActor2D
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProp, vtkRenderer
 
-from ui.viewport.layers import CloudLayer, Label, LineLayer, SurfaceLayer, shuffled_prefix
+from ui.viewport.colouring import HATCH_SHADE, UNKNOWN
+from ui.viewport.frame_budget import FrameBudget
+from ui.viewport.layers import Label, LineLayer, SurfaceLayer
+from ui.viewport.shuffled import ShuffledCloud, shuffled
 
-MOVING_POINTS = 150_000
-STILL_POINTS = 1_500_000
-READABLE_AMBIENT = 0.78
 FINE_FROM = 200_000  # points; fewer are drawn larger
-TWO_SIDED = "//VTK::Normal::Impl\n  if (normalVCVSOutput.z < 0.0) { normalVCVSOutput = -normalVCVSOutput; }\n"
+FINE_POINT_PX, COARSE_POINT_PX = 2.0, 4.0
+HATCH_PERIOD_PX = 9.0
+IS_UNKNOWN = "all(lessThan(abs(vertexColorVSOutput.rgb - vec3({}, {}, {}) / 255.0), vec3(0.012)))".format(*UNKNOWN)
+HATCHED = (  # stripes of the screen, so that what was not measured is told apart at every distance
+    "//VTK::Color::Impl\n"
+    f"  if ({IS_UNKNOWN} && mod(gl_FragCoord.x + gl_FragCoord.y, {HATCH_PERIOD_PX}) < {HATCH_PERIOD_PX / 2})\n"
+    f"  {{ ambientColor *= {HATCH_SHADE}; diffuseColor *= {HATCH_SHADE}; }}\n"
+)
 OPENING_DIRECTION = (-1.0, -1.1, 0.85)
 FRAMING_POINTS = 4_000
 FILLED_SHARE = 0.86  # of the picture's width or height, whichever is reached first
 PICK_REACH_PX = 5.0
+PICK_CHUNK = 2_000_000
 
 
 class Scene:
@@ -33,11 +41,14 @@ class Scene:
     def __init__(self) -> None:
         self.renderer = vtkRenderer()
         self.renderer.GradientBackgroundOn()
-        self.cloud_size = 0
-        self._cloud: dict[str, vtkActor] = {}
+        self.budget = FrameBudget()
+        self._cloud = shuffled(())
+        self._blocks: list[vtkActor] = []
+        self._ends = np.empty(0, np.int64)  # how many points there are up to the end of each block
+        self._bounds: tuple[np.ndarray, ...] = ()
+        self._drawn = 0  # blocks that the picture has
+        self._moving = False
         self._others: dict[str, list[vtkProp]] = {"surface": [], "lines": [], "labels": []}
-        self._points = np.empty((0, 3), np.float32)
-        self._starts = np.zeros(1, np.int64)
         self._extent: dict[str, np.ndarray] = {}
         self.keep_framed = True  # until the user moves the camera
 
@@ -46,39 +57,80 @@ class Scene:
         self.renderer.SetBackground(bottom)
         self.renderer.SetBackground2(top)
 
-    def set_clouds(self, layers: Sequence[CloudLayer]) -> None:
-        """Show these clouds instead of those shown; while the camera moves, a random part of them stands for all."""
-        for actor in self._cloud.values():
-            self.renderer.RemoveActor(actor)
-        self._cloud = {}
-        filled = [layer for layer in layers if len(layer.points_mm)]
-        self.cloud_size = sum(len(layer.points_mm) for layer in filled)
-        self._starts = np.concatenate([[0], np.cumsum([len(layer.points_mm) for layer in layers])]).astype(np.int64)
-        points = np.concatenate([np.empty((0, 3), np.float32), *(np.asarray(layer.points_mm, np.float32) for layer in filled)])
-        self._points, self._extent["clouds"] = points, _thinned(points)
-        if not filled:
-            return
-        colours = np.concatenate([np.asarray(layer.colours, np.uint8) for layer in filled])
-        normals = None
-        if all(layer.normals is not None for layer in filled):
-            normals = np.concatenate([np.asarray(layer.normals, np.float32) for layer in filled])
-        for name, budget in (("still", STILL_POINTS), ("moving", MOVING_POINTS)):
-            chosen = shuffled_prefix(len(points), budget)
-            part = slice(None) if chosen is None else chosen
-            actor = _points_actor(points[part], colours[part], None if normals is None else normals[part])
-            actor.GetProperty().SetPointSize(2.0 if len(points) > FINE_FROM else 3.0)
-            if any(layer.to_read for layer in filled):
-                actor.GetProperty().SetAmbient(READABLE_AMBIENT)
-                actor.GetProperty().SetDiffuse(1.02 - READABLE_AMBIENT)
-            self._cloud[name] = actor
-            self.renderer.AddActor(actor)
-        self.set_moving(False)
+    def set_cloud(self, cloud: ShuffledCloud) -> None:
+        """Show these points instead of those shown."""
+        for block in self._blocks:
+            self.renderer.RemoveActor(block)
+        self._cloud, self._extent["clouds"] = cloud, _thinned(cloud.points_mm)
+        parts = cloud.blocks()
+        self._ends = np.array([part.stop for part in parts], np.int64)
+        self._blocks = [_points_actor(cloud.points_mm[part], cloud.colours[part]) for part in parts]
+        self._bounds = () if not len(cloud) else (cloud.points_mm.min(axis=0), cloud.points_mm.max(axis=0))
+        for block in self._blocks:
+            self.renderer.AddActor(block)
 
     def set_moving(self, moving: bool) -> None:
-        """Show the small part of the clouds while the camera moves, all of them while it rests."""
+        """Draw only what one frame's time allows while the camera moves, everything when it rests."""
         self.keep_framed = self.keep_framed and not moving
-        for name, actor in self._cloud.items():
-            actor.SetVisibility((name == "moving") == moving)
+        self._moving = moving
+
+    def begin_picture(self) -> None:
+        """Let the next frame erase what was drawn, and draw as many points as its time allows."""
+        self._set_preserved(False)
+        self._drawn = 0
+        self._show_next(self.budget.points)
+        if self.keep_framed:
+            self.reset_camera()
+        self.renderer.ResetCameraClippingRange(self._all_bounds())
+
+    def go_on(self) -> None:
+        """Let the next frame add points to the picture; see `is_complete`."""
+        self._set_preserved(True)
+        self._show_next(self.budget.points)
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether nothing is left to be drawn; while the camera moves, one frame is all there is."""
+        return self._moving or self._drawn == len(self._blocks)
+
+    @property
+    def frame_points(self) -> int:
+        """Return how many points the frame has."""
+        return sum(int(block.GetMapper().GetInput().GetNumberOfPoints()) for block in self._blocks if block.GetVisibility())
+
+    def _show_next(self, budget: int) -> None:
+        """Make the next blocks visible, and what is no cloud in the first frame alone; labels lie over everything, so they come last."""
+        start = int(self._ends[self._drawn - 1]) if self._drawn else 0
+        end = max(self._drawn + 1, int(np.searchsorted(self._ends, start + budget, side="right")))
+        end = min(end, len(self._blocks))
+        size = self._point_size(int(self._ends[end - 1]) if end and self._moving else len(self._cloud))
+        for place, block in enumerate(self._blocks):
+            block.SetVisibility(self._drawn <= place < end)
+            block.GetProperty().SetPointSize(size)
+        first, self._drawn = self._drawn == 0, end
+        for kind, props in self._others.items():
+            for prop in props:
+                prop.SetVisibility(self.is_complete if kind == "labels" else first)
+        self.renderer.SetUseFXAA(self.budget.software and not self._moving and self.is_complete)
+
+    def _point_size(self, points: int) -> float:
+        """Return the size of points in pixels: the fewer stand for the part, the larger, so that it does not become transparent."""
+        return float(np.clip(FINE_POINT_PX * np.sqrt(FINE_FROM / max(points, 1)), FINE_POINT_PX, COARSE_POINT_PX))
+
+    def _set_preserved(self, preserved: bool) -> None:
+        self.renderer.SetPreserveColorBuffer(preserved)
+        self.renderer.SetPreserveDepthBuffer(preserved)
+
+    def _all_bounds(self) -> list[float]:
+        """Return the box of everything, the points that are not drawn yet included: all frames of a picture share one depth."""
+        seen = self.renderer.ComputeVisiblePropBounds()
+        corners = [*self._bounds]
+        if seen[0] <= seen[1]:
+            corners += [np.array(seen[0::2]), np.array(seen[1::2])]
+        if not corners:
+            return [-1.0, 1.0, -1.0, 1.0, -1.0, 1.0]
+        low, high = np.min(corners, axis=0), np.max(corners, axis=0)
+        return [float(value) for pair in zip(low, high, strict=True) for value in pair]
 
     def set_surface(self, layer: SurfaceLayer | None) -> None:
         """Show a surface instead of the one shown."""
@@ -107,18 +159,18 @@ class Scene:
 
     def pick(self, x_px: float, y_px: float) -> tuple[int, int] | None:
         """Return layer and place in the layer of the foremost point near a pixel of the picture; y counts from below."""
-        size = np.array(self.renderer.GetSize(), float)
-        if not len(self._points) or not size.all():
+        size = np.array(self.renderer.GetSize(), np.float32)
+        if not len(self._cloud) or not size.all():
             return None
-        homogeneous = self._points @ self._projection()[:, :3].T + self._projection()[:, 3]
-        place = homogeneous[:, :3] / homogeneous[:, 3:]
-        gap = (place[:, :2] + 1.0) / 2.0 * size - (x_px, y_px)
-        near = np.flatnonzero((np.einsum("nd,nd->n", gap, gap) < PICK_REACH_PX**2) & (np.abs(place[:, 2]) <= 1.0))
-        if not len(near):
-            return None
-        chosen = int(near[np.argmin(place[near, 2])])
-        layer = int(np.searchsorted(self._starts, chosen, side="right") - 1)
-        return layer, chosen - int(self._starts[layer])
+        matrix, best, chosen = self._projection().astype(np.float32), np.inf, -1
+        for start in range(0, len(self._cloud), PICK_CHUNK):
+            homogeneous = self._cloud.points_mm[start : start + PICK_CHUNK] @ matrix[:, :3].T + matrix[:, 3]
+            place = homogeneous[:, :3] / homogeneous[:, 3:]
+            gap = (place[:, :2] + 1.0) / 2.0 * size - np.array([x_px, y_px], np.float32)
+            near = np.flatnonzero((np.einsum("nd,nd->n", gap, gap) < PICK_REACH_PX**2) & (np.abs(place[:, 2]) <= 1.0))
+            if len(near) and float(place[near, 2].min()) < best:
+                best, chosen = float(place[near, 2].min()), start + int(near[np.argmin(place[near, 2])])
+        return None if chosen < 0 else self._cloud.origin(chosen)
 
     def _projection(self) -> np.ndarray:
         camera = self.renderer.GetActiveCamera()
@@ -163,21 +215,16 @@ def _between(across: np.ndarray, depth: np.ndarray, slope: float) -> tuple[float
     return (high + low) / 2.0, (high - low) / (2.0 * slope)
 
 
-def _points_actor(points: np.ndarray, colours: np.ndarray, normals: np.ndarray | None) -> vtkActor:
+def _points_actor(points: np.ndarray, colours: np.ndarray) -> vtkActor:
     data = _poly_data(points)
     cells = vtkCellArray()
-    cells.SetData(1, numpy_to_vtkIdTypeArray(np.arange(len(points), dtype=np.int64), deep=True))
+    ends, places = np.array([0, len(points)], np.int32), np.arange(len(points), dtype=np.int32)
+    cells.SetData(numpy_to_vtk(ends, deep=True), numpy_to_vtk(places, deep=True))
     data.SetVerts(cells)
-    data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(colours), deep=True))
-    if normals is not None:
-        data.GetPointData().SetNormals(numpy_to_vtk(np.ascontiguousarray(normals), deep=True))
+    data.GetPointData().SetScalars(numpy_to_vtk(colours))
     actor = _actor(data)
-    if normals is None:
-        actor.GetProperty().LightingOff()
-    else:
-        actor.GetShaderProperty().AddFragmentShaderReplacement("//VTK::Normal::Impl", False, TWO_SIDED, False)
-    actor.GetProperty().SetAmbient(0.35)
-    actor.GetProperty().SetDiffuse(0.7)
+    actor.GetShaderProperty().AddFragmentShaderReplacement("//VTK::Color::Impl", True, HATCHED, False)
+    actor.GetProperty().LightingOff()
     return actor
 
 
@@ -189,6 +236,8 @@ def _surface_actor(layer: SurfaceLayer) -> vtkActor:
     if layer.colours is not None:
         data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(layer.colours, np.uint8), deep=True))
     actor = _actor(_shaded(data, layer))
+    if layer.colours is not None:
+        actor.GetShaderProperty().AddFragmentShaderReplacement("//VTK::Color::Impl", True, HATCHED, False)
     actor.GetProperty().SetColor(*(value / 255 for value in layer.colour))
     actor.GetProperty().SetOpacity(layer.opacity)
     actor.GetProperty().SetAmbient(0.32)
@@ -253,7 +302,7 @@ def _label_actor(label: Label) -> vtkCaptionActor2D:
 
 def _poly_data(points: np.ndarray) -> vtkPolyData:
     data, places = vtkPolyData(), vtkPoints()
-    places.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
+    places.SetData(numpy_to_vtk(np.ascontiguousarray(points)))  # VTK holds on to the array
     data.SetPoints(places)
     return data
 

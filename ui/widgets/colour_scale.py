@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from ui.look.look import Look
 from ui.look.wording import millimetres
+
+WIDTH = 304
 
 
 class ColourScale(QWidget):
@@ -21,11 +23,15 @@ class ColourScale(QWidget):
         self.low, self.high, self.name = 0.0, 1.0, ""
         self.setFixedHeight(40)
         self.setMinimumWidth(152)
-        self.setMaximumWidth(304)
+        self.setMaximumWidth(WIDTH)
         kept = self.sizePolicy()
         kept.setRetainSizeWhenHidden(True)  # the row above the picture keeps its height
         self.setSizePolicy(kept)
         look.changed.connect(self.update)
+
+    def sizeHint(self) -> QSize:
+        """Return the size at which numbers and name are well apart."""
+        return QSize(WIDTH, 40)
 
     def show_scale(self, name: str, colours: np.ndarray, low: float, high: float) -> None:
         """Show this scale."""
@@ -50,6 +56,9 @@ class ColourScale(QWidget):
         painter.setPen(theme.colour("soft"))
         below = QRectF(0, 16, self.width(), 20)
         digits = 3 if self.high < 1 else 2
-        painter.drawText(below, Qt.AlignmentFlag.AlignLeft, millimetres(self.low, digits))
-        painter.drawText(below, Qt.AlignmentFlag.AlignHCenter, self.name)
-        painter.drawText(below, Qt.AlignmentFlag.AlignRight, millimetres(self.high, digits))
+        low, high = millimetres(self.low, digits), millimetres(self.high, digits)
+        painter.drawText(below, Qt.AlignmentFlag.AlignLeft, low)
+        painter.drawText(below, Qt.AlignmentFlag.AlignRight, high)
+        metrics = painter.fontMetrics()
+        room = self.width() - 2 * max(metrics.horizontalAdvance(low), metrics.horizontalAdvance(high)) - 16
+        painter.drawText(below, Qt.AlignmentFlag.AlignHCenter, metrics.elidedText(self.name, Qt.TextElideMode.ElideRight, room))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from ui.look.look import Look
@@ -16,7 +16,7 @@ class Group:
     """A few properties under one heading."""
 
     heading: str
-    rows: tuple[tuple[str, str], ...]
+    rows: tuple[tuple[str, str], ...]  # name and value; without a name, the value has the whole width
 
 
 @dataclass(frozen=True)
@@ -27,6 +27,7 @@ class Properties:
     groups: tuple[Group, ...] = ()
     note: str = ""
     action: str = ""  # what one can do with it, on a button
+    decision: str = ""  # what one can decide about it, on a button above the rest
 
 
 FOLDED_WIDTH = 48
@@ -36,6 +37,7 @@ class PropertiesPanel(QFrame):
     """Shows `Properties`; folds away to the edge."""
 
     actionClicked = Signal()
+    decisionClicked = Signal()
 
     def __init__(self, look: Look, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -85,17 +87,21 @@ class PropertiesPanel(QFrame):
         clear(self._rows)
         if properties.note:
             self._rows.addWidget(label(properties.note, "soft", wrap=True))
+        self._offer(properties.decision, self.decisionClicked)
         for group in properties.groups:
             self._rows.addSpacing(12)
             self._rows.addWidget(label(group.heading, "caption"))
             self._rows.addWidget(_hairline())
             self._rows.addLayout(_grid(group))
-        if properties.action:
-            button = Button(properties.action, self._look)
-            button.clicked.connect(self.actionClicked)
-            self._rows.addSpacing(16)
-            self._rows.addWidget(button)
+        self._offer(properties.action, self.actionClicked)
         self._rows.addStretch(1)
+
+    def _offer(self, words: str, clicked: SignalInstance) -> None:
+        if words:
+            button = Button(words, self._look)
+            button.clicked.connect(clicked)
+            self._rows.addSpacing(8)
+            self._rows.addWidget(button)
 
 
 def _hairline() -> QFrame:
@@ -110,6 +116,9 @@ def _grid(group: Group) -> QGridLayout:
     grid.setHorizontalSpacing(16)
     grid.setVerticalSpacing(4)
     for place, (name, value) in enumerate(group.rows):
+        if not name:
+            grid.addWidget(label(value, wrap=True), place, 0, 1, 2)
+            continue
         shown = QLabel(value)
         shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop)
         shown.setWordWrap(True)

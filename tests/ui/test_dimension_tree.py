@@ -1,0 +1,104 @@
+"""Dimensions as a tree: what they are, what they rest on, and by which rule they are judged."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from measureapp.data.dimension import Dimension, Verdict
+from measureapp.data.feature import Feature
+from ui.look.look import Look
+from ui.pages.dimension_rows import branches_of, datum_words, dimension_properties, tolerance
+from ui.pages.layers import filled_share
+from ui.widgets.data_table import Cell
+from ui.widgets.data_tree import Branch, DataTree
+
+ZONE = Dimension(
+    "boss_position", 0.0, 0.005, 0.077, 0.0, 0.2, Verdict.PASS,
+    features=("boss",), kind="position", datums=("gear face", "bore"), origin="boss: 1372 points, 99 left out; associated axis; datums gear face|bore",
+)  # fmt: skip
+
+
+def plain(text: str) -> str:
+    return text.replace("\u00a0", " ").replace("\u2009", " ")
+
+
+def feature(name: str, shape: str, points: int = 40) -> Feature:
+    return Feature(name, shape, np.zeros(3), np.array([0, 0, 1.0]), points=points, form_error_mm=0.05)  # type: ignore[arg-type]
+
+
+def test_below_a_dimension_lie_its_features_and_its_datums_with_their_letters():
+    features = [feature("boss", "cylinder"), feature("gear face", "plane"), feature("spare", "plane", 0)]
+    first, others = branches_of([ZONE], features)
+    assert [plain(leaf) for leaf in first.leaves] == [
+        "Boss: cylinder, 40 points, form 0.050 mm",
+        "Datum A: Gear face: plane, 40 points, form 0.050 mm",
+        "Datum B: Bore: not found",
+    ]
+    assert others.cells[0].text == "Other features"
+    assert others.leaves == ("Spare: plane, made from others",)
+
+
+def test_the_properties_of_a_zone_name_kind_datums_origin_and_rule():
+    shown = dimension_properties(ZONE, [feature("boss", "cylinder")], "By a rule.")
+    groups = {group.heading: [(name, plain(value)) for name, value in group.rows] for group in shown.groups}
+    assert ("Kind", "Position") in groups["Result"]
+    assert ("Datums", "A Gear face, B Bore") in groups["Result"]
+    assert ("Tolerance", "0 / +0.200 mm") in groups["Result"]
+    assert ("Uncertainty (k = 2)", "0.077 mm") in groups["Result"]
+    assert groups["Where the value comes from"] == [("", "Boss: 1372 points, 99 left out."), ("", "Associated axis.")]
+    assert groups["Decision rule"] == [("", "By a rule.")]
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper", "words"),
+    [(-0.1, 0.1, "± 0.100 mm"), (0.0, 0.2, "0 / +0.200 mm"), (-0.2, 0.05, "\u22120.200 / +0.050 mm"), (-0.1, 0.0, "\u22120.100 / 0 mm")],
+)
+def test_a_tolerance_is_short_where_it_is_symmetric_and_a_limit_of_nothing_is_nought(lower, upper, words):
+    assert plain(tolerance(lower, upper, "mm")) == words
+
+
+def test_datums_of_a_pattern_have_no_letters():
+    assert datum_words(("a", "b", "c", "d")) == "A, B, C, D"
+
+
+def test_a_tree_keeps_selection_and_open_rows_when_its_rows_are_set_anew(qtbot):
+    tree = DataTree(Look("light"), ["Name", "Value"], numeric=(1,))
+    qtbot.addWidget(tree)
+    rows = [Branch((Cell("one"), Cell("1", "number")), ("leaf a", "leaf b")), Branch((Cell("two"), Cell("2", "number")))]
+    tree.set_branches(rows)
+    told = []
+    tree.rowSelected.connect(lambda row, leaf: told.append((row, leaf)))
+    closed = tree.fitted_height()
+    tree.select(0, 1)
+    assert told == [(0, 1)]
+    assert tree.fitted_height() > closed
+    tree.set_branches(rows)
+    assert tree.selected() == (0, 1)
+    tree.select(1)
+    assert tree.selected() == (1, -1)
+
+
+def test_the_page_prints_the_rule_and_tells_what_was_filled_without_points(application, window, measurement, qtbot):
+    page = window.pages["inspection"]
+    application.session.set_measurement(measurement, {})
+    window.show_page("inspection")
+    qtbot.waitUntil(lambda: not page.is_composing, timeout=10_000)
+    assert "ISO 14253-1" in page.rule.text() and "k = 2" in page.rule.text()
+    share = filled_share(measurement.mesh)
+    assert 0.0 < share < 0.2
+    assert page.filled.isVisible() and f"{100 * share:.1f}" in page.filled.words.text()
+    application.session.set_measurement(replace(measurement, mesh=replace(measurement.mesh, measured=None)), {})
+    qtbot.waitUntil(lambda: not page.is_composing, timeout=10_000)
+    assert not page.filled.isVisible()
+
+
+def test_a_feature_below_a_dimension_shows_its_fit(application, window, measurement):
+    page = window.pages["inspection"]
+    application.session.set_measurement(measurement, {})
+    window.show_page("inspection")
+    page.table.select(0, 1)
+    assert page.properties.title == "Equator"
+    assert page.view._labels == ()

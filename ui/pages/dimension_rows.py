@@ -1,0 +1,142 @@
+"""Dimensions and features in words: rows of the tree, properties."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from ui.look.wording import counted, millimetres, percent, quantity, sentence, sentence_case, several
+from ui.widgets.data_table import Cell, number, verdict_cell
+from ui.widgets.data_tree import Branch
+from ui.widgets.properties_panel import Group, Properties
+
+if TYPE_CHECKING:
+    from measureapp.data.dimension import Dimension
+    from measureapp.data.feature import Feature
+
+DIGITS = {"mm": 3, "deg": 3, "°": 3}
+OTHERS = "Other features"
+DATUM_LETTERS = "ABC"
+
+
+def unit_of(dimension: Dimension) -> str:
+    """Return the unit as it is printed."""
+    return "°" if dimension.unit == "deg" else dimension.unit
+
+
+def dimension_words(name: str) -> str:
+    """Return the name of a dimension as words; a letter stays as it is in the drawing."""
+    return name if len(name) == 1 else sentence_case(name)
+
+
+def dimension_cells(dimension: Dimension) -> list[Cell]:
+    """Return one row of the table."""
+    unit = "" if dimension.unit == "mm" else unit_of(dimension)
+    digits = DIGITS.get(dimension.unit, 3)
+    return [
+        Cell(dimension_words(dimension.name)),
+        number(quantity(dimension.nominal, unit, digits)),
+        number(quantity(dimension.measured, unit, digits)),
+        number(quantity(dimension.error, unit, digits, signed=True)),
+        number(quantity(dimension.uncertainty, unit, digits)),
+        verdict_cell(str(dimension.verdict), tip=dimension.reason),
+    ]
+
+
+def feature_words(feature: Feature, role: str = "") -> str:
+    """Return one line about a feature: what it is, its shape, how many points and how far they lie apart."""
+    found = f"{several(feature.points, 'point')}, form {millimetres(feature.form_error_mm)}" if feature.points else "made from others"
+    return f"{role}{sentence_case(feature.name)}: {feature.shape}, {found}"
+
+
+def datum_words(datums: Sequence[str]) -> str:
+    """Return datums with their letters: ``A Gear face, B Bore``; of a pattern, without."""
+    if len(datums) > len(DATUM_LETTERS):
+        return ", ".join(sentence_case(name) for name in datums)
+    return ", ".join(f"{letter} {sentence_case(name)}" for letter, name in zip(DATUM_LETTERS, datums, strict=False))
+
+
+def features_of(dimension: Dimension, known: dict[str, Feature]) -> list[tuple[str, Feature | None]]:
+    """Return what a dimension rests on, in the order of its leaves: names, and the features that were found."""
+    return [(name, known.get(name)) for name in dict.fromkeys((*dimension.features, *dimension.datums))]
+
+
+def branches_of(dimensions: Sequence[Dimension], features: Sequence[Feature]) -> list[Branch]:
+    """Return a row for each dimension with its features and datums below it; then the features that no dimension uses."""
+    known = {feature.name: feature for feature in features}
+    rows = []
+    for dimension in dimensions:
+        leaves = []
+        for name, feature in features_of(dimension, known):
+            role = "" if name in dimension.features else "Datum: " if len(dimension.datums) > 3 else _letter(dimension, name)
+            leaves.append(f"{role}{sentence_case(name)}: not found" if feature is None else feature_words(feature, role))
+        rows.append(Branch(tuple(dimension_cells(dimension)), tuple(leaves)))
+    others = other_features(dimensions, features)
+    if others:
+        blank = [Cell("")] * 5
+        rows.append(Branch((Cell(OTHERS), *blank), tuple(feature_words(feature) for feature in others)))
+    return rows
+
+
+def other_features(dimensions: Sequence[Dimension], features: Sequence[Feature]) -> list[Feature]:
+    """Return the features that no dimension uses."""
+    used = {name for dimension in dimensions for name in (*dimension.features, *dimension.datums)}
+    return [feature for feature in features if feature.name not in used]
+
+
+def _letter(dimension: Dimension, name: str) -> str:
+    return f"Datum {DATUM_LETTERS[dimension.datums.index(name)]}: "
+
+
+def tolerance(lower: float, upper: float, unit: str) -> str:
+    """Return a tolerance: ``± 0.100 mm``, both limits where they differ, ``0 / +0.200 mm`` for the width of a zone."""
+    if -lower == upper:
+        return f"±\u00a0{quantity(upper, unit)}"
+    low, high = ("0" if limit == 0 else quantity(limit, "", signed=True) for limit in (lower, upper))
+    return quantity_with_unit(f"{low}\u00a0/\u00a0{high}", unit)
+
+
+def quantity_with_unit(words: str, unit: str) -> str:
+    """Return words with a unit behind them."""
+    return f"{words}{unit}" if unit in {"", "°"} else f"{words}\u00a0{unit}"
+
+
+def dimension_properties(dimension: Dimension, features: Sequence[Feature], rule: str) -> Properties:
+    """Return what there is to know about one dimension, and by which ``rule`` it was judged."""
+    unit = unit_of(dimension)
+    kind = sentence_case(dimension.kind)
+    values = Group(
+        "Result",
+        (
+            *((("Kind", kind),) if kind else ()),
+            *((("Datums", datum_words(dimension.datums)),) if dimension.datums else ()),
+            ("Nominal", quantity(dimension.nominal, unit)),
+            ("Tolerance", tolerance(dimension.lower_tolerance, dimension.upper_tolerance, unit)),
+            ("Measured", quantity(dimension.measured, unit)),
+            ("Error", quantity(dimension.error, unit, signed=True)),
+            ("Relative error", percent(dimension.relative_error, 3, signed=True)),
+            ("Uncertainty (k = 2)", quantity(dimension.uncertainty, unit)),
+        ),
+    )
+    taken = tuple(("", sentence(part)) for part in dimension.origin.split("; ") if part and not part.startswith("datums "))
+    groups = [values]
+    if taken:
+        groups.append(Group("Where the value comes from", taken))
+    groups += [feature_group(feature) for feature in features]
+    if rule:
+        groups.append(Group("Decision rule", (("", rule),)))
+    return Properties(dimension_words(dimension.name), tuple(groups), dimension.reason)
+
+
+def feature_group(feature: Feature) -> Group:
+    """Return the figures of a fit."""
+    return Group(
+        f"{sentence_case(feature.name)} ({feature.shape})",
+        (
+            ("Points", counted(feature.points)),
+            ("Left out", counted(feature.left_out)),
+            ("Form error", millimetres(feature.form_error_mm)),
+            ("Residual (rms)", millimetres(feature.rms_mm)),
+            *([("Radius", millimetres(feature.radius_mm))] if feature.radius_mm is not None else []),
+        ),
+    )
