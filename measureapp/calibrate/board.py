@@ -6,10 +6,20 @@ import cv2
 import numpy as np
 
 from measureapp.arrays import FloatArray, ImageArray, IntArray
-from measureapp.calibrate.board_charuco import find_charuco
+from measureapp.calibrate.board_charuco import find_charuco, shows_markers
 from measureapp.calibrate.board_circles import find_circles
 from measureapp.calibrate.board_part import find_part
-from measureapp.calibrate.board_quality import TELLING_SHARE, missing, nothing_sharp, poor_image, require_plain, require_usable
+from measureapp.calibrate.board_quality import (
+    TELLING_SHARE,
+    are_squares,
+    missing,
+    nothing_sharp,
+    partly_hidden,
+    poor_image,
+    printed_squares,
+    require_plain,
+    require_usable,
+)
 from measureapp.calibrate.board_refine import mark_sigmas
 from measureapp.calibrate.board_squares import find_squares, squares_in_sight
 from measureapp.calibrate.sightings import FoundBoard
@@ -59,6 +69,8 @@ def _marks(grey: ImageArray, board: BoardDescription) -> tuple[IntArray, FloatAr
     squares = squares_in_sight(grey)
     if squares is None or squares.count < TELLING_SHARE * board.count:
         raise missing(grey, board)
+    if not are_squares(grey, squares.corners_px):
+        raise poor_image(grey, board) or (printed_squares() if shows_markers(grey) else partly_hidden(board, squares.count))
     require_plain(grey, squares.corners_px)
     try:
         part = find_part(grey, board, squares)

@@ -15,6 +15,7 @@ from measureapp.data.board import CharucoDescription
 
 SEARCH_PX = 1300  # a marker of 5 × 5 bits must not become smaller than some 14 px
 LEAST_CORNERS = 6
+FAMILIES = (cv2.aruco.DICT_5X5_1000, cv2.aruco.DICT_4X4_1000, cv2.aruco.DICT_6X6_1000, cv2.aruco.DICT_7X7_1000)  # hold the smaller ones
 EDGE_PX = 1.0  # half the width of a sharp edge, kept out of the refining window
 
 
@@ -71,6 +72,16 @@ def charuco_instead(grey: ImageArray, board: CharucoDescription) -> BoardRefused
             f"The {board.label} was not found: the image is mirrored.", "Switch mirroring off in the camera's settings.", "wrong board"
         )
     return None
+
+
+def shows_markers(grey: ImageArray) -> bool:
+    """Whether the image shows the markers of some ChArUco board."""
+    small, _ = shrunk(grey, SEARCH_PX)
+    for family in FAMILIES:
+        markers = cv2.aruco.ArucoDetector(cv2.aruco.getPredefinedDictionary(family)).detectMarkers(small)[1]
+        if markers is not None and len(markers) >= LEAST_CORNERS:
+            return True
+    return False
 
 
 def _require_own(board: CharucoDescription, markers: Any) -> None:

@@ -7,8 +7,8 @@ import numpy as np
 from measureapp.arrays import BoolArray, FloatArray, ImageArray, IntArray
 from measureapp.calibrate.board_refine import off_the_grid, refined, window_of
 from measureapp.calibrate.board_squares import SquaresInSight
+from measureapp.calibrate.sightings import BoardRefused
 from measureapp.data.board import CheckerboardDescription
-from measureapp.errors import CalibrationError
 
 LEAST_CORNERS = 12
 BORDER_PX = 3.0
@@ -29,9 +29,10 @@ def find_part(grey: ImageArray, board: CheckerboardDescription, seen: SquaresInS
     if seen.count < LEAST_CORNERS or not places:
         return None
     if len(places) > 1:
-        raise CalibrationError(
+        raise BoardRefused(
             f"Only {seen.count} of the {board.count} marks of the {board.label} can be seen, and they may be any of {len(places)} parts of it.",
             "Show one whole side of the board with the white margin at both of its ends, or use a ChArUco board, of which any part is enough.",
+            "hidden",
         )
     quarter, row, column = places[0]
     grid, there = np.rot90(seen.corners_px, quarter), np.rot90(seen.there, quarter)

@@ -26,6 +26,7 @@ STEP_PX = 0.25
 GAUSSIAN_RISE = 2.563  # from 10 to 90 % of an edge, over the standard deviation of its blur
 STRIPS, STRIP_SHARE = 12, 4
 TELLING_SHARE = 0.15  # of a board's marks: fewer in a grid may be anything
+SIDE_SHARE = 0.4  # of a side from the middle of a square: between the marker of a ChArUco board and the edge
 PRINTED_SQUARE = 0.35  # of the contrast: what the middles of white squares may differ by
 BLURRED = "Focus the camera, and keep board and camera still while the image is taken."
 EXPOSED_LESS = "Shorten the exposure or dim the light until the board's white is no longer clipped."
@@ -108,6 +109,15 @@ def poor_image(grey: ImageArray, board: BoardDescription) -> BoardRefused | None
     return None
 
 
+def partly_hidden(board: BoardDescription, count: int) -> BoardRefused:
+    """Return what is to be said of a board of which only ``count`` marks can be seen."""
+    return BoardRefused(
+        f"The {board.label} was not found: only {count} of its {board.count} marks can be seen, the rest is hidden or outside the image.",
+        "Show the whole board, or use a ChArUco board, of which a part is enough.",
+        "hidden",
+    )
+
+
 def _half_white(board: BoardDescription) -> float:
     """Half the side, over the distance of marks, of a square about a mark of which half is white."""
     return float(np.sqrt(np.pi / 2)) * board.diameter_mm / 2 / board.neighbour_mm if isinstance(board, CirclesDescription) else 0.3
@@ -130,8 +140,27 @@ def _require_levels(grey: ImageArray, corners_px: FloatArray, reach_px: float) -
         raise BoardRefused(f"The board is too dark: its white is {np.median(bright):.0f} of 255.", EXPOSED_MORE, "too dark")
 
 
+def are_squares(grey: ImageArray, grid: FloatArray) -> bool:
+    """Whether the cells of a grid of corners are squares of a board, plain along their sides; other rows of the same corners cut across."""
+    right, down = grid[:-1, 1:] - grid[:-1, :-1], grid[1:, :-1] - grid[:-1, :-1]
+    middles, smooth = grid[:-1, :-1] + 0.5 * right + 0.5 * down, blurred(grey)
+    sides = [(a, b) for a in (-1.0, -0.5, 0.0, 0.5, 1.0) for b in (-1.0, -0.5, 0.0, 0.5, 1.0) if max(abs(a), abs(b)) == 1.0]
+    levels = np.array([levels_at(smooth, middles + SIDE_SHARE * (a * right + b * down)) for a, b in sides])
+    contrast = np.percentile(levels, 95) - np.percentile(levels, 5)
+    return bool(np.median(np.ptp(levels, axis=0)) <= PRINTED_SQUARE * contrast)
+
+
+def printed_squares() -> BoardRefused:
+    """Return what is to be said of a board with markers in its squares, described as one without."""
+    return BoardRefused(
+        "The squares of the board are not plain: markers are printed in them.",
+        "Describe it as a ChArUco board with its dictionary.",
+        "wrong board",
+    )
+
+
 def require_plain(grey: ImageArray, grid: FloatArray) -> None:
-    """Refuse squares with something printed in them, which draws the corners to itself."""
+    """Refuse squares with something printed in them, which draws the corners to itself. Raises BoardRefused."""
     right, down = grid[:-1, 1:] - grid[:-1, :-1], grid[1:, :-1] - grid[:-1, :-1]
     middles = grid[:-1, :-1] + 0.5 * right + 0.5 * down
     smooth = blurred(grey)
@@ -140,11 +169,7 @@ def require_plain(grey: ImageArray, grid: FloatArray) -> None:
     level = np.median(levels, axis=0)
     contrast = np.percentile(levels, 95) - np.percentile(levels, 5)
     if np.median(np.ptp(levels, axis=0)[level > np.median(level)]) > PRINTED_SQUARE * contrast:
-        raise BoardRefused(
-            "The squares of the board are not plain: markers are printed in them.",
-            "Describe it as a ChArUco board with its dictionary.",
-            "wrong board",
-        )
+        raise printed_squares()
 
 
 def _edges(board: BoardDescription, corners_px: FloatArray, axes: FloatArray) -> list[tuple[FloatArray, FloatArray, float]]:
@@ -223,8 +248,4 @@ def _another(board: BoardDescription, looks_like: str, count: int, *, whole: boo
             f"Give the size of the board that was used, or use the {board.label}.",
             "wrong board",
         )
-    return BoardRefused(
-        f"The {board.label} was not found: only {count} of its {board.count} marks can be seen, the rest is hidden or outside the image.",
-        "Show the whole board, or use a ChArUco board, of which a part is enough.",
-        "hidden",
-    )
+    return partly_hidden(board, count)
