@@ -26,6 +26,7 @@ ASIDE_STRONG = 0.9  # of that for a strong lean, by which the board's nearer sid
 SLIDE_SHARE = 0.7  # of the way sideways that the slide goes, the arm the rest
 STATION_ANGLES_DEG = (-50.0, -25.0, 0.0, 25.0, 50.0)
 CHECK_ANGLES_DEG = (-12.0, 0.0, 12.0, 0.0)
+CHECK_SLIDES_MM = (-30.0, -10.0, 10.0, 30.0)  # beside where the slide follows the head; the arm reaches back
 
 
 def calibration_viewpoints(rig: RigDescription, plan: ScanPlan | None = None) -> tuple[Viewpoint, ...]:
@@ -48,7 +49,10 @@ def check_viewpoints(rig: RigDescription) -> tuple[Viewpoint, ...]:
     looks = [
         _Look(LIGHT_DEG, lean, turn, rig.standoff_mm + DISTANCES_MM[1], (0, 0)) for lean, turn in zip(LEANS_DEG, TURNS_DEG, strict=True)
     ]
-    views = [_viewpoint(rig, f"check{number:02d}", centre, look) for number, look in enumerate(looks, start=1)]
+    views = [
+        _viewpoint(rig, f"check{number:02d}", centre, look, aside_mm)
+        for number, (look, aside_mm) in enumerate(zip(looks, CHECK_SLIDES_MM, strict=True), start=1)
+    ]
     turned = [view.model_copy(update={"table_deg": angle}) for view, angle in zip(views, CHECK_ANGLES_DEG, strict=True)]
     return tuple(view for view in turned if not obstacles(view, rig))
 
@@ -95,13 +99,13 @@ def _poses(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
     return [_viewpoint(rig, f"pose{number:02d}", centre, look) for number, look in enumerate(views, start=1)]
 
 
-def _viewpoint(rig: RigDescription, name: str, centre: FloatArray, look: _Look) -> Viewpoint:
-    """The viewpoint from which the board on its stand appears like that, the slide following the head."""
+def _viewpoint(rig: RigDescription, name: str, centre: FloatArray, look: _Look, aside_mm: float = 0.0) -> Viewpoint:
+    """The viewpoint from which the board on its stand appears like that, the slide following the head or standing beside it."""
     slope = np.deg2rad(BOARD_ELEVATION_DEG)
     across, down = np.array([0.0, -1.0, 0.0]), np.array([-np.sin(slope), 0.0, -np.cos(slope)])
     guide_from_board = RigidTransform.from_parts(np.column_stack([across, down, np.cross(across, down)]), centre, "guide", "board")
     guide_from_head = guide_from_board @ look.head_from_board(rig).inverse()
-    guide_mm = round(SLIDE_SHARE * float(guide_from_head.translation_mm[1]), 1)
+    guide_mm = round(SLIDE_SHARE * float(guide_from_head.translation_mm[1]) + aside_mm, 1)
     base_from_guide = RigidTransform.from_parts(np.eye(3), [0.0, -guide_mm, 0.0], "base", "guide")
     base_from_flange = base_from_guide @ guide_from_head @ rig.flange_from_head.transform("flange", "head").inverse()
     return Viewpoint(id=name, flange=FlangePose.of(base_from_flange), guide_mm=guide_mm, table_deg=0.0)

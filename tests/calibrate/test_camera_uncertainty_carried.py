@@ -78,7 +78,10 @@ def test_an_axis_scatters_by_what_is_stated(generator):
         problem = rotation_axis.problem_from_poses(boards, BOARD, list(angles))
 
         return rotation_axis._maximum_likelihood(
-            replace(problem, **known), problem.corners_mm, rotation_axis._start(problem.corners_mm, problem.angles_rad), False
+            replace(problem, **known),
+            problem.corners_mm,
+            rotation_axis._start(problem.corners_mm, problem.angles_rad, problem.names),
+            False,
         )
 
     estimate, covariance, _ = solved(poses, by_cameras=by_cameras, camera_prior=PRIOR)
