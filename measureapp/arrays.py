@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, wait
+from functools import cache
 from itertools import pairwise
 from typing import Any
 
@@ -15,6 +16,8 @@ FloatArray = npt.NDArray[np.floating[Any]]
 IntArray = npt.NDArray[np.integer[Any]]
 BoolArray = npt.NDArray[np.bool_]
 ImageArray = npt.NDArray[np.unsignedinteger[Any]]
+
+BAND_THREADS = "band"  # name of the threads that `in_bands` keeps
 
 
 def read_only(array: npt.ArrayLike, dtype: npt.DTypeLike | None = None, shape: tuple[int | None, ...] | None = None) -> Any:
@@ -40,16 +43,36 @@ def read_only(array: npt.ArrayLike, dtype: npt.DTypeLike | None = None, shape: t
 
 
 def in_bands(work: Callable[[int, int], Any], count: int, bands: int | None = None) -> list[Any]:
-    """Call ``work(start, stop)`` for consecutive shares of ``0…count`` on one thread per processor.
+    """Call ``work(start, stop)`` for consecutive shares of ``0…count`` on one thread per processor, of which this is one.
 
     Worth it only where ``work`` releases the interpreter (compiled kernels, large NumPy calls).
 
     Returns
     -------
-    list : what each call returned, in order; the first exception of a call is raised
+    list : what each call returned, in order; the exception of a call is raised
     """
     threads = max(1, os.cpu_count() or 1)
     edges = np.linspace(0, count, (bands or 4 * threads) + 1).astype(int)
     shares = [(int(start), int(stop)) for start, stop in pairwise(edges) if stop > start]
-    with ThreadPoolExecutor(threads) as pool:
-        return list(pool.map(lambda share: work(*share), shares))
+    done: list[Any] = [None] * len(shares)
+    queue = iter(range(len(shares)))
+
+    def take_shares() -> None:
+        for number in queue:
+            done[number] = work(*shares[number])
+
+    asked = [_helpers(threads - 1).submit(take_shares) for _ in range(min(threads, len(shares)) - 1)]
+    try:
+        take_shares()
+    finally:
+        begun = [helper for helper in asked if not helper.cancel()]  # one that is busy elsewhere is not waited for
+        wait(begun)
+    for helper in begun:
+        helper.result()
+    return done
+
+
+@cache
+def _helpers(count: int) -> ThreadPoolExecutor:
+    """Return threads that stay: starting one takes as long as many a share."""
+    return ThreadPoolExecutor(count, thread_name_prefix=BAND_THREADS)

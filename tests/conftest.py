@@ -18,6 +18,8 @@ for name in ("DISPLAY", "WAYLAND_DISPLAY"):
 
 import pytest  # noqa: E402
 
+from measureapp.arrays import BAND_THREADS  # noqa: E402
+
 GRACE_S = 2.0
 LIBRARY_THREADS = ("pytest_timeout", "execnet", "tqdm", "IPythonHistory")  # kept by libraries, ended by them
 LIBRARY_WIDGETS = ("QTipLabel",)  # the one tool tip Qt keeps
@@ -65,7 +67,7 @@ def _no_window_thread_or_timer_of_qt_is_left(request: pytest.FixtureRequest) -> 
 
 def _is_ours(thread: threading.Thread) -> bool:
     foreign = isinstance(thread, threading._DummyThread)  # a thread of Qt or C++ that once ran Python
-    return thread.is_alive() and not foreign and not thread.name.startswith(LIBRARY_THREADS)
+    return thread.is_alive() and not foreign and not thread.name.startswith((*LIBRARY_THREADS, BAND_THREADS))
 
 
 def _settled(leftovers: Callable[[], list[Any]]) -> list[Any]:

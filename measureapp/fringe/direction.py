@@ -23,6 +23,7 @@ from measureapp.map_memory import MapMemory
 LEAST_USABLE, MOST_OUTSIDE = 0.01, 0.8
 COUNTERS = len(PixelState) + 1  # of every state, and of complete pixels
 NOWHERE = np.empty(0, np.uint8)  # no pixel is kept from an exposure by its neighbours
+NOTHING_COMING = np.empty((0, 0), np.uint8)  # no images are needed after these sums
 UNLIT = (PixelState.SATURATED, PixelState.WEAK_MODULATION, PixelState.SHADOW, PixelState.BLOOMING)
 
 
@@ -115,7 +116,7 @@ class DirectionDecoder:
 
         def work(start: int, stop: int) -> IntArray:
             counts, blocks = np.zeros(COUNTERS, np.int64), make_work(len(self._layout.steps))
-            solving.solve(sums, 0, self._layout, model, blocks, start, stop, maps, counts)
+            solving.solve(sums, 0, NOTHING_COMING, self._layout, model, blocks, start, stop, maps, counts)
             return counts
 
         done = self._in_bands(work)
@@ -141,12 +142,22 @@ class DirectionDecoder:
         chunks = sampled_chunks(self._pixels)
         pixels, memory = sum(end - begin for begin, end in chunks), self._memory
         sample = self._recipe.sums(self._dtype, pixels, memory)
-        for number, (begin, end) in enumerate(chunks):
-            fill(sample, number * CHUNK, begin, end)
+
+        def fill_some(start: int, stop: int) -> None:
+            for number in range(start, stop):
+                fill(sample, number * CHUNK, *chunks[number])
+
+        in_bands(fill_some, len(chunks))
 
         def solve(trial: Model, layout: Layout) -> Maps:
             maps = make_maps(self._dtype, pixels, memory)
-            solving.solve(sample, 0, layout, trial, make_work(len(layout.steps)), 0, pixels, maps, np.zeros(COUNTERS, np.int64))
+
+            def work(start: int, stop: int) -> None:
+                counts, blocks = np.zeros(COUNTERS, np.int64), make_work(len(layout.steps))
+                begin, end = start * CHUNK, min(stop * CHUNK, pixels)
+                solving.solve(sample, 0, NOTHING_COMING, layout, trial, blocks, begin, end, maps, counts)
+
+            in_bands(work, len(chunks))
             return maps
 
         return with_origin(model, plan, self._layout, solve)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import combinations, pairwise, product
 from math import comb
 
@@ -55,6 +56,7 @@ def extent_px(patterns: PatternSet) -> int:
     return (patterns.projector_rows if patterns.directions == ("horizontal",) else None) or patterns.projector_px
 
 
+@lru_cache(maxsize=32)
 def plan_heterodyne(patterns: PatternSet) -> HeterodynePlan:
     """Find the chain of combinations whose noisiest order decision is the least noisy.
 

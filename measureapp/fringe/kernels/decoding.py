@@ -6,14 +6,13 @@ from typing import Any
 
 from numba import njit
 
+from measureapp.fringe.kernels.options import LOOP
 from measureapp.fringe.kernels.records import CHUNK
 from measureapp.fringe.kernels.solving import solve
 from measureapp.fringe.kernels.summing import add_exposures
 
-OPTIONS: dict[str, Any] = {"nogil": True, "_nrt": False, "cache": True, "error_model": "numpy", "fastmath": True}
 
-
-@njit(**OPTIONS)
+@njit(**LOOP)
 def sum_and_solve(
     images: Any,  # (E, P, N)
     blocked: Any,  # empty: no guard against blooming
@@ -30,7 +29,10 @@ def sum_and_solve(
     counts: Any,  # see `solve`
 ) -> None:
     """Turn the images of pixels ``start … stop``, whole chunks, into their maps."""
+    exposures, count, pixels = images.shape
+    surely_needed = 1 if rule.first_only else exposures
+    coming = images[:surely_needed].reshape(surely_needed * count, pixels)
     for begin in range(start, stop, CHUNK):
         end = min(begin + CHUNK, stop)
         add_exposures(images, 0, blocked, layout, rule, scratch, sums, begin, begin, end, seen)
-        solve(sums, begin, layout, model, work, begin, end, maps, counts)
+        solve(sums, begin, coming, layout, model, work, begin, end, maps, counts)

@@ -10,9 +10,10 @@ from __future__ import annotations
 from typing import Any
 
 from llvmlite import ir  # type: ignore[import-untyped]
-from numba import types
+from numba import njit, types
 from numba.extending import intrinsic
 
+from measureapp.fringe.kernels.options import INLINE
 from measureapp.map_memory import LINE
 
 STREAMED = 16  # float32 of a line
@@ -35,6 +36,21 @@ def _will_read(_typing: Any, array: Any, index: Any) -> Any:
 
 
 will_read: Any = intrinsic(_will_read)
+
+
+@njit(**INLINE)
+def ask_for_part(images: Any, begin: Any, length: int, part: Any, parts: int) -> None:
+    """Ask for one of so many parts of the pixels from ``begin`` on of all images (P, N), none where images end before ``length`` pixels.
+
+    All at once would make the processor wait: it keeps count of a few dozen lines that are on their way.
+    """
+    if begin + length > images.shape[1]:
+        return
+    step = LINE // images.itemsize
+    of_image = length // step
+    lines = images.shape[0] * of_image
+    for line in range(lines * part // parts, lines * (part + 1) // parts):
+        will_read(images[line // of_image], begin + step * (line % of_image))
 
 
 def _write_past_caches(_typing: Any, source: Any, target: Any, index: Any) -> Any:

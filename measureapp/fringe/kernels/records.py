@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 CHUNK = 2048  # pixels whose images of all exposures pass through the processor's nearest cache together
 LOOKED_AT = 8  # of how many chunks one is counted that needs no further exposure
-BLOCK = 1024  # of a chunk, for the arithmetic after the sums
+BLOCK = 512  # of a chunk, for the arithmetic after the sums
 RESIDUAL_SCALE = 120.0  # a rounding residual of ±1 cycle in eight bits
 
 

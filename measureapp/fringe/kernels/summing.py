@@ -14,16 +14,11 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.fringe.kernels.memory import will_read
+from measureapp.fringe.kernels.options import INLINE, LOOP
 from measureapp.fringe.kernels.records import CHUNK, LOOKED_AT
-from measureapp.map_memory import LINE
-
-# With the error model of Python a division is a branch, and the loop around it stays scalar.
-ENTRY: dict[str, Any] = {"nogil": True, "_nrt": False, "cache": True, "error_model": "numpy", "fastmath": True}
-INNER: dict[str, Any] = {**ENTRY, "forceinline": True}
 
 
-@njit(**INNER)
+@njit(**INLINE)
 def clear(sums: Any, off: int, n: int) -> None:
     """Set the sums of ``n`` pixels to nothing."""
     sums.sine[:, off : off + n] = 0
@@ -32,18 +27,13 @@ def clear(sums: Any, off: int, n: int) -> None:
     sums.planes[:, off : off + n] = 0
 
 
-@njit(**INNER)
-def bounds(images: Any, layout: Any, begin: int, n: int, ahead: Any, at: int) -> Any:
-    """Return the brightest and the darkest grey level of all sinusoids of a chunk; asks for the chunk ``at`` of the images ``ahead``."""
+@njit(**INLINE)
+def bounds(images: Any, layout: Any, begin: int, n: int) -> Any:
+    """Return the brightest and the darkest grey level of all sinusoids of a chunk."""
     top = images[layout.first_image[0], begin]
     bottom = top
-    wanted = at + CHUNK <= ahead.shape[1]
     for g in range(layout.steps.shape[0]):
         for p in range(layout.first_image[g], layout.first_image[g] + layout.steps[g]):
-            if wanted:
-                coming = ahead[p]
-                for k in range(0, CHUNK, LINE // coming.itemsize):
-                    will_read(coming, at + k)
             row = images[p, begin : begin + n]
             high, low = row[0], row[0]
             for j in range(n):
@@ -53,7 +43,7 @@ def bounds(images: Any, layout: Any, begin: int, n: int, ahead: Any, at: int) ->
     return top, bottom
 
 
-@njit(**INNER)
+@njit(**INLINE)
 def extremes(images: Any, layout: Any, begin: int, n: int, scratch: Any) -> None:
     """Find the brightest image of the groups that decide together, the brightest and the darkest of all, per pixel."""
     low, peak = scratch.low, scratch.peak
@@ -83,7 +73,7 @@ def extremes(images: Any, layout: Any, begin: int, n: int, scratch: Any) -> None
             peak[j] = max(peak[j], high[j])
 
 
-@njit(**INNER)
+@njit(**INLINE)
 def begin_quad(a: Any, b: Any, c: Any, d: Any, n: int, sine: Any, cosine: Any, total: Any, counted: bool) -> None:
     """Begin the sums of a group of four images with one exposure of all pixels; ``total`` only where it is ``counted``."""
     kind = sine.dtype.type
@@ -98,7 +88,7 @@ def begin_quad(a: Any, b: Any, c: Any, d: Any, n: int, sine: Any, cosine: Any, t
             cosine[j] = kind(a[j]) - kind(c[j])
 
 
-@njit(**INNER)
+@njit(**INLINE)
 def add_quad(
     a: Any, b: Any, c: Any, d: Any, n: int, sine: Any, cosine: Any, total: Any, counted: bool, take: Any, everywhere: bool
 ) -> None:
@@ -122,7 +112,7 @@ def add_quad(
                 total[j] += kind(take[j]) * ((kind(a[j]) + kind(b[j])) + (kind(c[j]) + kind(d[j])))
 
 
-@njit(**INNER)
+@njit(**INLINE)
 def add_weighted(images: Any, layout: Any, g: int, begin: int, n: int, sine: Any, cosine: Any, take: Any, everywhere: bool) -> None:
     """Add a group of any number of images of one exposure, of all pixels once or as often as ``take`` says."""
     kind = sine.dtype.type
@@ -137,7 +127,7 @@ def add_weighted(images: Any, layout: Any, g: int, begin: int, n: int, sine: Any
             cosine[j] += kind(weight_c * value)
 
 
-@njit(**INNER)
+@njit(**INLINE)
 def add_images(images: Any, first: int, count: int, begin: int, n: int, total: Any, take: Any, everywhere: bool) -> None:
     """Add consecutive images to one sum, of all pixels once or as often as ``take`` says."""
     kind = total.dtype.type
@@ -151,7 +141,7 @@ def add_images(images: Any, first: int, count: int, begin: int, n: int, total: A
                 total[j] += kind(row[j]) * kind(take[j])
 
 
-@njit(**INNER)
+@njit(**INLINE)
 def add_taken(
     images: Any, layout: Any, rule: Any, m: int, begin: int, n: int, sums: Any, off: int, take: Any, everywhere: bool, fresh: bool
 ) -> None:
@@ -190,7 +180,7 @@ def add_taken(
             add_images(images, layout.planes[b], 1, begin, n, plane, take, everywhere)
 
 
-@njit(**INNER)
+@njit(**INLINE)
 def take_some(
     images: Any, exposure: int, blocked: Any, layout: Any, rule: Any, m: int, begin: int, n: int, scratch: Any, sums: Any, off: int
 ) -> None:
@@ -221,7 +211,7 @@ def take_some(
     add_taken(images, layout, rule, m, begin, n, sums, off, take, False, False)
 
 
-@njit(**INNER)
+@njit(**INLINE)
 def take_all(images: Any, exposure: int, layout: Any, rule: Any, begin: int, n: int, scratch: Any, sums: Any, off: int) -> None:
     """Add one exposure that all pixels can take where they took different ones before."""
     bit = np.uint16(1 << exposure)
@@ -235,7 +225,7 @@ def take_all(images: Any, exposure: int, layout: Any, rule: Any, begin: int, n: 
             taken[j] |= bit
 
 
-@njit(**INNER)
+@njit(**INLINE)
 def take_together(images: Any, exposure: int, layout: Any, rule: Any, begin: int, n: int, scratch: Any, sums: Any, off: int) -> None:
     """Add one exposure that all pixels can take and that took the same ones before; the first one begins the sums."""
     weight = rule.weights[exposure]
@@ -251,7 +241,7 @@ def take_together(images: Any, exposure: int, layout: Any, rule: Any, begin: int
             add_taken(images, layout, rule, m, begin, n, sums, off, scratch.take, weight == 1, False)
 
 
-@njit(**INNER)
+@njit(**INLINE)
 def accumulate(
     images: Any,  # (P, N) of one exposure
     exposure: int,
@@ -263,14 +253,12 @@ def accumulate(
     scratch: Any,
     sums: Any,
     off: int,
-    ahead: Any,  # (P, N) of the exposure that will be read next
-    at: int,  # the chunk of it
 ) -> Any:
     """Add one exposure of ``n`` pixels to their sums; returns how many of them are above zero and unsaturated in it."""
     chunk = off // CHUNK
     alike = sums.alike[chunk]
     done = rule.first_only and alike > 0
-    top, bottom = bounds(images, layout, begin, n, ahead, at)
+    top, bottom = bounds(images, layout, begin, n)
     clean = top <= rule.limit
     together = clean and alike >= 0 and not done and blocked.shape[0] == 0 and (alike > 0 or bottom > 0)
     if together:
@@ -300,7 +288,7 @@ def accumulate(
     return good
 
 
-@njit(**ENTRY)
+@njit(**LOOP)
 def add_exposures(
     images: Any,  # (E, P, N) consecutive exposures
     exposure: int,  # number of the first of them
@@ -326,15 +314,12 @@ def add_exposures(
             sampled = np.int64(rule.first_only and sums.alike[off // CHUNK] > 0)
             if sampled and (begin // CHUNK) % LOOKED_AT != 0:
                 continue
-            following, at = e + 1, begin
-            if following == images.shape[0] or (rule.first_only and e == 0):
-                following, at = 0, begin + CHUNK
-            good = accumulate(images[e], exposure + e, blocked, layout, rule, begin, n, scratch, sums, off, images[following], at)
+            good = accumulate(images[e], exposure + e, blocked, layout, rule, begin, n, scratch, sums, off)
             seen[sampled, 0, exposure + e] += n
             seen[sampled, 1, exposure + e] += good
 
 
-@njit(**ENTRY)
+@njit(**LOOP)
 def mark_saturated(images: Any, layout: Any, limit: Any, start: int, stop: int, saturated: Any) -> None:
     """Mark pixels ``start … stop`` of one exposure (P, N) of which a sinusoid is above ``limit``."""
     for begin in range(start, stop, CHUNK):
