@@ -22,12 +22,17 @@ class FrameBudget:
         return max(LEAST_POINTS, int(FRAME_S / self._s_per_point))
 
     def observe(self, points: int, seconds: float) -> None:
-        """Learn from a frame. What a frame costs without points is shared out among its points, which settles at the right budget."""
-        if points >= LEAST_POINTS / 2 and seconds > 0:
+        """Learn from a frame that used its budget up, or its time.
+
+        What a frame costs without points is shared out among its points, which settles at the right budget; a frame with
+        few points, the last one of a picture, would make points look dear.
+        """
+        used_up = points >= self.points / 2 or seconds > FRAME_S
+        if used_up and points >= LEAST_POINTS / 2:
             self._s_per_point += LEARNING * (seconds / points - self._s_per_point)
 
 
 def is_software(capabilities: str) -> bool:
-    """Tell from what VTK reports of a render window whether the processor draws."""
+    """Tell from what VTK reports of an initialised render window whether the processor draws; where it reports nothing, be careful."""
     told = [line.lower() for line in capabilities.splitlines() if "renderer string" in line.lower()]
-    return any(name in line for line in told for name in SOFTWARE_NAMES)
+    return not told or any(name in line for line in told for name in SOFTWARE_NAMES)

@@ -31,8 +31,9 @@ class OffScreenView(QWidget):
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self._scene, self._window, self._image, self._stale = scene, window, QImage(), True
+        window.Initialize()  # before that it cannot report who draws
         scene.budget = FrameBudget(window.ReportCapabilities())
-        window.SetMultiSamples(0 if scene.budget.software else 4)  # four samples cost the processor four times the time
+        window.SetMultiSamples(0 if scene.budget.software else 4)  # four samples cost the processor a frame's time at every size
         window.AddRenderer(scene.renderer)
         self._interactor = vtkGenericRenderWindowInteractor()
         self._interactor.SetRenderWindow(window)
@@ -158,8 +159,10 @@ class OffScreenView(QWidget):
     def _draw(self, width: int, height: int) -> None:
         started = time.perf_counter()
         self._window.Render()
-        self._image = _grab(self._window, width, height)
-        self._image.setDevicePixelRatio(self.devicePixelRatioF())
+        self._window.WaitForCompletion()
+        if self._scene.is_presentable or (self._image.width(), self._image.height()) != (width, height):
+            self._image = _grab(self._window, width, height)
+            self._image.setDevicePixelRatio(self.devicePixelRatioF())
         self._scene.budget.observe(self._scene.frame_points, time.perf_counter() - started)
         if not self._scene.is_complete:
             self._more.start()

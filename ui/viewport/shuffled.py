@@ -11,7 +11,7 @@ from ui.viewport.colouring import UNKNOWN
 from ui.viewport.layers import CloudLayer
 
 SEED = 0
-LEAST_BLOCK, LARGEST_BLOCK = 10_000, 500_000  # points
+LEAST_BLOCK, LARGEST_BLOCK = 10_000, 200_000  # points; a processor draws the largest in the time of a frame
 CHUNK = 1_000_000
 LIGHT = np.array([-1.0, -1.1, 0.85], np.float32) / np.float32(np.linalg.norm([-1.0, -1.1, 0.85]))  # from where one looks first
 AMBIENT, FRONT, BACK = 0.4, 0.62, 0.45  # shares of the light; the back is lit more weakly, so that it has relief too
@@ -26,6 +26,7 @@ class ShuffledCloud:
     colours: np.ndarray  # (N, 3) uint8, shaded
     order: np.ndarray  # (N,) int32, place of each point among the points of all layers, one layer after another
     starts: np.ndarray  # (L + 1,) int64, where the layers begin in that counting
+    bounds_mm: tuple[np.ndarray, ...]  # least and greatest coordinates, (3,) each; () without points
 
     def __len__(self) -> int:
         return len(self.points_mm)
@@ -53,7 +54,8 @@ def shuffled(layers: Sequence[CloudLayer]) -> ShuffledCloud:
     colours = np.concatenate([np.empty((0, 3), np.uint8), *(_shaded(layer) for layer in layers)])
     order = np.arange(len(points), dtype=np.int32)
     np.random.default_rng(SEED).shuffle(order)
-    return ShuffledCloud(points[order], colours[order], order, starts)
+    bounds = (points.min(axis=0), points.max(axis=0)) if len(points) else ()
+    return ShuffledCloud(points[order], colours[order], order, starts, bounds)
 
 
 def _shaded(layer: CloudLayer) -> np.ndarray:
