@@ -1,4 +1,4 @@
-"""Turning large clouds where the processor draws: frames a second and memory, off-screen at 1280 × 960."""
+"""Turning large clouds where the processor draws: frames a second, coverage, waiting and memory; the mouse turns, 1280 × 960."""
 
 from __future__ import annotations
 
@@ -11,14 +11,20 @@ import time
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QImage, QMouseEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from ui.look.look import Look
 from ui.viewport.cloud_view import CloudView
+from ui.viewport.frame_budget import FRAME_S, LEAST_POINTS
 from ui.viewport.layers import CloudLayer
 from ui.viewport.shuffled import ShuffledCloud, shuffled
 
-LEARNING_FRAMES, FRAMES = 8, 20
-LEAST_FRAMES_PER_S, MOST_OF_SMALL = 10.0, 1.6
+LEARNING_FRAMES, FRAMES = 8, 40
+LEAST_FRAMES_PER_S, LEAST_COVERED = 10.0, 0.9
+STEP_PX = 7
 pytestmark = pytest.mark.slow
 
 
@@ -32,42 +38,86 @@ def wavy_ball(count: int) -> ShuffledCloud:
 
 @pytest.mark.timeout(600)
 @pytest.mark.parametrize("millions", [5, 30])
-def test_a_large_cloud_turns_as_fast_as_a_small_one(qtbot, millions: int, record_property) -> None:
+def test_a_large_cloud_turns_smoothly_looks_like_the_part_and_is_complete_when_still(qtbot, millions: int, record_property) -> None:
     view = CloudView(Look("light"))
     qtbot.addWidget(view)
     view.resize(1280, 960)
-    view.show()
+    with qtbot.waitExposed(view):
+        view.show()
     view.activate()
+    background = drawn_in_full(view)
+    view.set_clouds((), wavy_ball(LEAST_POINTS))
+    drawn_in_full(view)
+    least_s, *_ = turned(view)
     view.set_clouds((), wavy_ball(millions * 1_000_000))
-    large_s, shown = turned(view)
-    view._scene.set_moving(False)
-    started = time.perf_counter()
-    view._view.refresh()
-    view.screenshot()
-    complete_s = time.perf_counter() - started
-    assert view._scene._drawn == len(view._scene._blocks)
+    drawn_in_full(view)
+    turning_s, shown, turning = turned(view)
+    waits, complete_s = came_to_rest(view)
+    part = differs(drawn_in_full(view), background)
+    covered = float((differs(turning, background) & part).sum() / part.sum())
     peak_mib = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
-    view.set_clouds((), wavy_ball(shown))
-    small_s, _ = turned(view)
-    told = f"{millions} M points: {1 / large_s:.1f} frames/s ({shown} points; {1 / small_s:.1f} with a cloud of that size)"
-    told += f", all of them in {complete_s:.1f} s, peak {peak_mib:.0f} MiB, load {os.getloadavg()[0]:.1f}"
+    told = f"{millions} M points: {1 / turning_s:.1f} frames/s of {shown} points that cover {covered:.0%} of the part"
+    told += f" ({LEAST_POINTS} points alone: {1 / least_s:.1f}); still: all of them in {complete_s:.1f} s,"
+    told += (
+        f" waits of {np.median(waits) * 1e3:.0f} ms, at most {max(waits) * 1e3:.0f}; peak {peak_mib:.0f} MiB, load {os.getloadavg()[0]:.1f}"
+    )
     record_property("told", told)
-    assert large_s < MOST_OF_SMALL * small_s
-    if os.getloadavg()[0] < (os.cpu_count() or 1):  # on a computer that others keep busy, frames a second say nothing
-        assert 1 / large_s >= LEAST_FRAMES_PER_S
+    assert covered > LEAST_COVERED
+    if 1 / least_s > 2 * LEAST_FRAMES_PER_S:  # on a computer so busy that hardly any points are drawn in time, the rest says nothing
+        assert 1 / turning_s >= LEAST_FRAMES_PER_S
+        assert np.median(waits) < 2 * FRAME_S
     view.close_view()
     view.close()
 
 
-def turned(view: CloudView) -> tuple[float, int]:
-    """Return the median seconds of a frame while turning, and how many points it has."""
-    scene, seconds = view._scene, []
-    scene.reset_camera()
-    scene.set_moving(True)
-    for _ in range(LEARNING_FRAMES + FRAMES):
+def turned(view: CloudView) -> tuple[float, int, QImage]:
+    """Turn by the mouse; return the median seconds of a frame until it is on the screen, its points, and the last picture."""
+    inner, scene = view._view, view._scene
+    seconds, points = [], []
+    at = QPoint(200, 480)
+    QTest.mousePress(inner, Qt.MouseButton.LeftButton, pos=at)
+    for number in range(LEARNING_FRAMES + FRAMES):
+        at += QPoint(STEP_PX if number % 80 < 60 else -STEP_PX, 1)
         started = time.perf_counter()
-        scene.renderer.GetActiveCamera().Azimuth(3.0)
-        view._view.refresh()
-        view.screenshot()
+        send_move(inner, at)
+        inner.repaint()
+        assert not inner._stale
         seconds.append(time.perf_counter() - started)
-    return float(np.median(seconds[LEARNING_FRAMES:])), scene.frame_points
+        points.append(scene.frame_points)
+        assert scene.is_complete
+    QTest.mouseRelease(inner, Qt.MouseButton.LeftButton, pos=at)
+    return float(np.median(seconds[LEARNING_FRAMES:])), int(np.median(points[LEARNING_FRAMES:])), inner._image.copy()
+
+
+def came_to_rest(view: CloudView) -> tuple[list[float], float]:
+    """Let the window come to rest; return how long each of its events kept it busy, and the seconds until the cloud was complete."""
+    inner, scene, waits = view._view, view._scene, []
+    while inner._rest.isActive():
+        QApplication.processEvents()
+    begun = time.perf_counter()
+    while scene.picture_points < len(scene._cloud):
+        started = time.perf_counter()
+        QApplication.processEvents()
+        waits.append(time.perf_counter() - started)
+    return waits, time.perf_counter() - begun
+
+
+def send_move(widget, at: QPoint) -> None:
+    place, nothing = QPointF(at), Qt.KeyboardModifier.NoModifier
+    QApplication.sendEvent(
+        widget, QMouseEvent(QEvent.Type.MouseMove, place, place, Qt.MouseButton.NoButton, Qt.MouseButton.LeftButton, nothing)
+    )
+
+
+def drawn_in_full(view: CloudView) -> QImage:
+    view._scene.set_moving(False)
+    view._view.refresh()
+    return view.screenshot()
+
+
+def differs(picture: QImage, background: QImage) -> np.ndarray:
+    one, other = (
+        np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())[:, : 3 * image.width()].astype(int)
+        for image in (picture, background)
+    )
+    return (np.abs(one - other).reshape(picture.height(), picture.width(), 3) > 8).any(axis=2)

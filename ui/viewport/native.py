@@ -96,6 +96,8 @@ class NativeView(QWidget):
     def _end_frame(self, _caller: object, _event: str) -> None:
         if not self._knows_renderer:
             self._scene.budget, self._knows_renderer = FrameBudget(self._window.ReportCapabilities()), True
+            if self._scene.budget.software:
+                self._window.SetMultiSamples(0)
             return
         self._window.WaitForCompletion()
         self._scene.budget.observe(self._scene.frame_points, time.perf_counter() - self._started)

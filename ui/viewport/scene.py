@@ -85,17 +85,17 @@ class Scene:
     @property
     def is_presentable(self) -> bool:
         """Whether the picture covers the part as well as one drawn while turning; until then the last picture is better to look at."""
-        return self.is_complete or self._picture_points * self._size_px**2 >= self.budget.points * self._moving_size_px() ** 2
+        return self.is_complete or self.picture_points * self._size_px**2 >= self.budget.points * self._moving_size_px() ** 2
 
     @property
     def frame_points(self) -> int:
         """Return how many points the frame has."""
         before = int(self._ends[self._shown.start - 1]) if self._shown.start else 0
-        return self._picture_points - before
+        return self.picture_points - before
 
     def _show_next(self, budget: int) -> None:
         """Make the next blocks visible, and what is no cloud in the first frame alone, whose depth stays; labels lie over everything."""
-        first, start = self._drawn == 0, self._picture_points
+        first, start = self._drawn == 0, self.picture_points
         end = min(max(self._drawn + 1, int(np.searchsorted(self._ends, start + budget, side="right"))), len(self._blocks))
         for block in self._blocks[self._shown]:
             block.VisibilityOff()
@@ -110,7 +110,8 @@ class Scene:
         self.renderer.SetUseFXAA(self.budget.software and not self._blocks)  # it would smooth the same points again with every part
 
     @property
-    def _picture_points(self) -> int:
+    def picture_points(self) -> int:
+        """Return how many points the picture has, those of its earlier frames included."""
         return int(self._ends[self._drawn - 1]) if self._drawn else 0
 
     def _moving_size_px(self) -> float:
