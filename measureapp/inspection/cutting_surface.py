@@ -40,6 +40,10 @@ class CuttingPlane:
         offset = points_mm - self.point_mm
         return np.column_stack([offset @ self.across, offset @ np.cross(self.normal, self.across)])
 
+    def lifted(self, flat_mm: FloatArray) -> FloatArray:
+        """Return the points (N, 3) of the plane that lie at these coordinates (N, 2)."""
+        return np.asarray(self.point_mm + flat_mm @ np.stack([self.across, np.cross(self.normal, self.across)]))
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CuttingCylinder:
@@ -73,6 +77,12 @@ class CuttingCylinder:
         radial = self._radial(points_mm)
         angle = np.arctan2(radial @ np.cross(self.axis, self.zero), radial @ self.zero)
         return np.column_stack([self.radius_mm * angle, (points_mm - self.point_mm) @ self.axis])
+
+    def lifted(self, flat_mm: FloatArray) -> FloatArray:
+        """Return the points (N, 3) of the cylinder that lie at these unrolled coordinates (N, 2)."""
+        angle = flat_mm[:, :1] / self.radius_mm
+        outwards = np.cos(angle) * self.zero + np.sin(angle) * np.cross(self.axis, self.zero)
+        return np.asarray(self.point_mm + self.radius_mm * outwards + flat_mm[:, 1:] * self.axis)
 
     def _radial(self, points_mm: FloatArray) -> FloatArray:
         offset = points_mm - self.point_mm

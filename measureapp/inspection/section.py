@@ -23,6 +23,7 @@ class Section:
     nominal: tuple[FloatArray, ...]  # curves (K, 3); a closed one ends where it began
     measured_mm: FloatArray  # (N, 3), moved onto the cutting surface along its normal, in order along the nominal's curves
     deviations_mm: FloatArray  # (N,)
+    nominal_normals: FloatArray  # (N, 3), of the nominal where each point was measured against it
 
 
 def section(name: str, found: Deviation, surface: NominalSurface, cut: CuttingSurface, half_width_mm: float) -> Section:
@@ -43,7 +44,7 @@ def section(name: str, found: Deviation, surface: NominalSurface, cut: CuttingSu
         )
     moved = found.points_mm[near] - offsets[near, None] * cut.normals(found.points_mm[near])
     order = _along(moved, curves)
-    return Section(name, curves, moved[order], found.distances_mm[near][order])
+    return Section(name, curves, moved[order], found.distances_mm[near][order], np.asarray(found.nominal_normals[near][order], np.float64))
 
 
 def cut_curves(vertices_mm: FloatArray, triangles: IntArray, cut: CuttingSurface) -> tuple[FloatArray, ...]:

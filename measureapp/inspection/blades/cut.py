@@ -55,6 +55,15 @@ class SectionFrame:
         """Return coordinates (N, 2) along the nominal chord from the leading edge, and to its left."""
         return np.asarray((self.surface.flat(points_mm) - self.origin_mm) @ self.axes.T)
 
+    def lifted(self, flat_mm: FloatArray, number: int) -> FloatArray:
+        """Return the points (N, 3) on blade ``number`` (from 0) that lie at these coordinates (N, 2) of the section."""
+        return self.turned(self.surface.lifted(flat_mm @ self.axes + self.origin_mm), 2 * np.pi * number / self.described.count)
+
+    def points_of(self, points_mm: FloatArray, number: int, most: int) -> IntArray:
+        """Return which points (N, 3) belong to the section of blade ``number`` (from 0), at most ``most`` of them, evenly chosen."""
+        chosen = self.chosen(self.turned_back(points_mm, number))
+        return chosen if len(chosen) <= most else chosen[np.linspace(0, len(chosen) - 1, most).astype(int)]
+
     def chosen(self, points_mm: FloatArray) -> IntArray:
         """Return which points, turned back, belong to the section of the first blade."""
         near = np.flatnonzero(np.abs(self.surface.offsets_mm(points_mm)) < self.described.width_mm / 2)

@@ -48,20 +48,18 @@ def find_blades(
     found: dict[str, Found] = {}
     blades: dict[str, FloatArray] = {}
     for number, name in enumerate(names):
-        turned = frame.turned_back(points.points_mm, number)
-        chosen = frame.chosen(turned)
+        chosen = frame.points_of(points.points_mm, number, settings.blade_points)
         if len(chosen) < 4 * settings.least_points:
             reason = f"{name}: only {len(chosen)} points were measured there, {4 * settings.least_points} are needed"
             found[name] = Found(name, None, reason)
             continue
-        if len(chosen) > settings.blade_points:
-            chosen = chosen[np.linspace(0, len(chosen) - 1, settings.blade_points).astype(int)]
+        turned = frame.turned_back(points.points_mm[chosen], number)
         try:
-            found[name] = _found(name, number, points.where(chosen), turned[chosen], frame, surface, settings)
+            found[name] = _found(name, number, points.where(chosen), turned, frame, surface, settings)
         except FitError as error:
             found[name] = Found(name, None, f"{name}: {error.message}")
             continue
-        blades[name] = turned[chosen]
+        blades[name] = turned
     return found if len(blades) < 2 else _among_each_other(found, blades, frame)
 
 
