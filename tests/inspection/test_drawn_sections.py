@@ -20,6 +20,7 @@ from tests.inspection.test_deviation import box
 
 HALF = np.array([50.0, 30.0, 20.0])
 FIT_MM = 3 * NOISE_MM / np.sqrt(10)  # a side of some 1700 points has 9 unknowns: its curve is at least ten times better than a point
+EDGE_MM = 3 * NOISE_MM * np.sqrt(9 / 50)  # an edge has some 50 points for 3 unknowns; at the ends of the half circle they weigh threefold
 
 
 def program(features: list[dict], dimensions: list[dict]) -> InspectionProgram:
@@ -43,7 +44,8 @@ def test_outline_mean_line_and_chord_of_every_blade_lie_where_its_form_has_them(
         truth = cKDTree(turned(standing, 360 / COUNT * number + off))
         for curve in curves.outline:
             assert np.allclose(curve[:, 2], HEIGHTS[0])
-            assert truth.query(curve[:, :2])[0].max() < FIT_MM
+        assert max(truth.query(curve[:, :2])[0].max() for curve in curves.sides) < FIT_MM
+        assert max(truth.query(curve[:, :2])[0].max() for curve in curves.edges.values()) < EDGE_MM
         assert curves.chord is not None
         assert np.linalg.norm(curves.chord[1] - curves.chord[0]) == pytest.approx(blade.chord_mm, abs=2 * FIT_MM)
         assert np.linalg.norm(curves.thickest[1] - curves.thickest[0]) == pytest.approx(blade.thickness_mm, abs=2 * FIT_MM)
