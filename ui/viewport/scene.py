@@ -9,6 +9,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkProp, vtkRenderer
 
 from ui.viewport.actors import label_actor, line_actor, points_actor, surface_actor
 from ui.viewport.frame_budget import FrameBudget
+from ui.viewport.label_places import label_places
 from ui.viewport.layers import Label, LineLayer, SurfaceLayer
 from ui.viewport.point_size import point_size_px
 from ui.viewport.shuffled import ShuffledCloud, shuffled
@@ -17,6 +18,7 @@ OPENING_DIRECTION = (-1.0, -1.1, 0.85)
 FRAMING_POINTS = 4_000
 FILLED_SHARE = 0.86  # of the picture's width or height, whichever is reached first
 PICK_REACH_PX = 5.0
+LABEL_PX = (8.6, 26)  # about as wide as a letter and as high as a label is drawn
 PICK_CHUNK = 2_000_000
 
 
@@ -37,6 +39,7 @@ class Scene:
         self._moving = False
         self._others: dict[str, list[vtkProp]] = {"surface": [], "lines": [], "labels": []}
         self._extent: dict[str, np.ndarray] = {}
+        self._labels: tuple[Label, ...] = ()
         self.keep_framed = True  # until the user moves the camera
 
     def set_background(self, top: tuple[float, float, float], bottom: tuple[float, float, float]) -> None:
@@ -71,6 +74,8 @@ class Scene:
             self.reset_camera()
         self._show_next(self.budget.points)
         self.renderer.ResetCameraClippingRange(self._all_bounds())
+        if not self._moving:  # while it moves, labels stay beside what they name
+            self._place_labels()
 
     def go_on(self) -> None:
         """Let the next frame add points to the picture; see `is_complete`."""
@@ -114,6 +119,20 @@ class Scene:
         """Return how many points the picture has, those of its earlier frames included."""
         return int(self._ends[self._drawn - 1]) if self._drawn else 0
 
+    def _place_labels(self) -> None:
+        if not self._labels:
+            return
+        places = self._pixels(np.array([label.point_mm for label in self._labels], float))
+        sizes = [(round(LABEL_PX[0] * (len(label.text) + 1)), LABEL_PX[1]) for label in self._labels]
+        for prop, (right, up) in zip(self._others["labels"], label_places(places, sizes, self.renderer.GetSize()), strict=True):
+            prop.SetPosition(right, up)
+
+    def _pixels(self, points_mm: np.ndarray) -> np.ndarray:
+        """Return where points (N, 3) in front of the camera lie in the picture; y counts from below."""
+        matrix = self._projection()
+        placed = points_mm @ matrix[:, :3].T + matrix[:, 3]
+        return np.asarray((placed[:, :2] / placed[:, 3:] + 1.0) / 2.0 * self.renderer.GetSize())
+
     def _moving_size_px(self) -> float:
         return self._covering_size_px(min(self.budget.points, len(self._cloud)))
 
@@ -121,10 +140,7 @@ class Scene:
         """Return the size at which so many points of the cloud cover what is seen of it."""
         if not points:
             return 1.0
-        matrix, size = self._projection(), self.renderer.GetSize()
-        placed = self._extent["clouds"] @ matrix[:, :3].T + matrix[:, 3]
-        placed = placed[placed[:, 3] > 0]
-        return point_size_px((placed[:, :2] / placed[:, 3:] + 1.0) / 2.0 * size, size, points)
+        return point_size_px(self._pixels(self._extent["clouds"]), self.renderer.GetSize(), points)
 
     def _set_preserved(self, preserved: bool) -> None:
         self.renderer.SetPreserveColorBuffer(preserved)
@@ -152,6 +168,7 @@ class Scene:
 
     def set_labels(self, labels: Sequence[Label]) -> None:
         """Show these labels instead of those shown."""
+        self._labels = tuple(labels)
         self._replace("labels", [label_actor(label) for label in labels])
 
     def reset_camera(self) -> None:

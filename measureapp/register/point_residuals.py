@@ -1,0 +1,48 @@
+"""How far single points of the views lie from the merged surface: what fine stitching left, place by place."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from measureapp.arrays import FloatArray, IntArray
+from measureapp.data.cloud import StitchedCloud
+
+REACH_MM = 2.0  # a point farther from the merged cloud than this has nothing to be compared with
+
+
+class MergedSurface:
+    """The merged cloud, ready to be asked for distances."""
+
+    def __init__(self, stitched: StitchedCloud) -> None:
+        self.stitched = stitched
+        self._tree = cKDTree(stitched.points_mm)
+
+    def residuals(self, points_mm: FloatArray) -> tuple[FloatArray, IntArray]:
+        """Return signed distances from the merged surface, and which of its points is the nearest.
+
+        The distance is taken along the normal of the nearest merged point, so that the gaps between points do not count.
+
+        Parameters
+        ----------
+        points_mm : (N, 3), in the part's frame
+
+        Returns
+        -------
+        residuals_mm : (N,), outside is positive; NaN where no merged point lies within `REACH_MM`
+        nearest : (N,) index into the merged cloud; its length where there is none
+        """
+        _, nearest = self._tree.query(points_mm, distance_upper_bound=REACH_MM, workers=-1)
+        found = nearest < len(self.stitched)
+        residuals = np.full(len(points_mm), np.nan)
+        place = nearest[found]
+        away = points_mm[found] - self.stitched.points_mm[place]
+        residuals[found] = np.einsum("nd,nd->n", away, self.stitched.normals[place].astype(np.float64))
+        return residuals, np.asarray(nearest)
+
+    def spread(self, residuals_mm: FloatArray, nearest: IntArray) -> FloatArray:
+        """Return for each merged point the rms of the residuals (M,) next to it; NaN where it has none."""
+        known = np.isfinite(residuals_mm)
+        count = np.bincount(nearest[known], minlength=len(self.stitched))
+        squares = np.bincount(nearest[known], weights=residuals_mm[known] ** 2, minlength=len(self.stitched))
+        return np.asarray(np.where(count > 0, np.sqrt(squares / np.maximum(count, 1)), np.nan))
