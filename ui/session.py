@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from measureapp.data.rig import RigDescription
     from measureapp.data.validity import Validity
     from measureapp.inspection.deviation import Deviation
+    from measureapp.inspection.drawn_sections import DrawnSections
+    from measureapp.inspection.nominal_surface import NominalSurface
 
 Level = Literal["info", "done", "warning", "error"]
 ViewpointStatus = Literal["waiting", "moving", "capturing", "stored", "processed", "failed"]
@@ -38,6 +40,8 @@ class Comparison:
     deviation: Deviation
     unmeasured_mm: np.ndarray  # (M, 3), in the nominal's frame
     unmeasured_normals: np.ndarray  # (M, 3)
+    surface: NominalSurface | None = None  # the drawing, ready to be cut
+    sections: DrawnSections | None = None  # of the inspection program
 
 
 @dataclass(frozen=True)

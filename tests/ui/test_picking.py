@@ -84,7 +84,7 @@ def test_a_point_of_a_view_tells_its_sigma_and_that_its_pixel_is_not_known(measu
 
 def test_a_merged_point_is_traced_back_to_the_view_that_weighs_most_even_when_others_are_hidden(measurement):
     stitched = measurement.stitched
-    point = merged_point(stitched, [3], 7, measurement.views)
+    point = merged_point(stitched, int(np.flatnonzero(stitched.view == 3)[7]), measurement.views)
     row = np.flatnonzero(stitched.view == 3)[7]
     assert point.viewpoint_id == stitched.placements[3].viewpoint_id
     np.testing.assert_allclose(point.position_mm, stitched.points_mm[row])

@@ -57,17 +57,23 @@ def compared(stitched: StitchedCloud, alignment: Alignment, folder: Path, job: J
     from scipy.spatial import cKDTree
 
     from measureapp.inspection.deviation import deviation
+    from measureapp.inspection.drawn_sections import drawn_sections
     from measureapp.inspection.measured import sampled
+    from measureapp.inspection.nominal_surface import NominalSurface
     from measureapp.project.folder import ProjectFolder
     from measureapp.project.geometry_files import read_mesh
+    from measureapp.project.program_file import read_program
 
-    path = ProjectFolder.open(folder).nominal if (folder / "project.json").exists() else None
-    if path is None:
+    project = ProjectFolder.open(folder) if (folder / "project.json").exists() else None
+    if project is None or project.nominal is None:
         return None
-    nominal = read_mesh(path, "nominal")
+    nominal = read_mesh(project.nominal, "nominal")
     found = deviation(stitched, nominal, alignment, near_mm=NEAR_MM, progress=job)
     places = sampled(nominal, PLACES)
     distance, _ = cKDTree(found.points_mm).query(places.points_mm, distance_upper_bound=NEAR_MM)
     missing = ~np.isfinite(distance)
     normals = np.zeros_like(places.points_mm) if places.normals is None else places.normals
-    return Comparison(stitched, found, places.points_mm[missing], normals[missing])
+    surface = NominalSurface(nominal)
+    program = None if project.program is None else read_program(project.program)
+    sections = None if program is None else drawn_sections(found, surface, program, progress=job)
+    return Comparison(stitched, found, places.points_mm[missing], normals[missing], surface, sections)

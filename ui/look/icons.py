@@ -20,6 +20,8 @@ NAMES = {
     "pdf": "file-pdf",
     "fit": "corners-out",
     "holes": "image-square",
+    "labels": "tag",
+    "section": "knife",
     "eye": "eye",
     "hidden": "eye-slash",
     "light": "sun",

@@ -5,18 +5,21 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+import numpy as np
 from PySide6.QtWidgets import QHeaderView
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.wording import NOTHING, counted, millimetres, several
+from ui.pages.clicked_distance import ClickedPoint, DistanceTool
 from ui.pages.holes_dialog import HolesDialog
 from ui.pages.layers import ColourBy, PlacedClouds, placements_of, rgb, scale_end, stitched_layer, view_layer
-from ui.pages.picked_point import merged_point, point_properties, view_point
+from ui.pages.picked_point import PickedPoint, merged_point, point_properties, view_point
+from ui.pages.residuals import Residuals
 from ui.pages.view_words import REFUSED, choice_for, view_properties, view_verdict
 from ui.pages.viewport_page import Composer, Picture, ViewportPage
 from ui.session import Session
-from ui.viewport.colouring import GROWING
+from ui.viewport.colouring import DIVERGING, GROWING
 from ui.viewport.layers import Label
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.colour_scale import ColourScale
@@ -34,7 +37,9 @@ EMPTY = (
     "No clouds yet",
     "Each viewpoint gives a cloud of points; fine stitching lays them together. The demo makes some in a minute or two.",
 )
-SCALE_NAMES = {"sigma": "Standard deviation σ", "residual": "Residual of the view"}
+SCALE_NAMES = {"sigma": "Standard deviation σ", "residual": "Distance from the merged cloud"}
+MERGED_RESIDUAL = "Distance of the views (rms)"
+UNDO_CHOICE, UNDO_DISTANCE = "Take the last choice of a view back", "Take the last measured point or distance back"
 ACTION = "Images and holes"
 HEADERS = ["", "View", "Points", "Correction", "Residual", "Verdict"]
 
@@ -59,14 +64,18 @@ class CloudsPage(ViewportPage):
         self.holes = Button("Images and holes", look, "holes", tip="The images of the selected view, and why pixels have no point")
         self.holes.clicked.connect(self.act)
         self.action_row.addWidget(self.holes)
-        self.undo = Button("Undo", look, "undo", "quiet", "Take the last choice of a view back")
-        self.undo.clicked.connect(controllers.view_choices.undo)
+        self.undo = Button("Undo", look, "undo", "quiet")
+        self.undo.clicked.connect(self._undo)
         self.action_row.insertWidget(0, self.undo)
         controllers.view_choices.undoChanged.connect(self._show_undo)
-        self._placed = PlacedClouds()
+        self._placed, self._residuals = PlacedClouds(), Residuals()
+        self._point: Label | None = None  # of the point that was clicked last
+        self.distance = DistanceTool(look, self)
+        self.distance.changed.connect(self._show_distances)
         fit = Button("Show all", look, "fit", "quiet", "Look at everything from the front")
         fit.clicked.connect(self.view.reset_camera)
-        tools = row(self.stage, 12, label("Colour by", "soft"), self.colour_by, 8, self.scale, 0, fit)
+        self.hint = label("", "soft")
+        tools = row(self.stage, 12, label("Colour by", "soft"), self.colour_by, 8, self.scale, 0, self.hint, self.distance.button, fit)
         middle = row(card(self.view, margin=1), self.table, spacing=16)
         middle.setStretch(0, 1)
         layout = column(tools, middle, spacing=12)
@@ -79,6 +88,7 @@ class CloudsPage(ViewportPage):
         self.view.pointPicked.connect(self._show_point)
         self.stage.valueChanged.connect(self._forget_point)
         session.cloudsChanged.connect(self._show)
+        session.cloudsChanged.connect(self.distance.clear)
         session.projectChanged.connect(self.hidden.clear)
         session.busyChanged.connect(self._show_busy)
         self._show()
@@ -93,7 +103,16 @@ class CloudsPage(ViewportPage):
             self._select(max(0, self.table.currentIndex().row()))
 
     def _show_undo(self) -> None:
-        self.undo.setVisible(bool(self.session.views) and self.controllers.view_choices.can_undo)
+        choices = self.controllers.view_choices
+        self.undo.setVisible(bool(self.session.views) and (choices.can_undo or self.distance.can_undo))
+        self.undo.setToolTip(UNDO_DISTANCE if self.distance.can_undo else UNDO_CHOICE)
+
+    def _undo(self) -> None:
+        """Take back what was measured by clicking; when nothing of that is left, the last choice of a view."""
+        if self.distance.can_undo:
+            self.distance.undo()
+        else:
+            self.controllers.view_choices.undo()
 
     def placements(self) -> dict[str, ViewPlacement]:
         """Return how each view was stitched, so far."""
@@ -106,6 +125,9 @@ class CloudsPage(ViewportPage):
         self._show_undo()
         for name in ("after", "merged"):
             self.stage.set_available(name, stitched is not None)
+        self.colour_by.set_available("residual", stitched is not None)
+        if stitched is None and self.colour_by.value() == "residual":
+            self.colour_by.setValue("view")
         if stitched is None and self.stage.value() != "before":
             self.stage.setValue("before")
         elif stitched is not None and self.stage.value() == "before" and not self._was_stitched():
@@ -170,24 +192,44 @@ class CloudsPage(ViewportPage):
         return [index for index, view in enumerate(self.session.views) if view.viewpoint_id not in self.hidden]
 
     def _forget_point(self) -> None:
-        self.view.set_labels([])
+        self._point = None
+        self._show_marks()
+
+    def _show_distances(self) -> None:
+        """Show what is measured by clicking, and what to click next."""
+        self.hint.setText(self.distance.hint)
+        self._show_undo()
+        if self.distance.is_on or self.distance.distances:
+            self._point = None
+            self.show_properties(self.distance.properties())
+        self._show_marks()
+
+    def _show_marks(self) -> None:
+        self.view.set_lines(self.distance.lines(rgb(self.look.theme, "accent")))
+        self.view.set_labels([*self.distance.labels(self.look.theme), *([self._point] if self._point is not None else [])])
+
+    def _picked(self, layer: int, place: int) -> PickedPoint:
+        stitched = self.session.stitched
+        if self.stage.value() == "merged" and stitched is not None:
+            row_of = np.flatnonzero(np.isin(stitched.view, self._visible_merged(stitched)))
+            return merged_point(stitched, int(row_of[place]), self.session.views)
+        view = self.session.views[self._visible()[layer]]
+        cloud = self._placed.get(view, self.placements().get(view.viewpoint_id), fine=self.stage.value() == "after")
+        return view_point(view.viewpoint_id, cloud, place)
 
     def _show_point(self, layer: int, place: int) -> None:
-        """Tell where a point of the picture comes from: its view, pixel and standard deviation."""
-        stitched = self.session.stitched
-        merged = self.stage.value() == "merged" and stitched is not None
-        if merged and stitched is not None:
-            point = merged_point(stitched, self._visible_merged(stitched), place, self.session.views)
-        else:
-            view = self.session.views[self._visible()[layer]]
-            cloud = self._placed.get(view, self.placements().get(view.viewpoint_id), fine=self.stage.value() == "after")
-            point = view_point(view.viewpoint_id, cloud, place)
+        """Tell where a point of the picture comes from: its view, pixel and standard deviation; or measure from it."""
+        point = self._picked(layer, place)
+        if self.distance.is_on:
+            self.distance.click(ClickedPoint(point.position_mm, point.sigma_mm, point.viewpoint_id))
+            return
         self._asked = (point.viewpoint_id, point.camera, point.pixel)
         self.show_properties(self._with_action(point_properties(point)))
         self.propertiesAsked.emit()
         words = f"{point.viewpoint_id}   sigma {millimetres(point.sigma_mm)}".replace("\u00a0", " ")
         theme = self.look.theme
-        self.view.set_labels([Label(words, point.position_mm, rgb(theme, "text"), rgb(theme, "surface"))])
+        self._point = Label(words, point.position_mm, rgb(theme, "text"), rgb(theme, "surface"))
+        self._show_marks()
 
     def _visible_merged(self, stitched: StitchedCloud) -> list[int]:
         return [index for index, found in enumerate(stitched.placements) if found.viewpoint_id not in self.hidden]
@@ -197,21 +239,33 @@ class CloudsPage(ViewportPage):
         colour_by: ColourBy = self.colour_by.value()  # type: ignore[assignment]
         stitched, placements, views = self.session.stitched, self.placements(), self.session.views
         end = scale_end(colour_by, [view.cloud for view in views], placements.values()) if colour_by in SCALE_NAMES else 1.0
-        self.scale.setVisible(colour_by in SCALE_NAMES)
-        self.scale.show_scale(SCALE_NAMES.get(colour_by, ""), GROWING, 0.0, end)
-        theme, stage, placed_clouds = self.look.theme, self.stage.value(), self._placed
+        theme, stage, placed_clouds, residuals = self.look.theme, self.stage.value(), self._placed, self._residuals
+        self._show_scale(colour_by, end)
         places = {view.viewpoint_id: index for index, view in enumerate(views)}
         visible = self._visible() if stitched is None or stage != "merged" else self._visible_merged(stitched)
 
         def compose(job: Job) -> Picture:
             if stage == "merged" and stitched is not None:
-                return Picture((stitched_layer(theme, stitched, colour_by, end, visible, places),))
+                left = None
+                if colour_by == "residual":
+                    used = [view for view in views if (found := placements.get(view.viewpoint_id)) is not None and found.used]
+                    fine = [placed_clouds.get(view, placements[view.viewpoint_id], fine=True) for view in used]
+                    left = residuals.merged(fine, stitched, job.check)
+                return Picture((stitched_layer(theme, stitched, colour_by, end, visible, places, left),))
             layers = []
             for index in visible:
                 job.check()
-                placement = placements.get(views[index].viewpoint_id)
-                cloud = placed_clouds.get(views[index], placement, fine=stage == "after")
-                layers.append(view_layer(theme, cloud, index, placement, colour_by, end))
+                cloud = placed_clouds.get(views[index], placements.get(views[index].viewpoint_id), fine=stage == "after")
+                left = residuals.of(cloud, stitched) if colour_by == "residual" and stitched is not None else None
+                layers.append(view_layer(theme, cloud, index, colour_by, end, left))
             return Picture(tuple(layers))
 
         return compose
+
+    def _show_scale(self, colour_by: ColourBy, end_mm: float) -> None:
+        self.scale.setVisible(colour_by in SCALE_NAMES)
+        if colour_by == "residual" and self.stage.value() != "merged":
+            self.scale.show_scale(SCALE_NAMES[colour_by], DIVERGING, -end_mm, end_mm)
+        else:
+            name = MERGED_RESIDUAL if colour_by == "residual" else SCALE_NAMES.get(colour_by, "")
+            self.scale.show_scale(name, GROWING, 0.0, end_mm)

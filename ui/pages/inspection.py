@@ -2,27 +2,28 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-import numpy as np
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
-from ui.look.wording import millimetres, percent, quantity, sentence_case
+from ui.look.wording import millimetres, percent, sentence_case
+from ui.pages.clicked_distance import ClickedPoint, DistanceTool
 from ui.pages.deviation_card import DeviationCard, scale_end_mm
 from ui.pages.dimension_rows import (
     branches_of,
     dimension_properties,
-    dimension_words,
     feature_group,
     features_of,
     other_features,
-    unit_of,
 )
+from ui.pages.feature_lines import dimension_labels, feature_lines, verdict_rgb
 from ui.pages.layers import deviation_layers, filled_share, mesh_layer, points_layer, rgb
-from ui.pages.outlines import outline
+from ui.pages.picked_point import merged_point, point_properties
+from ui.pages.section_bar import SectionBar, cut_lines
 from ui.pages.viewport_page import Composer, Picture, ViewportPage
 from ui.session import Session
 from ui.viewport.layers import Label, LineLayer
@@ -37,6 +38,7 @@ from ui.workers.job import Job
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
     from measureapp.data.feature import Feature
+    from measureapp.inspection.drawn_sections import DrawnSections
 
 EMPTY = (
     "Nothing measured yet",
@@ -48,7 +50,6 @@ UNLIMITED = 16_777_215  # Qt's largest height of a widget
 UNITS = "Lengths in mm, U for k = 2"
 TABLE_WIDTH, DEVIATION_HEIGHT = 584, 400
 SIDE_SHARES = (1000, 0, 500, 1)  # the rest stays empty only when table and histogram have what they can use
-OUTLINE = (70, 82, 90)  # seen on the part in both themes
 
 
 class InspectionPage(ViewportPage):
@@ -62,6 +63,8 @@ class InspectionPage(ViewportPage):
         self.shape = Segments({"surface": "Surface", "points": "Points", "deviation": "Deviation"})
         self.shape.set_available("deviation", False)
         self.shape.valueChanged.connect(self.redraw)
+        self._point: Label | None = None  # of the point that was clicked last
+        self._cut_lines: list[LineLayer] = []
         self.deviation = DeviationCard(look)
         self.summary = {verdict: label("", "strong") for verdict in ("pass", "fail", "not proven", "not measured")}
         self.table = DataTree(look, HEADERS, numeric=(1, 2, 3, 4), stretch=0)
@@ -71,7 +74,31 @@ class InspectionPage(ViewportPage):
         self.filled = NotMeasuredLegend(look)
         fit = Button("Show all", look, "fit", "quiet", "Look at everything from the front")
         fit.clicked.connect(self.view.reset_camera)
-        tools = row(self.shape, fit, self.filled, 0, *self.summary.values(), label(UNITS, "small"), spacing=16)
+        self.labels = Button("Labels", look, "labels", "quiet", "Show the value of every dimension in the picture")
+        self.labels.setCheckable(True)
+        self.labels.toggled.connect(self._highlight)
+        self.distance = DistanceTool(look, self)
+        self.distance.changed.connect(self._show_distances)
+        self.undo = Button("Undo", look, "undo", "quiet", "Take the last measured point or distance back")
+        self.undo.clicked.connect(self.distance.undo)
+        self.action_row.addWidget(self.undo)
+        self.hint = label("", "soft")
+        self.cut = SectionBar(look)
+        self.cut.changed.connect(self._cut)
+        self.view.pointPicked.connect(self._show_point)
+        tools = row(
+            self.shape,
+            fit,
+            self.labels,
+            self.distance.button,
+            self.cut.button,
+            self.hint,
+            self.filled,
+            0,
+            *self.summary.values(),
+            label(UNITS, "small"),
+            spacing=16,
+        )
         side = QWidget()
         side.setFixedWidth(TABLE_WIDTH)
         beside = column(self.table, self.rule, self.deviation, 0, spacing=12)
@@ -79,17 +106,19 @@ class InspectionPage(ViewportPage):
             beside.setStretch(place, share)
         side.setLayout(beside)
         self.deviation.setMaximumHeight(DEVIATION_HEIGHT)
-        middle = row(card(self.view, margin=1), side, spacing=16)
+        middle = row(card(self.view, self.cut, margin=1), side, spacing=16)
         middle.setStretch(0, 1)
         layout = column(tools, middle, spacing=12)
         layout.setStretch(1, 1)
         self.body.setLayout(layout)
         session.inspectionChanged.connect(self._show)
         session.cloudsChanged.connect(self.redraw)
+        session.cloudsChanged.connect(self.distance.clear)
         session.comparisonChanged.connect(self._show_comparison)
         look.changed.connect(self._highlight)
         session.busyChanged.connect(self._show_busy)
         self._show_comparison()
+        self._show_distances()
         self._show()
 
     def _show_busy(self) -> None:
@@ -106,12 +135,14 @@ class InspectionPage(ViewportPage):
     def _show_comparison(self) -> None:
         comparison = self.session.comparison
         self.deviation.show_comparison(comparison)
+        self.cut.show_extent(None if comparison is None or comparison.surface is None else comparison.surface)
         self._share_height()
         self.shape.set_available("deviation", comparison is not None)
         if comparison is not None:
             self.shape.setValue("deviation")
         elif self.shape.value() == "deviation":
             self.shape.setValue("surface")
+        self._cut()
 
     def _share_height(self) -> None:
         """Give the histogram what the table does not need."""
@@ -148,6 +179,7 @@ class InspectionPage(ViewportPage):
         self.redraw()
 
     def _select(self, place: int, leaf: int = -1) -> None:
+        self._point = None
         dimension, features = self._chosen(place, leaf)
         if dimension is not None and leaf < 0:
             self.show_properties(dimension_properties(dimension, features, decision_rule()))
@@ -197,22 +229,59 @@ class InspectionPage(ViewportPage):
         if inspection is None:
             return
         dimension, mine = self._chosen(place, leaf)
+        chosen = None if leaf >= 0 else dimension
         theme = self.look.theme
-        quiet = [outline(feature) for feature in inspection.features if feature not in mine]
-        layers = [LineLayer(tuple(line for line in quiet if len(line)), OUTLINE, 1.5)]
+        accent = rgb(theme, "accent")
+        colour = accent if dimension is None else verdict_rgb(theme, dimension)
+        lines = feature_lines(inspection.features, mine, chosen, self._sections(), colour)
         labels = []
-        if mine:
-            colour = theme.colour("accent") if dimension is None else theme.verdict(dimension.verdict)
-            lines = [line for line in (outline(feature) for feature in mine) if len(line)]
-            centres = np.array([feature.point_mm for feature in mine])
-            if dimension is not None and leaf < 0:
-                if len(centres) > 1:
-                    lines.append(centres)
-                words = f"{dimension_words(dimension.name)} {quantity(dimension.measured, unit_of(dimension), 3)}".replace("\u00a0", " ")
-                labels.append(Label(words, centres.mean(axis=0), rgb(theme, "text"), rgb(theme, "surface")))
-            layers.append(LineLayer(tuple(lines), (colour.red(), colour.green(), colour.blue()), 3.5))
-        self.view.set_lines(layers)
-        self.view.set_labels(labels)
+        if self.labels.isChecked():
+            labels = dimension_labels(theme, self.dimensions(), inspection.features, self._sections())
+        elif chosen is not None:
+            labels = dimension_labels(theme, (chosen,), inspection.features, self._sections())
+        self.view.set_lines([*lines, *self._cut_lines, *self.distance.lines(accent)])
+        self.view.set_labels([*labels, *self.distance.labels(theme), *([self._point] if self._point is not None else [])])
+
+    def _sections(self) -> DrawnSections | None:
+        return None if self.session.comparison is None else self.session.comparison.sections
+
+    def _cut(self) -> None:
+        """Cut the drawing and the measured points where the bar says."""
+        comparison, plane = self.session.comparison, self.cut.value()
+        self._cut_lines = []
+        if comparison is not None and comparison.surface is not None and plane is not None:
+            self._cut_lines, words = cut_lines(comparison, plane)
+            self.cut.say(words)
+        self._highlight()
+
+    def _show_distances(self) -> None:
+        """Show what is measured by clicking, and what to click next."""
+        self.hint.setText(self.distance.hint)
+        self.undo.setVisible(self.distance.can_undo)
+        if self.distance.is_on and self.shape.value() == "surface":
+            self.shape.setValue("points")  # the surface has no measured points to click
+        if self.distance.is_on or self.distance.distances:
+            self._point = None
+            self.show_properties(self.distance.properties())
+        self._highlight()
+
+    def _show_point(self, layer: int, place: int) -> None:
+        """Tell where a point of the picture comes from and how far off it is; or measure from it."""
+        stitched, inspection, comparison = self.session.stitched, self.session.inspection, self.session.comparison
+        if stitched is None or inspection is None or layer > 0:  # a place of the drawing that was not measured
+            return
+        point = merged_point(stitched, place, self.session.views)
+        position = inspection.alignment.nominal_from_part.apply(point.position_mm[None])[0]
+        if self.distance.is_on:
+            self.distance.click(ClickedPoint(position, point.sigma_mm, point.viewpoint_id))
+            return
+        off = float(comparison.deviation.distances_mm[place]) if comparison is not None and self.shape.value() == "deviation" else None
+        self.show_properties(point_properties(replace(point, position_mm=position, deviation_mm=off)))
+        self.propertiesAsked.emit()
+        words = f"{point.viewpoint_id}   sigma {millimetres(point.sigma_mm)}" if off is None else millimetres(off, signed=True)
+        words = words.replace("\u00a0", " ").replace("\u2212", "-")
+        self._point = Label(words, position, rgb(self.look.theme, "text"), rgb(self.look.theme, "surface"))
+        self._highlight()
 
 
 def decision_rule() -> str:

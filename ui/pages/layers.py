@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from ui.session import Comparison
 
 DENSE_TRIANGLES = 150_000  # so dense that rounded edges are not seen
+RESIDUAL_RANGE = 3.0  # of a view's rms: nearly all of its points lie within
 SCALE_SAMPLES = 20_000  # of each cloud decide the end of the scale
 ColourBy = Literal["view", "sigma", "grey", "residual"]
 
@@ -66,33 +67,42 @@ def placements_of(stitched: StitchedCloud | None) -> dict[str, ViewPlacement]:
 def scale_end(colour_by: ColourBy, clouds: Collection[PointCloud | StitchedCloud], placements: Collection[ViewPlacement]) -> float:
     """Return the upper end of the colour scale in mm."""
     if colour_by == "residual":
-        return upper_end(np.array([placement.residual_mm for placement in placements]))
+        return upper_end(RESIDUAL_RANGE * np.array([placement.residual_mm for placement in placements]))
     return upper_end(
         np.concatenate([cloud.sigma_mm[:: max(1, len(cloud) // SCALE_SAMPLES)] for cloud in clouds]) if clouds else np.empty(0)
     )
 
 
 def view_layer(
-    theme: Theme, cloud: PointCloud, index: int, placement: ViewPlacement | None, colour_by: ColourBy, end_mm: float
+    theme: Theme, cloud: PointCloud, index: int, colour_by: ColourBy, end_mm: float, residuals_mm: np.ndarray | None = None
 ) -> CloudLayer:
-    """Return one view's points, coloured."""
+    """Return one view's points, coloured; ``residuals_mm`` (N,) are signed, where they are what decides the colour."""
     count = len(cloud)
     if colour_by == "sigma":
         colours = along(GROWING, cloud.sigma_mm, 0.0, end_mm)
     elif colour_by == "grey":
         colours = by_grey(cloud.grey)
     elif colour_by == "residual":
-        residual = placement.residual_mm if placement is not None else np.nan
-        colours = along(GROWING, np.full(count, residual), 0.0, end_mm)
+        colours = along(DIVERGING, np.full(count, np.nan) if residuals_mm is None else residuals_mm, -end_mm, end_mm)
     else:
         colours = plain(view_colour(theme, index), count)
     return CloudLayer(cloud.points_mm, colours, cloud.normals, to_read=colour_by in {"sigma", "residual"})
 
 
 def stitched_layer(
-    theme: Theme, stitched: StitchedCloud, colour_by: ColourBy, end_mm: float, visible: Collection[int], places: Mapping[str, int]
+    theme: Theme,
+    stitched: StitchedCloud,
+    colour_by: ColourBy,
+    end_mm: float,
+    visible: Collection[int],
+    places: Mapping[str, int],
+    residuals_mm: np.ndarray | None = None,
 ) -> CloudLayer:
-    """Return the merged points of the visible views, coloured; ``places`` tells the place of a view among all, which is its colour."""
+    """Return the merged points of the visible views, coloured.
+
+    ``places`` tells the place of a view among all, which is its colour; ``residuals_mm`` (N,) is what the views leave at
+    each merged point (rms).
+    """
     keep = np.isin(stitched.view, list(visible))
     view = stitched.view[keep]
     if colour_by == "sigma":
@@ -100,8 +110,7 @@ def stitched_layer(
     elif colour_by == "grey":
         colours = by_grey(stitched.grey[keep])
     elif colour_by == "residual":
-        residuals = np.array([placement.residual_mm for placement in stitched.placements])
-        colours = along(GROWING, residuals[view], 0.0, end_mm)
+        colours = along(GROWING, np.full(len(view), np.nan) if residuals_mm is None else residuals_mm[keep], 0.0, end_mm)
     else:
         palette = np.array([view_colour(theme, places.get(found.viewpoint_id, 0)) for found in stitched.placements], np.uint8)
         colours = palette[view]

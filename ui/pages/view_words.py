@@ -73,13 +73,14 @@ def view_properties(view: ViewResult, placement: ViewPlacement | None) -> Proper
                     ("Correction", f"{millimetres(placement.correction_mm)} · {quantity(placement.correction_deg, '°')}"),
                     ("Allowed", f"{millimetres(placement.bound_mm)} · {quantity(placement.bound_deg, '°')}"),
                     ("Placed within ± σ", f"{millimetres(placement.sigma_mm)} · {quantity(placement.sigma_deg, '°')}"),
-                    ("Held by the axes alone", "; ".join(placement.held_by_axes) or "nothing"),
                     ("Residual (rms)", millimetres(placement.residual_mm)),
                     ("Overlap", percent(placement.overlap, 0)),
                     ("Used", "Yes" if placement.used else "No"),
                 ),
             )
         )
+        if placement.held_by_axes:
+            groups.append(Group("Held by the axes alone", tuple(("", sentence(motion)) for motion in placement.held_by_axes)))
     if view.decode:
         groups.append(decoding_group(view))
     left_out = sorted(((count, name) for name, count in view.rejected.items() if count), reverse=True)

@@ -1,0 +1,81 @@
+"""Features and dimensions as lines and labels of the 3-D view."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ui.look.theme import Theme
+from ui.look.wording import quantity
+from ui.pages.dimension_rows import dimension_words, features_of, unit_of
+from ui.pages.layers import rgb
+from ui.pages.outlines import outline
+from ui.pages.section_lines import blade_layers, gain_for, whiskers
+from ui.viewport.layers import Label, LineLayer
+
+if TYPE_CHECKING:
+    from measureapp.data.dimension import Dimension
+    from measureapp.data.feature import Feature
+    from measureapp.inspection.drawn_sections import DrawnSections
+
+OUTLINE = (70, 82, 90)  # seen on the part in both themes
+Colour = tuple[int, int, int]
+
+
+def verdict_rgb(theme: Theme, dimension: Dimension) -> Colour:
+    """Return the colour of a dimension's verdict as three numbers."""
+    colour = theme.verdict(dimension.verdict)
+    return colour.red(), colour.green(), colour.blue()
+
+
+def feature_lines(
+    features: Sequence[Feature], mine: Collection[Feature], dimension: Dimension | None, sections: DrawnSections | None, colour: Colour
+) -> list[LineLayer]:
+    """Return all features quietly and ``mine`` in colour; of a dimension also what it measures between or on them."""
+    blades = {} if sections is None else sections.blades
+    quiet = [line for feature in features if feature not in mine for line in _lines(feature, sections)]
+    strong = [line for feature in mine if feature.name not in blades for line in _lines(feature, sections)]
+    centres = np.array([feature.point_mm for feature in mine])
+    if dimension is not None and len(mine) > 1 and not any(feature.name in blades for feature in mine):
+        strong.append(centres)
+    layers = [LineLayer(tuple(quiet), OUTLINE, 1.5), LineLayer(tuple(strong), colour, 3.5)]
+    if sections is not None:
+        names = [feature.name for feature in mine if feature.name in blades]
+        nominal = [curve for name in names for curve in sections.nominal_blades[name]]
+        layers += blade_layers(dimension.kind if dimension is not None else "", [blades[name] for name in names], nominal, colour, OUTLINE)
+        if dimension is not None and dimension.name in sections.profiles:
+            found = sections.profiles[dimension.name]
+            layers += [LineLayer(found.nominal, OUTLINE, 1.5), *whiskers(found, gain_for(found))]
+    return [layer for layer in layers if layer.lines]
+
+
+def _lines(feature: Feature, sections: DrawnSections | None) -> list[np.ndarray]:
+    if sections is not None and feature.name in sections.blades:
+        return list(sections.blades[feature.name].outline)
+    line = outline(feature)
+    return [line] if len(line) else []
+
+
+def dimension_labels(
+    theme: Theme, dimensions: Sequence[Dimension], features: Sequence[Feature], sections: DrawnSections | None
+) -> list[Label]:
+    """Return value and sign of the verdict of each dimension that has features in the picture, in the colour of its verdict."""
+    known = {feature.name: feature for feature in features}
+    labels = []
+    for dimension in dimensions:
+        mine = [feature for name, feature in features_of(dimension, known) if feature is not None and name in dimension.features]
+        if not mine:
+            continue
+        words = f"{dimension_words(dimension.name)} {quantity(dimension.measured, unit_of(dimension), 3)}"
+        if sections is not None and dimension.name in sections.profiles:
+            words += f"   drawn x {gain_for(sections.profiles[dimension.name])}"
+        place = np.array([feature.point_mm for feature in (mine[:1] if len(mine) > 2 else mine)]).mean(axis=0)
+        labels.append(Label(_drawable(words), place, verdict_rgb(theme, dimension), rgb(theme, "surface")))
+    return labels
+
+
+def _drawable(words: str) -> str:
+    """Return words with the signs that the font of the 3-D view has."""
+    return words.replace("\u00a0", " ").replace("\u2009", " ").replace("\u2212", "-")

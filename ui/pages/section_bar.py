@@ -1,0 +1,110 @@
+"""Cutting the part where one looks: a plane across x, y or z, moved by a slider; deviations along the cut, magnified."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QSlider, QWidget
+
+from ui.look.look import Look
+from ui.look.wording import millimetres
+from ui.pages.section_lines import gain_for, whiskers
+from ui.viewport.layers import LineLayer
+from ui.widgets.basic import Button, label, row
+from ui.widgets.segments import Segments
+
+if TYPE_CHECKING:
+    from measureapp.inspection.nominal_surface import NominalSurface
+    from ui.session import Comparison
+
+STEPS = 400
+HALF_WIDTH_MM = 0.5
+NOMINAL = (70, 82, 90)
+TIP = "Cut the part by a plane and see the deviations along it"
+AXES = {"x": 0, "y": 1, "z": 2}
+
+
+@dataclass(frozen=True)
+class CutPlane:
+    """A plane across an axis of the drawing."""
+
+    axis: str
+    place_mm: float
+
+
+class SectionBar(QWidget):
+    """Chooses where to cut: `value()` is a `CutPlane`, or None while it is off."""
+
+    changed = Signal()
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self.button = Button("Section", look, "section", "quiet", TIP)
+        self.button.setCheckable(True)
+        self.button.toggled.connect(self._show)
+        self.axis = Segments({"z": "z", "x": "x", "y": "y"})
+        self.axis.valueChanged.connect(self._change)
+        self.slider = QSlider(Qt.Orientation.Horizontal)
+        self.slider.setRange(0, STEPS)
+        self.slider.setValue(STEPS // 2)
+        self.slider.valueChanged.connect(self._change)
+        self.words = label("", "small")
+        self._low, self._high = np.zeros(3), np.zeros(3)
+        self.setLayout(row(label("Across", "soft"), self.axis, self.slider, self.words, margin=8, spacing=12))
+        self._show()
+
+    def value(self) -> CutPlane | None:
+        """Return where to cut."""
+        if not self.button.isChecked() or not (self._high > self._low).any():
+            return None
+        place, share = AXES[self.axis.value()], self.slider.value() / STEPS
+        return CutPlane(self.axis.value(), float(self._low[place] + share * (self._high[place] - self._low[place])))
+
+    def setValue(self, plane: CutPlane) -> None:
+        """Cut there."""
+        place = AXES[plane.axis]
+        span = max(float(self._high[place] - self._low[place]), 1e-9)
+        self.axis.setValue(plane.axis)
+        self.slider.setValue(round(STEPS * (plane.place_mm - float(self._low[place])) / span))
+        self.button.setChecked(True)
+
+    def show_extent(self, surface: NominalSurface | None) -> None:
+        """Offer planes that meet this drawing; none where there is none."""
+        self.button.setEnabled(surface is not None)
+        if surface is None:
+            self.button.setChecked(False)
+        else:
+            self._low, self._high = np.asarray(surface.low_mm), np.asarray(surface.high_mm)
+
+    def say(self, words: str) -> None:
+        """Tell what is cut, beside the slider."""
+        self.words.setText(words)
+
+    def _show(self) -> None:
+        self.setVisible(self.button.isChecked())
+        self._change()
+
+    def _change(self) -> None:
+        self.changed.emit()
+
+
+def cut_lines(comparison: Comparison, plane: CutPlane) -> tuple[list[LineLayer], str]:
+    """Return the curve of the drawing in a plane with the deviations of the points beside it, and what that is in words."""
+    from measureapp.errors import InspectionError
+    from measureapp.inspection.cutting_surface import CuttingPlane
+    from measureapp.inspection.section import section
+
+    assert comparison.surface is not None
+    axis = np.eye(3)[AXES[plane.axis]]
+    where = f"{plane.axis} = {millimetres(plane.place_mm, 1)}"
+    try:
+        found = section(where, comparison.deviation, comparison.surface, CuttingPlane.through(plane.place_mm * axis, axis), HALF_WIDTH_MM)
+    except InspectionError:
+        return [], f"{where}: nothing there"
+    gain = gain_for(found)
+    drawn = LineLayer(found.nominal, NOMINAL, 2.0)
+    words = f"{where}, deviations × {gain}" if len(found.deviations_mm) else f"{where}: not measured"
+    return [layer for layer in (drawn, *whiskers(found, gain)) if layer.lines], words

@@ -1,0 +1,73 @@
+"""Sections as lines of the 3-D view: blades with what a dimension measures on them, and deviations as magnified whiskers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ui.viewport.colouring import DIVERGING
+from ui.viewport.layers import LineLayer
+
+if TYPE_CHECKING:
+    from measureapp.inspection.blades.curves import BladeCurves
+    from measureapp.inspection.section import Section
+
+MOST_WHISKERS = 240
+WHISKER_SHARE = 0.05  # of the section's extent: how long the longest usual whisker is drawn
+GAINS = (1, 2, 5, 10, 20, 50, 100, 200, 500)
+Colour = tuple[int, int, int]
+
+
+def measured_on(kind: str, curves: BladeCurves) -> list[np.ndarray]:
+    """Return the lines (K, 3) that a blade dimension of this kind is about."""
+    chord = [] if curves.chord is None else [curves.chord]
+    ends = curves.mean_line[[0, -1]]
+    if kind in ("max_thickness", "max_thickness_place"):
+        return [curves.thickest, *(chord if kind == "max_thickness_place" else [])]
+    if kind == "chord":
+        return chord
+    if kind == "camber":
+        return [curves.mean_line, *chord]
+    if kind in ("stagger", "twist", "pitch"):
+        return [ends if curves.chord is None else curves.chord]
+    if kind in ("leading_radius", "trailing_radius"):
+        edge = curves.edges.get(kind.removesuffix("_radius"))
+        return [] if edge is None else [edge]
+    return []
+
+
+def gain_for(found: Section) -> int:
+    """Return by how much deviations are magnified, a round number, so that the usual ones can be seen."""
+    if not len(found.deviations_mm):
+        return 1
+    usual = max(float(np.percentile(np.abs(found.deviations_mm), 95)), 1e-6)
+    wanted = WHISKER_SHARE * float(np.ptp(found.measured_mm, axis=0).max()) / usual
+    return max((gain for gain in GAINS if gain <= wanted), default=1)
+
+
+def whiskers(found: Section, gain: int) -> list[LineLayer]:
+    """Return the deviations of a section as lines from the nominal outwards (red) and inwards (blue), the means of neighbours."""
+    count = len(found.deviations_mm)
+    if not count:
+        return []
+    groups = np.array_split(np.arange(count), min(count, MOST_WHISKERS))
+    middles = np.array([group[len(group) // 2] for group in groups])
+    means = np.array([found.deviations_mm[group].mean() for group in groups])
+    normals = found.nominal_normals[middles]
+    feet = found.measured_mm[middles] - found.deviations_mm[middles, None] * normals
+    ends = feet + gain * means[:, None] * normals
+    layers = []
+    for outside, colour in ((means >= 0, DIVERGING[-1]), (means < 0, DIVERGING[0])):
+        lines = tuple(np.stack([foot, end]) for foot, end in zip(feet[outside], ends[outside], strict=True))
+        layers.append(LineLayer(lines, (int(colour[0]), int(colour[1]), int(colour[2])), 2.0))
+    return [layer for layer in layers if layer.lines]
+
+
+def blade_layers(kind: str, blades: Sequence[BladeCurves], nominal: Sequence[np.ndarray], colour: Colour, drawn: Colour) -> list[LineLayer]:
+    """Return the outlines of blades, thick what a dimension of this kind measures on them, thin where the drawing has them."""
+    outlines = tuple(curve for one in blades for curve in one.outline)
+    about = tuple(line for one in blades for line in measured_on(kind, one))
+    layers = [LineLayer(tuple(nominal), drawn, 1.5), LineLayer(outlines, colour, 2.5), LineLayer(about, colour, 5.0)]
+    return [layer for layer in layers if layer.lines]
