@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -12,6 +13,7 @@ from ui.controllers import comparison as comparisons
 from ui.look.look import Look
 from ui.pages.deviation_card import DeviationCard, scale_end_mm
 from ui.pages.layers import deviation_layers, vertex_normals
+from ui.pages.section_bar import CutPlane, cut_lines
 from ui.session import Comparison
 from ui.viewport.colouring import DIVERGING, UNKNOWN
 from ui.widgets.histogram import BINS, Histogram
@@ -28,7 +30,7 @@ def compared(measurement, tmp_path, monkeypatch) -> Comparison:
     ball = trimesh.creation.icosphere(subdivisions=4, radius=59.9)
     nominal = Mesh(np.asarray(ball.vertices) + np.array([0, 0, 60.0]), ball.faces, "nominal")
     (tmp_path / "project.json").write_text("{}")
-    monkeypatch.setattr(folders.ProjectFolder, "open", lambda _path: SimpleNamespace(nominal=tmp_path / "nominal.stl"))
+    monkeypatch.setattr(folders.ProjectFolder, "open", lambda _path: SimpleNamespace(nominal=tmp_path / "nominal.stl", program=None))
     monkeypatch.setattr(geometry_files, "read_mesh", lambda _path, _frame: nominal)
     normals = np.random.default_rng(5).normal(size=(80_000, 3))
     normals /= np.linalg.norm(normals, axis=1)[:, None]
@@ -114,3 +116,46 @@ def test_normals_of_a_dense_surface_point_away_from_a_ball():
     vertices = np.asarray(ball.vertices)
     normals = vertex_normals(vertices, np.asarray(ball.faces))
     assert np.einsum("nd,nd->n", normals, vertices / 10.0).min() > 0.999
+
+
+def test_a_cut_through_the_ball_draws_its_circle_with_the_deviations_on_the_measured_half(compared):
+    lines, words = cut_lines(compared, CutPlane("x", 0.0))
+    nominal, *whiskers = lines
+    assert np.linalg.norm(np.vstack(nominal.lines) - [0, 0, 60.0], axis=1) == pytest.approx(59.9, abs=0.1)
+    assert whiskers and all(one[0][2] > 58.0 for layer in whiskers for one in layer.lines)
+    assert words.startswith("x = 0.0\u00a0mm, deviations × ")
+    assert cut_lines(compared, CutPlane("z", 500.0))[1].endswith("nothing there")
+    assert cut_lines(compared, CutPlane("z", 10.0))[1].endswith("not measured")
+
+
+def test_the_inspection_page_cuts_where_the_bar_says_and_labels_all_dimensions(application, window, measurement, compared):
+    application.session.set_measurement(measurement, {})
+    window.show_page("inspection")
+    page = window.pages["inspection"]
+    assert not page.cut.button.isEnabled()
+    application.session.set_comparison(replace(compared, stitched=application.session.stitched))
+    before = len(page.view._lines)
+    page.cut.setValue(CutPlane("x", 0.0))
+    assert len(page.view._lines) > before and "deviations" in page.cut.words.text()
+    page.cut.button.setChecked(False)
+    assert len(page.view._lines) == before
+    page.labels.setChecked(True)
+    assert [label.text.split()[0] for label in page.view._labels] == ["a", "b", "c", "d"]
+    assert [label.text.split("   ")[-1] for label in page.view._labels] == ["pass", "fail", "not proven", "not measured"]
+
+
+def test_residuals_of_single_points_are_signed_before_merging_and_rms_on_the_merged_cloud(application, window, measurement, qtbot):
+    application.session.set_measurement(measurement, {})
+    window.show_page("clouds")
+    page = window.pages["clouds"]
+    page.colour_by.setValue("residual")
+    qtbot.waitUntil(lambda: not page.is_composing and not page._stale, timeout=20_000)
+    assert (page.scale.low, page.scale.name) == (0.0, "Residual (rms)")
+    page.stage.setValue("before")
+    qtbot.waitUntil(lambda: not page.is_composing and not page._stale, timeout=20_000)
+    assert page.scale.low == -page.scale.high and page.scale.name == "Residual"
+    view, placement = measurement.views[1], measurement.stitched.placements[1]
+    cloud = page._placed.get(view, placement, fine=False)
+    near, kept = page._residuals.of(cloud, measurement.stitched), page._residuals.of(cloud, measurement.stitched)
+    assert near is kept and np.nanmax(np.abs(near)) < 0.2  # both lie on one ball; chords between neighbours sag this much
+    assert len(page.view._clouds) == len(measurement.views)

@@ -200,7 +200,7 @@ def test_selecting_a_dimension_labels_it_in_the_viewport(filled):
     page = filled.pages["inspection"]
     filled.show_page("inspection")
     page.table.select(0)
-    assert [label.text for label in page.view._labels] == ["a 120.021 mm"]
+    assert [label.text for label in page.view._labels] == ["a 120.021 mm   pass"]
     assert len(page.view._lines[-1].lines) == 3
     page.table.select(3)
     assert page.view._labels == ()
@@ -299,7 +299,7 @@ def test_a_view_that_stitching_left_out_says_so_with_its_reason(measurement):
 
 
 def test_the_name_of_a_dimension_is_words_but_a_letter_of_the_drawing_stays():
-    from ui.pages.inspection import dimension_words
+    from ui.pages.dimension_rows import dimension_words
 
     assert dimension_words("sphere_5_diameter") == "Sphere 5 diameter"
     assert dimension_words("a") == "a"

@@ -37,8 +37,8 @@ EMPTY = (
     "No clouds yet",
     "Each viewpoint gives a cloud of points; fine stitching lays them together. The demo makes some in a minute or two.",
 )
-SCALE_NAMES = {"sigma": "Standard deviation σ", "residual": "Distance from the merged cloud"}
-MERGED_RESIDUAL = "Distance of the views (rms)"
+SCALE_NAMES = {"sigma": "Standard deviation σ", "residual": "Residual"}
+MERGED_RESIDUAL = "Residual (rms)"
 UNDO_CHOICE, UNDO_DISTANCE = "Take the last choice of a view back", "Take the last measured point or distance back"
 ACTION = "Images and holes"
 HEADERS = ["", "View", "Points", "Correction", "Residual", "Verdict"]
@@ -75,7 +75,8 @@ class CloudsPage(ViewportPage):
         fit = Button("Show all", look, "fit", "quiet", "Look at everything from the front")
         fit.clicked.connect(self.view.reset_camera)
         self.hint = label("", "soft")
-        tools = row(self.stage, 12, label("Colour by", "soft"), self.colour_by, 8, self.scale, 0, self.hint, self.distance.button, fit)
+        self.action_row.insertWidget(0, self.hint)
+        tools = row(self.stage, 12, label("Colour by", "soft"), self.colour_by, 8, self.scale, 0, self.distance.button, fit)
         middle = row(card(self.view, margin=1), self.table, spacing=16)
         middle.setStretch(0, 1)
         layout = column(tools, middle, spacing=12)

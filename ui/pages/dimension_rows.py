@@ -43,10 +43,20 @@ def dimension_cells(dimension: Dimension) -> list[Cell]:
     ]
 
 
+def is_blade(feature: Feature) -> bool:
+    """Tell a blade section, whose curve is no basic shape, by what it alone is: a place among points, without a direction."""
+    return feature.shape == "point" and feature.points > 0 and feature.direction is None
+
+
 def feature_words(feature: Feature, role: str = "") -> str:
     """Return one line about a feature: what it is, its shape, how many points and how far they lie apart."""
-    found = f"{several(feature.points, 'point')}, form {millimetres(feature.form_error_mm)}" if feature.points else "made from others"
-    return f"{role}{sentence_case(feature.name)}: {feature.shape}, {found}"
+    form = "" if is_blade(feature) else f", form {millimetres(feature.form_error_mm)}"
+    found = f"{several(feature.points, 'point')}{form}" if feature.points else "made from others"
+    return f"{role}{sentence_case(feature.name)}: {_shape_words(feature)}, {found}"
+
+
+def _shape_words(feature: Feature) -> str:
+    return "blade section" if is_blade(feature) else feature.shape
 
 
 def datum_words(datums: Sequence[str]) -> str:
@@ -131,11 +141,11 @@ def dimension_properties(dimension: Dimension, features: Sequence[Feature], rule
 def feature_group(feature: Feature) -> Group:
     """Return the figures of a fit."""
     return Group(
-        f"{sentence_case(feature.name)} ({feature.shape})",
+        f"{sentence_case(feature.name)} ({_shape_words(feature)})",
         (
             ("Points", counted(feature.points)),
             ("Left out", counted(feature.left_out)),
-            ("Form error", millimetres(feature.form_error_mm)),
+            *([] if is_blade(feature) else [("Form error", millimetres(feature.form_error_mm))]),
             ("Residual (rms)", millimetres(feature.rms_mm)),
             *([("Radius", millimetres(feature.radius_mm))] if feature.radius_mm is not None else []),
         ),

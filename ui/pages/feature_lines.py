@@ -12,7 +12,7 @@ from ui.look.wording import quantity
 from ui.pages.dimension_rows import dimension_words, features_of, unit_of
 from ui.pages.layers import rgb
 from ui.pages.outlines import outline
-from ui.pages.section_lines import blade_layers, gain_for, whiskers
+from ui.pages.section_lines import Whiskers, blade_layers
 from ui.viewport.layers import Label, LineLayer
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ def feature_lines(
         layers += blade_layers(dimension.kind if dimension is not None else "", [blades[name] for name in names], nominal, colour, OUTLINE)
         if dimension is not None and dimension.name in sections.profiles:
             found = sections.profiles[dimension.name]
-            layers += [LineLayer(found.nominal, OUTLINE, 1.5), *whiskers(found, gain_for(found))]
+            layers += [LineLayer(found.nominal, OUTLINE, 1.5), *Whiskers.of(found).layers()]
     return [layer for layer in layers if layer.lines]
 
 
@@ -61,16 +61,16 @@ def _lines(feature: Feature, sections: DrawnSections | None) -> list[np.ndarray]
 def dimension_labels(
     theme: Theme, dimensions: Sequence[Dimension], features: Sequence[Feature], sections: DrawnSections | None
 ) -> list[Label]:
-    """Return value and sign of the verdict of each dimension that has features in the picture, in the colour of its verdict."""
+    """Return value and verdict of each dimension that has features in the picture, in the colour of its verdict."""
     known = {feature.name: feature for feature in features}
     labels = []
     for dimension in dimensions:
         mine = [feature for name, feature in features_of(dimension, known) if feature is not None and name in dimension.features]
         if not mine:
             continue
-        words = f"{dimension_words(dimension.name)} {quantity(dimension.measured, unit_of(dimension), 3)}"
+        words = f"{dimension_words(dimension.name)} {quantity(dimension.measured, unit_of(dimension), 3)}   {dimension.verdict}"
         if sections is not None and dimension.name in sections.profiles:
-            words += f"   drawn x {gain_for(sections.profiles[dimension.name])}"
+            words += f"   drawn x {Whiskers.of(sections.profiles[dimension.name]).gain}"
         place = np.array([feature.point_mm for feature in (mine[:1] if len(mine) > 2 else mine)]).mean(axis=0)
         labels.append(Label(_drawable(words), place, verdict_rgb(theme, dimension), rgb(theme, "surface")))
     return labels

@@ -81,8 +81,9 @@ class InspectionPage(ViewportPage):
         self.distance.changed.connect(self._show_distances)
         self.undo = Button("Undo", look, "undo", "quiet", "Take the last measured point or distance back")
         self.undo.clicked.connect(self.distance.undo)
-        self.action_row.addWidget(self.undo)
         self.hint = label("", "soft")
+        self.action_row.addWidget(self.hint)
+        self.action_row.addWidget(self.undo)
         self.cut = SectionBar(look)
         self.cut.changed.connect(self._cut)
         self.view.pointPicked.connect(self._show_point)
@@ -92,7 +93,6 @@ class InspectionPage(ViewportPage):
             self.labels,
             self.distance.button,
             self.cut.button,
-            self.hint,
             self.filled,
             0,
             *self.summary.values(),
@@ -156,6 +156,7 @@ class InspectionPage(ViewportPage):
     def _show(self) -> None:
         dimensions = self.dimensions()
         self.show_filled(self.session.inspection is not None)
+        self.undo.setVisible(self.distance.can_undo)
         if self.session.inspection is None:
             self.state.setText("No inspection program has run.")
             return

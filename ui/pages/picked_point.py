@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import ViewResult
 
 
+OFF = "How far each lies from the merged surface, and its σ"
 SAME_PLACE_MM = 1.0  # a view with a point this near measured the place too
 
 
@@ -115,5 +116,5 @@ def point_properties(point: PickedPoint) -> Properties:
     groups = [Group("Place on the part", (("x", x), ("y", y), ("z", z))), Group("How it was measured", tuple(measured))]
     if point.seen_by:
         rows = ((one.viewpoint_id, f"{millimetres(one.off_mm, signed=True)}, σ {millimetres(one.sigma_mm)}") for one in point.seen_by)
-        groups.append(Group("Views that measured this place: distance from the merged surface", tuple(rows)))
+        groups.append(Group("Views that measured this place", (("", OFF), *rows)))
     return Properties("Point", tuple(groups))

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QSlider, QWidget
 
 from ui.look.look import Look
 from ui.look.wording import millimetres
-from ui.pages.section_lines import gain_for, whiskers
+from ui.pages.section_lines import Whiskers
 from ui.viewport.layers import LineLayer
 from ui.widgets.basic import Button, label, row
 from ui.widgets.segments import Segments
@@ -104,7 +104,7 @@ def cut_lines(comparison: Comparison, plane: CutPlane) -> tuple[list[LineLayer],
         found = section(where, comparison.deviation, comparison.surface, CuttingPlane.through(plane.place_mm * axis, axis), HALF_WIDTH_MM)
     except InspectionError:
         return [], f"{where}: nothing there"
-    gain = gain_for(found)
+    whiskers = Whiskers.of(found)
     drawn = LineLayer(found.nominal, NOMINAL, 2.0)
-    words = f"{where}, deviations × {gain}" if len(found.deviations_mm) else f"{where}: not measured"
-    return [layer for layer in (drawn, *whiskers(found, gain)) if layer.lines], words
+    words = f"{where}, deviations × {whiskers.gain}" if len(found.deviations_mm) else f"{where}: not measured"
+    return [layer for layer in (drawn, *whiskers.layers()) if layer.lines], words

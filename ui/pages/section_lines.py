@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -38,31 +39,41 @@ def measured_on(kind: str, curves: BladeCurves) -> list[np.ndarray]:
     return []
 
 
-def gain_for(found: Section) -> int:
-    """Return by how much deviations are magnified, a round number, so that the usual ones can be seen."""
-    if not len(found.deviations_mm):
-        return 1
-    usual = max(float(np.percentile(np.abs(found.deviations_mm), 95)), 1e-6)
-    wanted = WHISKER_SHARE * float(np.ptp(found.measured_mm, axis=0).max()) / usual
-    return max((gain for gain in GAINS if gain <= wanted), default=1)
+@dataclass(frozen=True, eq=False)
+class Whiskers:
+    """Deviations along a section, as the means of neighbouring points."""
 
+    feet_mm: np.ndarray  # (G, 3), on the nominal
+    normals: np.ndarray  # (G, 3)
+    means_mm: np.ndarray  # (G,)
 
-def whiskers(found: Section, gain: int) -> list[LineLayer]:
-    """Return the deviations of a section as lines from the nominal outwards (red) and inwards (blue), the means of neighbours."""
-    count = len(found.deviations_mm)
-    if not count:
-        return []
-    groups = np.array_split(np.arange(count), min(count, MOST_WHISKERS))
-    middles = np.array([group[len(group) // 2] for group in groups])
-    means = np.array([found.deviations_mm[group].mean() for group in groups])
-    normals = found.nominal_normals[middles]
-    feet = found.measured_mm[middles] - found.deviations_mm[middles, None] * normals
-    ends = feet + gain * means[:, None] * normals
-    layers = []
-    for outside, colour in ((means >= 0, DIVERGING[-1]), (means < 0, DIVERGING[0])):
-        lines = tuple(np.stack([foot, end]) for foot, end in zip(feet[outside], ends[outside], strict=True))
-        layers.append(LineLayer(lines, (int(colour[0]), int(colour[1]), int(colour[2])), 2.0))
-    return [layer for layer in layers if layer.lines]
+    @classmethod
+    def of(cls, found: Section) -> Whiskers:
+        """Take the means of as many neighbours as leave no more whiskers than one can tell apart."""
+        count = len(found.deviations_mm)
+        groups = np.array_split(np.arange(count), min(count, MOST_WHISKERS)) if count else []
+        middles = np.array([group[len(group) // 2] for group in groups], int)
+        means = np.array([found.deviations_mm[group].mean() for group in groups])
+        normals = found.nominal_normals[middles]
+        return cls(found.measured_mm[middles] - found.deviations_mm[middles, None] * normals, normals, means)
+
+    @property
+    def gain(self) -> int:
+        """By how much they are magnified: a round number, so that the usual ones can be seen."""
+        if not len(self.means_mm):
+            return 1
+        usual = max(float(np.percentile(np.abs(self.means_mm), 90)), 1e-6)
+        wanted = WHISKER_SHARE * float(np.ptp(self.feet_mm, axis=0).max()) / usual
+        return max((gain for gain in GAINS if gain <= wanted), default=1)
+
+    def layers(self) -> list[LineLayer]:
+        """Return lines from the nominal outwards (red) and inwards (blue)."""
+        ends = self.feet_mm + self.gain * self.means_mm[:, None] * self.normals
+        layers = []
+        for side, colour in ((self.means_mm >= 0, DIVERGING[-1]), (self.means_mm < 0, DIVERGING[0])):
+            lines = tuple(np.stack([foot, end]) for foot, end in zip(self.feet_mm[side], ends[side], strict=True))
+            layers.append(LineLayer(lines, (int(colour[0]), int(colour[1]), int(colour[2])), 2.0))
+        return [layer for layer in layers if layer.lines]
 
 
 def blade_layers(kind: str, blades: Sequence[BladeCurves], nominal: Sequence[np.ndarray], colour: Colour, drawn: Colour) -> list[LineLayer]:

@@ -1,0 +1,95 @@
+"""Sections in the 3-D view: of blades, of line profiles, and where one cuts oneself."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from measureapp.data.dimension import Dimension, Verdict
+from measureapp.data.feature import Feature
+from measureapp.inspection.blades.curves import BladeCurves
+from measureapp.inspection.drawn_sections import DrawnSections
+from measureapp.inspection.section import Section
+from ui.look.look import Look
+from ui.pages.dimension_rows import feature_words
+from ui.pages.feature_lines import OUTLINE, dimension_labels, feature_lines
+from ui.pages.section_bar import CutPlane, SectionBar
+from ui.pages.section_lines import GAINS, Whiskers, measured_on
+
+GREEN = (27, 153, 139)
+
+
+def line(*places: tuple[float, float]) -> np.ndarray:
+    return np.array([[x, y, 5.0] for x, y in places])
+
+
+CURVES = BladeCurves(
+    (line((0, 1), (9, 1)), line((0, -1), (9, -1))), {"leading": line((0, 1), (-1, 0), (0, -1))},
+    line((-1, 0), (10, 0)), None, line((4, 1), (4, -1)),
+)  # fmt: skip
+BLADE = Feature("low.1", "point", np.array([4.0, 0, 5]), points=500, rms_mm=0.01)
+PROFILE = Section(
+    "ridge", (line((0, 0), (100, 0)),), line(*((x, 0.02) for x in range(100))), np.full(100, 0.02), np.tile([0.0, 1.0, 0.0], (100, 1))
+)
+SECTIONS = DrawnSections({"low.1": CURVES}, {"low.1": (line((0, 2), (9, 2)),)}, {"ridge": PROFILE})
+
+
+def dimension(name: str, kind: str, features: tuple[str, ...]) -> Dimension:
+    return Dimension(name, 2.0, 2.01, 0.02, -0.1, 0.1, Verdict.PASS, features=features, kind=kind)
+
+
+def test_what_a_dimension_measures_on_a_blade_is_drawn_on_it():
+    assert measured_on("max_thickness", CURVES)[0] is CURVES.thickest
+    assert measured_on("camber", CURVES)[0] is CURVES.mean_line
+    assert measured_on("leading_radius", CURVES)[0] is CURVES.edges["leading"]
+    assert measured_on("trailing_radius", CURVES) == []  # it was not measured
+    assert measured_on("chord", CURVES) == []
+    assert np.array_equal(measured_on("pitch", CURVES)[0], CURVES.mean_line[[0, -1]])
+
+
+def test_a_selected_blade_shows_its_measured_outline_over_that_of_the_drawing():
+    layers = feature_lines([BLADE], [BLADE], dimension("thickness", "max_thickness", ("low.1",)), SECTIONS, GREEN)
+    by_width = {layer.width: layer for layer in layers}
+    assert by_width[1.5].colour == OUTLINE and by_width[1.5].lines == SECTIONS.nominal_blades["low.1"]
+    assert by_width[2.5].colour == GREEN and len(by_width[2.5].lines) == 3
+    assert by_width[5.0].lines == (CURVES.thickest,)
+    quiet = feature_lines([BLADE], [], None, SECTIONS, GREEN)
+    assert [len(layer.lines) for layer in quiet] == [3]
+    assert feature_words(BLADE).replace("\u00a0", " ") == "Low.1: blade section, 500 points"
+
+
+def test_a_line_profile_shows_its_deviations_magnified_by_the_factor_its_label_names():
+    plane = Feature("top", "plane", np.zeros(3), np.array([0, 0, 1.0]), points=100)
+    ridge = dimension("ridge", "line_profile", ("top",))
+    layers = feature_lines([plane], [plane], ridge, SECTIONS, GREEN)
+    whiskers = [layer for layer in layers if layer.width == 2.0]
+    gain = Whiskers.of(PROFILE).gain
+    assert gain in GAINS and gain > 1
+    assert len(whiskers) == 1  # all lie outside
+    lengths = [np.linalg.norm(one[1] - one[0]) for one in whiskers[0].lines]
+    assert np.allclose(lengths, gain * 0.02)
+    assert np.allclose([one[0][1] for one in whiskers[0].lines], 0.0)
+    (label,) = dimension_labels(Look("light").theme, [ridge], [plane], SECTIONS)
+    assert label.text.endswith(f"pass   drawn x {gain}")
+
+
+def test_whiskers_of_nothing_are_none():
+    empty = Section("nothing", (), np.empty((0, 3)), np.empty(0), np.empty((0, 3)))
+    assert Whiskers.of(empty).layers() == [] and Whiskers.of(empty).gain == 1
+
+
+def test_the_section_bar_gives_back_the_plane_it_was_given(qtbot):
+    class Surface:
+        low_mm, high_mm = np.array([-10.0, -20.0, 0.0]), np.array([10.0, 20.0, 80.0])
+
+    bar = SectionBar(Look("light"))
+    qtbot.addWidget(bar)
+    qtbot.addWidget(bar.button)
+    assert bar.value() is None
+    bar.show_extent(Surface())
+    for plane in (CutPlane("z", 60.0), CutPlane("x", -5.0), CutPlane("y", 20.0)):
+        bar.setValue(plane)
+        found = bar.value()
+        assert found.axis == plane.axis and found.place_mm == pytest.approx(plane.place_mm, abs=0.11)
+    bar.show_extent(None)
+    assert bar.value() is None and not bar.button.isEnabled()
