@@ -73,6 +73,14 @@ def test_a_line_profile_shows_its_deviations_magnified_by_the_factor_its_label_n
     assert label.text.endswith(f"pass   drawn x {gain}")
 
 
+def test_a_gross_deviation_does_not_stick_out_of_the_picture():
+    off = PROFILE.deviations_mm.copy()
+    off[50] = 30.0
+    gross = Section("ridge", PROFILE.nominal, PROFILE.measured_mm + [0, 1, 0] * (off - 0.02)[:, None], off, PROFILE.nominal_normals)
+    lengths = [np.linalg.norm(one[1] - one[0]) for layer in Whiskers.of(gross).layers() for one in layer.lines]
+    assert max(lengths) < 0.15 * 100
+
+
 def test_whiskers_of_nothing_are_none():
     empty = Section("nothing", (), np.empty((0, 3)), np.empty(0), np.empty((0, 3)))
     assert Whiskers.of(empty).layers() == [] and Whiskers.of(empty).gain == 1

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 MOST_WHISKERS = 240
 WHISKER_SHARE = 0.05  # of the section's extent: how long the longest usual whisker is drawn
+LONGEST_SHARE = 0.12  # where an unusual one is cut off
 GAINS = (1, 2, 5, 10, 20, 50, 100, 200, 500)
 Colour = tuple[int, int, int]
 
@@ -63,12 +64,18 @@ class Whiskers:
         if not len(self.means_mm):
             return 1
         usual = max(float(np.percentile(np.abs(self.means_mm), 90)), 1e-6)
-        wanted = WHISKER_SHARE * float(np.ptp(self.feet_mm, axis=0).max()) / usual
+        wanted = WHISKER_SHARE * self._extent_mm / usual
         return max((gain for gain in GAINS if gain <= wanted), default=1)
+
+    @property
+    def _extent_mm(self) -> float:
+        return float(np.ptp(self.feet_mm, axis=0).max()) if len(self.feet_mm) else 0.0
 
     def layers(self) -> list[LineLayer]:
         """Return lines from the nominal outwards (red) and inwards (blue)."""
-        ends = self.feet_mm + self.gain * self.means_mm[:, None] * self.normals
+        longest = LONGEST_SHARE * self._extent_mm
+        lengths = np.clip(self.gain * self.means_mm, -longest, longest)
+        ends = self.feet_mm + lengths[:, None] * self.normals
         layers = []
         for side, colour in ((self.means_mm >= 0, DIVERGING[-1]), (self.means_mm < 0, DIVERGING[0])):
             lines = tuple(np.stack([foot, end]) for foot, end in zip(self.feet_mm[side], ends[side], strict=True))
