@@ -133,6 +133,22 @@ def test_a_new_cloud_is_framed_until_the_user_moves_the_camera(view):
     assert reddish(pixels(view))[100:140, 140:180].mean() > 0.9
 
 
+def test_looking_closer_fills_the_picture_with_what_is_named_without_turning(view):
+    view.activate()
+    view.set_clouds([block()])
+    pixels(view)
+    direction = view._scene.renderer.GetActiveCamera().GetDirectionOfProjection()
+    corner = np.array([[10.0, 10, 10], [-200, 10, 10]])
+    view.look_at(corner)
+    pixels(view)
+    places = view._scene._pixels(corner)
+    assert (places > 0).all() and (places < view._scene.renderer.GetSize()).all()
+    assert np.ptp(places[:, 0]) > 0.5 * 320
+    assert view._scene.renderer.GetActiveCamera().GetDirectionOfProjection() == pytest.approx(direction)
+    view.reset_camera()
+    assert reddish(pixels(view))[100:140, 140:180].mean() > 0.9
+
+
 def test_any_first_part_of_a_shuffled_cloud_stands_for_all_of_it_and_knows_where_its_points_come_from():
     layers = [block(60_000), CloudLayer(block(40_000).points_mm + np.array([100.0, 0, 0]), colouring.plain((0, 0, 255), 40_000))]
     cloud = shuffled(layers)

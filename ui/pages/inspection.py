@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+import numpy as np
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
@@ -20,7 +21,7 @@ from ui.pages.dimension_rows import (
     features_of,
     other_features,
 )
-from ui.pages.feature_lines import dimension_labels, feature_lines, verdict_rgb
+from ui.pages.feature_lines import OUTLINE, dimension_labels, feature_lines, verdict_rgb
 from ui.pages.layers import deviation_layers, filled_share, mesh_layer, points_layer, rgb
 from ui.pages.picked_point import merged_point, point_properties
 from ui.pages.section_bar import SectionBar, cut_lines
@@ -70,8 +71,36 @@ class InspectionPage(ViewportPage):
         self.table = DataTree(look, HEADERS, numeric=(1, 2, 3, 4), stretch=0)
         self.table.rowSelected.connect(self._select)
         self.table.heightChanged.connect(self._share_height)
+        self.table.setExpandsOnDoubleClick(False)
+        self.table.doubleClicked.connect(self._look_closer)
         self.rule = label("", "small", wrap=True)
         self.filled = NotMeasuredLegend(look)
+        self.filled.setContentsMargins(12, 4, 12, 4)
+        tools = self._tools(look)
+        side = QWidget()
+        side.setFixedWidth(TABLE_WIDTH)
+        beside = column(self.table, self.rule, self.deviation, 0, spacing=12)
+        for place, share in enumerate(SIDE_SHARES):
+            beside.setStretch(place, share)
+        side.setLayout(beside)
+        self.deviation.setMaximumHeight(DEVIATION_HEIGHT)
+        middle = row(card(self.view, self.filled, self.cut, margin=1, spacing=4), side, spacing=16)
+        middle.setStretch(0, 1)
+        layout = column(tools, middle, spacing=12)
+        layout.setStretch(1, 1)
+        self.body.setLayout(layout)
+        session.inspectionChanged.connect(self._show)
+        session.cloudsChanged.connect(self.redraw)
+        session.cloudsChanged.connect(self.distance.clear)
+        session.comparisonChanged.connect(self._show_comparison)
+        look.changed.connect(self._highlight)
+        session.busyChanged.connect(self._show_busy)
+        self._show_comparison()
+        self._show_distances()
+        self._show()
+
+    def _tools(self, look: Look) -> QHBoxLayout:
+        """Return what stands above the picture."""
         fit = Button("Show all", look, "fit", "quiet", "Look at everything from the front")
         fit.clicked.connect(self.view.reset_camera)
         self.labels = Button("Labels", look, "labels", "quiet", "Show the value of every dimension in the picture")
@@ -87,39 +116,17 @@ class InspectionPage(ViewportPage):
         self.cut = SectionBar(look)
         self.cut.changed.connect(self._cut)
         self.view.pointPicked.connect(self._show_point)
-        tools = row(
+        return row(
             self.shape,
             fit,
             self.labels,
             self.distance.button,
             self.cut.button,
-            self.filled,
             0,
             *self.summary.values(),
             label(UNITS, "small"),
             spacing=16,
         )
-        side = QWidget()
-        side.setFixedWidth(TABLE_WIDTH)
-        beside = column(self.table, self.rule, self.deviation, 0, spacing=12)
-        for place, share in enumerate(SIDE_SHARES):
-            beside.setStretch(place, share)
-        side.setLayout(beside)
-        self.deviation.setMaximumHeight(DEVIATION_HEIGHT)
-        middle = row(card(self.view, self.cut, margin=1), side, spacing=16)
-        middle.setStretch(0, 1)
-        layout = column(tools, middle, spacing=12)
-        layout.setStretch(1, 1)
-        self.body.setLayout(layout)
-        session.inspectionChanged.connect(self._show)
-        session.cloudsChanged.connect(self.redraw)
-        session.cloudsChanged.connect(self.distance.clear)
-        session.comparisonChanged.connect(self._show_comparison)
-        look.changed.connect(self._highlight)
-        session.busyChanged.connect(self._show_busy)
-        self._show_comparison()
-        self._show_distances()
-        self._show()
 
     def _show_busy(self) -> None:
         if self.session.busy_with and self.session.inspection is None:
@@ -242,6 +249,14 @@ class InspectionPage(ViewportPage):
             labels = dimension_labels(theme, (chosen,), inspection.features, self._sections())
         self.view.set_lines([*lines, *self._cut_lines, *self.distance.lines(accent)])
         self.view.set_labels([*labels, *self.distance.labels(theme), *([self._point] if self._point is not None else [])])
+
+    def _look_closer(self) -> None:
+        """Come closer to what the selected row is about."""
+        inspection = self.session.inspection
+        dimension, mine = self._chosen(*self.table.selected())
+        if inspection is not None and mine:
+            layers = feature_lines(mine, mine, dimension, self._sections(), OUTLINE)
+            self.view.look_at(np.vstack([line for layer in layers for line in layer.lines]))
 
     def _sections(self) -> DrawnSections | None:
         return None if self.session.comparison is None else self.session.comparison.sections

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor, QImage, QShowEvent
 from PySide6.QtWidgets import QLabel, QStackedLayout, QWidget
@@ -94,6 +95,12 @@ class CloudView(QWidget):
         """Look at everything again."""
         if self._scene is not None:
             self._scene.keep_framed = True
+            self._refresh()
+
+    def look_at(self, points_mm: np.ndarray) -> None:
+        """Come closer to these points (N, 3) without turning."""
+        if self._scene is not None and len(points_mm):
+            self._scene.look_at(np.asarray(points_mm, float))
             self._refresh()
 
     def screenshot(self) -> QImage:

@@ -17,6 +17,7 @@ from ui.viewport.shuffled import ShuffledCloud, shuffled
 OPENING_DIRECTION = (-1.0, -1.1, 0.85)
 FRAMING_POINTS = 4_000
 FILLED_SHARE = 0.86  # of the picture's width or height, whichever is reached first
+CLOSEST_MM, ROOM = 15.0, 1.8
 PICK_REACH_PX = 5.0
 LABEL_PX = (8.6, 26)  # about as wide as a letter and as high as a label is drawn
 PICK_CHUNK = 2_000_000
@@ -179,8 +180,17 @@ class Scene:
         camera.SetViewUp(0.0, 0.0, 1.0)
         bounds = self._all_bounds()
         self.renderer.ResetCamera(bounds)
-        self._fill_picture()
+        self._fill_picture([points for points in self._extent.values() if len(points)])
         self.renderer.ResetCameraClippingRange(bounds)
+
+    def look_at(self, points_mm: np.ndarray) -> None:
+        """Come closer to these points (N, 3) without turning, no closer than `CLOSEST_MM` around them, with some room about them."""
+        self.keep_framed = False
+        corners = np.stack(np.meshgrid(*[[-CLOSEST_MM, CLOSEST_MM]] * 3), axis=-1).reshape(-1, 3)
+        middle = points_mm.mean(axis=0)
+        box = np.array(self._all_bounds()).reshape(3, 2)  # room beyond everything shown would only make it small
+        roomy = np.clip(middle + ROOM * (points_mm - middle), box[:, 0], box[:, 1])
+        self._fill_picture([points_mm, roomy, middle + corners])
 
     def pick(self, x_px: float, y_px: float) -> tuple[int, int] | None:
         """Return layer and place in the layer of the foremost point near a pixel of the picture; y counts from below."""
@@ -202,9 +212,8 @@ class Scene:
         matrix = camera.GetCompositeProjectionTransformMatrix(self.renderer.GetTiledAspectRatio(), -1.0, 1.0)
         return np.array([[matrix.GetElement(line, place) for place in range(4)] for line in range(4)])
 
-    def _fill_picture(self) -> None:
-        """Move the camera so that what is shown fills the picture and lies in its middle."""
-        shown = [points for points in self._extent.values() if len(points)]
+    def _fill_picture(self, shown: Sequence[np.ndarray]) -> None:
+        """Move the camera so that these points fill the picture and lie in its middle."""
         width, height = self.renderer.GetSize()
         if not shown or not width or not height:
             return
