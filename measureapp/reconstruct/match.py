@@ -28,7 +28,9 @@ class DepthMap:
     sigma_mm: FloatArray  # (H, W) float32, standard deviation of it
     others: IntArray  # (H, W) uint8, bit i: the i-th other camera takes part
     fate: IntArray  # (H, W) uint8 of PointState
-    pair_gain: FloatArray  # (H, W) float32, change of the phase of the only other camera with z, rad/mm; (0, 0) with more cameras
+    pair_gain: (
+        FloatArray  # (H, W) float32, change of the phase of the only other camera with z, rad/mm, of points; (0, 0) with more cameras
+    )
     matched: tuple[int, ...]  # pixels matched with each other camera
     shifts: FloatArray  # (M, rows, columns, 2) float32, places where points of one pair are in the other cameras: px off, variance
 
@@ -66,7 +68,7 @@ def match_view(
         memory.empty(shape, np.float32),
         memory.empty(shape, np.uint8),
         memory.empty(shape, np.uint8),
-        np.zeros(shape if len(others) == 1 else (0, 0), np.float32),
+        memory.empty(shape if len(others) == 1 else (0, 0), np.float32),
         (),
         np.zeros((len(others), *(-(-length // every) for length in shape), 2), np.float32),
     )

@@ -319,45 +319,6 @@ def fuse(
 
 
 @njit(**LOOP)
-def observe(
-    rays: Any,
-    phase: Any,
-    sigma: Any,
-    depth: Any,  # (H, W) float32, 0 for none
-    z_sigma: Any,
-    pair_gain: Any,  # (H, W) float32, of the points, see `fuse`; (0, 0) for points of more than two cameras
-    other: Any,  # what `see` needs of the other camera
-    row_start: int,
-    row_stop: int,
-    seen: Any,  # out (rows, W) uint8
-    excess: Any,  # out (rows, W) float32, phase of the other camera at the point minus the pixel's own
-    shift: Any,  # out (rows, W) float32, the same as a shift along the epipolar line in rectified pixels
-    variance: Any,  # out (rows, W) float32, of the excess
-) -> None:
-    """Look at points of this camera with another one that took no part in them.
-
-    The depth of a point has the noise of the pixel's own phase in it, as the excess has: they are not independent. Of a point of two
-    cameras it is known by how much.
-    """
-    known = len(pair_gain) > 0
-    for y in range(row_start, row_stop):
-        for x in range(phase.shape[1]):
-            out = y - row_start
-            seen[out, x] = BLANK
-            if depth[y, x] <= 0:
-                continue
-            sight, over, along, gain, noise, _here, _xt, _yt = see(phase[y, x], rays[y, x, 0], rays[y, x, 1], depth[y, x], other)
-            seen[out, x] = sight
-            if sight == SEEN:
-                own = float(sigma[y, x]) ** 2
-                of_depth = (gain * z_sigma[y, x]) ** 2
-                common = 2 * own * gain / pair_gain[y, x] if known else 0.0
-                excess[out, x] = over
-                shift[out, x] = over / along
-                variance[out, x] = noise + own + of_depth - common
-
-
-@njit(**LOOP)
 def resample(
     phase: Any,
     sigma: Any,

@@ -67,8 +67,13 @@ def root_of(parent: Any, index: int) -> int:
 
 
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
-def drop_islands(inverse: Any, sigma: Any, per_px: Any, border: int, least: int, starts: Any, stops: Any, counts: Any, fate: Any) -> None:
-    """Join the runs of neighbouring rows where no depth step parts them, and remove what stays smaller than ``least`` pixels."""
+def drop_islands(
+    inverse: Any, sigma: Any, per_px: Any, border: int, least: int, starts: Any, stops: Any, counts: Any, fate: Any, points: Any
+) -> None:
+    """Join the runs of neighbouring rows where no depth step parts them, and remove what stays smaller than ``least`` pixels.
+
+    Writes into ``points`` (H,) how many points are left in every row.
+    """
     height = len(counts)
     total = 0
     for y in range(height):
@@ -99,9 +104,12 @@ def drop_islands(inverse: Any, sigma: Any, per_px: Any, border: int, least: int,
             index += 1
     index = 0
     for y in range(height):
+        points[y] = 0
         for k in range(counts[y]):
             if size[root_of(parent, index)] < least:
                 for x in range(starts[y, k], stops[y, k]):
                     fate[y, x] = ISLAND
                     inverse[y + border, x + border] = ZERO
+            else:
+                points[y] += stops[y, k] - starts[y, k]
             index += 1

@@ -15,9 +15,10 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from measureapp.machine_memory import will_read
 from measureapp.reconstruct.kernels.binning import REPEATED
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
-from measureapp.reconstruct.kernels.scratch import GROUP, copy_1, copy_2, copy_4, prefetch, split_2, split_4, stack_float32, stack_int32
+from measureapp.reconstruct.kernels.scratch import GROUP, copy_1, copy_2, copy_4, split_2, split_4, stack_float32, stack_int32
 from measureapp.reconstruct.kernels.seen import MATCHED, REPEATS, WITHOUT_PARTNER
 from measureapp.reconstruct.kernels.slopes import BESIDE, REACH
 
@@ -85,7 +86,7 @@ def look_up(s: Any, at: Any, n: int, skip: Any, table: Any, shape: Any, lowest: 
     for i in range(n):
         cell = np.uint32(at[PLACE + i])
         copy_1(at, np.uint32(NEAREST + i), table, cell)
-        prefetch(table, cell + np.uint32(bins))
+        will_read(table, cell + np.uint32(bins))
     for i in range(n):
         held = at[NEAREST + i]
         repeated = (held & REPEATED) != 0
@@ -147,9 +148,9 @@ def fetch(s: Any, g: Any, r: Any, at: Any, n: int, width: Any, phase: Any, quad:
         copy_4(r, np.uint32(RECORD + 4 * i), pixels, nearest << FOUR)
         copy_2(r, np.uint32(LINE + 2 * i), lines, nearest << TWO)
         ahead = nearest + below * ROWS_AHEAD
-        prefetch(pixels, ahead << FOUR)
-        prefetch(lines, ahead << TWO)
-        prefetch(phase, ahead)
+        will_read(pixels, ahead << FOUR)
+        will_read(lines, ahead << TWO)
+        will_read(phase, ahead)
     for i in range(0, n, GROUP):
         split_2(g, np.uint32(ABOVE + i), LANE, r, np.uint32(ABOVE + 2 * i))
         split_2(g, np.uint32(BELOW + i), LANE, r, np.uint32(BELOW + 2 * i))
