@@ -74,6 +74,8 @@ class DepthGrid:
     inverse: FloatArray  # (H + 2r, W + 2r) float32, inverse depth of the points left, with a border of zeros
     border: int  # r
     per_px: np.float32  # largest depth step between neighbours of one surface, as a share of the depth
+    normals: FloatArray  # (3, H, W) float32, by all points that were judged
+    removed: IntArray  # (H, chunks) uint8, 1 where points of a chunk of a row were removed since
     per_row: IntArray  # (H,) int64, how many points are left in every row
 
 
@@ -141,7 +143,9 @@ def cleaned(
     inverse = memory.empty((height + 2 * border, width + 2 * border), np.float32)
     inverse[:border], inverse[-border:], inverse[:, :border], inverse[:, -border:] = 0, 0, 0, 0
     per_px = np.float32(lens.spacing * np.tan(np.radians(max(settings.max_incidence_deg, ONE_SURFACE_DEG))))
-    made = DepthGrid(depth_mm, sigma_mm, others, fate, lens, inverse, border, per_px, np.empty(height, np.int64))
+    normals = memory.empty((3, height, width), np.float32)
+    removed = np.empty((height, -(-width // kernels.CHUNK)), np.uint8)
+    made = DepthGrid(depth_mm, sigma_mm, others, fate, lens, inverse, border, per_px, normals, removed, np.empty(height, np.int64))
     worst = np.float32(settings.max_sigma_mm)
     in_bands(lambda start, stop: kernels.invert(depth_mm, sigma_mm, worst, border, start, stop, inverse, fate), height)
     _judge(made, centres_mm, settings)
@@ -175,6 +179,8 @@ def _judge(grid: DepthGrid, centres_mm: Sequence[FloatArray], settings: Reconstr
             start,
             stop,
             grid.fate,
+            grid.normals,
+            grid.removed,
         ),
         len(grid.fate),
     )
@@ -189,7 +195,9 @@ def _drop_islands(grid: DepthGrid, least: int, memory: MapMemory) -> None:
         ),
         shape[0],
     )
-    kernels.drop_islands(grid.inverse, grid.sigma_mm, grid.per_px, grid.border, least, starts, stops, counts, grid.fate, grid.per_row)
+    kernels.drop_islands(
+        grid.inverse, grid.sigma_mm, grid.per_px, grid.border, least, starts, stops, counts, grid.fate, grid.removed, grid.per_row
+    )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -252,6 +260,8 @@ def gather(
             steps.unit,
             grid.per_px,
             grid.border,
+            grid.normals,
+            grid.removed,
             levels,
             np.float32(1 / saturation),
             grid.others,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -137,7 +138,7 @@ def match_rows(
     return int(matched)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class _Work:
     """Matches, checks and fuses bands of rows of one camera."""
 
@@ -155,8 +156,8 @@ class _Work:
 
     def rows(self, start: int, stop: int) -> IntArray:
         """Do the rows from ``start`` to ``stop``; returns how many pixels were matched with each other camera."""
-        view, count = self.views[self.name], len(self.others)
-        shape = (count, stop - start, view.phase.shape[1])
+        view, made, settings = self.views[self.name], self.made, self.settings
+        shape = (len(self.others), stop - start, view.phase.shape[1])
         found: list[Any] = [self.memory.empty(shape, dtype) for dtype in (np.float32, np.float32, np.float32, np.int32, np.uint8)]
         matched = [
             match_rows(
@@ -165,29 +166,18 @@ class _Work:
             for k, other in enumerate(self.others)
         ]
         self._fuse_both(found, start, stop)
-        arguments: tuple[Any, ...] = (
-            self.rectifier.rays(self.name),
-            view.phase,
-            view.sigma,
-            self.skip,
-            *found,
-            tuple(sight_of(self.name, other, self.views, self.rectifier) for other in self.others),
-            tuple(self._table_of(other) for other in self.others),
-            self.settings.agreement_sigmas,
-            self.settings.agreement_px,
-            self.every,
-            start,
-            stop,
-            self.made.depth_mm,
-            self.made.sigma_mm,
-            self.made.others,
-            self.made.fate,
-            self.made.pair_gain,
-            self.covered,
-            self.made.shifts,
-        )
+        own = (self.rectifier.rays(self.name), view.phase, view.sigma, self.skip)
+        limits = (settings.agreement_sigmas, settings.agreement_px, self.every)
+        out = (made.depth_mm, made.sigma_mm, made.others, made.fate, made.pair_gain, self.covered, made.shifts)
+        arguments: tuple[Any, ...] = (*own, *found, *self._seen_by_others, *limits, start, stop, *out)
         kernels.fuse(*arguments)
         return np.array(matched)
+
+    @cached_property
+    def _seen_by_others(self) -> tuple[Any, ...]:
+        """What the kernels need to look at points with every other camera, and where this one has their phases."""
+        sights = tuple(sight_of(self.name, other, self.views, self.rectifier) for other in self.others)
+        return sights, tuple(self._table_of(other) for other in self.others)
 
     def _fuse_both(self, found: Sequence[Any], start: int, stop: int) -> None:
         """Fuse the pixels that two other cameras match alike; all others are left to the general way."""

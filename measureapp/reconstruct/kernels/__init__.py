@@ -5,7 +5,7 @@ from __future__ import annotations
 from measureapp.reconstruct.kernels.across import check_across
 from measureapp.reconstruct.kernels.binning import LEAST_SINE, LINES_PER_CELL, fill_table, rectified_lines, spread_table
 from measureapp.reconstruct.kernels.both import fuse_both
-from measureapp.reconstruct.kernels.cleaning import invert, judge
+from measureapp.reconstruct.kernels.cleaning import CHUNK, invert, judge
 from measureapp.reconstruct.kernels.covered import mark_covered
 from measureapp.reconstruct.kernels.fusing import fuse, resample
 from measureapp.reconstruct.kernels.gathering import gather_points
@@ -17,6 +17,7 @@ from measureapp.reconstruct.kernels.slopes import slopes
 
 __all__ = [
     "BLANK",
+    "CHUNK",
     "LEAST_SINE",
     "LINES_PER_CELL",
     "MATCHED",

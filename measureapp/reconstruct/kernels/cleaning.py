@@ -14,6 +14,8 @@ import numpy as np
 from numba import njit
 
 from measureapp.data.point_state import PointState
+from measureapp.machine_memory import STREAMED, write_past_caches
+from measureapp.map_memory import LINE
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.scratch import stack_float32
 
@@ -209,6 +211,18 @@ def planes_of_chunk(
     return True
 
 
+@njit(**INLINE)
+def write(row: Any, out: Any) -> None:
+    """Write a row past the caches, where whole lines of them can be written: it is read when all others are written."""
+    done = 0
+    if out.ctypes.data % LINE == 0:
+        done = len(row) - len(row) % STREAMED
+        for i in range(0, done, STREAMED):
+            write_past_caches(row, out, i)
+    for i in range(done, len(row)):
+        out[i] = row[i]
+
+
 @njit(**LOOP)
 def judge(
     inverse: Any,
@@ -224,6 +238,8 @@ def judge(
     row_start: int,
     row_stop: int,
     fate: Any,  # in and out (H, W) uint8 of PointState
+    normals: Any,  # out (3, H, W) float32, of the planes, in the camera's frame; anything in chunks without a point
+    removed: Any,  # out (H, chunks) uint8, 1 where points of a chunk of a row are not trusted
 ) -> None:
     """Give points that cannot be trusted the first reason that applies, from the plane through the window of each."""
     width = sigma.shape[1]
@@ -233,6 +249,7 @@ def judge(
     for y in range(row_start, row_stop):
         for first in range(0, width, CHUNK):
             n = min(CHUNK, width - first)
+            removed[y, first // CHUNK] = False
             if not planes_of_chunk(s, inverse, sigma, rays, to_rays, to_unit, per_px, border, y, first, n):
                 continue
             taking, verdict = bits[y, first : first + n], fate[y, first : first + n]
@@ -255,3 +272,9 @@ def judge(
             for i in range(n):
                 code = np.int32(s[CODE + i])
                 verdict[i] = np.uint8(code) if code != 0 else verdict[i]
+            worst = ZERO
+            for i in range(n):
+                worst = max(worst, s[CODE + i])
+            removed[y, first // CHUNK] = worst > ZERO
+            for k in range(3):
+                write(s[NX + k * CHUNK : NX + k * CHUNK + n], normals[k, y, first : first + n])

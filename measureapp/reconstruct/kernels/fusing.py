@@ -25,6 +25,7 @@ VALID, NO_PHASE, UNMATCHED, AMBIGUOUS, CONTRADICTED = (
 BOTH, NONE = np.uint8(3), np.uint8(0)
 ZERO = np.float32(0)
 EXCESS, ALONG, GAIN, NOISE, HERE, LINE = range(6)  # what is known of a candidate as another camera sees it
+BLOCK = 64  # pixels of a row that are looked at together for one that is still open
 OCCLUDES_PX = 16.0  # nearer by so much disparity, a surface seen instead of a point hides it
 
 
@@ -129,21 +130,28 @@ def take_over(z: Any, skip: Any, there: Any, fate: Any, bits: Any, covered: Any)
     first_covered, last_covered = covered[0], covered[last]
     for x in range(len(z)):
         if z[x] > ZERO:
-            first_covered[first_there[x]] = 1
-            last_covered[last_there[x]] = 1
+            first_covered[np.uint32(first_there[x])] = 1
+            last_covered[np.uint32(last_there[x])] = 1
 
 
 @njit(**INLINE)
 def choose_single(z: Any, z_sigma: Any, bits: Any, skip: Any, sampled: Any, every: Any, singly: Any) -> int:
     """List the pixels of a row that are fused one by one: those not solved yet, and samples of all others; returns how many."""
     left = 0
-    for x in range(len(z)):
-        if skip[x] == 0 and (z[x] == ZERO or (sampled and x % every == 0)):
-            singly[left] = x
-            left += 1
-            z[x] = 0
-            z_sigma[x] = 0
-            bits[x] = 0
+    for first in range(0, len(z), BLOCK):
+        z_part, skip_part = z[first : first + BLOCK], skip[first : first + BLOCK]
+        some = sampled
+        for i in range(len(z_part)):
+            some |= (skip_part[i] == 0) & (z_part[i] == ZERO)
+        if not some:
+            continue
+        for x in range(first, min(first + BLOCK, len(z))):
+            if skip[x] == 0 and (z[x] == ZERO or (sampled and x % every == 0)):
+                singly[left] = x
+                left += 1
+                z[x] = 0
+                z_sigma[x] = 0
+                bits[x] = 0
     return left
 
 

@@ -4,6 +4,7 @@ A cloud is written once and is larger than the caches. So points wait on a stage
 of the cloud, and these are written past the caches; what goes through them is first read from memory.
 """
 # One loop over chunks of pixels, as in the other kernels.
+# ruff: noqa: PLR0915
 
 from __future__ import annotations
 
@@ -24,6 +25,7 @@ PLACES, PIXELS = 3 * STAGE, 2 * STAGE
 (PX, PY, PZ) = (k * CHUNK for k in range(3))
 POINTS = 3 * CHUNK
 ZERO, ONE = np.float32(0), np.float32(1)
+A, B, THREE = np.uint32(1), np.uint32(2), np.uint32(3)  # unsigned: negative places would be looked for at the end of an array
 
 
 @njit(**INLINE)
@@ -42,6 +44,45 @@ def pour(stage: Any, out: Any, per_point: int, begin: int, first: int, stop: int
         stage[j] = stage[end + j]
 
 
+@njit(**INLINE)
+def none_left(inverse: Any) -> bool:
+    """Whether a chunk of a row has no point."""
+    highest = ZERO
+    for i in range(len(inverse)):
+        highest = max(highest, inverse[i])
+    return highest == ZERO
+
+
+@njit(**INLINE)
+def is_touched(removed: Any, y: int, chunk: int, border: int) -> bool:
+    """Whether points were removed from a window about a pixel of a chunk of a row."""
+    some = np.uint8(0)
+    for v in range(max(y - border, 0), min(y + border + 1, len(removed))):
+        for k in range(max(chunk - 1, 0), min(chunk + 2, removed.shape[1])):
+            some |= removed[v, k]
+    return some != 0
+
+
+@njit(**INLINE)
+def take_judged(s: Any, inverse: Any, sigma: Any, rays: Any, judged: Any, border: int, y: int, first: int, n: int) -> None:
+    """Take what `planes_of_chunk` would compute again from where it was written when the points were judged."""
+    middle, noise = inverse[y + border, border + first : border + first + n], sigma[y, first : first + n]
+    nx, ny, nz = judged[0, y, first : first + n], judged[1, y, first : first + n], judged[2, y, first : first + n]
+    ray = rays[y, 2 * first : 2 * (first + n)]
+    for i in range(n):
+        s[INV + i] = middle[i]
+    for i in range(n):
+        s[OWN + i] = noise[i]
+    for i in range(n):
+        s[NX + i] = nx[i]
+    for i in range(n):
+        s[NY + i] = ny[i]
+    for i in range(n):
+        s[NZ + i] = nz[i]
+    for i in range(n):
+        s[ROW_X + i], s[ROW_Y + i] = ray[2 * i], ray[2 * i + 1]
+
+
 @njit(**LOOP)
 def gather_points(
     inverse: Any,
@@ -52,6 +93,8 @@ def gather_points(
     to_unit: Any,
     per_px: Any,
     border: int,
+    judged: Any,  # (3, H, W) float32, normals by all points that were judged
+    removed: Any,  # (H, chunks) uint8, 1 where points of a chunk of a row were removed since
     grey: Any,
     per_grey: Any,  # float32
     bits: Any,
@@ -89,8 +132,12 @@ def gather_points(
     for y in range(row_start, row_stop):
         for first in range(0, width, CHUNK):
             n = min(CHUNK, width - first)
-            if not planes_of_chunk(s, inverse, sigma, rays, to_rays, to_unit, per_px, border, y, first, n):
+            if none_left(inverse[y + border, border + first : border + first + n]):
                 continue
+            if is_touched(removed, y, first // CHUNK, border):
+                planes_of_chunk(s, inverse, sigma, rays, to_rays, to_unit, per_px, border, y, first, n)
+            else:
+                take_judged(s, inverse, sigma, rays, judged, border, y, first, n)
             for i in range(n):
                 p, q, w = s[NX + i], s[NY + i], s[NZ + i]
                 x, y0 = s[ROW_X + i], s[ROW_Y + i]
@@ -106,11 +153,12 @@ def gather_points(
                 d[PY + i] = p10 * a + p11 * b + p12 * z + p13
                 d[PZ + i] = p20 * a + p21 * b + p22 * z + p23
             for i in range(n):  # a place without a point is written over by the next
-                staged_points[3 * held], staged_points[3 * held + 1], staged_points[3 * held + 2] = d[PX + i], d[PY + i], d[PZ + i]
-                staged_normals[3 * held], staged_normals[3 * held + 1], staged_normals[3 * held + 2] = s[NX + i], s[NY + i], s[NZ + i]
-                staged_along[held], staged_light[held] = s[OWN + i], s[OFF + i]
-                staged_pixel[2 * held], staged_pixel[2 * held + 1] = y, first + i
-                staged_cameras[held] = masks[taking[i]]
+                k = np.uint32(held)
+                staged_points[THREE * k], staged_points[THREE * k + A], staged_points[THREE * k + B] = d[PX + i], d[PY + i], d[PZ + i]
+                staged_normals[THREE * k], staged_normals[THREE * k + A], staged_normals[THREE * k + B] = s[NX + i], s[NY + i], s[NZ + i]
+                staged_along[k], staged_light[k] = s[OWN + i], s[OFF + i]
+                staged_pixel[B * k], staged_pixel[B * k + A] = y, first + i
+                staged_cameras[k] = masks[taking[i]]
                 held += s[INV + i] > ZERO
             stop = held - held % BLOCK
             if stop > 0:

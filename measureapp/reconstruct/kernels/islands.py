@@ -1,4 +1,4 @@
-"""Compiled loops that find what hangs together on a depth map, from runs of pixels; ``inverse`` is that of `cleaning`."""
+"""Compiled loops that find what hangs together on a depth map, from runs of pixels; ``inverse`` and the chunks of a row are those of `cleaning`."""
 # One loop over pixels, as in the other kernels.
 # ruff: noqa: PLR0912
 
@@ -10,6 +10,7 @@ import numpy as np
 from numba import njit
 
 from measureapp.data.point_state import PointState
+from measureapp.reconstruct.kernels.cleaning import CHUNK
 from measureapp.reconstruct.kernels.options import LOOP
 
 ZERO, SIGMAS = np.float32(0), np.float32(8.0)
@@ -68,7 +69,17 @@ def root_of(parent: Any, index: int) -> int:
 
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
 def drop_islands(
-    inverse: Any, sigma: Any, per_px: Any, border: int, least: int, starts: Any, stops: Any, counts: Any, fate: Any, points: Any
+    inverse: Any,
+    sigma: Any,
+    per_px: Any,
+    border: int,
+    least: int,
+    starts: Any,
+    stops: Any,
+    counts: Any,
+    fate: Any,
+    removed: Any,
+    points: Any,
 ) -> None:
     """Join the runs of neighbouring rows where no depth step parts them, and remove what stays smaller than ``least`` pixels.
 
@@ -110,6 +121,7 @@ def drop_islands(
                 for x in range(starts[y, k], stops[y, k]):
                     fate[y, x] = ISLAND
                     inverse[y + border, x + border] = ZERO
+                    removed[y, x // CHUNK] = 1
             else:
                 points[y] += stops[y, k] - starts[y, k]
             index += 1

@@ -119,6 +119,28 @@ def _joiner(past_caches: bool) -> Any:
     return intrinsic(join)
 
 
+def _equal_bits(_typing: Any, array: Any, i: Any, value: Any) -> Any:
+    """Return a number whose bit m says whether ``array[i + m] == value``, all m below GROUP."""
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        part = ir.VectorType(FLOAT, GROUP)
+        read = builder.load(_pointer(context, builder, signature.args[0], arguments[0], arguments[1], part), align=4)
+        first = builder.insert_element(ir.Constant(part, ir.Undefined), arguments[2], ir.Constant(INT, 0))
+        everywhere = builder.shuffle_vector(first, ir.Constant(part, ir.Undefined), ir.Constant(ir.VectorType(INT, GROUP), [0] * GROUP))
+        return builder.zext(builder.bitcast(builder.fcmp_ordered("==", read, everywhere), ir.IntType(GROUP)), INT)
+
+    return types.uint32(array, i, value), generate
+
+
+def _lowest_bit(_typing: Any, _bits: Any) -> Any:
+    """Return the place of the lowest bit that is set in a number other than 0."""
+
+    def generate(_context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
+        return builder.cttz(arguments[0], ir.Constant(ir.IntType(1), 1))
+
+    return types.uint32(types.uint32), generate
+
+
 stack_float32: Any = _stack_of(types.float32)
 stack_float64: Any = _stack_of(types.float64)
 stack_int32: Any = _stack_of(types.int32)
@@ -130,3 +152,5 @@ split_2: Any = _splitter(2)
 split_4: Any = _splitter(4)
 join_4: Any = _joiner(False)
 join_4_past_caches: Any = _joiner(True)
+equal_bits: Any = intrinsic(_equal_bits)
+lowest_bit: Any = intrinsic(_lowest_bit)

@@ -16,7 +16,7 @@ from measureapp.map_memory import LINE
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.scratch import GROUP, join_4, join_4_past_caches, stack_float32
 
-CHUNK, PAD = 1024, 4
+CHUNK, PAD = 512, 16  # all lanes stay in the first cache of a processor
 LENGTH = CHUNK + 2 * PAD
 REACH = 3  # pixels to either side over which a slope is taken
 ROWS = (-3, -1, 0, 1, 3)
@@ -26,7 +26,7 @@ OWN, GX, GY, SIGMA, QUAD = (k * LENGTH + PAD for k in range(10, 15))  # the firs
 SCRATCH = 15 * LENGTH
 RECORDS = 4 * CHUNK
 PHASE, SLOPE_X, SLOPE_Y = range(3)  # in the record of a pixel
-ZERO, ONE, TWO, THREE = np.float32(0), np.float32(1), np.float32(2), np.float32(3)
+ZERO, HALF, ONE, TWO, THREE = np.float32(0), np.float32(0.5), np.float32(1), np.float32(2), np.float32(3)
 PER_WIDE = np.float32(1 / (2 * REACH))
 BENT = np.float32(0.2)  # curvature, as a share of the rise over the window, beyond which a wide slope says nothing about its middle
 BENT_SIGMAS = np.float32(4.0)
@@ -105,8 +105,8 @@ def slopes(
                 wq = s[M + i - 1] if abs(q) < step else ZERO
                 wd = s[M_DOWN + i] if abs(d) < step else ZERO
                 wu = s[M_UP + i] if abs(u) < step else ZERO
-                narrow_x = (wr * r + wq * q) / max(wr + wq, ONE)
-                narrow_y = (wd * d + wu * u) / max(wd + wu, ONE)
+                narrow_x = (wr * r + wq * q) * (HALF if wr + wq > ONE else ONE)
+                narrow_y = (wd * d + wu * u) * (HALF if wd + wu > ONE else ONE)
                 wide = all_valid & smooth
                 s[OWN + i] = p
                 s[GX + i] = s[M + i] * (rise_x * PER_WIDE if wide else narrow_x)
