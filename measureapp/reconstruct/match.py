@@ -95,7 +95,7 @@ def sight_of(name: str, other: str, views: Mapping[str, PhaseView], rectifier: R
     """Return what the kernels need to look at points of camera ``name`` with ``other``."""
     pair, view = rectifier.pair(name, other), views[other]
     place = (pair.here.rectified_from_camera, pair.here.frame, pair.there.frame, pair.there.grid, pair.stride, pair.baseline_mm)
-    return (view.phase, view.sigma, view.state, view.pixels, view.quad, *place)
+    return (view.state, view.pixels, view.quad, *place)
 
 
 def match_rows(

@@ -16,7 +16,7 @@ from measureapp.data.point_state import PointState
 from measureapp.reconstruct.kernels.binning import PLACE, REPEATED
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.seen import BLANK, PARTLY, REPEATS, SEEN
-from measureapp.reconstruct.kernels.slopes import BESIDE, SLOPE_X, SLOPE_Y, TORN, WHOLE
+from measureapp.reconstruct.kernels.slopes import BESIDE, OWN_SIGMA, PHASE, SLOPE_X, SLOPE_Y, TORN, WHOLE
 
 VALID, NO_PHASE, UNMATCHED, AMBIGUOUS, CONTRADICTED = (
     np.uint8(state)
@@ -49,21 +49,22 @@ def native_pixel(grid: Any, stride: Any, x: Any, y: Any) -> Any:
 
 
 @njit(**INLINE)
-def look(phase: Any, sigma: Any, state: Any, pixels: Any, quad: Any, u: Any, v: Any) -> Any:
+def look(state: Any, pixels: Any, quad: Any, u: Any, v: Any) -> Any:
     """Return (BLANK | SEEN | PARTLY, phase, its variance): bilinear between four pixels of one surface; beside a hole, in the half of
     a border pixel, along the slope of that pixel.
     """
-    if not (u >= 0.0 and v >= 0.0 and v < phase.shape[0] - 1 and u < phase.shape[1] - 1):
+    if not (u >= 0.0 and v >= 0.0 and v < quad.shape[0] - 1 and u < quad.shape[1] - 1):
         return BLANK, 0.0, 0.0
     i = int(v)
     j = int(u)
     a = u - j
     b = v - i
     if quad[i, j] == WHOLE:
-        above = phase[i, j] + a * (phase[i, j + 1] - phase[i, j])
-        below = phase[i + 1, j] + a * (phase[i + 1, j + 1] - phase[i + 1, j])
+        above = pixels[i, j, PHASE] + a * (pixels[i, j + 1, PHASE] - pixels[i, j, PHASE])
+        below = pixels[i + 1, j, PHASE] + a * (pixels[i + 1, j + 1, PHASE] - pixels[i + 1, j, PHASE])
         p, q, r, s = (1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b
-        noise = (p * sigma[i, j]) ** 2 + (q * sigma[i, j + 1]) ** 2 + (r * sigma[i + 1, j]) ** 2 + (s * sigma[i + 1, j + 1]) ** 2
+        noise = (p * pixels[i, j, OWN_SIGMA]) ** 2 + (q * pixels[i, j + 1, OWN_SIGMA]) ** 2
+        noise += (r * pixels[i + 1, j, OWN_SIGMA]) ** 2 + (s * pixels[i + 1, j + 1, OWN_SIGMA]) ** 2
         return SEEN, above + b * (below - above), noise
     if quad[i, j] == TORN:
         return PARTLY, 0.0, 0.0
@@ -71,8 +72,8 @@ def look(phase: Any, sigma: Any, state: Any, pixels: Any, quad: Any, u: Any, v: 
     x = int(u + 0.5)
     if quad[i, j] == BESIDE and state[y, x] == 0 and (pixels[y, x, SLOPE_X] != 0 or pixels[y, x, SLOPE_Y] != 0):
         reach = abs(u - x) + abs(v - y)
-        value = phase[y, x] + (u - x) * pixels[y, x, SLOPE_X] + (v - y) * pixels[y, x, SLOPE_Y]
-        return SEEN, value, sigma[y, x] ** 2 * ((1 + reach) ** 2 + reach**2)
+        value = pixels[y, x, PHASE] + (u - x) * pixels[y, x, SLOPE_X] + (v - y) * pixels[y, x, SLOPE_Y]
+        return SEEN, value, pixels[y, x, OWN_SIGMA] ** 2 * ((1 + reach) ** 2 + reach**2)
     if state[i, j] != 0 and state[i, j + 1] != 0 and state[i + 1, j] != 0 and state[i + 1, j + 1] != 0:
         return BLANK, 0.0, 0.0
     return PARTLY, 0.0, 0.0
@@ -85,7 +86,7 @@ def see(own: Any, nx: Any, ny: Any, z: Any, other: Any) -> Any:
     Returns (BLANK | SEEN | PARTLY, excess of the phase seen, its slope per rectified pixel along the epipolar line, change of the phase
     with z, variance, rectified x here + x0, rectified x there, rectified y).
     """
-    phase, sigma, state, pixels, quad, turn, frame, there_frame, grid, stride, baseline = other
+    state, pixels, quad, turn, frame, there_frame, grid, stride, baseline = other
     rz = turn[2, 0] * nx + turn[2, 1] * ny + turn[2, 2]
     per_rz, per_z = 1.0 / rz, 1.0 / z
     here = (turn[0, 0] * nx + turn[0, 1] * ny + turn[0, 2]) * per_rz
@@ -93,7 +94,7 @@ def see(own: Any, nx: Any, ny: Any, z: Any, other: Any) -> Any:
     shift = baseline * per_rz * per_z
     there = there_frame[0] * (here - shift) - there_frame[1]
     u, v, to_u, to_v = native_pixel(grid, stride, there, row)
-    sight, value, noise = look(phase, sigma, state, pixels, quad, u, v)
+    sight, value, noise = look(state, pixels, quad, u, v)
     along = 0.0
     if sight == SEEN:
         j, k = int(u + 0.5), int(v + 0.5)
@@ -328,8 +329,6 @@ def fuse(
 
 @njit(**LOOP)
 def resample(
-    phase: Any,
-    sigma: Any,
     state: Any,
     pixels: Any,
     quad: Any,
@@ -346,7 +345,7 @@ def resample(
         for x in range(new_phase.shape[1]):
             u = native[y, x, 0]
             v = native[y, x, 1]
-            seen, value, noise = look(phase, sigma, state, pixels, quad, u, v)
+            seen, value, noise = look(state, pixels, quad, u, v)
             new_phase[y, x] = value
             new_sigma[y, x] = np.sqrt(noise)
             new_state[y, x] = 0

@@ -16,6 +16,7 @@ import numpy as np
 from numba import njit
 
 from measureapp.machine_memory import will_read
+from measureapp.map_memory import LINE as CACHE_LINE
 from measureapp.reconstruct.kernels.binning import REPEATED
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.scratch import (
@@ -79,6 +80,18 @@ def count_wanted(skip: Any, n: int) -> Any:
     for i in range(n):
         wanted += skip[i] == 0
     return wanted
+
+
+@njit(**INLINE)
+def ask_for(phase: Any, lines: Any, rays: Any, skip: Any, start: int, n: int) -> None:
+    """Ask for n pixels from ``start`` on: down the columns every row lies elsewhere, which the processor's own prediction does not follow."""
+    for i in range(0, n, CACHE_LINE // 8):
+        will_read(lines, 2 * (start + i))
+        will_read(rays, 2 * (start + i))
+    for i in range(0, n, CACHE_LINE // 4):
+        will_read(phase, start + i)
+    for i in range(0, n, CACHE_LINE):
+        will_read(skip, start + i)
 
 
 @njit(**INLINE)
@@ -363,6 +376,7 @@ def match(
             n = min(CHUNK, columns - first)
             part, pairs = slice(first, first + n), slice(2 * first, 2 * (first + n))
             wanted = count_wanted(skip[y, part], n)
+            ask_for(phase, lines, rays, skip, (y + 1) * columns + first, n)
             if wanted == 0:
                 continue
             mostly = 2 * wanted > n
