@@ -11,7 +11,7 @@ from measureapp.data.phase import PhaseMap
 from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
 
-SAMPLES = 80  # so many pixels along the longer side of an image tell what a phase map is like
+SPARSE = 16  # one pixel of so many in each direction tells what a phase map is like
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -34,7 +34,6 @@ class PhaseView:
         pixels, quad = memory.empty((*phase.shape, 4), np.float32), memory.empty(phase.shape, np.uint8)
         step, flat = np.float32(step_rad), pixels.reshape(len(pixels), -1)
         in_bands(lambda start, stop: kernels.slopes(phase, sigma, state, step, start, stop, flat, quad), len(phase))
-        every = max(1, max(phase.shape) // SAMPLES)
-        some = pixels[::every, ::every, 1:3].reshape(-1, 2)
+        some = pixels[::SPARSE, ::SPARSE, 1:3].reshape(-1, 2)
         some_slopes = some[(some[:, 0] != 0) | (some[:, 1] != 0)].astype(np.float64)
         return cls(phase, sigma, state, read_only(pixels), read_only(quad), read_only(some_slopes))
