@@ -191,7 +191,7 @@ def _drop_islands(grid: DepthGrid, least: int, memory: MapMemory) -> None:
     starts, stops, counts = memory.empty(shape, np.int16), memory.empty(shape, np.int16), np.empty(shape[0], np.int32)
     in_bands(
         lambda start, stop: kernels.find_runs(
-            grid.inverse, grid.sigma_mm, grid.fate, grid.per_px, grid.border, start, stop, starts, stops, counts
+            grid.inverse, grid.sigma_mm, grid.fate, grid.per_px, grid.border, start, stop, grid.removed, starts, stops, counts
         ),
         shape[0],
     )

@@ -101,8 +101,8 @@ def fill_table(
                 at[LAST + i] = row * bins + high if inside else NOTHING
                 at[PLACES + i] = row_of | np.int32(begin + np.uint32(i) * step)
                 s[NEAR + i] = NEAR_PX + margin / rise
-            for i in range(0, n, CELLS_APART):  # every row of pixels begins a row of the table, which waits far away
-                will_read(table, np.uint32(at[CELL + i]))
+            for i in range(0, n, CELLS_APART):  # the next row of pixels begins a row of the table, which waits far away
+                will_read(table, np.uint32(at[CELL + i] + bins))
             for i in range(n):
                 cell, last, place = at[CELL + i], at[LAST + i], at[PLACES + i]
                 at[HELD + i] = put(table, np.uint32(cell), place)

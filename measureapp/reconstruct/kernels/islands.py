@@ -26,6 +26,7 @@ def find_runs(
     border: int,
     row_start: int,
     row_stop: int,
+    removed: Any,  # (H, chunks) uint8, 1 where points of a chunk of a row are not trusted
     starts: Any,  # out (H, W) int16
     stops: Any,  # out
     counts: Any,  # out (H,) int32
@@ -35,8 +36,12 @@ def find_runs(
     linked = np.zeros(width + 1, np.uint8)
     for y in range(row_start, row_stop):
         inv, noise, judged = inverse[y + border, border : border + width], sigma[y], fate[y]
-        for x in range(width):
-            inv[x] = inv[x] if judged[x] == 0 else ZERO
+        some = np.uint8(0)
+        for k in range(removed.shape[1]):
+            some |= removed[y, k]
+        if some != 0:
+            for x in range(width):
+                inv[x] = inv[x] if judged[x] == 0 else ZERO
         before = inv[0 : width - 1]
         here, s_here = inv[1:width], noise[1:width]
         flags = linked[1:width]
