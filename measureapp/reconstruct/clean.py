@@ -118,7 +118,7 @@ def rejections(*fates: IntArray) -> dict[str, int]:
 
 def _histogram(fate: IntArray, start: int, stop: int) -> FloatArray:
     states = len(PointState)
-    return cv2.calcHist([fate[start:stop]], [0], None, [states], [0, states]).ravel()
+    return np.asarray(cv2.calcHist([fate[start:stop]], [0], None, [states], [0, states]), np.float64).ravel()
 
 
 def cleaned(
