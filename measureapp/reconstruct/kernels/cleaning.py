@@ -16,6 +16,7 @@ from numba import njit
 from measureapp.data.point_state import PointState
 from measureapp.machine_memory import STREAMED, write_past_caches
 from measureapp.map_memory import LINE
+from measureapp.reconstruct.kernels.cubic import cubic
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.scratch import stack_float32
 
@@ -52,12 +53,6 @@ def invert(depth: Any, sigma: Any, max_sigma: Any, border: int, row_start: int, 
             out[x] = ONE / z_row[x] if (z_row[x] > ZERO) & (s_row[x] <= max_sigma) else ZERO
         for x in range(width):
             fate_row[x] = UNCERTAIN if (z_row[x] > ZERO) & (s_row[x] > max_sigma) else fate_row[x]
-
-
-@njit(**INLINE)
-def cubic(c: Any, s: Any, t: Any) -> Any:
-    """Return the value of a cubic polynomial of two variables."""
-    return c[0] + s * (c[1] + s * (c[3] + s * c[6])) + t * (c[2] + s * (c[4] + s * c[7]) + t * (c[5] + s * c[8] + t * c[9]))
 
 
 @njit(**INLINE)

@@ -18,6 +18,7 @@ from numba import njit
 from measureapp.machine_memory import will_read
 from measureapp.map_memory import LINE as CACHE_LINE
 from measureapp.reconstruct.kernels.binning import REPEATED
+from measureapp.reconstruct.kernels.cubic import cubic
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.scratch import (
     GROUP,
@@ -59,12 +60,6 @@ ABOVE, BELOW, LINE, RECORD = P00, P10, NEAR_X, NEAR  # where the records of two 
 LANE = np.uint32(CHUNK)
 (PLACE, NEAREST, COLUMN, SOME) = (k * CHUNK for k in range(4))
 PLACES = 4 * CHUNK
-
-
-@njit(**INLINE)
-def cubic(c: Any, s: Any, t: Any) -> Any:
-    """Return the value of a cubic polynomial of two variables."""
-    return c[0] + s * (c[1] + s * (c[3] + s * c[6])) + t * (c[2] + s * (c[4] + s * c[7]) + t * (c[5] + s * c[8] + t * c[9]))
 
 
 @njit(**INLINE)
