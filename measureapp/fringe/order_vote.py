@@ -70,8 +70,12 @@ def settle_orders(maps: Maps, shape: tuple[int, int], limits: VoteLimits) -> tup
     phase, sigma, state = (array.reshape(shape) for array in (maps.phase, maps.sigma, maps.state))
     step = min(pi, limits.edge_step_rad) if limits.radius else limits.edge_step_rad
     doubtful = np.empty(shape, np.uint8)
-    in_bands(lambda start, stop: orders.find_doubtful(phase, state, np.float32(step), limits.radius, start, stop, doubtful), shape[0])
-    places = np.flatnonzero(doubtful.reshape(-1).view(np.bool_))
+
+    def find(start: int, stop: int) -> IntArray:
+        orders.find_doubtful(phase, state, np.float32(step), limits.radius, start, stop, doubtful)
+        return np.flatnonzero(doubtful[start:stop].view(np.bool_)) + start * shape[1]
+
+    places = np.concatenate(in_bands(find, shape[0]))
     before = np.bincount(maps.state[places], minlength=len(PixelState))
     repaired = 0
     if limits.radius:

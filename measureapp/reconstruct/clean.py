@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import cv2
 import numpy as np
@@ -73,6 +74,9 @@ class DepthGrid:
     inverse: FloatArray  # (H + 2r, W + 2r) float32, inverse depth of the points left, with a border of zeros
     border: int  # r
     per_px: np.float32  # largest depth step between neighbours of one surface, as a share of the depth
+    normals: FloatArray  # (3, H, W) float32, by all points that were judged
+    removed: IntArray  # (H, chunks) uint8, 1 where points of a chunk of a row were removed since
+    per_row: IntArray  # (H,) int64, how many points are left in every row
 
 
 def clean(
@@ -108,9 +112,13 @@ def clean(
 
 def rejections(*fates: IntArray) -> dict[str, int]:
     """Count pixels that had a phase and gave no point, by reason."""
-    ends = [0, len(PointState)]
-    counts = np.sum([cv2.calcHist([fate], [0], None, [len(PointState)], ends).ravel() for fate in fates], axis=0)
+    counts = np.sum([in_bands(partial(_histogram, fate), len(fate)) for fate in fates], axis=(0, 1))
     return {words: int(counts[state]) for state, words in WORDS.items()}
+
+
+def _histogram(fate: IntArray, start: int, stop: int) -> FloatArray:
+    states = len(PointState)
+    return np.asarray(cv2.calcHist([fate[start:stop]], [0], None, [states], [0, states]), np.float64).ravel()
 
 
 def cleaned(
@@ -135,7 +143,9 @@ def cleaned(
     inverse = memory.empty((height + 2 * border, width + 2 * border), np.float32)
     inverse[:border], inverse[-border:], inverse[:, :border], inverse[:, -border:] = 0, 0, 0, 0
     per_px = np.float32(lens.spacing * np.tan(np.radians(max(settings.max_incidence_deg, ONE_SURFACE_DEG))))
-    made = DepthGrid(depth_mm, sigma_mm, others, fate, lens, inverse, border, per_px)
+    normals = memory.empty((3, height, width), np.float32)
+    removed = np.empty((height, -(-width // kernels.CHUNK)), np.uint8)
+    made = DepthGrid(depth_mm, sigma_mm, others, fate, lens, inverse, border, per_px, normals, removed, np.empty(height, np.int64))
     worst = np.float32(settings.max_sigma_mm)
     in_bands(lambda start, stop: kernels.invert(depth_mm, sigma_mm, worst, border, start, stop, inverse, fate), height)
     _judge(made, centres_mm, settings)
@@ -169,6 +179,8 @@ def _judge(grid: DepthGrid, centres_mm: Sequence[FloatArray], settings: Reconstr
             start,
             stop,
             grid.fate,
+            grid.normals,
+            grid.removed,
         ),
         len(grid.fate),
     )
@@ -179,11 +191,13 @@ def _drop_islands(grid: DepthGrid, least: int, memory: MapMemory) -> None:
     starts, stops, counts = memory.empty(shape, np.int16), memory.empty(shape, np.int16), np.empty(shape[0], np.int32)
     in_bands(
         lambda start, stop: kernels.find_runs(
-            grid.inverse, grid.sigma_mm, grid.fate, grid.per_px, grid.border, start, stop, starts, stops, counts
+            grid.inverse, grid.sigma_mm, grid.fate, grid.per_px, grid.border, start, stop, grid.removed, starts, stops, counts
         ),
         shape[0],
     )
-    kernels.drop_islands(grid.inverse, grid.sigma_mm, grid.per_px, grid.border, least, starts, stops, counts, grid.fate)
+    kernels.drop_islands(
+        grid.inverse, grid.sigma_mm, grid.per_px, grid.border, least, starts, stops, counts, grid.fate, grid.removed, grid.per_row
+    )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -210,16 +224,8 @@ class PointArrays:
         )
 
 
-def points_per_row(grid: DepthGrid) -> IntArray:
-    """Count the points of every row."""
-    counts = np.empty(len(grid.fate), np.int64)
-    in_bands(lambda start, stop: kernels.count_points(grid.inverse, grid.border, start, stop, counts), len(counts))
-    return counts
-
-
 def gather(
     grid: DepthGrid,
-    counts: IntArray,
     first: int,
     grey: FloatArray | IntArray,
     saturation: float,
@@ -231,12 +237,11 @@ def gather(
 
     Parameters
     ----------
-    counts : `points_per_row` of it
     grey, saturation : grey levels of the image, and the one that becomes 1
     bits : of this camera and of the others, for `PointCloud.cameras`
     reference_from_camera : (4, 4)
     """
-    begins = first + np.cumsum(counts) - counts
+    begins = first + np.cumsum(grid.per_row) - grid.per_row
     steps = grid.lens.steps
     pose = np.ascontiguousarray(reference_from_camera[:3], np.float64)
     masks = np.array(
@@ -255,6 +260,8 @@ def gather(
             steps.unit,
             grid.per_px,
             grid.border,
+            grid.normals,
+            grid.removed,
             levels,
             np.float32(1 / saturation),
             grid.others,
@@ -264,20 +271,19 @@ def gather(
             begins,
             start,
             stop,
-            out.points_mm,
-            out.normals,
+            out.points_mm.reshape(-1),
+            out.normals.reshape(-1),
             out.sigma_mm,
             out.grey,
-            out.pixel,
+            out.pixel.reshape(-1),
             out.cameras,
         ),
-        len(counts),
+        len(begins),
     )
 
 
 def gathered_normals(grid: DepthGrid) -> tuple[IntArray, FloatArray]:
     """Return the pixels (N, 2) and normals (N, 3) of the points left."""
-    counts = points_per_row(grid)
-    out = PointArrays.of(int(counts.sum()), MapMemory())
-    gather(grid, counts, 0, grid.depth_mm, 1.0, (1,), np.eye(4), out)
+    out = PointArrays.of(int(grid.per_row.sum()), MapMemory())
+    gather(grid, 0, grid.depth_mm, 1.0, (1,), np.eye(4), out)
     return out.pixel, out.normals

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray, in_bands
-from measureapp.data.point_state import PointState
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.clean import DepthGrid
 from measureapp.reconstruct.match import DepthMap, sample_step, sight_of
@@ -39,60 +38,21 @@ def keep_new(
 
     Returns
     -------
-    (N, 2) distance in px between a point's image in the earlier camera and the place with its phase, and the variance of it, of samples
-    from all over the image
+    (rows, columns, 2) distance in px between a point's image in the earlier camera and the place with its phase, and the variance of it,
+    of samples from all over the image; (0, 0) for none. Of pixels that take part in points already only samples were matched; among all
+    others most are wrong, or at borders.
     """
-    here, sight = views[name], sight_of(name, earlier, views, rectifier)
-    depth, fate, every = view.depth_mm, view.fate, sample_step(view.depth_mm.shape)
-
-    def work(start: int, stop: int) -> FloatArray:
-        rows = slice(start, stop)
-        points = depth[rows] > 0
-        if not points.any():
-            return np.zeros((0, 2), np.float32)
-        seen = np.empty(points.shape, np.uint8)
-        excess, shift, variance = (np.zeros(points.shape, np.float32) for _ in range(3))
-        kernels.observe(
-            rectifier.rays(name),
-            here.phase,
-            here.sigma,
-            depth,
-            view.sigma_mm,
-            view.pair_gain,
-            sight,
-            start,
-            stop,
-            seen,
-            excess,
-            shift,
-            variance,
-        )
-        slope = np.abs(excess) / np.maximum(np.abs(shift), np.float32(1e-9))
-        found = seen == kernels.SEEN
-        differs = found & (np.abs(excess) > settings.agreement_sigmas * np.sqrt(variance) + settings.agreement_px * slope)
-        known = points & (seen != kernels.BLANK)
-        if measured is not None:
-            row, column = np.nonzero(differs | (known & ~found))
-            hidden = _hidden(name, earlier, depth, np.column_stack([row + start, column]), measured, rectifier)
-            known[row[hidden], column[hidden]] = False
-        fate[rows][known] = np.where(differs[known], np.uint8(PointState.CONTRADICTED), np.uint8(PointState.SEEN_BY_ANOTHER))
-        depth[rows][known] = 0
-        # Of pixels that take part in points already only samples were matched; among all others most are wrong, or at borders.
-        samples = (slice(-start % every, None, every), slice(None, None, every))
-        of_them = (found & known)[samples]
-        steep = np.maximum(slope[samples][of_them], np.float32(1e-9))
-        return np.column_stack([shift[samples][of_them], variance[samples][of_them] / steep**2])
-
-    return np.concatenate(in_bands(work, len(depth)))
-
-
-def _hidden(name: str, earlier: str, depth: FloatArray, asked: IntArray, measured: DepthGrid, rectifier: Rectifier) -> BoolArray:
-    """Return which of the points at ``asked`` (N, 2), row and column, a surface measured by the earlier camera hides from it, (N,)."""
-    pair, hidden = rectifier.pair(name, earlier), np.zeros(len(asked), np.bool_)
+    here, pair, every = views[name], rectifier.pair(name, earlier), sample_step(view.depth_mm.shape)
+    shifts = np.zeros((*(-(-length // every) for length in view.depth_mm.shape), 2), np.float32)
     geometry = (pair.here.rectified_from_camera, pair.here.frame, pair.there.frame, pair.there.grid, pair.stride, pair.baseline_mm)
-    axis, there = pair.there.rectified_from_camera[2], (rectifier.rays(earlier), measured.depth_mm, measured.fate)
-    kernels.hidden_points(rectifier.rays(name), depth, asked, geometry, axis, *there, 0, len(asked), hidden)
-    return hidden
+    nothing = (np.zeros((0, 0), np.float32), np.zeros((0, 0), np.uint8))
+    there = nothing if measured is None else (measured.depth_mm, measured.fate)
+    points = (rectifier.rays(name), here.phase, here.sigma, view.sigma_mm, view.pair_gain, sight_of(name, earlier, views, rectifier))
+    surface = (geometry, pair.there.rectified_from_camera[2], rectifier.rays(earlier), *there)
+    limits = (settings.agreement_sigmas, settings.agreement_px, every)
+    arguments: tuple[Any, ...] = (*points, *surface, *limits)
+    in_bands(partial(_in_rows, kernels.keep_new, arguments, (view.depth_mm, view.fate, shifts)), len(view.depth_mm))
+    return shifts
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -139,10 +99,9 @@ def check_across(
     limits = (settings.agreement_sigmas, settings.agreement_px, every)
     out = (view.fate, tuple(covered[other].reshape(-1) for other in others), set_aside, shifts)
     arguments: tuple[Any, ...] = (rectifier.rays(name), *own, *points, places, sights, sights_across, widths, *limits)
-    in_bands(partial(_check_rows, arguments, out), len(view.depth_mm))
+    in_bands(partial(_in_rows, kernels.check_across, arguments, out), len(view.depth_mm))
     return AcrossCheck(dict(zip(asked, shifts, strict=True)), set_aside)
 
 
-def _check_rows(arguments: tuple[Any, ...], out: tuple[Any, ...], start: int, stop: int) -> None:
-    everything: tuple[Any, ...] = (*arguments, start, stop, *out)
-    kernels.check_across(*everything)
+def _in_rows(kernel: Any, arguments: tuple[Any, ...], out: tuple[Any, ...], start: int, stop: int) -> None:
+    kernel(*arguments, start, stop, *out)

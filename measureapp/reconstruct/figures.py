@@ -65,7 +65,8 @@ def _samples(shifts: Sequence[FloatArray]) -> tuple[FloatArray, FloatArray]:
 def unexplained_px(off_px: FloatArray, variance_px2: FloatArray) -> float:
     """Return how large the distances are beyond their noise: their median and their scatter about it, each 0 where noise explains it.
 
-    The scatter is the s for which half of the squares off² / (variance + s²) lie below the median of χ².
+    The scatter is the s for which half of the squares off² / (variance + s²) lie below the median m of χ². A square lies below where
+    off² / m − variance lies below s²: s² is the median of these.
     """
     middle_off, count = float(np.median(off_px)), len(off_px)
     if abs(middle_off) <= SIGNIFICANT * MEDIAN_ERROR * float(np.sqrt(np.median(variance_px2) / count)):
@@ -73,11 +74,5 @@ def unexplained_px(off_px: FloatArray, variance_px2: FloatArray) -> float:
     squares = (off_px - middle_off) ** 2
     if np.median(squares / variance_px2) <= MEDIAN_OF_CHI2 + SIGNIFICANT * CHI2_MEDIAN_ERROR / np.sqrt(count):
         return abs(middle_off)
-    low, high = 0.0, LARGEST_PX
-    while high - low > 1e-4:
-        middle = (low + high) / 2
-        if np.median(squares / (variance_px2 + middle**2)) > MEDIAN_OF_CHI2:
-            low = middle
-        else:
-            high = middle
-    return float(np.hypot(middle_off, (low + high) / 2))
+    scatter2 = float(np.clip(np.median(squares / MEDIAN_OF_CHI2 - variance_px2), 0.0, LARGEST_PX**2))
+    return float(np.hypot(middle_off, np.sqrt(scatter2)))

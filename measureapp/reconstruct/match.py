@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -28,7 +29,9 @@ class DepthMap:
     sigma_mm: FloatArray  # (H, W) float32, standard deviation of it
     others: IntArray  # (H, W) uint8, bit i: the i-th other camera takes part
     fate: IntArray  # (H, W) uint8 of PointState
-    pair_gain: FloatArray  # (H, W) float32, change of the phase of the only other camera with z, rad/mm; (0, 0) with more cameras
+    pair_gain: (
+        FloatArray  # (H, W) float32, change of the phase of the only other camera with z, rad/mm, of points; (0, 0) with more cameras
+    )
     matched: tuple[int, ...]  # pixels matched with each other camera
     shifts: FloatArray  # (M, rows, columns, 2) float32, places where points of one pair are in the other cameras: px off, variance
 
@@ -66,7 +69,7 @@ def match_view(
         memory.empty(shape, np.float32),
         memory.empty(shape, np.uint8),
         memory.empty(shape, np.uint8),
-        np.zeros(shape if len(others) == 1 else (0, 0), np.float32),
+        memory.empty(shape if len(others) == 1 else (0, 0), np.float32),
         (),
         np.zeros((len(others), *(-(-length // every) for length in shape), 2), np.float32),
     )
@@ -92,7 +95,7 @@ def sight_of(name: str, other: str, views: Mapping[str, PhaseView], rectifier: R
     """Return what the kernels need to look at points of camera ``name`` with ``other``."""
     pair, view = rectifier.pair(name, other), views[other]
     place = (pair.here.rectified_from_camera, pair.here.frame, pair.there.frame, pair.there.grid, pair.stride, pair.baseline_mm)
-    return (view.phase, view.sigma, view.state, view.pixels, view.quad, *place)
+    return (view.state, view.pixels, view.quad, *place)
 
 
 def match_rows(
@@ -135,7 +138,7 @@ def match_rows(
     return int(matched)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class _Work:
     """Matches, checks and fuses bands of rows of one camera."""
 
@@ -153,8 +156,8 @@ class _Work:
 
     def rows(self, start: int, stop: int) -> IntArray:
         """Do the rows from ``start`` to ``stop``; returns how many pixels were matched with each other camera."""
-        view, count = self.views[self.name], len(self.others)
-        shape = (count, stop - start, view.phase.shape[1])
+        view, made, settings = self.views[self.name], self.made, self.settings
+        shape = (len(self.others), stop - start, view.phase.shape[1])
         found: list[Any] = [self.memory.empty(shape, dtype) for dtype in (np.float32, np.float32, np.float32, np.int32, np.uint8)]
         matched = [
             match_rows(
@@ -163,29 +166,18 @@ class _Work:
             for k, other in enumerate(self.others)
         ]
         self._fuse_both(found, start, stop)
-        arguments: tuple[Any, ...] = (
-            self.rectifier.rays(self.name),
-            view.phase,
-            view.sigma,
-            self.skip,
-            *found,
-            tuple(sight_of(self.name, other, self.views, self.rectifier) for other in self.others),
-            tuple(self._table_of(other) for other in self.others),
-            self.settings.agreement_sigmas,
-            self.settings.agreement_px,
-            self.every,
-            start,
-            stop,
-            self.made.depth_mm,
-            self.made.sigma_mm,
-            self.made.others,
-            self.made.fate,
-            self.made.pair_gain,
-            self.covered,
-            self.made.shifts,
-        )
+        own = (self.rectifier.rays(self.name), view.phase, view.sigma, self.skip)
+        limits = (settings.agreement_sigmas, settings.agreement_px, self.every)
+        out = (made.depth_mm, made.sigma_mm, made.others, made.fate, made.pair_gain, self.covered, made.shifts)
+        arguments: tuple[Any, ...] = (*own, *found, *self._seen_by_others, *limits, start, stop, *out)
         kernels.fuse(*arguments)
         return np.array(matched)
+
+    @cached_property
+    def _seen_by_others(self) -> tuple[Any, ...]:
+        """What the kernels need to look at points with every other camera, and where this one has their phases."""
+        sights = tuple(sight_of(self.name, other, self.views, self.rectifier) for other in self.others)
+        return sights, tuple(self._table_of(other) for other in self.others)
 
     def _fuse_both(self, found: Sequence[Any], start: int, stop: int) -> None:
         """Fuse the pixels that two other cameras match alike; all others are left to the general way."""

@@ -18,7 +18,7 @@ from measureapp.errors import ReconstructError
 from measureapp.map_memory import MapMemory
 from measureapp.progress import NoProgress, Progress
 from measureapp.reconstruct import kernels
-from measureapp.reconstruct.clean import DepthGrid, Lens, PointArrays, cleaned, gather, points_per_row, rejections
+from measureapp.reconstruct.clean import DepthGrid, Lens, PointArrays, cleaned, gather, rejections
 from measureapp.reconstruct.coverage import check_across, keep_new
 from measureapp.reconstruct.figures import PairFigures, pair_figures
 from measureapp.reconstruct.match import DepthMap, match_view, sample_step
@@ -148,7 +148,9 @@ class _Work:
         self.views_across = {name: PhaseView.of(each, settings.max_phase_step_rad, memory) for name, each in maps_across.items()}
         self.across: dict[tuple[str, str], FloatArray] = {}
         self.skipped = self._pairs_along_the_fringes()
-        self.covered = {name: np.zeros(self.views[name].phase.shape, np.uint8) for name in names[1:]}
+        self.covered = {name: memory.empty(self.views[name].phase.shape, np.uint8) for name in names[1:]}
+        for covered in self.covered.values():
+            covered.fill(0)
         self.fates: dict[str, IntArray] = {}
         self.grids: dict[str, tuple[DepthGrid, tuple[str, ...]]] = {}
         self.matched: dict[tuple[str, str], int] = {}
@@ -205,7 +207,9 @@ class _Work:
         """Return the fate of pixels that are not matched: they have no phase, or take part in points already; 0 for all others."""
         name = self.names[number]
         if number == 0:
-            return np.asarray(self.views[name].state != PixelState.VALID).view(np.uint8)  # True is PointState.NO_PHASE
+            state = self.views[name].state
+            skip = self.memory.empty(state.shape, np.bool_)
+            return np.not_equal(state, PixelState.VALID, out=skip).view(np.uint8)  # True is PointState.NO_PHASE
         return self._marked(name, 0, PointState.VALID)
 
     def _marked(self, name: str, sampled: int, uncovered: PointState) -> IntArray:
@@ -232,14 +236,13 @@ class _Work:
     def cloud(self) -> PointCloud:
         """Gather the points of all cameras in the reference camera's frame."""
         order = self.rectifier.cameras.names
-        counts = {name: points_per_row(grid) for name, (grid, _) in self.grids.items()}
-        out = PointArrays.of(int(sum(count.sum() for count in counts.values())), self.memory)
+        out = PointArrays.of(int(sum(grid.per_row.sum() for grid, _ in self.grids.values())), self.memory)
         first = 0
         for name, (grid, others) in self.grids.items():
             seen, camera = self.phase_maps[name], self.rectifier.cameras.cameras[name]
             bits = tuple(1 << order.index(each) for each in (name, *others))
-            gather(grid, counts[name], first, seen.grey, seen.saturation, bits, np.array(camera.reference_from_camera.matrix), out)
-            first += int(counts[name].sum())
+            gather(grid, first, seen.grey, seen.saturation, bits, np.array(camera.reference_from_camera.matrix), out)
+            first += int(grid.per_row.sum())
         return PointCloud(
             out.points_mm,
             out.normals,

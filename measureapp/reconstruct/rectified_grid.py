@@ -49,9 +49,7 @@ def on_rectified_grid(phase_map: PhaseMap, grid: RectifiedGrid, step_rad: float)
     state = np.empty(shape, np.uint8)
     hole = int(PixelState.EDGE)
     in_bands(
-        lambda start, stop: kernels.resample(
-            view.phase, view.sigma, view.state, view.pixels, view.quad, grid.native, start, stop, phase, sigma, state, hole
-        ),
+        lambda start, stop: kernels.resample(view.state, view.pixels, view.quad, grid.native, start, stop, phase, sigma, state, hole),
         shape[0],
     )
     return replace(

@@ -18,6 +18,7 @@ from measureapp.reconstruct.tables import pair_tables
 from tests.reconstruct.conftest import Head, sphere
 
 FLOAT32 = 2e-3  # rounding of float32 sums, relative
+OUTLIER = (20, 126)  # row, column: windows of the next chunk of pixels reach it, too
 
 
 def test_a_row_is_matched_where_phase_and_epipolar_line_are_right(head: Head) -> None:
@@ -70,15 +71,17 @@ def test_two_candidates_are_fused_by_least_squares() -> None:
         assert z_sigma[0, x] == pytest.approx(np.sqrt(np.linalg.inv(normal)[0, 0]), rel=FLOAT32)
 
 
-@pytest.mark.parametrize("holes", [False, True])
-def test_normals_are_those_of_planes_through_the_window(holes: bool) -> None:
+@pytest.mark.parametrize("scene", ["whole", "holes", "an outlier"])
+def test_normals_are_those_of_planes_through_the_points_left_in_the_window(scene: str) -> None:
     random = np.random.default_rng(4)
     height, width, focal = 40, 150, 511.0
     u, v = np.meshgrid(np.arange(width) - 75.0, np.arange(height) - 20.0)
     rays = np.stack([u / focal, v / focal], axis=-1).astype(np.float32)
     depth = (550 / (1 - 0.3 * rays[..., 0] - 0.2 * rays[..., 1]) + random.normal(0, 0.02, u.shape)).astype(np.float32)
-    if holes:
+    if scene == "holes":
         depth[random.random(depth.shape) < 0.2] = 0
+    if scene == "an outlier":
+        depth[OUTLIER] += 8  # within a depth step, so that windows had it among their points before it was removed
     sigma = np.full(depth.shape, 0.02, np.float32)
     fate = np.where(depth > 0, 0, 1).astype(np.uint8)
     settings = ReconstructSettings(min_island_px=1)
@@ -86,8 +89,10 @@ def test_normals_are_those_of_planes_through_the_window(holes: bool) -> None:
     grid = cleaned(depth, sigma, np.zeros(depth.shape, np.uint8), fate, lens, [], settings)
     pixel, normals = gathered_normals(grid)
     left = np.where(grid.fate == 0, depth, 0).astype(float)
+    assert (left[OUTLIER] == 0) == (scene == "an outlier" or depth[OUTLIER] == 0)
     places = (-4, -2, 0, 2, 4)
-    for k in range(0, len(pixel), 37):
+    around = np.flatnonzero(np.abs(pixel - np.array(OUTLIER)).max(axis=1) <= 5)
+    for k in {*range(0, len(pixel), 37), *around.tolist()}:
         row, column = pixel[k]
         near = [(row + i, column + j) for i in places for j in places if 0 <= row + i < height and 0 <= column + j < width]
         near = [place for place in near if left[place] > 0]

@@ -316,3 +316,16 @@ def test_points_whose_horizontal_phases_differ_are_contradicted(head: Head, rect
     fate = made.fates["left"]
     assert (fate[100:120, 100:140] == PointState.CONTRADICTED).mean() > 0.95
     assert made.rejected["contradicted"] <= 20 * 40
+
+
+def test_a_cloud_is_the_same_to_the_last_bit_however_many_processors_share_the_work(
+    head: Head, rectifier: Rectifier, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    maps = head.phase_maps(nearest(sphere((-60, 0, 470), 30), plane(560)), 0.012, 7)
+    clouds = []
+    for processors in (1, 2, 5, 5):
+        monkeypatch.setattr("os.cpu_count", lambda count=processors: count)
+        clouds.append(reconstruct(maps, head.cameras, rectifier=rectifier).cloud)
+    for cloud in clouds[1:]:
+        for name in ("points_mm", "normals", "sigma_mm", "grey", "pixel", "cameras"):
+            assert np.array_equal(getattr(clouds[0], name), getattr(cloud, name))

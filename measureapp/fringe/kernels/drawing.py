@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.fringe.kernels.memory import STREAMED, write_past_caches
 from measureapp.fringe.kernels.options import HALF, INLINE
 from measureapp.fringe.kernels.records import LEVEL, MODULATION, REASON, RESIDUAL, RESIDUAL_SCALE, SIGMA, VALUE
+from measureapp.machine_memory import STREAMED, write_past_caches
 from measureapp.map_memory import LINE
 
 

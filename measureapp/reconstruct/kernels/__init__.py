@@ -5,17 +5,19 @@ from __future__ import annotations
 from measureapp.reconstruct.kernels.across import check_across
 from measureapp.reconstruct.kernels.binning import LEAST_SINE, LINES_PER_CELL, fill_table, rectified_lines, spread_table
 from measureapp.reconstruct.kernels.both import fuse_both
-from measureapp.reconstruct.kernels.cleaning import count_points, gather_points, invert, judge
+from measureapp.reconstruct.kernels.cleaning import CHUNK, invert, judge
 from measureapp.reconstruct.kernels.covered import mark_covered
-from measureapp.reconstruct.kernels.fusing import fuse, observe, resample
+from measureapp.reconstruct.kernels.fusing import fuse, resample
+from measureapp.reconstruct.kernels.gathering import gather_points
 from measureapp.reconstruct.kernels.islands import drop_islands, find_runs
 from measureapp.reconstruct.kernels.matching import match
 from measureapp.reconstruct.kernels.seen import BLANK, MATCHED, PARTLY, REPEATS, SEEN, WITHOUT_PARTNER
-from measureapp.reconstruct.kernels.sightlines import hidden_points
+from measureapp.reconstruct.kernels.sightlines import keep_new
 from measureapp.reconstruct.kernels.slopes import slopes
 
 __all__ = [
     "BLANK",
+    "CHUNK",
     "LEAST_SINE",
     "LINES_PER_CELL",
     "MATCHED",
@@ -24,19 +26,17 @@ __all__ = [
     "SEEN",
     "WITHOUT_PARTNER",
     "check_across",
-    "count_points",
     "drop_islands",
     "fill_table",
     "find_runs",
     "fuse",
     "fuse_both",
     "gather_points",
-    "hidden_points",
     "invert",
     "judge",
+    "keep_new",
     "mark_covered",
     "match",
-    "observe",
     "rectified_lines",
     "resample",
     "slopes",

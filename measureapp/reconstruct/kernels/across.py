@@ -26,13 +26,13 @@ def see_across(nx: Any, ny: Any, z: Any, z_sigma: Any, other: Any) -> Any:
     Returns (BLANK | SEEN | PARTLY, phase, its variance with that of the depth, its slope per pixel across the epipolar line, its
     steepness per pixel in any direction, image place u, v).
     """
-    phase, sigma, state, pixels, quad, turn, frame, there_frame, grid, stride, baseline = other
+    state, pixels, quad, turn, frame, there_frame, grid, stride, baseline = other
     rz = turn[2, 0] * nx + turn[2, 1] * ny + turn[2, 2]
     here = (turn[0, 0] * nx + turn[0, 1] * ny + turn[0, 2]) / rz
     row = frame[0] * (turn[1, 0] * nx + turn[1, 1] * ny + turn[1, 2]) / rz - frame[2]
     place = there_frame[0] * (here - baseline / (rz * z)) - there_frame[1]
     u, v, to_u, to_v = native_pixel(grid, stride, place, row)
-    sight, value, noise = look(phase, sigma, state, pixels, quad, u, v)
+    sight, value, noise = look(state, pixels, quad, u, v)
     along, across = 0.0, 0.0
     if sight == SEEN:
         below_u, below_v, _u, _v = native_pixel(grid, stride, place, row + 1.0)

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from measureapp.machine_memory import will_read
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.scratch import GROUP, copy_4, split_4, stack_float32, stack_int32
 
@@ -32,6 +33,8 @@ SCRATCH, RECORDS = 6 * CHUNK, 4 * CHUNK
 (CELL, LAST, HELD, HELD_LAST, PLACES) = (k * CHUNK for k in range(5))
 INDICES = 5 * CHUNK
 LANE = np.uint32(CHUNK)
+CELLS_APART = 8  # the cells of so many pixels lie in one line of the cache
+AHEAD = np.uint32(256)  # pixels; of every second one the processor alone fetches too few in time
 TWO, FOUR = np.uint32(1), np.uint32(2)  # as shifts
 ZERO, HALF, ONE = np.float32(0), np.float32(0.5), np.uint32(1)
 
@@ -83,6 +86,7 @@ def fill_table(
             for i in range(n):
                 u = begin + np.uint32(i) * step
                 copy_4(r, np.uint32(4 * i), record_row, u << FOUR)
+                will_read(record_row, (u + AHEAD) << FOUR)
                 s[LINE + i] = line_row[(u << TWO) + ONE]
             for i in range(0, n, GROUP):
                 split_4(s, np.uint32(RECORD + i), LANE, r, np.uint32(4 * i))
@@ -97,6 +101,8 @@ def fill_table(
                 at[LAST + i] = row * bins + high if inside else NOTHING
                 at[PLACES + i] = row_of | np.int32(begin + np.uint32(i) * step)
                 s[NEAR + i] = NEAR_PX + margin / rise
+            for i in range(0, n, CELLS_APART):  # the next row of pixels begins a row of the table, which waits far away
+                will_read(table, np.uint32(at[CELL + i] + bins))
             for i in range(n):
                 cell, last, place = at[CELL + i], at[LAST + i], at[PLACES + i]
                 at[HELD + i] = put(table, np.uint32(cell), place)

@@ -1,4 +1,4 @@
-"""Compiled loops over a depth map: local planes, and the points that are left.
+"""Compiled loops over a depth map: the plane through the surroundings of every point, and which points cannot be trusted.
 
 Inverse depths are used, on a plane they are linear in the image; ``inverse`` (H + 2r, W + 2r) has a border of zeros, and zeros where
 there is no point. Loops over arithmetic alone run on one scratch array at constant offsets, in SIMD instructions.
@@ -14,6 +14,9 @@ import numpy as np
 from numba import njit
 
 from measureapp.data.point_state import PointState
+from measureapp.machine_memory import STREAMED, write_past_caches
+from measureapp.map_memory import LINE
+from measureapp.reconstruct.kernels.cubic import cubic
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.scratch import stack_float32
 
@@ -50,12 +53,6 @@ def invert(depth: Any, sigma: Any, max_sigma: Any, border: int, row_start: int, 
             out[x] = ONE / z_row[x] if (z_row[x] > ZERO) & (s_row[x] <= max_sigma) else ZERO
         for x in range(width):
             fate_row[x] = UNCERTAIN if (z_row[x] > ZERO) & (s_row[x] > max_sigma) else fate_row[x]
-
-
-@njit(**INLINE)
-def cubic(c: Any, s: Any, t: Any) -> Any:
-    """Return the value of a cubic polynomial of two variables."""
-    return c[0] + s * (c[1] + s * (c[3] + s * c[6])) + t * (c[2] + s * (c[4] + s * c[7]) + t * (c[5] + s * c[8] + t * c[9]))
 
 
 @njit(**INLINE)
@@ -209,6 +206,18 @@ def planes_of_chunk(
     return True
 
 
+@njit(**INLINE)
+def write(row: Any, out: Any) -> None:
+    """Write a row past the caches, where whole lines of them can be written: it is read when all others are written."""
+    done = 0
+    if out.ctypes.data % LINE == 0:
+        done = len(row) - len(row) % STREAMED
+        for i in range(0, done, STREAMED):
+            write_past_caches(row, out, i)
+    for i in range(done, len(row)):
+        out[i] = row[i]
+
+
 @njit(**LOOP)
 def judge(
     inverse: Any,
@@ -224,6 +233,8 @@ def judge(
     row_start: int,
     row_stop: int,
     fate: Any,  # in and out (H, W) uint8 of PointState
+    normals: Any,  # out (3, H, W) float32, of the planes, in the camera's frame; anything in chunks without a point
+    removed: Any,  # out (H, chunks) uint8, 1 where points of a chunk of a row are not trusted
 ) -> None:
     """Give points that cannot be trusted the first reason that applies, from the plane through the window of each."""
     width = sigma.shape[1]
@@ -233,6 +244,7 @@ def judge(
     for y in range(row_start, row_stop):
         for first in range(0, width, CHUNK):
             n = min(CHUNK, width - first)
+            removed[y, first // CHUNK] = False
             if not planes_of_chunk(s, inverse, sigma, rays, to_rays, to_unit, per_px, border, y, first, n):
                 continue
             taking, verdict = bits[y, first : first + n], fate[y, first : first + n]
@@ -255,81 +267,9 @@ def judge(
             for i in range(n):
                 code = np.int32(s[CODE + i])
                 verdict[i] = np.uint8(code) if code != 0 else verdict[i]
-
-
-@njit(**LOOP)
-def count_points(inverse: Any, border: int, row_start: int, row_stop: int, counts: Any) -> None:
-    """Write into ``counts`` (H,) how many points every row has."""
-    for y in range(row_start, row_stop):
-        row = inverse[y + border]
-        n = 0
-        for x in range(len(row)):
-            n += row[x] > ZERO
-        counts[y] = n
-
-
-@njit(**LOOP)
-def gather_points(
-    inverse: Any,
-    depth: Any,
-    sigma: Any,
-    rays: Any,  # (H, 2 W) float32
-    to_rays: Any,
-    to_unit: Any,
-    per_px: Any,
-    border: int,
-    grey: Any,
-    per_grey: Any,  # float32
-    bits: Any,
-    masks: Any,  # (2^M,) uint8, cameras of a point in the order of the calibration, by `bits`
-    turn: Any,  # (3, 3) float32, rotation of `pose`
-    pose: Any,  # (3, 4) float64, reference from camera
-    begins: Any,  # (H,) int64, index of the first point of every row
-    row_start: int,
-    row_stop: int,
-    points: Any,  # out (N, 3) float64
-    normals: Any,  # out (N, 3) float32
-    along: Any,  # out (N,) float32, standard deviation along the viewing ray
-    light: Any,  # out (N,) float32
-    pixel: Any,  # out (N, 2) int32
-    cameras: Any,  # out (N,) uint8
-) -> None:
-    """Write the points that are left, with the normals of the planes through them."""
-    width = sigma.shape[1]
-    s = stack_float32(SCRATCH)
-    t00, t01, t02 = turn[0, 0], turn[0, 1], turn[0, 2]
-    t10, t11, t12 = turn[1, 0], turn[1, 1], turn[1, 2]
-    t20, t21, t22 = turn[2, 0], turn[2, 1], turn[2, 2]
-    p00, p01, p02, p03 = pose[0, 0], pose[0, 1], pose[0, 2], pose[0, 3]
-    p10, p11, p12, p13 = pose[1, 0], pose[1, 1], pose[1, 2], pose[1, 3]
-    p20, p21, p22, p23 = pose[2, 0], pose[2, 1], pose[2, 2], pose[2, 3]
-    for y in range(row_start, row_stop):
-        at = begins[y]
-        for first in range(0, width, CHUNK):
-            n = min(CHUNK, width - first)
-            if not planes_of_chunk(s, inverse, sigma, rays, to_rays, to_unit, per_px, border, y, first, n):
-                continue
+            worst = ZERO
             for i in range(n):
-                p, q, w = s[NX + i], s[NY + i], s[NZ + i]
-                x, y0 = s[ROW_X + i], s[ROW_Y + i]
-                s[NX + i], s[NY + i], s[NZ + i] = t00 * p + t01 * q + t02 * w, t10 * p + t11 * q + t12 * w, t20 * p + t21 * q + t22 * w
-                s[OWN + i] *= np.sqrt(ONE + x * x + y0 * y0)
-            level = grey[y, first : first + n]
-            for i in range(n):
-                s[OFF + i] = min(np.float32(level[i]) * per_grey, ONE)
-            z_row, taking = depth[y, first : first + n], bits[y, first : first + n]
-            for i in range(n):
-                if s[INV + i] == ZERO:
-                    continue
-                z = float(z_row[i])
-                a, b = float(s[ROW_X + i]) * z, float(s[ROW_Y + i]) * z
-                points[at, 0] = p00 * a + p01 * b + p02 * z + p03
-                points[at, 1] = p10 * a + p11 * b + p12 * z + p13
-                points[at, 2] = p20 * a + p21 * b + p22 * z + p23
-                normals[at, 0], normals[at, 1], normals[at, 2] = s[NX + i], s[NY + i], s[NZ + i]
-                along[at] = s[OWN + i]
-                light[at] = s[OFF + i]
-                pixel[at, 0] = y
-                pixel[at, 1] = first + i
-                cameras[at] = masks[taking[i]]
-                at += 1
+                worst = max(worst, s[CODE + i])
+            removed[y, first // CHUNK] = worst > ZERO
+            for k in range(3):
+                write(s[NX + k * CHUNK : NX + k * CHUNK + n], normals[k, y, first : first + n])

@@ -16,7 +16,7 @@ from measureapp.data.point_state import PointState
 from measureapp.reconstruct.kernels.binning import PLACE, REPEATED
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.seen import BLANK, PARTLY, REPEATS, SEEN
-from measureapp.reconstruct.kernels.slopes import BESIDE, SLOPE_X, SLOPE_Y, TORN, WHOLE
+from measureapp.reconstruct.kernels.slopes import BESIDE, OWN_SIGMA, PHASE, SLOPE_X, SLOPE_Y, TORN, WHOLE
 
 VALID, NO_PHASE, UNMATCHED, AMBIGUOUS, CONTRADICTED = (
     np.uint8(state)
@@ -25,6 +25,7 @@ VALID, NO_PHASE, UNMATCHED, AMBIGUOUS, CONTRADICTED = (
 BOTH, NONE = np.uint8(3), np.uint8(0)
 ZERO = np.float32(0)
 EXCESS, ALONG, GAIN, NOISE, HERE, LINE = range(6)  # what is known of a candidate as another camera sees it
+BLOCK = 64  # pixels of a row that are looked at together for one that is still open
 OCCLUDES_PX = 16.0  # nearer by so much disparity, a surface seen instead of a point hides it
 
 
@@ -48,21 +49,22 @@ def native_pixel(grid: Any, stride: Any, x: Any, y: Any) -> Any:
 
 
 @njit(**INLINE)
-def look(phase: Any, sigma: Any, state: Any, pixels: Any, quad: Any, u: Any, v: Any) -> Any:
+def look(state: Any, pixels: Any, quad: Any, u: Any, v: Any) -> Any:
     """Return (BLANK | SEEN | PARTLY, phase, its variance): bilinear between four pixels of one surface; beside a hole, in the half of
     a border pixel, along the slope of that pixel.
     """
-    if not (u >= 0.0 and v >= 0.0 and v < phase.shape[0] - 1 and u < phase.shape[1] - 1):
+    if not (u >= 0.0 and v >= 0.0 and v < quad.shape[0] - 1 and u < quad.shape[1] - 1):
         return BLANK, 0.0, 0.0
     i = int(v)
     j = int(u)
     a = u - j
     b = v - i
     if quad[i, j] == WHOLE:
-        above = phase[i, j] + a * (phase[i, j + 1] - phase[i, j])
-        below = phase[i + 1, j] + a * (phase[i + 1, j + 1] - phase[i + 1, j])
+        above = pixels[i, j, PHASE] + a * (pixels[i, j + 1, PHASE] - pixels[i, j, PHASE])
+        below = pixels[i + 1, j, PHASE] + a * (pixels[i + 1, j + 1, PHASE] - pixels[i + 1, j, PHASE])
         p, q, r, s = (1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b
-        noise = (p * sigma[i, j]) ** 2 + (q * sigma[i, j + 1]) ** 2 + (r * sigma[i + 1, j]) ** 2 + (s * sigma[i + 1, j + 1]) ** 2
+        noise = (p * pixels[i, j, OWN_SIGMA]) ** 2 + (q * pixels[i, j + 1, OWN_SIGMA]) ** 2
+        noise += (r * pixels[i + 1, j, OWN_SIGMA]) ** 2 + (s * pixels[i + 1, j + 1, OWN_SIGMA]) ** 2
         return SEEN, above + b * (below - above), noise
     if quad[i, j] == TORN:
         return PARTLY, 0.0, 0.0
@@ -70,8 +72,8 @@ def look(phase: Any, sigma: Any, state: Any, pixels: Any, quad: Any, u: Any, v: 
     x = int(u + 0.5)
     if quad[i, j] == BESIDE and state[y, x] == 0 and (pixels[y, x, SLOPE_X] != 0 or pixels[y, x, SLOPE_Y] != 0):
         reach = abs(u - x) + abs(v - y)
-        value = phase[y, x] + (u - x) * pixels[y, x, SLOPE_X] + (v - y) * pixels[y, x, SLOPE_Y]
-        return SEEN, value, sigma[y, x] ** 2 * ((1 + reach) ** 2 + reach**2)
+        value = pixels[y, x, PHASE] + (u - x) * pixels[y, x, SLOPE_X] + (v - y) * pixels[y, x, SLOPE_Y]
+        return SEEN, value, pixels[y, x, OWN_SIGMA] ** 2 * ((1 + reach) ** 2 + reach**2)
     if state[i, j] != 0 and state[i, j + 1] != 0 and state[i + 1, j] != 0 and state[i + 1, j + 1] != 0:
         return BLANK, 0.0, 0.0
     return PARTLY, 0.0, 0.0
@@ -84,7 +86,7 @@ def see(own: Any, nx: Any, ny: Any, z: Any, other: Any) -> Any:
     Returns (BLANK | SEEN | PARTLY, excess of the phase seen, its slope per rectified pixel along the epipolar line, change of the phase
     with z, variance, rectified x here + x0, rectified x there, rectified y).
     """
-    phase, sigma, state, pixels, quad, turn, frame, there_frame, grid, stride, baseline = other
+    state, pixels, quad, turn, frame, there_frame, grid, stride, baseline = other
     rz = turn[2, 0] * nx + turn[2, 1] * ny + turn[2, 2]
     per_rz, per_z = 1.0 / rz, 1.0 / z
     here = (turn[0, 0] * nx + turn[0, 1] * ny + turn[0, 2]) * per_rz
@@ -92,7 +94,7 @@ def see(own: Any, nx: Any, ny: Any, z: Any, other: Any) -> Any:
     shift = baseline * per_rz * per_z
     there = there_frame[0] * (here - shift) - there_frame[1]
     u, v, to_u, to_v = native_pixel(grid, stride, there, row)
-    sight, value, noise = look(phase, sigma, state, pixels, quad, u, v)
+    sight, value, noise = look(state, pixels, quad, u, v)
     along = 0.0
     if sight == SEEN:
         j, k = int(u + 0.5), int(v + 0.5)
@@ -129,21 +131,28 @@ def take_over(z: Any, skip: Any, there: Any, fate: Any, bits: Any, covered: Any)
     first_covered, last_covered = covered[0], covered[last]
     for x in range(len(z)):
         if z[x] > ZERO:
-            first_covered[first_there[x]] = 1
-            last_covered[last_there[x]] = 1
+            first_covered[np.uint32(first_there[x])] = 1
+            last_covered[np.uint32(last_there[x])] = 1
 
 
 @njit(**INLINE)
 def choose_single(z: Any, z_sigma: Any, bits: Any, skip: Any, sampled: Any, every: Any, singly: Any) -> int:
     """List the pixels of a row that are fused one by one: those not solved yet, and samples of all others; returns how many."""
     left = 0
-    for x in range(len(z)):
-        if skip[x] == 0 and (z[x] == ZERO or (sampled and x % every == 0)):
-            singly[left] = x
-            left += 1
-            z[x] = 0
-            z_sigma[x] = 0
-            bits[x] = 0
+    for first in range(0, len(z), BLOCK):
+        z_part, skip_part = z[first : first + BLOCK], skip[first : first + BLOCK]
+        some = sampled
+        for i in range(len(z_part)):
+            some |= (skip_part[i] == 0) & (z_part[i] == ZERO)
+        if not some:
+            continue
+        for x in range(first, min(first + BLOCK, len(z))):
+            if skip[x] == 0 and (z[x] == ZERO or (sampled and x % every == 0)):
+                singly[left] = x
+                left += 1
+                z[x] = 0
+                z_sigma[x] = 0
+                bits[x] = 0
     return left
 
 
@@ -319,48 +328,7 @@ def fuse(
 
 
 @njit(**LOOP)
-def observe(
-    rays: Any,
-    phase: Any,
-    sigma: Any,
-    depth: Any,  # (H, W) float32, 0 for none
-    z_sigma: Any,
-    pair_gain: Any,  # (H, W) float32, of the points, see `fuse`; (0, 0) for points of more than two cameras
-    other: Any,  # what `see` needs of the other camera
-    row_start: int,
-    row_stop: int,
-    seen: Any,  # out (rows, W) uint8
-    excess: Any,  # out (rows, W) float32, phase of the other camera at the point minus the pixel's own
-    shift: Any,  # out (rows, W) float32, the same as a shift along the epipolar line in rectified pixels
-    variance: Any,  # out (rows, W) float32, of the excess
-) -> None:
-    """Look at points of this camera with another one that took no part in them.
-
-    The depth of a point has the noise of the pixel's own phase in it, as the excess has: they are not independent. Of a point of two
-    cameras it is known by how much.
-    """
-    known = len(pair_gain) > 0
-    for y in range(row_start, row_stop):
-        for x in range(phase.shape[1]):
-            out = y - row_start
-            seen[out, x] = BLANK
-            if depth[y, x] <= 0:
-                continue
-            sight, over, along, gain, noise, _here, _xt, _yt = see(phase[y, x], rays[y, x, 0], rays[y, x, 1], depth[y, x], other)
-            seen[out, x] = sight
-            if sight == SEEN:
-                own = float(sigma[y, x]) ** 2
-                of_depth = (gain * z_sigma[y, x]) ** 2
-                common = 2 * own * gain / pair_gain[y, x] if known else 0.0
-                excess[out, x] = over
-                shift[out, x] = over / along
-                variance[out, x] = noise + own + of_depth - common
-
-
-@njit(**LOOP)
 def resample(
-    phase: Any,
-    sigma: Any,
     state: Any,
     pixels: Any,
     quad: Any,
@@ -377,7 +345,7 @@ def resample(
         for x in range(new_phase.shape[1]):
             u = native[y, x, 0]
             v = native[y, x, 1]
-            seen, value, noise = look(phase, sigma, state, pixels, quad, u, v)
+            seen, value, noise = look(state, pixels, quad, u, v)
             new_phase[y, x] = value
             new_sigma[y, x] = np.sqrt(noise)
             new_state[y, x] = 0

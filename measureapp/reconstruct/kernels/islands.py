@@ -1,4 +1,4 @@
-"""Compiled loops that find what hangs together on a depth map, from runs of pixels; ``inverse`` is that of `cleaning`."""
+"""Compiled loops that find what hangs together on a depth map, from runs of pixels; ``inverse`` and the chunks of a row are those of `cleaning`."""
 # One loop over pixels, as in the other kernels.
 # ruff: noqa: PLR0912
 
@@ -10,6 +10,7 @@ import numpy as np
 from numba import njit
 
 from measureapp.data.point_state import PointState
+from measureapp.reconstruct.kernels.cleaning import CHUNK
 from measureapp.reconstruct.kernels.options import LOOP
 
 ZERO, SIGMAS = np.float32(0), np.float32(8.0)
@@ -25,6 +26,7 @@ def find_runs(
     border: int,
     row_start: int,
     row_stop: int,
+    removed: Any,  # (H, chunks) uint8, 1 where points of a chunk of a row are not trusted
     starts: Any,  # out (H, W) int16
     stops: Any,  # out
     counts: Any,  # out (H,) int32
@@ -34,8 +36,12 @@ def find_runs(
     linked = np.zeros(width + 1, np.uint8)
     for y in range(row_start, row_stop):
         inv, noise, judged = inverse[y + border, border : border + width], sigma[y], fate[y]
-        for x in range(width):
-            inv[x] = inv[x] if judged[x] == 0 else ZERO
+        some = np.uint8(0)
+        for k in range(removed.shape[1]):
+            some |= removed[y, k]
+        if some != 0:
+            for x in range(width):
+                inv[x] = inv[x] if judged[x] == 0 else ZERO
         before = inv[0 : width - 1]
         here, s_here = inv[1:width], noise[1:width]
         flags = linked[1:width]
@@ -67,8 +73,23 @@ def root_of(parent: Any, index: int) -> int:
 
 
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
-def drop_islands(inverse: Any, sigma: Any, per_px: Any, border: int, least: int, starts: Any, stops: Any, counts: Any, fate: Any) -> None:
-    """Join the runs of neighbouring rows where no depth step parts them, and remove what stays smaller than ``least`` pixels."""
+def drop_islands(
+    inverse: Any,
+    sigma: Any,
+    per_px: Any,
+    border: int,
+    least: int,
+    starts: Any,
+    stops: Any,
+    counts: Any,
+    fate: Any,
+    removed: Any,
+    points: Any,
+) -> None:
+    """Join the runs of neighbouring rows where no depth step parts them, and remove what stays smaller than ``least`` pixels.
+
+    Writes into ``points`` (H,) how many points are left in every row.
+    """
     height = len(counts)
     total = 0
     for y in range(height):
@@ -99,9 +120,13 @@ def drop_islands(inverse: Any, sigma: Any, per_px: Any, border: int, least: int,
             index += 1
     index = 0
     for y in range(height):
+        points[y] = 0
         for k in range(counts[y]):
             if size[root_of(parent, index)] < least:
                 for x in range(starts[y, k], stops[y, k]):
                     fate[y, x] = ISLAND
                     inverse[y + border, x + border] = ZERO
+                    removed[y, x // CHUNK] = 1
+            else:
+                points[y] += stops[y, k] - starts[y, k]
             index += 1

@@ -15,9 +15,23 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from measureapp.machine_memory import will_read
+from measureapp.map_memory import LINE as CACHE_LINE
 from measureapp.reconstruct.kernels.binning import REPEATED
+from measureapp.reconstruct.kernels.cubic import cubic
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
-from measureapp.reconstruct.kernels.scratch import GROUP, copy_1, copy_2, copy_4, prefetch, split_2, split_4, stack_float32, stack_int32
+from measureapp.reconstruct.kernels.scratch import (
+    GROUP,
+    copy_1,
+    copy_2,
+    copy_4,
+    equal_bits,
+    lowest_bit,
+    split_2,
+    split_4,
+    stack_float32,
+    stack_int32,
+)
 from measureapp.reconstruct.kernels.seen import MATCHED, REPEATS, WITHOUT_PARTNER
 from measureapp.reconstruct.kernels.slopes import BESIDE, REACH
 
@@ -34,7 +48,9 @@ EDGE = np.float32(1.001)
 LOST = np.float32(100.0)
 HELD, TWICE = np.float32(MATCHED), np.float32(REPEATS)
 ROWS_AHEAD = np.uint32(4)  # so far below is asked for what rows soon need: 2 is enough where epipolar lines are level, 4 where tilted
+CELLS_APART = 8  # of so many pixels the cells lie in one line of the cache
 TWO, FOUR = np.uint32(1), np.uint32(2)  # as shifts
+NOTHING = np.uint32(0)
 
 (PHASE, X, Y, DEPTH_SCALE, U, V, QUAD, LEFT, NOISE, Z, GAIN, NEXT_U, NEXT_V, CODE) = (k * CHUNK for k in range(14))
 SCRATCH = 14 * CHUNK
@@ -47,24 +63,38 @@ PLACES = 4 * CHUNK
 
 
 @njit(**INLINE)
-def cubic(c: Any, s: Any, t: Any) -> Any:
-    """Return the value of a cubic polynomial of two variables."""
-    return c[0] + s * (c[1] + s * (c[3] + s * c[6])) + t * (c[2] + s * (c[4] + s * c[7]) + t * (c[5] + s * c[8] + t * c[9]))
+def in_groups(n: int) -> int:
+    """Return n rounded up to whole groups: arithmetic on what lies behind the n-th pixel does no harm, and leaves nothing to single steps."""
+    return (n + GROUP - 1) // GROUP * GROUP
 
 
 @njit(**INLINE)
-def none_wanted(skip: Any, n: int) -> bool:
-    """Whether all of n pixels are skipped."""
-    least = np.int32(255)
+def count_wanted(skip: Any, n: int) -> Any:
+    """Count those of n pixels that are not skipped."""
+    wanted = np.int32(0)
     for i in range(n):
-        least = min(least, np.int32(skip[i]))
-    return least != 0
+        wanted += skip[i] == 0
+    return wanted
 
 
 @njit(**INLINE)
-def load(s: Any, n: int, phase: Any, lines: Any, rays: Any, turn: Any) -> None:
-    """Take n pixels of a row into the scratch array."""
+def ask_for(phase: Any, lines: Any, rays: Any, skip: Any, start: int, n: int) -> None:
+    """Ask for n pixels from ``start`` on: down the columns every row lies elsewhere, which the processor's own prediction does not follow."""
+    for i in range(0, n, CACHE_LINE // 8):
+        will_read(lines, 2 * (start + i))
+        will_read(rays, 2 * (start + i))
+    for i in range(0, n, CACHE_LINE // 4):
+        will_read(phase, start + i)
+    for i in range(0, n, CACHE_LINE):
+        will_read(skip, start + i)
+
+
+@njit(**INLINE)
+def load(s: Any, n: int, phase: Any, lines: Any, rays: Any, turn: Any, skip: Any) -> None:
+    """Take n pixels of a row into the scratch array; in CODE which of them are wanted."""
     t0, t1, t2 = turn
+    for i in range(n):
+        s[CODE + i] = ONE if skip[i] == 0 else ZERO
     for i in range(n):
         s[PHASE + i] = phase[i]
     for i in range(n):
@@ -75,8 +105,30 @@ def load(s: Any, n: int, phase: Any, lines: Any, rays: Any, turn: Any) -> None:
 
 
 @njit(**INLINE)
-def look_up(s: Any, at: Any, n: int, skip: Any, table: Any, shape: Any, lowest: Any, per_rad: Any, width: Any) -> None:
-    """Look up the pixel of the other camera with nearly the phase on nearly the line; its place in U and V, what the table says in CODE."""
+def list_wanted(at: Any, n: int, skip: Any) -> int:
+    """List those of n pixels that are wanted; returns how many they are."""
+    wanted = 0
+    for i in range(n):
+        at[COLUMN + wanted] = i
+        wanted += skip[i] == 0
+    return wanted
+
+
+@njit(**INLINE)
+def load_listed(s: Any, at: Any, n: int, phase: Any, lines: Any, rays: Any, turn: Any) -> None:
+    """Take the n pixels of a row that are listed into the scratch array."""
+    t0, t1, t2 = turn
+    for i in range(n):
+        k = np.uint32(at[COLUMN + i])
+        left, right = k << TWO, (k << TWO) + np.uint32(1)
+        s[PHASE + i], s[X + i], s[Y + i] = phase[k], lines[left], lines[right]
+        s[DEPTH_SCALE + i] = t0 * rays[left] + t1 * rays[right] + t2
+        s[CODE + i] = ONE
+
+
+@njit(**INLINE)
+def look_up(s: Any, at: Any, n: int, table: Any, shape: Any, lowest: Any, per_rad: Any, width: Any) -> None:
+    """Look up the pixels of the other camera with nearly the phase on nearly the line; places in U and V, what the table says in CODE."""
     bins = np.int32(shape[1])
     last_row, last_bin = np.float32(shape[0] - 1), np.float32(shape[1] - 1)
     for i in range(n):
@@ -85,11 +137,12 @@ def look_up(s: Any, at: Any, n: int, skip: Any, table: Any, shape: Any, lowest: 
     for i in range(n):
         cell = np.uint32(at[PLACE + i])
         copy_1(at, np.uint32(NEAREST + i), table, cell)
-        prefetch(table, cell + np.uint32(bins))
+    for i in range(0, n, CELLS_APART):
+        will_read(table, np.uint32(at[PLACE + i]) + np.uint32(bins))
     for i in range(n):
         held = at[NEAREST + i]
         repeated = (held & REPEATED) != 0
-        usable = (skip[i] == 0) & (held >= 0) & (not repeated)
+        usable = (s[CODE + i] == ONE) & (held >= 0) & (not repeated)
         s[CODE + i] = HELD if usable else (TWICE if (held >= 0) & repeated else ZERO)
         held = held if usable else np.int32(0)
         v = held >> 16
@@ -135,7 +188,7 @@ def jump(s: Any, g: Any, n: int, cubics: Any, to_unit: Any, u_max: Any, v_max: A
 def fetch(s: Any, g: Any, r: Any, at: Any, n: int, width: Any, phase: Any, quad: Any, pixels: Any, lines: Any) -> None:
     """Fetch the four phases around the places U, V and the record and line of the nearest pixel; those of the next row are asked for."""
     below = np.uint32(width)
-    for i in range(n):
+    for i in range(in_groups(n)):
         u, v = s[U + i], s[V + i]
         at[PLACE + i] = np.int32(v) * width + np.int32(u)
         at[NEAREST + i] = np.int32(v + HALF) * width + np.int32(u + HALF)
@@ -143,13 +196,15 @@ def fetch(s: Any, g: Any, r: Any, at: Any, n: int, width: Any, phase: Any, quad:
         corner, nearest = np.uint32(at[PLACE + i]), np.uint32(at[NEAREST + i])
         copy_2(r, np.uint32(ABOVE + 2 * i), phase, corner)
         copy_2(r, np.uint32(BELOW + 2 * i), phase, corner + below)
-        s[QUAD + i] = quad[corner]
+        at[PLACE + i] = quad[corner]
         copy_4(r, np.uint32(RECORD + 4 * i), pixels, nearest << FOUR)
         copy_2(r, np.uint32(LINE + 2 * i), lines, nearest << TWO)
         ahead = nearest + below * ROWS_AHEAD
-        prefetch(pixels, ahead << FOUR)
-        prefetch(lines, ahead << TWO)
-        prefetch(phase, ahead)
+        will_read(pixels, ahead << FOUR)
+        will_read(lines, ahead << TWO)
+        will_read(phase, ahead)
+    for i in range(in_groups(n)):
+        s[QUAD + i] = at[PLACE + i]
     for i in range(0, n, GROUP):
         split_2(g, np.uint32(ABOVE + i), LANE, r, np.uint32(ABOVE + 2 * i))
         split_2(g, np.uint32(BELOW + i), LANE, r, np.uint32(BELOW + 2 * i))
@@ -165,7 +220,7 @@ def newton(s: Any, g: Any, n: int, cubics: Any, to_unit: Any, limits: Any, numbe
     u_max, v_max = limits
     focal, offset, baseline = numbers
     focal_baseline = focal * baseline
-    for i in range(n):
+    for i in range(in_groups(n)):
         u, v = s[U + i], s[V + i]
         fu, fv = np.float32(np.int32(u)), np.float32(np.int32(v))
         nu, nv = np.float32(np.int32(u + HALF)), np.float32(np.int32(v + HALF))
@@ -246,9 +301,14 @@ def store_some(s: Any, at: Any, n: int, depth: Any, gain: Any, variance: Any, th
 def keep_unsettled(s: Any, at: Any, n: int) -> int:
     """Move pixels that need another step to the front; returns how many they are."""
     left = 0
-    for i in range(n):
-        at[SOME + left] = i
-        left += s[LEFT + i] == ONE
+    for i in range(0, n, GROUP):
+        bits = equal_bits(s, np.uint32(LEFT + i), ONE)
+        if n - i < GROUP:
+            bits &= np.uint32((1 << (n - i)) - 1)
+        while bits != NOTHING:
+            at[SOME + left] = i + np.int32(lowest_bit(bits))
+            left += 1
+            bits &= bits - np.uint32(1)
     for i in range(left):
         k = np.uint32(at[SOME + i])
         at[COLUMN + i] = at[COLUMN + k]
@@ -310,16 +370,23 @@ def match(
             out = y - row_start
             n = min(CHUNK, columns - first)
             part, pairs = slice(first, first + n), slice(2 * first, 2 * (first + n))
-            if none_wanted(skip[y, part], n):
+            wanted = count_wanted(skip[y, part], n)
+            ask_for(phase, lines, rays, skip, (y + 1) * columns + first, n)
+            if wanted == 0:
                 continue
-            load(s, n, phase[y, part], lines[y, pairs], rays[y, pairs], turn)
-            look_up(s, at, n, skip[y, part], table, table_shape, lowest, per_rad, width)
+            mostly = 2 * wanted > n
+            if mostly:
+                load(s, n, phase[y, part], lines[y, pairs], rays[y, pairs], turn, skip[y, part])
+            else:
+                n = list_wanted(at, n, skip[y, part])
+                load_listed(s, at, n, phase[y, part], lines[y, pairs], rays[y, pairs], turn)
+            look_up(s, at, n, table, table_shape, lowest, per_rad, width)
             fetch_start(g, r, at, n, other_pixels, other_lines)
             jump(s, g, n, cubics, to_unit, limits[0], limits[1])
             for step in range(ITERATIONS):
                 fetch(s, g, r, at, n, width, other_phase, other_quad, other_pixels, other_lines)
                 newton(s, g, n, cubics, to_unit, limits, numbers, step == ITERATIONS - 1)
-                if step == 0:
+                if step == 0 and mostly:
                     store_all(s, at, n, depth[out, part], gain[out, part], variance[out, part], there[out, part], reason[out, part])
                 else:
                     store_some(s, at, n, depth[out, part], gain[out, part], variance[out, part], there[out, part], reason[out, part])

@@ -17,7 +17,8 @@ from numba.core import cgutils
 from numba.extending import intrinsic
 from numba.np import arrayobj
 
-ALIGNMENT = 64
+from measureapp.map_memory import LINE
+
 GROUP = 16  # records regrouped at once; chunks are padded to a multiple
 INT, FLOAT = ir.IntType(32), ir.FloatType()
 numba_arrays: Any = arrayobj  # both without types
@@ -35,9 +36,9 @@ def _stack_of(element: Any) -> Any:
         def generate(context: Any, builder: Any, _signature: Any, _arguments: Any) -> Any:
             with builder.goto_entry_block():
                 pointer = builder.alloca(context.get_data_type(element), size=ir.Constant(INT, count.literal_value))
-                pointer.align = ALIGNMENT
+                pointer.align = LINE
             array = numba_arrays.make_array(made)(context, builder)
-            length, size = (context.get_constant(types.intp, value) for value in (count.literal_value, 4))
+            length, size = (context.get_constant(types.intp, value) for value in (count.literal_value, element.bitwidth // 8))
             shape, strides = (building.pack_array(builder, [value]) for value in (length, size))
             numba_arrays.populate_array(array, data=pointer, shape=shape, strides=strides, itemsize=size, meminfo=None)
             return array._getvalue()
@@ -87,49 +88,69 @@ def _splitter(count: int) -> Any:
     return intrinsic(split)
 
 
-def _join(_typing: Any, target: Any, i: Any, source: Any, j: Any, lane: Any) -> Any:
-    """Write ``target[i + 4 * m + k] = source[j + k * lane + m]``, all k below 4 and m below GROUP: the reverse of `split_4`."""
+def _joiner(past_caches: bool) -> Any:
+    """Return the intrinsic for ``target[i + 4 * m + k] = source[j + k * lane + m]``, all k below 4 and m below GROUP: `split_4` reversed.
+
+    Past the caches the 4 * GROUP numbers of ``target`` must fill lines of the cache.
+    """
+
+    def join(_typing: Any, target: Any, i: Any, source: Any, j: Any, lane: Any) -> Any:
+        def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            into, _i, of, _j, _lane = signature.args
+            part, records = ir.VectorType(FLOAT, GROUP), ir.VectorType(FLOAT, 4 * GROUP)
+            parts = []
+            for k in range(4):
+                at = builder.add(arguments[3], builder.mul(arguments[4], ir.Constant(arguments[4].type, k)))
+                parts.append(builder.load(_pointer(context, builder, of, arguments[2], at, part), align=4))
+            halves = [
+                builder.shuffle_vector(a, b, ir.Constant(ir.VectorType(INT, 2 * GROUP), [ir.Constant(INT, m) for m in range(2 * GROUP)]))
+                for a, b in (parts[:2], parts[2:])
+            ]
+            places = ir.Constant(ir.VectorType(INT, 4 * GROUP), [ir.Constant(INT, k * GROUP + m) for m in range(GROUP) for k in range(4)])
+            joined = builder.shuffle_vector(halves[0], halves[1], places)
+            pointer = _pointer(context, builder, into, arguments[0], arguments[1], records)
+            written = builder.store(joined, pointer, align=LINE if past_caches else 4)
+            if past_caches:
+                written.set_metadata("nontemporal", builder.module.add_metadata([ir.Constant(INT, 1)]))
+            return context.get_dummy_value()
+
+        return types.void(target, i, source, j, lane), generate
+
+    return intrinsic(join)
+
+
+def _equal_bits(_typing: Any, array: Any, i: Any, value: Any) -> Any:
+    """Return a number whose bit m says whether ``array[i + m] == value``, all m below GROUP."""
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        into, _i, of, _j, _lane = signature.args
-        part, records = ir.VectorType(FLOAT, GROUP), ir.VectorType(FLOAT, 4 * GROUP)
-        parts = []
-        for k in range(4):
-            at = builder.add(arguments[3], builder.mul(arguments[4], ir.Constant(arguments[4].type, k)))
-            parts.append(builder.load(_pointer(context, builder, of, arguments[2], at, part), align=4))
-        halves = [
-            builder.shuffle_vector(a, b, ir.Constant(ir.VectorType(INT, 2 * GROUP), [ir.Constant(INT, m) for m in range(2 * GROUP)]))
-            for a, b in (parts[:2], parts[2:])
-        ]
-        places = ir.Constant(ir.VectorType(INT, 4 * GROUP), [ir.Constant(INT, k * GROUP + m) for m in range(GROUP) for k in range(4)])
-        joined = builder.shuffle_vector(halves[0], halves[1], places)
-        builder.store(joined, _pointer(context, builder, into, arguments[0], arguments[1], records), align=4)
-        return context.get_dummy_value()
+        part = ir.VectorType(FLOAT, GROUP)
+        read = builder.load(_pointer(context, builder, signature.args[0], arguments[0], arguments[1], part), align=4)
+        first = builder.insert_element(ir.Constant(part, ir.Undefined), arguments[2], ir.Constant(INT, 0))
+        everywhere = builder.shuffle_vector(first, ir.Constant(part, ir.Undefined), ir.Constant(ir.VectorType(INT, GROUP), [0] * GROUP))
+        return builder.zext(builder.bitcast(builder.fcmp_ordered("==", read, everywhere), ir.IntType(GROUP)), INT)
 
-    return types.void(target, i, source, j, lane), generate
+    return types.uint32(array, i, value), generate
 
 
-def _prefetch(_typing: Any, array: Any, index: Any) -> Any:
-    """Ask for the cache line of ``array[index]``, which may lie outside the array."""
+def _lowest_bit(_typing: Any, _bits: Any) -> Any:
+    """Return the place of the lowest bit that is set in a number other than 0."""
 
-    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        byte = ir.IntType(8)
-        place = _pointer(context, builder, signature.args[0], arguments[0], arguments[1], byte)
-        kind = ir.FunctionType(ir.VoidType(), [byte.as_pointer(), INT, INT, INT])
-        wanted = building.get_or_insert_function(builder.module, kind, "llvm.prefetch.p0")
-        read, near, data = 0, 3, 1
-        builder.call(wanted, [place, *(ir.Constant(INT, value) for value in (read, near, data))])
-        return context.get_dummy_value()
+    def generate(_context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
+        return builder.cttz(arguments[0], ir.Constant(ir.IntType(1), 1))
 
-    return types.void(array, index), generate
+    return types.uint32(types.uint32), generate
 
 
 stack_float32: Any = _stack_of(types.float32)
+stack_float64: Any = _stack_of(types.float64)
 stack_int32: Any = _stack_of(types.int32)
+stack_uint8: Any = _stack_of(types.uint8)
 copy_1: Any = _copier(1)
 copy_2: Any = _copier(2)
 copy_4: Any = _copier(4)
 split_2: Any = _splitter(2)
 split_4: Any = _splitter(4)
-join_4: Any = intrinsic(_join)
-prefetch: Any = intrinsic(_prefetch)
+join_4: Any = _joiner(False)
+join_4_past_caches: Any = _joiner(True)
+equal_bits: Any = intrinsic(_equal_bits)
+lowest_bit: Any = intrinsic(_lowest_bit)

@@ -4,7 +4,6 @@ Loops over arithmetic alone run on one scratch array at constant offsets: only t
 and uses SIMD instructions.
 """
 # One loop over pixels, as in the other kernels.
-# ruff: noqa: PLR0912
 
 from __future__ import annotations
 
@@ -13,10 +12,11 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.reconstruct.kernels.options import LOOP
-from measureapp.reconstruct.kernels.scratch import GROUP, join_4, stack_float32
+from measureapp.map_memory import LINE
+from measureapp.reconstruct.kernels.options import INLINE, LOOP
+from measureapp.reconstruct.kernels.scratch import GROUP, join_4, join_4_past_caches, stack_float32
 
-CHUNK, PAD = 1024, 4
+CHUNK, PAD = 512, 16  # all lanes stay in the first cache of a processor
 LENGTH = CHUNK + 2 * PAD
 REACH = 3  # pixels to either side over which a slope is taken
 ROWS = (-3, -1, 0, 1, 3)
@@ -25,14 +25,28 @@ M_UP3, M_UP, M, M_DOWN, M_DOWN3 = (k * LENGTH + PAD for k in range(5, 10))
 OWN, GX, GY, SIGMA, QUAD = (k * LENGTH + PAD for k in range(10, 15))  # the first four make a record
 SCRATCH = 15 * LENGTH
 RECORDS = 4 * CHUNK
-PHASE, SLOPE_X, SLOPE_Y = range(3)  # in the record of a pixel
-ZERO, ONE, TWO, THREE = np.float32(0), np.float32(1), np.float32(2), np.float32(3)
+PHASE, SLOPE_X, SLOPE_Y, OWN_SIGMA = range(4)  # in the record of a pixel
+ZERO, HALF, ONE, TWO, THREE = np.float32(0), np.float32(0.5), np.float32(1), np.float32(2), np.float32(3)
 PER_WIDE = np.float32(1 / (2 * REACH))
 BENT = np.float32(0.2)  # curvature, as a share of the rise over the window, beyond which a wide slope says nothing about its middle
 BENT_SIGMAS = np.float32(4.0)
 
 # four valid pixels of one surface; four valid pixels with a step between them; two or three valid ones beside a hole
 WHOLE, TORN, BESIDE = np.uint8(1), np.uint8(2), np.uint8(3)
+
+
+@njit(**INLINE)
+def write_records(s: Any, records: Any, n: int, out: Any) -> None:
+    """Write n records: past the caches, where they begin with a line of them, for they are read when all others are written."""
+    done = 0
+    if out.ctypes.data % LINE == 0:
+        done = n - n % GROUP
+        for i in range(0, done, GROUP):
+            join_4_past_caches(out, np.uint32(4 * i), s, np.uint32(OWN + i), np.uint32(LENGTH))
+    for i in range(done, n, GROUP):
+        join_4(records, np.uint32(4 * i), s, np.uint32(OWN + i), np.uint32(LENGTH))
+    for i in range(4 * done, 4 * n):
+        out[i] = records[i]
 
 
 @njit(**LOOP)
@@ -91,8 +105,8 @@ def slopes(
                 wq = s[M + i - 1] if abs(q) < step else ZERO
                 wd = s[M_DOWN + i] if abs(d) < step else ZERO
                 wu = s[M_UP + i] if abs(u) < step else ZERO
-                narrow_x = (wr * r + wq * q) / max(wr + wq, ONE)
-                narrow_y = (wd * d + wu * u) / max(wd + wu, ONE)
+                narrow_x = (wr * r + wq * q) * (HALF if wr + wq > ONE else ONE)
+                narrow_y = (wd * d + wu * u) * (HALF if wd + wu > ONE else ONE)
                 wide = all_valid & smooth
                 s[OWN + i] = p
                 s[GX + i] = s[M + i] * (rise_x * PER_WIDE if wide else narrow_x)
@@ -104,10 +118,7 @@ def slopes(
                 valid = s[M + i] + s[M + i + 1] + s[M_DOWN + i] + s[M_DOWN + i + 1]
                 beside = THREE if valid >= TWO else ZERO
                 s[QUAD + i] = (ONE if spread <= step else TWO) if whole > ZERO else beside
-            for i in range(0, n, GROUP):
-                join_4(records, np.uint32(4 * i), s, np.uint32(OWN + i), np.uint32(LENGTH))
-            pixels_out, quad_out = pixels[y, 4 * first : 4 * (first + n)], quad[y, first : first + n]
-            for i in range(4 * n):
-                pixels_out[i] = records[i]
+            quad_out = quad[y, first : first + n]
             for i in range(n):
                 quad_out[i] = np.uint8(np.int32(s[QUAD + i]))
+            write_records(s, records, n, pixels[y, 4 * first : 4 * (first + n)])

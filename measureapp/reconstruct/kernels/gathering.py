@@ -1,0 +1,177 @@
+"""Compiled loop that writes the points left on a depth map into a cloud.
+
+A cloud is written once and is larger than the caches. So points wait on a stage until they fill whole lines of the cache in every array
+of the cloud, and these are written past the caches; what goes through them is first read from memory.
+"""
+# One loop over chunks of pixels, as in the other kernels.
+# ruff: noqa: PLR0915
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numba import njit
+
+from measureapp.machine_memory import write_past_caches
+from measureapp.map_memory import LINE
+from measureapp.reconstruct.kernels.cleaning import CHUNK, INV, NX, NY, NZ, OFF, OWN, ROW_X, ROW_Y, SCRATCH, planes_of_chunk
+from measureapp.reconstruct.kernels.options import INLINE, LOOP
+from measureapp.reconstruct.kernels.scratch import stack_float32, stack_float64, stack_int32, stack_uint8
+
+BLOCK = LINE  # so many points fill whole lines in arrays of any number of elements of any type
+STAGE = BLOCK + CHUNK
+PLACES, PIXELS = 3 * STAGE, 2 * STAGE
+(PX, PY, PZ) = (k * CHUNK for k in range(3))
+POINTS = 3 * CHUNK
+ZERO, ONE = np.float32(0), np.float32(1)
+A, B, THREE = np.uint32(1), np.uint32(2), np.uint32(3)  # unsigned: negative places would be looked for at the end of an array
+
+
+@njit(**INLINE)
+def pour(stage: Any, out: Any, per_point: int, begin: int, first: int, stop: int, held: int) -> None:
+    """Write the points ``first … stop`` of the stage, whose first belongs at ``begin`` of the cloud, and move the rest to the front."""
+    end, into = stop * per_point, out[begin * per_point : (begin + stop) * per_point]
+    done = first * per_point
+    if first == 0 and into.ctypes.data % LINE == 0:
+        step = LINE // out.itemsize
+        done = end - end % step
+        for j in range(0, done, step):
+            write_past_caches(stage, into, j)
+    for j in range(done, end):
+        into[j] = stage[j]
+    for j in range(held * per_point - end):
+        stage[j] = stage[end + j]
+
+
+@njit(**INLINE)
+def none_left(inverse: Any) -> bool:
+    """Whether a chunk of a row has no point."""
+    highest = ZERO
+    for i in range(len(inverse)):
+        highest = max(highest, inverse[i])
+    return highest == ZERO
+
+
+@njit(**INLINE)
+def is_touched(removed: Any, y: int, chunk: int, border: int) -> bool:
+    """Whether points were removed from a window about a pixel of a chunk of a row."""
+    some = np.uint8(0)
+    for v in range(max(y - border, 0), min(y + border + 1, len(removed))):
+        for k in range(max(chunk - 1, 0), min(chunk + 2, removed.shape[1])):
+            some |= removed[v, k]
+    return some != 0
+
+
+@njit(**INLINE)
+def take_judged(s: Any, inverse: Any, sigma: Any, rays: Any, judged: Any, border: int, y: int, first: int, n: int) -> None:
+    """Take what `planes_of_chunk` would compute again from where it was written when the points were judged."""
+    middle, noise = inverse[y + border, border + first : border + first + n], sigma[y, first : first + n]
+    nx, ny, nz = judged[0, y, first : first + n], judged[1, y, first : first + n], judged[2, y, first : first + n]
+    ray = rays[y, 2 * first : 2 * (first + n)]
+    for i in range(n):
+        s[INV + i] = middle[i]
+    for i in range(n):
+        s[OWN + i] = noise[i]
+    for i in range(n):
+        s[NX + i] = nx[i]
+    for i in range(n):
+        s[NY + i] = ny[i]
+    for i in range(n):
+        s[NZ + i] = nz[i]
+    for i in range(n):
+        s[ROW_X + i], s[ROW_Y + i] = ray[2 * i], ray[2 * i + 1]
+
+
+@njit(**LOOP)
+def gather_points(
+    inverse: Any,
+    depth: Any,
+    sigma: Any,
+    rays: Any,  # (H, 2 W) float32
+    to_rays: Any,
+    to_unit: Any,
+    per_px: Any,
+    border: int,
+    judged: Any,  # (3, H, W) float32, normals by all points that were judged
+    removed: Any,  # (H, chunks) uint8, 1 where points of a chunk of a row were removed since
+    grey: Any,
+    per_grey: Any,  # float32
+    bits: Any,
+    masks: Any,  # (2^M,) uint8, cameras of a point in the order of the calibration, by `bits`
+    turn: Any,  # (3, 3) float32, rotation of `pose`
+    pose: Any,  # (3, 4) float64, reference from camera
+    begins: Any,  # (H,) int64, index of the first point of every row
+    row_start: int,
+    row_stop: int,
+    points: Any,  # out (3 N,) float64
+    normals: Any,  # out (3 N,) float32
+    along: Any,  # out (N,) float32, standard deviation along the viewing ray
+    light: Any,  # out (N,) float32
+    pixel: Any,  # out (2 N,) int32
+    cameras: Any,  # out (N,) uint8
+) -> None:
+    """Write the points that are left, with the normals of the planes through them."""
+    width = sigma.shape[1]
+    s, d = stack_float32(SCRATCH), stack_float64(POINTS)
+    staged_points, staged_normals, staged_along, staged_light = (
+        stack_float64(PLACES),
+        stack_float32(PLACES),
+        stack_float32(STAGE),
+        stack_float32(STAGE),
+    )
+    staged_pixel, staged_cameras = stack_int32(PIXELS), stack_uint8(STAGE)
+    t00, t01, t02 = turn[0, 0], turn[0, 1], turn[0, 2]
+    t10, t11, t12 = turn[1, 0], turn[1, 1], turn[1, 2]
+    t20, t21, t22 = turn[2, 0], turn[2, 1], turn[2, 2]
+    p00, p01, p02, p03 = pose[0, 0], pose[0, 1], pose[0, 2], pose[0, 3]
+    p10, p11, p12, p13 = pose[1, 0], pose[1, 1], pose[1, 2], pose[1, 3]
+    p20, p21, p22, p23 = pose[2, 0], pose[2, 1], pose[2, 2], pose[2, 3]
+    first_of_band = begins[row_start] % BLOCK  # what lies before on the stage belongs to the band before
+    begin, held = begins[row_start] - first_of_band, first_of_band
+    for y in range(row_start, row_stop):
+        for first in range(0, width, CHUNK):
+            n = min(CHUNK, width - first)
+            if none_left(inverse[y + border, border + first : border + first + n]):
+                continue
+            if is_touched(removed, y, first // CHUNK, border):
+                planes_of_chunk(s, inverse, sigma, rays, to_rays, to_unit, per_px, border, y, first, n)
+            else:
+                take_judged(s, inverse, sigma, rays, judged, border, y, first, n)
+            for i in range(n):
+                p, q, w = s[NX + i], s[NY + i], s[NZ + i]
+                x, y0 = s[ROW_X + i], s[ROW_Y + i]
+                s[NX + i], s[NY + i], s[NZ + i] = t00 * p + t01 * q + t02 * w, t10 * p + t11 * q + t12 * w, t20 * p + t21 * q + t22 * w
+                s[OWN + i] *= np.sqrt(ONE + x * x + y0 * y0)
+            level, z_row, taking = grey[y, first : first + n], depth[y, first : first + n], bits[y, first : first + n]
+            for i in range(n):
+                s[OFF + i] = min(np.float32(level[i]) * per_grey, ONE)
+            for i in range(n):
+                z = float(z_row[i])
+                a, b = float(s[ROW_X + i]) * z, float(s[ROW_Y + i]) * z
+                d[PX + i] = p00 * a + p01 * b + p02 * z + p03
+                d[PY + i] = p10 * a + p11 * b + p12 * z + p13
+                d[PZ + i] = p20 * a + p21 * b + p22 * z + p23
+            for i in range(n):  # a place without a point is written over by the next
+                k = np.uint32(held)
+                staged_points[THREE * k], staged_points[THREE * k + A], staged_points[THREE * k + B] = d[PX + i], d[PY + i], d[PZ + i]
+                staged_normals[THREE * k], staged_normals[THREE * k + A], staged_normals[THREE * k + B] = s[NX + i], s[NY + i], s[NZ + i]
+                staged_along[k], staged_light[k] = s[OWN + i], s[OFF + i]
+                staged_pixel[B * k], staged_pixel[B * k + A] = y, first + i
+                staged_cameras[k] = masks[taking[i]]
+                held += s[INV + i] > ZERO
+            stop = held - held % BLOCK
+            if stop > 0:
+                pour(staged_points, points, 3, begin, first_of_band, stop, held)
+                pour(staged_normals, normals, 3, begin, first_of_band, stop, held)
+                pour(staged_along, along, 1, begin, first_of_band, stop, held)
+                pour(staged_light, light, 1, begin, first_of_band, stop, held)
+                pour(staged_pixel, pixel, 2, begin, first_of_band, stop, held)
+                pour(staged_cameras, cameras, 1, begin, first_of_band, stop, held)
+                begin, held, first_of_band = begin + stop, held - stop, 0
+    pour(staged_points, points, 3, begin, first_of_band, held, held)
+    pour(staged_normals, normals, 3, begin, first_of_band, held, held)
+    pour(staged_along, along, 1, begin, first_of_band, held, held)
+    pour(staged_light, light, 1, begin, first_of_band, held, held)
+    pour(staged_pixel, pixel, 2, begin, first_of_band, held, held)
+    pour(staged_cameras, cameras, 1, begin, first_of_band, held, held)
