@@ -28,12 +28,12 @@ def turned(points: np.ndarray, degrees: np.ndarray | float) -> np.ndarray:
     return np.column_stack([np.cos(angle) * x - np.sin(angle) * y, np.sin(angle) * x + np.cos(angle) * y])
 
 
-def wheel(bump_mm: float = 0.0, seed: int = 1) -> MeasuredPoints:
+def wheel(bump_mm: float = 0.0, seed: int = 1, count: int = 4000) -> MeasuredPoints:
     """Four blades standing outwards, twisted along z, each off its even place; one side of blade 2 may bulge."""
     rng, points = np.random.default_rng(seed), []
     for number, off in enumerate(PITCH_OFF_DEG):
         for height in HEIGHTS:
-            flat = scattered(BLADE.contour(), 4000, NOISE_MM, rng)
+            flat = scattered(BLADE.contour(), count, NOISE_MM, rng)
             if number == 1:
                 flat[:, 1] += np.where(flat[:, 1] > BLADE.camber_mm, bump_mm * np.exp(-(((flat[:, 0] - 30) / 8) ** 2)), 0.0)
             z = height + rng.uniform(-0.5, 0.5, len(flat))
@@ -97,6 +97,17 @@ def test_a_bulge_is_found_against_the_average_of_the_other_blades() -> None:
     assert bulged == pytest.approx(0.3, abs=0.05) and good == pytest.approx(0.1, abs=0.05)
     even = measured(wheel(), SECTIONS, dimension("blade_form", "low.2"))[0]
     assert even.measured < 0.03  # though the blade stands 0.15° off: it is turned onto the average first
+
+
+def test_a_single_stray_point_is_no_form() -> None:
+    clean = wheel(count=600)
+    stray = np.array(clean.points_mm)
+    middle = (stray[:600].min(axis=0) + stray[:600].max(axis=0)) / 2
+    stray[np.argmin(np.linalg.norm(stray[:600] - middle, axis=1)), 1] += 1.5
+    asked = dimension("blade_form", "low.1")
+    (without,), (beside,) = measured(clean, SECTIONS, asked), measured(MeasuredPoints(stray), SECTIONS, asked)
+    assert without.measured is not None and beside.measured is not None
+    assert abs(beside.measured - without.measured) < NOISE_MM  # about 20 points a piece: their median moves by a rank, their mean by 0.07
 
 
 def test_a_cylinder_about_the_axis_cuts_the_blades_of_an_axial_wheel() -> None:

@@ -13,6 +13,7 @@ from measureapp.inspection.blades.profile import Profile, profile
 ROUNDS = 3
 STEPS = 4
 POOLED = 12_000
+STRAY = 10.0  # median absolute deviations
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,11 +56,18 @@ def _against(points_mm: FloatArray, frame: SectionFrame, average: Profile) -> Ag
         moved = frame.turned(points_mm, -turn)
         on_side, lengths, upper, off, normals = _offsets(frame.flat(moved), average)
         effect = np.einsum("nd,nd->n", frame.effect_of_turn(moved[on_side]), normals)
-        turn += float(effect @ off / (effect @ effect))
+        sure = _not_stray(off)
+        turn += float(effect[sure] @ off[sure] / (effect[sure] @ effect[sure]))
     moved = frame.turned(points_mm, -turn)
     on_side, lengths, upper, off, _ = _offsets(frame.flat(moved), average)
-    sigma = float(np.std(off) / np.linalg.norm(effect))
+    sigma = float(np.std(off[sure]) / np.linalg.norm(effect[sure]))
     return Against(turn, sigma, lengths, upper, np.where(upper, off, -off), on_side)
+
+
+def _not_stray(off_mm: FloatArray) -> BoolArray:
+    """Which points may say how far a blade is turned; what they show of its form stays."""
+    apart = np.abs(off_mm - np.median(off_mm))
+    return np.asarray(apart <= STRAY * np.median(apart))
 
 
 def _offsets(flat_mm: FloatArray, average: Profile) -> tuple[IntArray, FloatArray, BoolArray, FloatArray, FloatArray]:

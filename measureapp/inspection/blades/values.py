@@ -14,6 +14,8 @@ from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.value import Value, placement_of
 
 LEAST_CELLS = 6
+GAUSSIAN = 1.4826  # standard deviation over the median absolute deviation of normal errors
+OF_A_MEDIAN = float(np.sqrt(np.pi / 2))  # standard deviation of a median over that of a mean
 MISSING = {
     "chord": ("leading", "trailing"),
     "camber": ("leading", "trailing"),
@@ -101,23 +103,25 @@ def _profile(blade: FoundBlade, settings: InspectionSettings) -> Value:
     flat = blade.frame.flat(blade.frame.turned_back(blade.points_mm, blade.number))
     x, heights = blade.profile.line.feet(flat)
     where = np.floor(blade.profile.line.lengths(x) / settings.form_cell_mm).astype(int) * 2 + (heights > 0)
-    kept = blade.profile.on_side
-    return _zone(blade, where[kept], blade.to_nominal_mm[kept], settings, "about the nominal, placed by the alignment")
+    line = blade.profile.line
+    on_side = (x > line.first_mm) & (x < line.last_mm)
+    return _zone(blade, where[on_side], blade.to_nominal_mm[on_side], settings, "about the nominal, placed by the alignment")
 
 
 def _zone(blade: FoundBlade, where: IntArray, deviations_mm: FloatArray, settings: InspectionSettings, what: str) -> Value:
-    """Twice the greatest mean deviation over pieces of both sides, so that noise does not grow with the number of points."""
-    _, cell = np.unique(where, return_inverse=True)
-    counts = np.bincount(cell)
+    """Twice the greatest median deviation over pieces of both sides: neither noise nor a single stray point makes it wider.
+
+    What a piece is really off by is in all of its points; nothing is left out for being far away.
+    """
+    order = np.argsort(where, kind="stable")
+    pieces = np.split(deviations_mm[order], np.flatnonzero(np.diff(where[order])) + 1)
+    counts = np.array([len(piece) for piece in pieces])
     full = counts >= max(LEAST_IN_CELL, 0.25 * float(np.median(counts)))
     if full.sum() < LEAST_CELLS:
         raise InspectionError(f"{blade.name}: its points fill only {full.sum()} pieces of its sides, {LEAST_CELLS} are needed")
-    means = (np.bincount(cell, weights=deviations_mm) / counts)[full]
-    noise = float(
-        np.median(
-            np.sqrt(np.bincount(cell, weights=(deviations_mm - (np.bincount(cell, weights=deviations_mm) / counts)[cell]) ** 2)[full])
-            / counts[full]
-        )
-    )
+    chosen = [piece for piece, enough in zip(pieces, full, strict=True) if enough]
+    medians = np.array([np.median(piece) for piece in chosen])
+    scatter = [GAUSSIAN * np.median(np.abs(piece - median)) for piece, median in zip(chosen, medians, strict=True)]
+    noise = OF_A_MEDIAN * float(np.median(scatter / np.sqrt(counts[full])))
     sigma = np.hypot(noise_reach(int(full.sum())) * noise, 2 * placement_of(blade, settings))
-    return Value(2 * float(np.abs(means).max()), float(sigma), f"means over {settings.form_cell_mm:g} mm, {what}")
+    return Value(2 * float(np.abs(medians).max()), float(sigma), f"medians over {settings.form_cell_mm:g} mm, {what}")
