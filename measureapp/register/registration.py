@@ -24,6 +24,7 @@ from measureapp.register.settings import StitchSettings
 FINE_SEARCH = 2.0  # in voxels, once the views are close
 POOR = 2.0  # a pair whose residual is this many times the usual one is tried again from further away
 STILL_MM = 0.003  # a round of the joint estimate that moves no view further is the last; the next would move it by a fraction of that
+LEAST_CLOUD_MM = 1e-4  # keeps the covariance of views between which the axes leave nothing open from being singular
 GOOD = "good"
 
 
@@ -86,17 +87,25 @@ class Registration:
         self.kinematic = [view.kinematic for view in views]
         self.centres = np.stack([view.kinematic.apply(view.prepared.centroid_mm) for view in views])
         self.radii = np.array([view.prepared.radius_mm for view in views])
-        covariance = self._prior(prior_covariance)
+        self.given = prior_covariance
+        self.voxel = views[0].prepared.voxel_mm
+        self._expect(np.full(len(views), LEAST_CLOUD_MM))
+
+    def _expect(self, clouds_mm: FloatArray) -> None:
+        """Take what is expected of the poses by the axes, where each cloud errs by ``clouds_mm`` as a whole."""
+        covariance = self._prior_by_settings() if self.given is None else self.given
+        covariance = with_cloud_errors(covariance, self.kinematic, self.centres, self.radii, clouds_mm)
         self.prior = np.asarray(np.linalg.inv(covariance))
         self.by_axes = about_centres(covariance, self.kinematic, self.centres)
-        self.calibrated = prior_covariance is not None
-        self.voxel = views[0].prepared.voxel_mm
 
-    def _prior(self, given: FloatArray | None) -> FloatArray:
-        """Return the covariance of the poses by the axes, as motions of each camera in its own frame."""
+    def _errors_of_clouds(self, edges: Sequence[PairMeasurement]) -> FloatArray:
+        """Return how far each cloud errs as a whole (mm), by what its pairs show: of each pair's variance one half."""
+        usual = float(np.median([edge.smooth_mm for edge in edges] or [0.0]))
+        own = [[edge.smooth_mm for edge in edges if i in (edge.target, edge.source)] or [usual] for i in range(len(self.views))]
+        return np.maximum([float(np.median(values)) for values in own], LEAST_CLOUD_MM) / np.sqrt(2)
+
+    def _prior_by_settings(self) -> FloatArray:
         chosen = self.settings
-        if given is not None:
-            return with_cloud_errors(given, self.kinematic, self.centres, self.radii, chosen.cloud_sigma_mm)
         prior = KinematicPrior(
             chosen.pose_sigma_mm, np.radians(chosen.pose_sigma_deg), chosen.table_sigma_mm, np.radians(chosen.table_sigma_deg)
         )
@@ -132,6 +141,7 @@ class Registration:
     def _registered(self, pairs: list[tuple[int, int]]) -> tuple[list[RigidTransform], dict[int, Contradiction]]:
         """Return the joint poses, and the views that would move too far: they stay where the axes say, unless they are accepted."""
         edges = self._pairwise(pairs)
+        self._expect(self._errors_of_clouds(edges))
         contradictions = self._contradictions(edges)
         refused = self._refused(contradictions)
         kept = [pair for pair in pairs if not refused & set(pair)]
@@ -163,7 +173,7 @@ class Registration:
         if free is None:
             return None
         moved, turned = float(np.linalg.norm(free.change[:3])), float(np.linalg.norm(free.change[3:]))
-        if self.calibrated:
+        if self.given is not None:
             excess = free.distance / quantile(sigmas, len(self.views))
         else:
             excess = max(moved / loose_mm, turned / loose_rad) / sigmas
@@ -195,7 +205,7 @@ class Registration:
         if min(len(a), len(b)) < LEAST_MATCHES:
             return poor
         led = gicp(gicp_model(a), gicp_model(b), self.kinematic[i].inverse() @ self.kinematic[j], self.settings.search_mm)
-        found = register_pair(a, b, led, (i, j), self.settings.search_mm, self.settings.pair_sigma_mm)
+        found = register_pair(a, b, led, (i, j), self.settings.search_mm)
         return found if found.found and (not poor.found or found.residual_mm < poor.residual_mm) else poor
 
     def _measured(self, poses: Sequence[RigidTransform], pairs: list[tuple[int, int]]) -> list[PairMeasurement]:
@@ -204,7 +214,7 @@ class Registration:
         def measured(pair: tuple[int, int]) -> PairMeasurement:
             a, b = (self.views[i].prepared for i in pair)
             between = poses[pair[0]].inverse() @ poses[pair[1]]
-            return measure_pair(a, b, between, pair, search, self.settings.pair_sigma_mm)
+            return measure_pair(a, b, between, pair, search)
 
         return [edge for edge in in_parallel(measured, pairs) if edge.found]
 

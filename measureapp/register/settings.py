@@ -15,8 +15,6 @@ class StitchSettings(Model):
     pose_sigma_deg: float = Field(default=0.05, gt=0, description="how well the axes know a station's direction")
     table_sigma_mm: float = Field(default=0.03, gt=0, description="how well views of one station fit each other by the table alone")
     table_sigma_deg: float = Field(default=0.006, gt=0, description="the same for directions")
-    cloud_sigma_mm: float = Field(default=0.003, gt=0, description="how far a cloud errs as a whole, unlike others of the same cameras")
-    pair_sigma_mm: float = Field(default=0.003, gt=0, description="how far a pair errs as a whole by what its distances cannot show")
     weak_sigma_mm: float = Field(default=0.1, gt=0, description="motions that the surface leaves open by more than this are named")
     bound_sigmas: float = Field(default=3.0, gt=0, description="a view moved further than this is left out")
     registration_voxel_mm: float | None = Field(default=None, gt=0, description="thinning for registration; None: from the point spacing")
