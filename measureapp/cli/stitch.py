@@ -136,9 +136,12 @@ def _surface(stitched: StitchedCloud, progress: PartOf) -> Any:
 
 
 def _document(stitched: StitchedCloud, out: Path, mesh: Path | None) -> dict[str, Any]:
+    from measureapp.project.documents import ring_document
+
     return {
         "views": [_view(placement) for placement in stitched.placements],
         "points": len(stitched),
+        "ring": ring_document(stitched.ring),
         "notes": dict(stitched.notes),
         "files": {"stitched_cloud": out} | ({"mesh": mesh} if mesh else {}),
     }
@@ -170,4 +173,6 @@ def _lines(stitched: StitchedCloud, out: Path) -> str:
     ]
     open_ones = sorted({motion for p in stitched.placements for motion in p.held_by_axes})
     rows += [f"The surfaces leave {motion} open; there the poses alone hold the views." for motion in open_ones]
+    if stitched.ring is not None:
+        rows.append(f"{stitched.ring.sentence[0].upper()}{stitched.ring.sentence[1:]}.")
     return "\n".join([*rows, f"{len(stitched)} points in {out}"])

@@ -9,7 +9,7 @@ from itertools import combinations
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.data.cloud import ViewPlacement
+from measureapp.data.cloud import RingClosure, ViewPlacement
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Progress
 from measureapp.register.contradiction import free_correction, quantile
@@ -19,6 +19,7 @@ from measureapp.register.observability import unheld
 from measureapp.register.pose_graph import PoseGraphSolution, solve
 from measureapp.register.pose_prior import KinematicPrior, about_centres, largest_sigmas, with_cloud_errors
 from measureapp.register.prepare import PreparedCloud
+from measureapp.register.ring import largest_gap
 from measureapp.register.settings import StitchSettings
 
 FINE_SEARCH = 2.0  # in voxels, once the views are close
@@ -111,19 +112,20 @@ class Registration:
         )
         return prior.covariance([view.station for view in self.views])
 
-    def placements(self) -> list[ViewPlacement]:
-        """Register and judge every view."""
+    def result(self) -> tuple[list[ViewPlacement], RingClosure | None]:
+        """Register and judge every view, and see how well the pairs of those that are used close around the part."""
         pairs = self._overlapping()
         poses = list(self.kinematic)
         contradictions: dict[int, Contradiction] = {}
+        ring: RingClosure | None = None
         if self.settings.fine and pairs:
-            poses, contradictions = self._registered(pairs)
+            poses, contradictions, ring = self._registered(pairs)
         refused = self._refused(contradictions)
         measured = self._measured(poses, pairs)
         fitted = [edge for edge in measured if self.settings.fine and not refused & {edge.target, edge.source}]
         # where the views lie now, not where one more step would take them: what is left is far below their uncertainty
         known = self._solve(poses, fitted)
-        return [self._judged(i, poses[i], contradictions.get(i), measured, known) for i in range(len(self.views))]
+        return [self._judged(i, poses[i], contradictions.get(i), measured, known) for i in range(len(self.views))], ring
 
     def _overlapping(self) -> list[tuple[int, int]]:
         """Return the pairs that share enough surface by the axes alone, the best of every view."""
@@ -138,20 +140,22 @@ class Registration:
             best.update(own[: self.settings.neighbours])
         return sorted(best)
 
-    def _registered(self, pairs: list[tuple[int, int]]) -> tuple[list[RigidTransform], dict[int, Contradiction]]:
-        """Return the joint poses, and the views that would move too far: they stay where the axes say, unless they are accepted."""
+    def _registered(self, pairs: list[tuple[int, int]]) -> tuple[list[RigidTransform], dict[int, Contradiction], RingClosure | None]:
+        """Return the joint poses, the views that would move too far (they stay where the axes say, unless they are accepted), the closure."""
         edges = self._pairwise(pairs)
         self._expect(self._errors_of_clouds(edges))
         contradictions = self._contradictions(edges)
         refused = self._refused(contradictions)
         kept = [pair for pair in pairs if not refused & set(pair)]
-        poses = list(self._solve(self.kinematic, [edge for edge in edges if not refused & {edge.target, edge.source}]).part_from_camera)
+        used = [edge for edge in edges if not refused & {edge.target, edge.source}]
+        ring = largest_gap(self.kinematic, used, self.centres, self.radii, self.by_axes, [view.cloud.viewpoint_id for view in self.views])
+        poses = list(self._solve(self.kinematic, used).part_from_camera)
         for step in range(self.settings.rounds):
             self.progress.report(0.6 + 0.4 * step / self.settings.rounds, 1, "joint registration")
             before, poses = poses, list(self._solve(poses, self._measured(poses, kept)).part_from_camera)
             if max(_distance_mm(a, b, centre) for a, b, centre in zip(before, poses, self.centres, strict=True)) < STILL_MM:
                 break
-        return poses, contradictions
+        return poses, contradictions, ring
 
     def _contradictions(self, edges: Sequence[PairMeasurement]) -> dict[int, Contradiction]:
         """Set every view free alone and take away the one that exceeds its bound most, until none does."""
