@@ -53,7 +53,7 @@ def fitted(length_mm: float | None, scale: float = 1.0) -> tuple[np.ndarray, np.
 
 @pytest.mark.parametrize("length", [0.5, 1.0, 2.0])
 def test_fits_are_off_as_far_as_they_say_whatever_the_length_of_the_errors(length: float) -> None:
-    found, squares = fitted(length * RADIUS_MM)
+    _, squares = fitted(length * RADIUS_MM)
     # the length is not known: within a factor of two of the standard deviation, and three deviations of the mean of 30 draws
     spread = 1 + 3 * np.sqrt(2 / (6 * DRAWS))
     assert 0.5 / spread < np.sqrt(squares.mean()) < 2 * spread
