@@ -84,6 +84,7 @@ class CloudQuality:
     completeness: float
     accepted: bool
     reason: str  # empty when accepted
+    distortion_mm: float = 0.0  # by how much smooth surface waves beyond its noise
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -100,6 +100,7 @@ def view_lines(measurement: Measurement) -> tuple[ViewLine, ...]:
                 noise_mm=quality.noise_mm,
                 completeness=quality.completeness,
                 outlier_ratio=quality.outlier_ratio,
+                distortion_mm=quality.distortion_mm,
                 correction_mm=None if placed is None else placed.correction_mm,
                 correction_deg=None if placed is None else placed.correction_deg,
                 residual_mm=None if placed is None else placed.residual_mm,
