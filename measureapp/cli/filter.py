@@ -57,7 +57,7 @@ def register(app: typer.Typer) -> None:
                 raise InputError("The box ends before it begins.", "Give each axis from the smaller to the larger coordinate.")
             sieve.keep("box", lambda points: filters.in_box(points, low, high))
         for side in [_numbers("--plane", words, 4) for words in plane or ()]:
-            sieve.keep("plane", lambda points, side=side: filters.above_plane(points, side[:3], side[3]))  # type: ignore[misc]
+            sieve.keep("plane", lambda points, side=side: filters.above_plane(points, side[:3], side[3]))
         if radius_mm is not None:
             sieve.keep("radius", lambda points: filters.crowded(points, radius_mm, least))
         if statistical is not None:

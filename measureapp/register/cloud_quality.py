@@ -133,7 +133,7 @@ def _departure(points_mm: FloatArray, normal: FloatArray) -> float:
     """Return the variance of points about the quadric over the plane across ``normal`` (least squares)."""
     across = np.linalg.svd(normal[None])[2][1:]
     away = points_mm - points_mm.mean(axis=0)
-    u, v, height = *(across @ away.T), away @ normal
+    u, v, height = away @ across[0], away @ across[1], away @ normal
     terms = np.column_stack([np.ones(len(u)), u, v, u * u, u * v, v * v])
     left = height - terms @ np.linalg.lstsq(terms, height)[0]
     return float(left @ left / max(len(left) - terms.shape[1], 1))

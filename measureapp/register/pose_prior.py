@@ -33,7 +33,7 @@ class KinematicPrior:
 def with_cloud_errors(
     covariance: FloatArray, kinematic: Sequence[RigidTransform], centres_mm: FloatArray, radii_mm: FloatArray, clouds_mm: FloatArray
 ) -> FloatArray:
-    """Add what each cloud errs as a whole (smooth errors have a share of shift and turn) to a covariance (6N, 6N) of poses by the axes.
+    """Add what each cloud errs as a whole (decision 9) to a covariance (6N, 6N) of poses by the axes.
 
     Parameters
     ----------

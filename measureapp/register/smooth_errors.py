@@ -17,10 +17,11 @@ import numpy as np
 from measureapp.arrays import FloatArray
 
 LENGTH = 1.0  # of the common surface's rms radius: the distance over which the errors change
-PATCHES = 4.0  # per rms radius: far finer than what is looked for
+PATCHES = 3.0  # per rms radius: far finer than what is looked for
 LEAST_SHARE = 0.1  # of the usual weight of a patch; lighter ones, at borders, say too little
 RATIOS = np.geomspace(0.01, 100.0, 121)  # deviation of the smooth error over that of a patch's noise
 NEGLIGIBLE = 1e-12
+LEFT_OUT = 1e-3  # of a smooth error's variance at any patch: what its patterns need not explain
 
 
 def smooth_errors(
@@ -48,35 +49,51 @@ def smooth_errors(
     kept = weights > LEAST_SHARE * np.median(weights)
     weights, sums = weights[kept], sums[kept]
     gradient, places = sums[:, :6], sums[:, 7:] / weights[:, None]
-    apart = np.sum((places[:, None] - places[None]) ** 2, axis=2)
-    alike = np.exp(-apart / (2 * (LENGTH * radius) ** 2))
+    patterns = _patterns(places, LENGTH * radius)
     root = np.sqrt(weights)
     scale = np.array([1.0] * 3 + [1 / radius] * 3)
-    variance = _smooth_variance(gradient * scale / root[:, None], sums[:, 6] / root, alike * np.outer(root, root))
-    return float(np.sqrt(variance)), np.asarray(variance * gradient.T @ alike @ gradient)
+    variance = _smooth_variance(gradient * scale / root[:, None], sums[:, 6] / root, patterns * root[:, None])
+    by_patterns = gradient.T @ patterns
+    return float(np.sqrt(variance)), variance * by_patterns @ by_patterns.T
 
 
-def _smooth_variance(motions: FloatArray, left: FloatArray, alike: FloatArray) -> float:
+def _patterns(places_mm: FloatArray, length_mm: float) -> FloatArray:
+    """Return few patterns (P, M) whose products sum to the covariance (P, P) of a smooth error of variance one (pivoted Cholesky)."""
+    left = np.ones(len(places_mm))
+    patterns: list[FloatArray] = []
+    while left.max() > LEFT_OUT:
+        most = int(np.argmax(left))
+        alike = np.exp(-np.sum((places_mm - places_mm[most]) ** 2, axis=1) / (2 * length_mm**2))
+        for earlier in patterns:
+            alike -= earlier * earlier[most]
+        patterns.append(alike / np.sqrt(left[most]))
+        left -= patterns[-1] ** 2
+    return np.column_stack(patterns)
+
+
+def _smooth_variance(motions: FloatArray, left: FloatArray, patterns: FloatArray) -> float:
     """Return the variance of the smooth error by patches whose noise is equal in these units; zero where motions explain everything.
 
     Parameters
     ----------
     motions : (P, 6), what the motions would change
     left : (P,), what is left
-    alike : (P, P), covariance of a smooth error of variance one
+    patterns : (P, M), of a smooth error of variance one
     """
-    u, values, _ = np.linalg.svd(motions, full_matrices=True)
-    contrasts = u[:, int(np.sum(values > 1e-9 * max(values[0], NEGLIGIBLE))) :]
-    if contrasts.shape[1] < 2:
+    freedom = len(left) - motions.shape[1]
+    if freedom < 2:
         return 0.0
-    strength, vectors = np.linalg.eigh(contrasts.T @ alike @ contrasts)
-    typical = float(np.mean(np.diag(alike)))
-    share = np.maximum(strength, 0) / typical
-    squares = (vectors.T @ (contrasts.T @ left)) ** 2
+    typical = float(np.mean(np.sum(patterns**2, axis=1)))
+    explained = np.linalg.qr(motions)[0]
+    left, patterns = (values - explained @ (explained.T @ values) for values in (left, patterns))
+    vectors, strength, _ = np.linalg.svd(patterns, full_matrices=False)
+    share = strength[:freedom] ** 2 / typical
+    squares = (vectors.T @ left)[:freedom] ** 2
+    elsewhere = max(float(left @ left) - float(np.sum(squares)), 0.0)  # where no pattern reaches
     spread = 1 + RATIOS[:, None] ** 2 * share
-    noise = np.mean(squares / spread, axis=1)
+    noise = (np.sum(squares / spread, axis=1) + elsewhere) / freedom
     if noise.max() <= NEGLIGIBLE:
         return 0.0
-    likelihood = -0.5 * (len(squares) * np.log(noise) + np.sum(np.log(spread), axis=1))
+    likelihood = -0.5 * (freedom * np.log(noise) + np.sum(np.log(spread), axis=1))
     trust = np.exp(likelihood - likelihood.max()) * RATIOS / (1 + RATIOS**2)  # the grid is even in the ratio's logarithm
     return float(np.sum(trust * RATIOS**2 * noise) / np.sum(trust) / typical)

@@ -30,8 +30,8 @@ def field(points: np.ndarray, length_mm: float) -> np.ndarray:
     return np.asarray(vectors[:, chosen] * np.sqrt(values[chosen]))
 
 
-def fitted(length_mm: float | None, scale: float = 1.0) -> tuple[np.ndarray, np.ndarray]:
-    """Return the found deviations of the smooth error (mm), and the fits' errors squared over what is predicted, both (DRAWS,)."""
+def fitted(length_mm: float | None, scale: float = 1.0) -> np.ndarray:
+    """Return the fits' errors squared over what is predicted, (DRAWS,)."""
     points, normal = corner()
     points = points * scale
     rng = np.random.default_rng(1)
@@ -39,37 +39,33 @@ def fitted(length_mm: float | None, scale: float = 1.0) -> tuple[np.ndarray, np.
     weight = np.full(POINTS, 1 / (scale * NOISE_MM) ** 2)
     inverse = np.linalg.inv((jacobian * weight[:, None]).T @ jacobian)
     root = None if length_mm is None else field(points, length_mm * scale)
-    found, squares = [], []
+    squares = []
     for _ in range(DRAWS):
         error = rng.normal(0, NOISE_MM * scale, POINTS)
         if root is not None:
             error += SMOOTH_MM * scale * root @ rng.normal(size=root.shape[1])
         change = -inverse @ (jacobian.T @ (weight * error))
-        deviation, scatter = smooth_errors(points, normal, jacobian, weight, error + jacobian @ change)
-        found.append(deviation)
+        _, scatter = smooth_errors(points, normal, jacobian, weight, error + jacobian @ change)
         squares.append(change @ np.linalg.solve(inverse + inverse @ scatter @ inverse, change) / 6)
-    return np.array(found), np.array(squares)
+    return np.array(squares)
 
 
 @pytest.mark.parametrize("length", [0.5, 1.0, 2.0])
 def test_fits_are_off_as_far_as_they_say_whatever_the_length_of_the_errors(length: float) -> None:
-    _, squares = fitted(length * RADIUS_MM)
+    squares = fitted(length * RADIUS_MM)
     # the length is not known: within a factor of two of the standard deviation, and three deviations of the mean of 30 draws
     spread = 1 + 3 * np.sqrt(2 / (6 * DRAWS))
     assert 0.5 / spread < np.sqrt(squares.mean()) < 2 * spread
 
 
-def test_without_smooth_errors_little_is_claimed() -> None:
-    found, squares = fitted(None)
-    # what noise alone cannot exclude: patches of some seven points err by NOISE / √7
-    assert np.median(found) < NOISE_MM / np.sqrt(7)
-    assert np.sqrt(squares.mean()) < 1
+def test_without_smooth_errors_little_more_is_claimed_than_noise_leaves() -> None:
+    # what noise cannot exclude is a smooth error as large as the noise of a patch (half-Cauchy): twice its variance in a motion that
+    # holds few patterns, some times as much in one that sums them all up
+    assert 0.4 < np.sqrt(fitted(None).mean()) < 1
 
 
 def test_the_unit_of_length_does_not_matter() -> None:
-    in_mm, in_inches = fitted(RADIUS_MM), fitted(RADIUS_MM, 1 / 25.4)
-    np.testing.assert_allclose(in_inches[0] * 25.4, in_mm[0], rtol=1e-6)
-    np.testing.assert_allclose(in_inches[1], in_mm[1], rtol=1e-6)
+    np.testing.assert_allclose(fitted(RADIUS_MM, 1 / 25.4), fitted(RADIUS_MM), rtol=1e-6)
 
 
 def test_a_surface_of_one_place_claims_nothing() -> None:
