@@ -21,7 +21,7 @@ PATCHES = 3.0  # per rms radius: far finer than what is looked for
 LEAST_SHARE = 0.1  # of the usual weight of a patch; lighter ones, at borders, say too little
 RATIOS = np.geomspace(0.01, 100.0, 121)  # deviation of the smooth error over that of a patch's noise
 NEGLIGIBLE = 1e-12
-LEFT_OUT = 1e-3  # of a smooth error's variance at any patch: what its patterns need not explain
+LEFT_OUT = 1e-2  # of a smooth error's variance at any patch: what its patterns need not explain
 
 
 def smooth_errors(
@@ -60,15 +60,13 @@ def smooth_errors(
 def _patterns(places_mm: FloatArray, length_mm: float) -> FloatArray:
     """Return few patterns (P, M) whose products sum to the covariance (P, P) of a smooth error of variance one (pivoted Cholesky)."""
     left = np.ones(len(places_mm))
-    patterns: list[FloatArray] = []
+    patterns = np.empty((0, len(places_mm)))
     while left.max() > LEFT_OUT:
         most = int(np.argmax(left))
         alike = np.exp(-np.sum((places_mm - places_mm[most]) ** 2, axis=1) / (2 * length_mm**2))
-        for earlier in patterns:
-            alike -= earlier * earlier[most]
-        patterns.append(alike / np.sqrt(left[most]))
+        patterns = np.vstack([patterns, (alike - patterns[:, most] @ patterns) / np.sqrt(left[most])])
         left -= patterns[-1] ** 2
-    return np.column_stack(patterns)
+    return patterns.T
 
 
 def _smooth_variance(motions: FloatArray, left: FloatArray, patterns: FloatArray) -> float:
