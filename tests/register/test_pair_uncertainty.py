@@ -41,5 +41,6 @@ def test_pairs_are_off_as_far_as_they_say(scanned, request, mesh, length_mm):
             error = np.concatenate([off.apply(found.centre_mm) - found.centre_mm, off.rotation_vector])
             squares += error @ found.information @ error
             directions += int(np.linalg.matrix_rank(found.information))
-    # 18 pairs of three views with six numbers each, two thirds of them independent: a standard deviation of 8 % of the ratio
-    assert 0.8 - 0.08 < np.sqrt(squares / directions) < 1.25 + 0.08
+    # 18 pairs of three views with six numbers each, two thirds of them independent: a standard deviation of 8 % of the ratio. Pairs also
+    # claim the smooth errors that their residuals cannot exclude, which these clouds do not have: up to half of a deviation is theirs
+    assert 0.5 - 0.08 < np.sqrt(squares / directions) < 1.25 + 0.08
