@@ -52,6 +52,7 @@ def register(app: typer.Typer) -> None:
         read = [_read(path, PartOf(progress, 0.2 * i / len(clouds), 0.2 * (i + 1) / len(clouds))) for i, path in enumerate(clouds)]
         settings = StitchSettings(pose_sigma_mm=pose_sigma_mm, pose_sigma_deg=pose_sigma_deg, fine=fine)
         stitched = stitch(read, kinematic, settings, PartOf(progress, 0.2, 0.8), accepted=accept or ())
+        _check_overlap(stitched, fine)
         triangles = _surface(stitched, PartOf(progress, 0.8, 1.0)) if mesh else None
         write_cloud(out, stitched)
         if mesh and triangles is not None:
@@ -83,6 +84,16 @@ def _check_accepted(accepted: list[str], clouds: list[Path]) -> None:
     unknown = [name for name in accepted if name not in stems]
     if unknown:
         raise InputError(f"There is no view {unknown[0]!r} to accept.", "The views are called: " + ", ".join(stems) + ".")
+
+
+def _check_overlap(stitched: StitchedCloud, fine: bool) -> None:
+    from measureapp.errors import RegistrationError
+
+    if fine and len(stitched.placements) > 1 and not any(placement.overlap for placement in stitched.placements):
+        raise RegistrationError(
+            "No two clouds have surface in common where the poses put them.",
+            "Check the poses' unit, direction (part_from_camera) and names; --kinematic-only places clouds that share nothing.",
+        )
 
 
 def _pose(known: dict[str, Any], path: Path, table: Path) -> Any:
@@ -136,9 +147,12 @@ def _surface(stitched: StitchedCloud, progress: PartOf) -> Any:
 
 
 def _document(stitched: StitchedCloud, out: Path, mesh: Path | None) -> dict[str, Any]:
+    from measureapp.project.documents import ring_document
+
     return {
         "views": [_view(placement) for placement in stitched.placements],
         "points": len(stitched),
+        "ring": ring_document(stitched.ring),
         "notes": dict(stitched.notes),
         "files": {"stitched_cloud": out} | ({"mesh": mesh} if mesh else {}),
     }
@@ -170,4 +184,6 @@ def _lines(stitched: StitchedCloud, out: Path) -> str:
     ]
     open_ones = sorted({motion for p in stitched.placements for motion in p.held_by_axes})
     rows += [f"The surfaces leave {motion} open; there the poses alone hold the views." for motion in open_ones]
+    if stitched.ring is not None:
+        rows.append(f"{stitched.ring.sentence[0].upper()}{stitched.ring.sentence[1:]}.")
     return "\n".join([*rows, f"{len(stitched)} points in {out}"])

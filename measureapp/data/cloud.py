@@ -84,6 +84,7 @@ class CloudQuality:
     completeness: float
     accepted: bool
     reason: str  # empty when accepted
+    distortion_mm: float = 0.0  # by how much smooth surface waves beyond its noise
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -106,6 +107,24 @@ class ViewPlacement:
     held_by_axes: tuple[str, ...] = ()  # motions that the common surface leaves open
 
 
+@dataclass(frozen=True, slots=True)
+class RingClosure:
+    """How well pairs of views close around the part: where the first view comes to lie once it was taken around by pairs alone."""
+
+    viewpoints: tuple[str, ...]  # in the order around
+    gap_mm: float  # rms distance of the first view's points from where they were
+    gap_deg: float
+    sigma_mm: float  # how large the gap is expected to be, rms
+
+    @property
+    def sentence(self) -> str:
+        """How well they close, in words."""
+        return (
+            f"taken around the part over {len(self.viewpoints)} views by their pairs, the first view comes back {self.gap_mm:.3f} mm "
+            f"and {self.gap_deg:.4f}° off; {self.sigma_mm:.3f} mm are to be expected"
+        )
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class StitchedCloud:
     """The merged points of all views, in the part's frame."""
@@ -118,6 +137,7 @@ class StitchedCloud:
     placements: tuple[ViewPlacement, ...]
     frame: str = "part"
     notes: Mapping[str, float] = field(default_factory=dict)
+    ring: RingClosure | None = None  # the one that closes worst; None where no pairs lead around the part
 
     def __post_init__(self) -> None:
         count = len(self.points_mm)

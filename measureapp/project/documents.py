@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, Provenance, RigCalibration, RobotStation, RotationAxis
-from measureapp.data.cloud import ViewPlacement
+from measureapp.data.cloud import RingClosure, ViewPlacement
 from measureapp.data.conditions import Conditions, LensSetting
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.feature import Feature
@@ -127,6 +127,16 @@ def placement_from(document: Mapping[str, Any]) -> ViewPlacement:
     """Return the placement of a document."""
     transforms = {name: transform_from(document[name]) for name in ("part_from_camera", "kinematic")}
     return ViewPlacement(**{**document, **transforms, "held_by_axes": tuple(document.get("held_by_axes", ()))})
+
+
+def ring_document(ring: RingClosure | None) -> dict[str, Any] | None:
+    """Return how well pairs close around the part as JSON."""
+    return None if ring is None else _plain(ring)
+
+
+def ring_from(document: Mapping[str, Any] | None) -> RingClosure | None:
+    """Return the closure of a document."""
+    return None if document is None else RingClosure(**{**document, "viewpoints": tuple(document["viewpoints"])})
 
 
 def inspection_document(inspection: Inspection) -> dict[str, Any]:

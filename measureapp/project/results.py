@@ -20,6 +20,8 @@ from measureapp.project.documents import (
     placement_from,
     readback_document,
     readback_from,
+    ring_document,
+    ring_from,
     transform_document,
     transform_from,
     validity_from,
@@ -50,6 +52,7 @@ def save(folder: Path, measurement: Measurement) -> None:
         "views": [_view_document(view) for view in measurement.views],
         "placements": [placement_document(placement) for placement in measurement.stitched.placements],
         "notes": dict(measurement.stitched.notes),
+        "ring": ring_document(measurement.stitched.ring),
         "validity": asdict(measurement.validity),
         "inspection": None if measurement.inspection is None else inspection_document(measurement.inspection),
     }
@@ -67,6 +70,7 @@ def load(folder: Path, calibration: RigCalibration) -> Measurement | None:
             read_stitched(folder / STITCHED),
             placements=tuple(placement_from(placement) for placement in document["placements"]),
             notes=document["notes"],
+            ring=ring_from(document.get("ring")),
         )
         return Measurement(
             **{name: document[name] for name in ("project", "part", "rig", "measured_at", "settings", "timings_s")},

@@ -1,11 +1,11 @@
-"""What one cloud is worth: density, noise and outliers on a sample of whole patches (methods sheet, section 8)."""
+"""What one cloud is worth: density, noise, outliers and distortion on a sample of whole patches (methods sheet, section 8)."""
 
 from __future__ import annotations
 
 import numpy as np
 from scipy.spatial import cKDTree
 
-from measureapp.arrays import FloatArray
+from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.cloud import CloudQuality, PointCloud
 from measureapp.register.settings import QualitySettings
 
@@ -16,6 +16,13 @@ JUDGED_POINTS = 1500
 NEIGHBOURS = 8
 OUTLIER_FACTOR = 3.0  # a point whose neighbours are this many times further than usual is an outlier
 PLANE_POINTS = 32
+WAVE_MM = CELL_MM  # radius within which a smooth surface is a quadric; the neighbourhoods of a sample are whole up to there
+WAVE_PATCHES = 200
+WAVE_POINTS = 400  # at most in a patch
+LEAST_WAVE_POINTS = 30
+SMOOTH_COSINE = 0.94  # normals within 20° of their mean: no edge runs through the patch
+LEAST_SMOOTH = 8  # patches
+WORST_SHARE = 0.9  # distortions are local: of all patches the worst tenth is judged
 
 
 def judge(cloud: PointCloud, settings: QualitySettings | None = None, *, completeness: float = 1.0) -> CloudQuality:
@@ -23,7 +30,9 @@ def judge(cloud: PointCloud, settings: QualitySettings | None = None, *, complet
 
     Density is points per mm² of surface from the distance of the eighth neighbour; noise the RMS distance to a plane
     through the points within a fixed radius; the outlier ratio is the share of points whose neighbours are more
-    than three times as far as usual. All three are taken on a random sample of whole patches.
+    than three times as far as usual. Distortion is by how much smooth patches of 6 mm radius depart from a quadric beyond their noise,
+    at the edge of the worst tenth: waves shorter than the patches, as wrong phases leave them. All are taken on a random sample of
+    whole patches.
 
     Parameters
     ----------
@@ -33,11 +42,14 @@ def judge(cloud: PointCloud, settings: QualitySettings | None = None, *, complet
     if len(cloud) <= PLANE_POINTS:
         return CloudQuality(len(cloud), 0.0, 0.0, 0.0, completeness, False, f"only {len(cloud)} points")
     density, noise, outliers = _figures(np.asarray(cloud.points_mm), settings.plane_radius_mm)
-    reasons = _reasons(len(cloud), density, noise, outliers, completeness, settings)
-    return CloudQuality(len(cloud), density, noise, outliers, completeness, not reasons, "; ".join(reasons))
+    distortion = _distortion(np.asarray(cloud.points_mm), np.asarray(cloud.normals), noise)
+    reasons = _reasons(len(cloud), density, noise, outliers, completeness, distortion, settings)
+    return CloudQuality(len(cloud), density, noise, outliers, completeness, not reasons, "; ".join(reasons), distortion)
 
 
-def _reasons(points: int, density: float, noise: float, outliers: float, completeness: float, settings: QualitySettings) -> list[str]:
+def _reasons(
+    points: int, density: float, noise: float, outliers: float, completeness: float, distortion: float, settings: QualitySettings
+) -> list[str]:
     found = []
     if points < settings.least_points:
         found.append(f"only {points} points")
@@ -47,6 +59,8 @@ def _reasons(points: int, density: float, noise: float, outliers: float, complet
         found.append(f"noise of {noise:.3f} mm")
     if outliers > settings.largest_outlier_ratio:
         found.append(f"{outliers:.1%} outliers")
+    if distortion > settings.largest_distortion_mm:
+        found.append(f"the surface waves by {distortion:.3f} mm")
     if completeness < settings.least_completeness:
         found.append(f"only {completeness:.0%} of the visible surface has points")
     return found
@@ -57,8 +71,14 @@ def patches(points_mm: FloatArray, wanted: int = SAMPLE_POINTS) -> tuple[FloatAr
 
     About ``wanted`` points are taken in all. The neighbourhood of every point of the cells is whole.
     """
+    around, core = _patches(points_mm, wanted)
+    return points_mm[around], points_mm[core]
+
+
+def _patches(points_mm: FloatArray, wanted: int) -> tuple[IntArray, IntArray]:
+    """Return the indices of the points of `patches`."""
     if len(points_mm) <= wanted:
-        return points_mm, points_mm
+        return np.arange(len(points_mm)), np.arange(len(points_mm))
     index = np.floor((points_mm - points_mm.min(axis=0)) / CELL_MM).astype(np.int64) + 1
     extent = index.max(axis=0) + 2
     flat = (index[:, 0] * extent[1] + index[:, 1]) * extent[2] + index[:, 2]
@@ -66,8 +86,8 @@ def patches(points_mm: FloatArray, wanted: int = SAMPLE_POINTS) -> tuple[FloatAr
     share = max(1, min(len(cells), round(len(cells) * wanted / len(points_mm) / CELLS_AROUND)))
     chosen = np.random.default_rng(0).choice(cells, share, replace=False)
     steps = [(x * extent[1] + y) * extent[2] + z for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)]
-    around = np.isin(flat, (chosen[:, None] + np.array(steps)).ravel())
-    return points_mm[around], points_mm[around][np.isin(flat[around], chosen)]
+    around = np.flatnonzero(np.isin(flat, (chosen[:, None] + np.array(steps)).ravel()))
+    return around, around[np.isin(flat[around], chosen)]
 
 
 def point_spacing_mm(points_mm: FloatArray) -> float:
@@ -91,6 +111,32 @@ def _figures(points_mm: FloatArray, radius_mm: float) -> tuple[float, float, flo
     mean = distances[:, 1 : NEIGHBOURS + 1].mean(axis=1)
     outliers = float(np.mean(mean > OUTLIER_FACTOR * np.median(mean)))
     return _density(distances[:, 1 : NEIGHBOURS + 1]), _plane_noise(sample[index], distances <= radius_mm), outliers
+
+
+def _distortion(points_mm: FloatArray, normals: FloatArray, noise_mm: float) -> float:
+    """Return by how much smooth patches depart from a quadric beyond the noise; zero where too few patches are smooth."""
+    around, core = _patches(points_mm, SAMPLE_POINTS)
+    sample, facing = points_mm[around], np.asarray(normals[around], np.float64)
+    middles = np.random.default_rng(2).choice(core, min(WAVE_PATCHES, len(core)), replace=False)
+    _, index = cKDTree(sample).query(points_mm[middles], min(WAVE_POINTS, len(sample)), distance_upper_bound=WAVE_MM)
+    excess = []
+    for near in index:
+        inside = near[near < len(sample)]
+        mean = facing[inside].mean(axis=0)
+        length = float(np.linalg.norm(mean))
+        if len(inside) >= LEAST_WAVE_POINTS and length > 0 and np.quantile(facing[inside] @ mean / length, 0.05) > SMOOTH_COSINE:
+            excess.append(_departure(sample[inside], mean / length) - noise_mm**2)
+    return float(np.sqrt(max(np.quantile(excess, WORST_SHARE), 0.0))) if len(excess) >= LEAST_SMOOTH else 0.0
+
+
+def _departure(points_mm: FloatArray, normal: FloatArray) -> float:
+    """Return the variance of points about the quadric over the plane across ``normal`` (least squares)."""
+    across = np.linalg.svd(normal[None])[2][1:]
+    away = points_mm - points_mm.mean(axis=0)
+    u, v, height = away @ across[0], away @ across[1], away @ normal
+    terms = np.column_stack([np.ones(len(u)), u, v, u * u, u * v, v * v])
+    left = height - terms @ np.linalg.lstsq(terms, height)[0]
+    return float(left @ left / max(len(left) - terms.shape[1], 1))
 
 
 def _plane_noise(near: FloatArray, inside: FloatArray) -> float:

@@ -111,10 +111,10 @@ class Groundwork:
 
         def work() -> PairMeasurement:
             a, b = self.prepared(target.cloud, voxel_mm), self.prepared(source.cloud, voxel_mm)
-            return register_pair(a, b, start, indices, settings.search_mm, settings.pair_sigma_mm)
+            return register_pair(a, b, start, indices, settings.search_mm)
 
         self._kept[id(source.cloud)] = source.cloud
-        key = ("pair", id(source.cloud), voxel_mm, _bytes(start), settings.search_mm, settings.pair_sigma_mm)
+        key = ("pair", id(source.cloud), voxel_mm, _bytes(start), settings.search_mm)
         return replace(self._once(target.cloud, key, work), target=indices[0], source=indices[1])
 
     def _once(self, cloud: PointCloud, what: tuple[Hashable, ...], work: Callable[[], T]) -> T:

@@ -14,6 +14,7 @@ import numpy as np
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.geometry.transform import RigidTransform
 from measureapp.register.prepare import GICP_NEIGHBOURS, PreparedCloud
+from measureapp.register.smooth_errors import smooth_errors
 
 LEAST_AGREEMENT = 0.85  # cosine between the normals of corresponding points
 LEAST_MATCHES = 30
@@ -52,6 +53,7 @@ class PairMeasurement:
     residual_mm: float  # rms distance across the surface of corresponding points
     matched_target: IntArray  # indices of thinned points
     matched_source: IntArray
+    smooth_mm: float  # standard deviation of what the two clouds err by, alike over the whole surface; `information` knows of it
 
     @property
     def found(self) -> bool:
@@ -88,7 +90,7 @@ def _rotation(matrix: FloatArray) -> FloatArray:
 
 
 def register_pair(
-    target: PreparedCloud, source: PreparedCloud, start: RigidTransform, indices: tuple[int, int], search_mm: float, shared_mm: float
+    target: PreparedCloud, source: PreparedCloud, start: RigidTransform, indices: tuple[int, int], search_mm: float
 ) -> PairMeasurement:
     """Register two views from a start (target_from_source); nothing moves in directions that the common surface does not hold."""
     pose = start
@@ -100,7 +102,7 @@ def register_pair(
         pose = stepped(pose, change, common.centre_mm)
         if np.linalg.norm(change[:3]) < STILL_MM and np.linalg.norm(change[3:]) < STILL_RAD:
             break
-    return measure_pair(target, source, pose, indices, search_mm, shared_mm)
+    return measure_pair(target, source, pose, indices, search_mm)
 
 
 def stepped(pose: RigidTransform, change: FloatArray, centre_mm: FloatArray) -> RigidTransform:
@@ -111,31 +113,46 @@ def stepped(pose: RigidTransform, change: FloatArray, centre_mm: FloatArray) -> 
 
 
 def measure_pair(
-    target: PreparedCloud, source: PreparedCloud, pose: RigidTransform, indices: tuple[int, int], search_mm: float, shared_mm: float
+    target: PreparedCloud, source: PreparedCloud, pose: RigidTransform, indices: tuple[int, int], search_mm: float
 ) -> PairMeasurement:
     """Linearise the symmetric point-to-plane problem of two views at ``pose`` (target_from_source).
 
     Parameters
     ----------
     search_mm : furthest distance of corresponding points
-    shared_mm : standard deviation of the errors that all points of a cloud have in common, which no residual shows
     """
     common = _common_surface(target, source, pose, search_mm, MOST_MATCHES)
     if len(common.own) < LEAST_MATCHES:
         none = np.empty(0, np.int64)
-        return PairMeasurement(*indices, pose, target.centroid_mm, np.zeros(6), np.zeros((6, 6)), 0.0, none, none)
+        return PairMeasurement(*indices, pose, target.centroid_mm, np.zeros(6), np.zeros((6, 6)), 0.0, none, none, 0.0)
     solved = _solved(common)
     kept = solved.weight > 0
-    information = _with_shared_errors(_information(common, solved), common.radius_mm, shared_mm)
+    smooth_mm, shared = _shared(common, solved)
+    information = _with_shared_errors(_information(common, solved), shared)
     residual = float(np.sqrt(np.mean(solved.left_mm[kept] ** 2)))
-    return PairMeasurement(*indices, pose, common.centre_mm, solved.change, information, residual, common.other[kept], common.own[kept])
+    return PairMeasurement(
+        *indices, pose, common.centre_mm, solved.change, information, residual, common.other[kept], common.own[kept], smooth_mm
+    )
 
 
-def _with_shared_errors(information: FloatArray, radius_mm: float, shared_mm: float) -> FloatArray:
-    """Add the errors that all points of a view share (camera calibration) to the covariance: H (I + Σ H)⁻¹."""
-    shared = np.diag([shared_mm**2] * 3 + [(shared_mm / max(radius_mm, 1.0)) ** 2] * 3)
+def _with_shared_errors(information: FloatArray, shared: FloatArray) -> FloatArray:
+    """Add the covariance of errors that all points share to a pair's own: H (I + Σ H)⁻¹."""
     both = information @ np.linalg.inv(np.eye(6) + shared @ information)
     return np.asarray((both + both.T) / 2)
+
+
+def _shared(common: _Common, solved: _Solved) -> tuple[float, FloatArray]:
+    """Return the errors that vary too slowly over the surface for its patches to show: their size (mm), their covariance (6, 6) of the change."""
+    kept = solved.weight > 0
+    smooth_mm, scatter = smooth_errors(
+        common.arm_mm[kept], common.normal[kept], solved.jacobian[kept], solved.weight[kept], solved.left_mm[kept]
+    )
+    size = _sizes(solved.matrix)
+    values, vectors = np.linalg.eigh(solved.matrix / np.outer(size, size))
+    strong = values > WEAK * values[-1]
+    inverse = np.divide(1, values, out=np.zeros_like(values), where=strong)
+    lever = (vectors * inverse) @ vectors.T / np.outer(size, size)
+    return smooth_mm, np.asarray(lever @ scatter @ lever)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -39,6 +39,30 @@ def dominant_faces(normals: FloatArray) -> IntArray:
 
 
 @numba.njit(cache=True, nogil=True)
+def facing_rows(
+    points: FloatArray, normals: FloatArray, sigma: FloatArray, voxel: float, least_cosine: float
+) -> tuple[IntArray, FloatArray]:
+    """Return voxel keys (K,) and rows (K, 8) to be summed of the points that are seen under less than a limiting angle.
+
+    A row is 1, the point, its normal, its variance; the points are in the camera's frame.
+    """
+    keys, rows = np.empty(len(points), np.int64), np.empty((len(points), 8))
+    count, field = 0, (np.int64(1) << BITS) - 1
+    for i in range(len(points)):
+        x, y, z = points[i]
+        n0, n1, n2 = np.float64(normals[i, 0]), np.float64(normals[i, 1]), np.float64(normals[i, 2])
+        if abs(n0 * x + n1 * y + n2 * z) <= least_cosine * max(np.sqrt(x * x + y * y + z * z), 1e-9):
+            continue
+        u, v, w = np.int64(np.floor(y / voxel)), np.int64(np.floor(z / voxel)), np.int64(np.floor(x / voxel))
+        keys[count] = ((u + OFFSET) & field) << (2 * BITS) | ((v + OFFSET) & field) << BITS | ((w + OFFSET) & field)
+        row = rows[count]
+        row[0], row[1], row[2], row[3], row[4], row[5], row[6] = 1.0, x, y, z, n0, n1, n2
+        row[7] = np.float64(sigma[i]) * np.float64(sigma[i])
+        count += 1
+    return keys[:count], rows[:count]
+
+
+@numba.njit(cache=True, nogil=True)
 def rehash(keys: IntArray, table: IntArray) -> None:
     """Enter all keys into an empty table (its length a power of two)."""
     mask = len(table) - 1

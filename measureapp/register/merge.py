@@ -8,13 +8,12 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.cloud import PointCloud
 from measureapp.progress import NoProgress, Progress
+from measureapp.register.filters import in_large_patches
 from measureapp.register.voxels import VoxelSums
 
 # columns of the sums of one voxel
@@ -79,7 +78,7 @@ def merge(
     view = _heaviest(keys, parts, numbers)
     merged = _layers(keys, rows, view, voxel_mm)
     merged = merged.where(_dense(merged.points_mm)) if len(merged.points_mm) > 10 else merged
-    merged = merged.where(_large(merged.points_mm, voxel_mm, island_mm2)) if island_mm2 > 0 else merged
+    merged = merged.where(in_large_patches(merged.points_mm, voxel_mm, island_mm2)) if island_mm2 > 0 else merged
     progress.report(1, 1, "merged")
     return merged
 
@@ -150,30 +149,3 @@ def _dense(points_mm: FloatArray) -> BoolArray:
     distances, _ = cKDTree(points_mm).query(points_mm, 7, workers=-1)
     mean = distances[:, 1:].mean(axis=1)
     return np.asarray(mean <= SPARSE_FACTOR * np.median(mean))
-
-
-def _large(points_mm: FloatArray, voxel_mm: float, island_mm2: float) -> BoolArray:
-    """Return which points belong to a connected patch of at least ``island_mm2``; connected: in touching cells of three voxels."""
-    cell = 3 * voxel_mm
-    index = np.floor(points_mm / cell).astype(np.int64)
-    index -= index.min(axis=0)
-    extent = index.max(axis=0) + 3
-    flat = (index[:, 0] * extent[1] + index[:, 1]) * extent[2] + index[:, 2]
-    cells, inverse = np.unique(flat, return_inverse=True)
-    rows, columns = [], []
-    for step in _half_neighbours(extent):
-        place = np.searchsorted(cells, cells + step)
-        place[place == len(cells)] = 0
-        found = np.flatnonzero(cells[place] == cells + step)
-        rows.append(found)
-        columns.append(place[found])
-    i, j = np.concatenate(rows), np.concatenate(columns)
-    _, label = connected_components(coo_matrix((np.ones(len(i), np.int8), (i, j)), (len(cells), len(cells))), directed=False)
-    sizes = np.bincount(label[inverse])
-    return np.asarray(sizes[label[inverse]] * voxel_mm**2 >= island_mm2)
-
-
-def _half_neighbours(extent: IntArray) -> list[int]:
-    """Return the flat steps to 13 of the 26 neighbours of a cell; the others come by symmetry."""
-    steps = [(x * extent[1] + y) * extent[2] + z for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)]
-    return [int(step) for step in steps if step > 0]

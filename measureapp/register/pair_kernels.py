@@ -26,6 +26,17 @@ def _cell(x: int, y: int, z: int, keys: IntArray, table: IntArray) -> int:
 
 
 @numba.njit(cache=True, nogil=True)
+def _gap(x: float, cell: int, edge: float) -> float:
+    """Return how far a coordinate lies outside of a cell; zero inside."""
+    return max(cell * edge - x, x - (cell + 1) * edge, 0.0)
+
+
+@numba.njit(cache=True, nogil=True)
+def _squared(x: float, y: float, z: float) -> float:
+    return x * x + y * y + z * z
+
+
+@numba.njit(cache=True, nogil=True)
 def nearest(
     x: float, y: float, z: float, points: FloatArray, edge: float, keys: IntArray, starts: IntArray, table: IntArray, search: float
 ) -> tuple[np.int64, float]:
@@ -44,6 +55,9 @@ def nearest(
             for b in range(j - shell, j + shell + 1):
                 inside = abs(a - i) < shell and abs(b - j) < shell
                 for c in range(k - shell, k + shell + 1, 2 * shell if inside else 1):
+                    gap = _squared(_gap(x, a, edge), _gap(y, b, edge), _gap(z, c, edge))
+                    if gap >= best:
+                        continue
                     cell = _cell(a, b, c, keys, table)
                     if cell == NONE:
                         continue
@@ -72,28 +86,38 @@ def surrounded(
     That is: at least ``least`` of them and half of all, whose centre lies nearer than ``offset`` of their mean distance.
     """
     inner = np.zeros(len(points), np.bool_)
-    for p in range(len(points)):
-        x, y, z = points[p]
-        i, j, k = np.int64(np.floor(x / edge)), np.int64(np.floor(y / edge)), np.int64(np.floor(z / edge))
-        count, same, reach, sx, sy, sz = 0, 0, 0.0, 0.0, 0.0, 0.0
+    firsts, ends = np.empty(27, np.int64), np.empty(27, np.int64)
+    for own in range(len(keys)):
+        first = starts[own]
+        i, j, k = (
+            np.int64(np.floor(points[first, 0] / edge)),
+            np.int64(np.floor(points[first, 1] / edge)),
+            np.int64(np.floor(points[first, 2] / edge)),
+        )
+        around = 0  # the cells around are looked up once for all points of a cell
         for a in range(i - 1, i + 2):
             for b in range(j - 1, j + 2):
                 for c in range(k - 1, k + 2):
                     cell = _cell(a, b, c, keys, table)
-                    if cell == NONE:
+                    if cell != NONE:
+                        firsts[around], ends[around] = starts[cell], starts[cell + 1]
+                        around += 1
+        for p in range(first, starts[own + 1]):
+            x, y, z = points[p]
+            count, same, reach, sx, sy, sz = 0, 0, 0.0, 0.0, 0.0, 0.0
+            for part in range(around):
+                for n in range(firsts[part], ends[part]):
+                    dx, dy, dz = points[n, 0] - x, points[n, 1] - y, points[n, 2] - z
+                    square = dx * dx + dy * dy + dz * dz
+                    if n == p or square > edge * edge:
                         continue
-                    for n in range(starts[cell], starts[cell + 1]):
-                        dx, dy, dz = points[n, 0] - x, points[n, 1] - y, points[n, 2] - z
-                        square = dx * dx + dy * dy + dz * dz
-                        if n == p or square > edge * edge:
-                            continue
-                        count += 1
-                        reach += np.sqrt(square)
-                        agreement = normals[p, 0] * normals[n, 0] + normals[p, 1] * normals[n, 1] + normals[p, 2] * normals[n, 2]
-                        if agreement > same_face:
-                            same += 1
-                            sx, sy, sz = sx + dx, sy + dy, sz + dz
-        inner[p] = same >= least and 2 * same >= count and np.sqrt(sx * sx + sy * sy + sz * sz) < offset * reach
+                    count += 1
+                    reach += np.sqrt(square)
+                    agreement = normals[p, 0] * normals[n, 0] + normals[p, 1] * normals[n, 1] + normals[p, 2] * normals[n, 2]
+                    if agreement > same_face:
+                        same += 1
+                        sx, sy, sz = sx + dx, sy + dy, sz + dz
+            inner[p] = same >= least and 2 * same >= count and np.sqrt(sx * sx + sy * sy + sz * sz) < offset * reach
     return inner
 
 

@@ -31,18 +31,18 @@ class KinematicPrior:
 
 
 def with_cloud_errors(
-    covariance: FloatArray, kinematic: Sequence[RigidTransform], centres_mm: FloatArray, radii_mm: FloatArray, cloud_mm: float
+    covariance: FloatArray, kinematic: Sequence[RigidTransform], centres_mm: FloatArray, radii_mm: FloatArray, clouds_mm: FloatArray
 ) -> FloatArray:
-    """Add what each cloud errs as a whole (its cameras' calibration bends it) to a covariance (6N, 6N) of poses by the axes.
+    """Add what each cloud errs as a whole (decision 9) to a covariance (6N, 6N) of poses by the axes.
 
     Parameters
     ----------
     kinematic : N poses part_from_camera
     centres_mm, radii_mm : (N, 3) in the part's frame and (N,), the middle of each view and how far its points lie from there
-    cloud_mm : standard deviation of a cloud's shift along each coordinate, and of what a turn moves its outer points
+    clouds_mm : (N,), standard deviation of a cloud's shift along each coordinate, and of what a turn moves its outer points
     """
     total = np.array(covariance, float)
-    for i, (pose, centre, radius) in enumerate(zip(kinematic, centres_mm, radii_mm, strict=True)):
+    for i, (pose, centre, radius, cloud_mm) in enumerate(zip(kinematic, centres_mm, radii_mm, clouds_mm, strict=True)):
         own = np.diag([cloud_mm**2] * 3 + [(cloud_mm / max(float(radius), 1.0)) ** 2] * 3)
         carry = turned(pose.rotation.T) @ moved_to(pose.translation_mm, centre)
         block = slice(6 * i, 6 * i + 6)

@@ -48,16 +48,10 @@ class PreparedCloud:
 
 def prepare(cloud: PointCloud, voxel_mm: float) -> PreparedCloud:
     """Thin a cloud in its camera's frame; voxels over edges, with single points or seen at a grazing angle are left out."""
-    from measureapp.register.kernels import voxel_keys
+    from measureapp.register.kernels import facing_rows
 
-    points, normals = np.asarray(cloud.points_mm), np.asarray(cloud.normals)
-    cosine = np.abs(np.einsum("ij,ij->i", normals, points)) / np.maximum(np.linalg.norm(points, axis=1), 1e-9)
-    facing = cosine > LEAST_COSINE
-    points, normals = np.ascontiguousarray(points[facing]), normals[facing]
     sums = VoxelSums(8)
-    keys = voxel_keys(points, np.zeros(len(points), np.uint8), voxel_mm)
-    variance = np.asarray(cloud.sigma_mm, np.float64)[facing] ** 2
-    sums.add(keys, np.column_stack([np.ones(len(points)), points, normals, variance]))
+    sums.add(*facing_rows(cloud.points_mm, cloud.normals, cloud.sigma_mm, voxel_mm, LEAST_COSINE))
     _, rows = sums.sorted()
     count = rows[:, 0]
     mean_normal = rows[:, 4:7] / np.maximum(count, 1)[:, None]

@@ -9,7 +9,7 @@ from itertools import combinations
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.data.cloud import ViewPlacement
+from measureapp.data.cloud import RingClosure, ViewPlacement
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Progress
 from measureapp.register.contradiction import free_correction, quantile
@@ -19,11 +19,13 @@ from measureapp.register.observability import unheld
 from measureapp.register.pose_graph import PoseGraphSolution, solve
 from measureapp.register.pose_prior import KinematicPrior, about_centres, largest_sigmas, with_cloud_errors
 from measureapp.register.prepare import PreparedCloud
+from measureapp.register.ring import largest_gap
 from measureapp.register.settings import StitchSettings
 
 FINE_SEARCH = 2.0  # in voxels, once the views are close
 POOR = 2.0  # a pair whose residual is this many times the usual one is tried again from further away
 STILL_MM = 0.003  # a round of the joint estimate that moves no view further is the last; the next would move it by a fraction of that
+LEAST_CLOUD_MM = 1e-4  # keeps the covariance of views between which the axes leave nothing open from being singular
 GOOD = "good"
 
 
@@ -86,35 +88,44 @@ class Registration:
         self.kinematic = [view.kinematic for view in views]
         self.centres = np.stack([view.kinematic.apply(view.prepared.centroid_mm) for view in views])
         self.radii = np.array([view.prepared.radius_mm for view in views])
-        covariance = self._prior(prior_covariance)
+        self.given = prior_covariance
+        self.voxel = views[0].prepared.voxel_mm
+        self._expect(np.full(len(views), LEAST_CLOUD_MM))
+
+    def _expect(self, clouds_mm: FloatArray) -> None:
+        """Take what is expected of the poses by the axes, where each cloud errs by ``clouds_mm`` as a whole."""
+        covariance = self._prior_by_settings() if self.given is None else self.given
+        covariance = with_cloud_errors(covariance, self.kinematic, self.centres, self.radii, clouds_mm)
         self.prior = np.asarray(np.linalg.inv(covariance))
         self.by_axes = about_centres(covariance, self.kinematic, self.centres)
-        self.calibrated = prior_covariance is not None
-        self.voxel = views[0].prepared.voxel_mm
 
-    def _prior(self, given: FloatArray | None) -> FloatArray:
-        """Return the covariance of the poses by the axes, as motions of each camera in its own frame."""
+    def _errors_of_clouds(self, edges: Sequence[PairMeasurement]) -> FloatArray:
+        """Return how far each cloud errs as a whole (mm), by what its pairs show: of each pair's variance one half."""
+        usual = float(np.median([edge.smooth_mm for edge in edges] or [0.0]))
+        own = [[edge.smooth_mm for edge in edges if i in (edge.target, edge.source)] or [usual] for i in range(len(self.views))]
+        return np.maximum([float(np.median(values)) for values in own], LEAST_CLOUD_MM) / np.sqrt(2)
+
+    def _prior_by_settings(self) -> FloatArray:
         chosen = self.settings
-        if given is not None:
-            return with_cloud_errors(given, self.kinematic, self.centres, self.radii, chosen.cloud_sigma_mm)
         prior = KinematicPrior(
             chosen.pose_sigma_mm, np.radians(chosen.pose_sigma_deg), chosen.table_sigma_mm, np.radians(chosen.table_sigma_deg)
         )
         return prior.covariance([view.station for view in self.views])
 
-    def placements(self) -> list[ViewPlacement]:
-        """Register and judge every view."""
+    def result(self) -> tuple[list[ViewPlacement], RingClosure | None]:
+        """Register and judge every view, and see how well the pairs of those that are used close around the part."""
         pairs = self._overlapping()
         poses = list(self.kinematic)
         contradictions: dict[int, Contradiction] = {}
+        ring: RingClosure | None = None
         if self.settings.fine and pairs:
-            poses, contradictions = self._registered(pairs)
+            poses, contradictions, ring = self._registered(pairs)
         refused = self._refused(contradictions)
         measured = self._measured(poses, pairs)
         fitted = [edge for edge in measured if self.settings.fine and not refused & {edge.target, edge.source}]
         # where the views lie now, not where one more step would take them: what is left is far below their uncertainty
         known = self._solve(poses, fitted)
-        return [self._judged(i, poses[i], contradictions.get(i), measured, known) for i in range(len(self.views))]
+        return [self._judged(i, poses[i], contradictions.get(i), measured, known) for i in range(len(self.views))], ring
 
     def _overlapping(self) -> list[tuple[int, int]]:
         """Return the pairs that share enough surface by the axes alone, the best of every view."""
@@ -129,19 +140,22 @@ class Registration:
             best.update(own[: self.settings.neighbours])
         return sorted(best)
 
-    def _registered(self, pairs: list[tuple[int, int]]) -> tuple[list[RigidTransform], dict[int, Contradiction]]:
-        """Return the joint poses, and the views that would move too far: they stay where the axes say, unless they are accepted."""
+    def _registered(self, pairs: list[tuple[int, int]]) -> tuple[list[RigidTransform], dict[int, Contradiction], RingClosure | None]:
+        """Return the joint poses, the views that would move too far (they stay where the axes say, unless they are accepted), the closure."""
         edges = self._pairwise(pairs)
+        self._expect(self._errors_of_clouds(edges))
         contradictions = self._contradictions(edges)
         refused = self._refused(contradictions)
         kept = [pair for pair in pairs if not refused & set(pair)]
-        poses = list(self._solve(self.kinematic, [edge for edge in edges if not refused & {edge.target, edge.source}]).part_from_camera)
+        used = [edge for edge in edges if not refused & {edge.target, edge.source}]
+        ring = largest_gap(self.kinematic, used, self.centres, self.radii, self.by_axes, [view.cloud.viewpoint_id for view in self.views])
+        poses = list(self._solve(self.kinematic, used).part_from_camera)
         for step in range(self.settings.rounds):
             self.progress.report(0.6 + 0.4 * step / self.settings.rounds, 1, "joint registration")
             before, poses = poses, list(self._solve(poses, self._measured(poses, kept)).part_from_camera)
             if max(_distance_mm(a, b, centre) for a, b, centre in zip(before, poses, self.centres, strict=True)) < STILL_MM:
                 break
-        return poses, contradictions
+        return poses, contradictions, ring
 
     def _contradictions(self, edges: Sequence[PairMeasurement]) -> dict[int, Contradiction]:
         """Set every view free alone and take away the one that exceeds its bound most, until none does."""
@@ -163,7 +177,7 @@ class Registration:
         if free is None:
             return None
         moved, turned = float(np.linalg.norm(free.change[:3])), float(np.linalg.norm(free.change[3:]))
-        if self.calibrated:
+        if self.given is not None:
             excess = free.distance / quantile(sigmas, len(self.views))
         else:
             excess = max(moved / loose_mm, turned / loose_rad) / sigmas
@@ -195,7 +209,7 @@ class Registration:
         if min(len(a), len(b)) < LEAST_MATCHES:
             return poor
         led = gicp(gicp_model(a), gicp_model(b), self.kinematic[i].inverse() @ self.kinematic[j], self.settings.search_mm)
-        found = register_pair(a, b, led, (i, j), self.settings.search_mm, self.settings.pair_sigma_mm)
+        found = register_pair(a, b, led, (i, j), self.settings.search_mm)
         return found if found.found and (not poor.found or found.residual_mm < poor.residual_mm) else poor
 
     def _measured(self, poses: Sequence[RigidTransform], pairs: list[tuple[int, int]]) -> list[PairMeasurement]:
@@ -204,7 +218,7 @@ class Registration:
         def measured(pair: tuple[int, int]) -> PairMeasurement:
             a, b = (self.views[i].prepared for i in pair)
             between = poses[pair[0]].inverse() @ poses[pair[1]]
-            return measure_pair(a, b, between, pair, search, self.settings.pair_sigma_mm)
+            return measure_pair(a, b, between, pair, search)
 
         return [edge for edge in in_parallel(measured, pairs) if edge.found]
 

@@ -15,8 +15,6 @@ class StitchSettings(Model):
     pose_sigma_deg: float = Field(default=0.05, gt=0, description="how well the axes know a station's direction")
     table_sigma_mm: float = Field(default=0.03, gt=0, description="how well views of one station fit each other by the table alone")
     table_sigma_deg: float = Field(default=0.006, gt=0, description="the same for directions")
-    cloud_sigma_mm: float = Field(default=0.003, gt=0, description="how far a cloud errs as a whole, unlike others of the same cameras")
-    pair_sigma_mm: float = Field(default=0.003, gt=0, description="how far a pair errs as a whole by what its distances cannot show")
     weak_sigma_mm: float = Field(default=0.1, gt=0, description="motions that the surface leaves open by more than this are named")
     bound_sigmas: float = Field(default=3.0, gt=0, description="a view moved further than this is left out")
     registration_voxel_mm: float | None = Field(default=None, gt=0, description="thinning for registration; None: from the point spacing")
@@ -29,11 +27,17 @@ class StitchSettings(Model):
 
 
 class QualitySettings(Model):
-    """When a view's cloud may be stitched (methods sheet, section 8)."""
+    """When a view's cloud may be stitched (methods sheet, section 8).
+
+    The limits keep out what would spoil a measurement to 0.1 mm: a surface needs a point per voxel of registration in reach; noise may
+    exceed that figure a little, since stitching averages it; waves of a surface may not, since nothing averages them; a view with less
+    than a twentieth of what it should see, or more outliers than wrong fringe orders leave at weak contrast, was disturbed.
+    """
 
     least_points: int = Field(default=500, ge=1)
     least_density_per_mm2: float = Field(default=0.3, ge=0)
     largest_noise_mm: float = Field(default=0.15, gt=0)
     largest_outlier_ratio: float = Field(default=0.08, ge=0, le=1)
+    largest_distortion_mm: float = Field(default=0.1, gt=0, description="waves of a smooth surface, such as wrong phases leave")
     least_completeness: float = Field(default=0.05, ge=0, le=1)
     plane_radius_mm: float = Field(default=1.5, gt=0, description="radius of the local planes that noise is judged by")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Hashable, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -74,10 +75,10 @@ def stitch(
     rows = (6 * np.array(chosen)[:, None] + np.arange(6)).ravel()
     prior = None if prior_covariance is None else np.asarray(prior_covariance)[np.ix_(rows, rows)]
     registration = Registration(views, groundwork, settings, PartOf(progress, 0.15, 0.7), prior_covariance=prior, accepted=accepted)
-    placed = registration.placements()
+    placed, ring = registration.result()
     by_cloud = dict(zip(chosen, placed, strict=True))
     placements = tuple(by_cloud.get(i) or _left_out(clouds[i], kinematic[i]) for i in range(len(clouds)))
-    return _merged(clouds, placements, settings, spacing, PartOf(progress, 0.7, 1.0))
+    return replace(_merged(clouds, placements, settings, spacing, PartOf(progress, 0.7, 1.0)), ring=ring)
 
 
 def _left_out(cloud: PointCloud, kinematic: RigidTransform) -> ViewPlacement:

@@ -100,6 +100,7 @@ def view_lines(measurement: Measurement) -> tuple[ViewLine, ...]:
                 noise_mm=quality.noise_mm,
                 completeness=quality.completeness,
                 outlier_ratio=quality.outlier_ratio,
+                distortion_mm=quality.distortion_mm,
                 correction_mm=None if placed is None else placed.correction_mm,
                 correction_deg=None if placed is None else placed.correction_deg,
                 residual_mm=None if placed is None else placed.residual_mm,
@@ -127,8 +128,10 @@ def _header(measurement: Measurement) -> tuple[Fact, ...]:
 
 
 def _cloud_facts(measurement: Measurement, deviation: Deviation | None, why_not: str) -> tuple[Fact, ...]:
-    mesh, inspection = measurement.mesh, measurement.inspection
+    mesh, inspection, ring = measurement.mesh, measurement.inspection, measurement.stitched.ring
     facts = [Fact("Stitched points", f"{len(measurement.stitched):,}".replace(",", " "))]
+    if ring is not None:
+        facts.append(Fact("Closure around the part", ring.sentence))
     if mesh is not None:
         filled = 0.0 if mesh.measured is None or len(mesh.measured) == 0 else 1.0 - float(mesh.measured.mean())
         facts.append(

@@ -54,6 +54,7 @@ def view_document(view: ViewLine) -> dict[str, Any]:
         "noise_mm": view.noise_mm,
         "completeness": view.completeness,
         "outlier_ratio": view.outlier_ratio,
+        "distortion_mm": view.distortion_mm,
         "correction_mm": view.correction_mm,
         "correction_deg": view.correction_deg,
         "residual_mm": view.residual_mm,

@@ -34,6 +34,7 @@ class ViewLine:
     noise_mm: float
     completeness: float
     outlier_ratio: float
+    distortion_mm: float
     correction_mm: float | None  # None: the view was not stitched
     correction_deg: float | None
     residual_mm: float | None

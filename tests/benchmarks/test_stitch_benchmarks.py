@@ -16,6 +16,7 @@ import pytest
 
 from measureapp.data.cloud import PointCloud
 from measureapp.geometry.transform import RigidTransform
+from measureapp.register.groundwork import in_parallel
 from measureapp.register.icp import register_pair, stepped
 from measureapp.register.prepare import prepare
 from measureapp.register.stitch import stitch
@@ -35,7 +36,8 @@ AS_EXACT_MM = 0.001
 
 
 def by_ours(target: PointCloud, source: PointCloud, start: RigidTransform) -> RigidTransform:
-    found = register_pair(prepare(target, VOXEL_MM), prepare(source, VOXEL_MM), start, (0, 1), SEARCH_MM, 0.003)
+    a, b = in_parallel(lambda cloud: prepare(cloud, VOXEL_MM), (target, source))
+    found = register_pair(a, b, start, (0, 1), SEARCH_MM)
     return stepped(found.target_from_source, found.change, found.centre_mm)
 
 

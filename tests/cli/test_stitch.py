@@ -75,3 +75,19 @@ def test_clouds_in_metres_are_asked_about(views: Path, capsys: pytest.CaptureFix
 def test_an_output_of_unknown_kind_is_refused_before_any_work(views: Path, capsys: pytest.CaptureFixture[str]):
     assert main([*arguments(views), "--out", str(views / "out.las")]) == 2
     assert "out.las" in json.loads(capsys.readouterr().out)["error"]["message"]
+
+
+def test_clouds_that_share_nothing_are_refused_and_nothing_is_written(views: Path, capsys: pytest.CaptureFixture[str]):
+    away = {f"view{k}": RigidTransform.from_parts(np.eye(3), [900.0 * k, 0, 0], "part", "camera") for k in range(4)}
+    write_poses(views / "poses.csv", away)
+    assert main(arguments(views)) == 2
+    refusal = json.loads(capsys.readouterr().out)["error"]
+    assert "No two clouds have surface in common" in refusal["message"] and "--kinematic-only" in refusal["hint"]
+    assert not (views / "out.ply").exists()
+
+
+def test_views_all_around_say_how_well_they_close(views: Path, capsys: pytest.CaptureFixture[str]):
+    assert main(arguments(views)) == 0
+    ring = json.loads(capsys.readouterr().out)["ring"]
+    assert sorted(ring["viewpoints"]) == ["view0", "view1", "view2", "view3"]
+    assert ring["gap_mm"] < 3 * ring["sigma_mm"]

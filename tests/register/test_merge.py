@@ -1,9 +1,11 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from measureapp.data.cloud import PointCloud
+from measureapp.data.cloud import PointCloud, joined
 from measureapp.register.cloud_quality import judge, point_spacing_mm
 from measureapp.register.merge import merge
 from measureapp.register.settings import QualitySettings
@@ -84,3 +86,36 @@ def test_outliers_are_counted():
 
 def test_a_cloud_of_a_few_points_is_refused():
     assert judge(plane(20, 0.02, 1)).reason == "only 20 points"
+
+
+def waving(cloud: PointCloud, height_mm: float, period_mm: float) -> PointCloud:
+    points = np.array(cloud.points_mm)
+    phase = 2 * np.pi * points[:, 0] / period_mm
+    points[:, 2] += height_mm * np.sin(phase)
+    slope = 2 * np.pi / period_mm * height_mm * np.cos(phase)
+    normals = np.column_stack([-slope, np.zeros(len(slope)), np.ones(len(slope))]) / np.sqrt(1 + slope**2)[:, None]
+    return replace(cloud, points_mm=points, normals=normals)
+
+
+def test_waves_of_a_surface_are_told_from_its_noise_and_refused():
+    clean = judge(plane(18_000, 0.04, 1))
+    wavy = judge(waving(plane(18_000, 0.04, 1), 0.25, 8.0))
+    # a patch of 110 mm² holds 500 points, of which 400 are taken: the variance of what noise leaves is known to √(2/394), and the worst
+    # tenth of 200 patches lies 1.3 of these deviations above the mean
+    assert clean.distortion_mm < 0.04 * np.sqrt(2 * 1.3 * np.sqrt(2 / 394) + 0.05)
+    assert clean.accepted
+    # the quadric follows the wave in part, the worst patches least: no more than the wave itself, and not far less
+    assert 0.6 * 0.25 / np.sqrt(2) < wavy.distortion_mm < 1.15 * 0.25
+    assert not wavy.accepted and "the surface waves by" in wavy.reason
+
+
+def test_curvature_and_edges_are_no_distortion():
+    rng = np.random.default_rng(3)
+    direction = rng.normal(size=(60_000, 3))
+    direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+    ball = plane(60_000, 0.02, 1)
+    ball = replace(ball, points_mm=direction * (25 + rng.normal(0, 0.02, 60_000))[:, None], normals=direction)
+    upright = plane(18_000, 0.02, 2)
+    turned = replace(upright, points_mm=np.asarray(upright.points_mm)[:, [2, 1, 0]], normals=np.asarray(upright.normals)[:, [2, 1, 0]])
+    for cloud in (ball, joined([plane(18_000, 0.02, 1), turned])):
+        assert judge(cloud).distortion_mm < 0.05

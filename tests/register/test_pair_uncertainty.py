@@ -14,7 +14,6 @@ from measureapp.register.prepare import prepare
 
 VOXEL_MM, STEP_MM = 1.4, 0.6
 RIPPLE_MM = 0.02
-NOTHING_SHARED_MM = 1e-5
 PAIRS = ((0, 1), (1, 2), (0, 2))
 SEEDS = range(1, 7)
 
@@ -37,10 +36,11 @@ def test_pairs_are_off_as_far_as_they_say(scanned, request, mesh, length_mm):
         views = [prepare(rippled(cloud, length_mm, rng) if length_mm else cloud, VOXEL_MM) for cloud in scan.clouds]
         for i, j in PAIRS:
             truth = scan.truth[i].inverse() @ scan.truth[j]
-            found = register_pair(views[i], views[j], truth, (i, j), 3.0, NOTHING_SHARED_MM)
+            found = register_pair(views[i], views[j], truth, (i, j), 3.0)
             off = stepped(found.target_from_source, found.change, found.centre_mm) @ truth.inverse()
             error = np.concatenate([off.apply(found.centre_mm) - found.centre_mm, off.rotation_vector])
             squares += error @ found.information @ error
             directions += int(np.linalg.matrix_rank(found.information))
-    # 18 pairs of three views with six numbers each, two thirds of them independent: a standard deviation of 8 % of the ratio
-    assert 0.8 - 0.08 < np.sqrt(squares / directions) < 1.25 + 0.08
+    # 18 pairs of three views with six numbers each, two thirds of them independent: a standard deviation of 8 % of the ratio. Pairs also
+    # claim the smooth errors that their residuals cannot exclude, which these clouds do not have: up to half of a deviation is theirs
+    assert 0.5 - 0.08 < np.sqrt(squares / directions) < 1.25 + 0.08

@@ -1,0 +1,74 @@
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from measureapp.cli.main import main
+from measureapp.data.cloud import PointCloud
+from measureapp.project.geometry_files import read_point_cloud, read_points, write_cloud
+
+
+@pytest.fixture
+def cloud(tmp_path: Path) -> Path:
+    """A plate with a patch above it and one point far away."""
+    u, v = np.meshgrid(np.arange(0, 20, 0.5), np.arange(0, 20, 0.5))
+    plate = np.column_stack([u.ravel(), v.ravel(), np.zeros(u.size)])
+    points = np.vstack([plate, plate[(plate < 2.6).all(axis=1)] + np.array([0, 0, 15]), [[10.0, 10, 300]]])
+    count = len(points)
+    normals = np.tile([0.0, 0, -1], (count, 1))
+    pixel = np.column_stack([np.arange(count), np.zeros(count)])
+    write_cloud(
+        tmp_path / "view.ply",
+        PointCloud(points, normals, np.full(count, 0.03), np.full(count, 0.4), pixel, np.full(count, 3), "camera", "view"),
+    )
+    return tmp_path / "view.ply"
+
+
+def run(cloud: Path, capsys: pytest.CaptureFixture[str], *options: str) -> tuple[int, dict]:
+    code = main(["filter", str(cloud), "--out", str(cloud.with_name("out.ply")), *options, "--json"])
+    return code, json.loads(capsys.readouterr().out)
+
+
+def test_every_filter_says_what_it_removed_and_the_rest_keeps_all_it_had(cloud: Path, capsys: pytest.CaptureFixture[str]):
+    code, answer = run(
+        cloud, capsys, "--box", "-1,30,-1,15,-1,400", "--plane", "0,0,-1,-100",
+        "--radius-mm", "0.8", "--least", "2", "--statistical", "20", "--neighbours", "8", "--islands-mm2", "20",
+    )  # fmt: skip
+    assert code == 0
+    assert list(answer["removed"]) == ["box", "plane", "radius", "statistical", "islands"]
+    assert (answer["removed"]["plane"], answer["removed"]["islands"]) == (1, 36)
+    kept = read_point_cloud(cloud.with_name("out.ply"))
+    assert len(kept) == answer["points"] == answer["before"] - sum(answer["removed"].values())
+    assert (kept.frame, kept.viewpoint_id) == ("camera", "view")
+    assert np.allclose(kept.sigma_mm, 0.03) and set(kept.cameras) == {3}
+    whole = read_point_cloud(cloud)
+    assert np.array_equal(whole.points_mm[kept.pixel[:, 0]], kept.points_mm)
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ((), "No filter was asked for"),
+        (("--box", "900,901,0,1,0,1"), "No point is left after the filter 'box'"),
+        (("--box", "5,1,0,1,0,1"), "ends before it begins"),
+        (("--plane", "0,0,0,1"), "no sides"),
+        (("--plane", "0,0,1"), "not 4 numbers"),
+        (("--box", "a,b"), "not 6 numbers"),
+        (("--statistical", "2", "--neighbours", "9000"), "none has 9000 neighbours"),
+    ],
+)
+def test_what_makes_no_sense_is_refused_and_nothing_is_written(cloud: Path, capsys: pytest.CaptureFixture[str], options, words):
+    code, answer = run(cloud, capsys, *options)
+    assert code == 2
+    assert words in answer["error"]["message"] and answer["error"]["hint"]
+    assert not cloud.with_name("out.ply").exists()
+
+
+def test_points_without_anything_else_can_be_filtered(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
+    np.savetxt(tmp_path / "plain.xyz", np.random.default_rng(0).uniform(0, 10, (200, 3)))
+    code, answer = run(tmp_path / "plain.xyz", capsys, "--plane", "1,0,0,5")
+    assert code == 0
+    assert (read_points(tmp_path / "out.ply").points_mm[:, 0] >= 5).all() and answer["removed"]["plane"] > 50
