@@ -32,7 +32,7 @@ PRECISION_REACH = 0.3  # half the side of the patch that says how well a mark is
 def find_board(image: ImageArray, board: BoardDescription) -> FoundBoard:
     """Find the marks of ``board``, each with its standard deviation: all of them, or those in sight where it can be told which they are.
 
-    Any part of a ChArUco board can be told; of a checkerboard one that shows where the board ends; a circle grid must be seen whole.
+    Any part of a ChArUco board can be told; of a checkerboard or a circle grid one that shows where the board ends.
 
     Parameters
     ----------
@@ -61,11 +61,22 @@ def _marks(grey: ImageArray, board: BoardDescription) -> tuple[IntArray, FloatAr
     """Ids (N,), marks (N, 2) and the smallest distance of neighbours, px."""
     if isinstance(board, CharucoDescription):
         return find_charuco(grey, board)
-    whole = find_circles(grey, board) if isinstance(board, CirclesDescription) else find_squares(grey, board)
+    if isinstance(board, CirclesDescription):
+        return _circles(grey, board)
+    return _squares(grey, board) if isinstance(board, CheckerboardDescription) else None
+
+
+def _circles(grey: ImageArray, board: CirclesDescription) -> tuple[IntArray, FloatArray, float] | None:
+    try:
+        return find_circles(grey, board)
+    except CalibrationError as error:
+        raise poor_image(grey, board) or error from error
+
+
+def _squares(grey: ImageArray, board: CheckerboardDescription) -> tuple[IntArray, FloatArray, float]:
+    whole = find_squares(grey, board)
     if whole is not None:
         return np.arange(board.count), *whole
-    if not isinstance(board, CheckerboardDescription):
-        return None
     squares = squares_in_sight(grey)
     if squares is None or squares.count < TELLING_SHARE * board.count:
         raise missing(grey, board)

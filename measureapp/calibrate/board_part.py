@@ -8,9 +8,9 @@ from measureapp.arrays import BoolArray, FloatArray, ImageArray, IntArray
 from measureapp.calibrate.board_refine import off_the_grid, refined, window_of
 from measureapp.calibrate.board_squares import SquaresInSight
 from measureapp.calibrate.sightings import BoardRefused
-from measureapp.data.board import CheckerboardDescription
+from measureapp.data.board import BoardDescription, CheckerboardDescription
 
-LEAST_CORNERS = 12
+LEAST_MARKS = 12
 BORDER_PX = 3.0
 
 
@@ -26,14 +26,10 @@ def find_part(grey: ImageArray, board: CheckerboardDescription, seen: SquaresInS
         Several parts of the board look like the one that is seen, or the corners cannot be refined.
     """
     places = places_of(board, seen)
-    if seen.count < LEAST_CORNERS or not places:
+    if seen.count < LEAST_MARKS or not places:
         return None
     if len(places) > 1:
-        raise BoardRefused(
-            f"Only {seen.count} of the {board.count} marks of the {board.label} can be seen, and they may be any of {len(places)} parts of it.",
-            "Show one whole side of the board with the white margin at both of its ends, or use a ChArUco board, of which any part is enough.",
-            "hidden",
-        )
+        raise may_be_any(board, seen.count, len(places))
     quarter, row, column = places[0]
     grid, there = np.rot90(seen.corners_px, quarter), np.rot90(seen.there, quarter)
     rows, columns = np.nonzero(there)
@@ -44,6 +40,15 @@ def find_part(grey: ImageArray, board: CheckerboardDescription, seen: SquaresInS
     ids = ids[inside]
     good = ~off_the_grid(board, ids, corners)
     return ids[good], corners[good], spacing
+
+
+def may_be_any(board: BoardDescription, seen: int, parts: int) -> BoardRefused:
+    """Return what is to be said of ``seen`` marks that several parts of a board look like."""
+    return BoardRefused(
+        f"Only {seen} of the {board.count} marks of the {board.label} can be seen, and they may be any of {parts} parts of it.",
+        "Show one whole side of the board with the white margin at both of its ends, or use a ChArUco board, of which any part is enough.",
+        "hidden",
+    )
 
 
 def places_of(board: CheckerboardDescription, seen: SquaresInSight) -> list[tuple[int, int, int]]:

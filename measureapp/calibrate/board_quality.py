@@ -7,9 +7,10 @@ import numpy as np
 
 from measureapp.arrays import FloatArray, ImageArray, IntArray
 from measureapp.calibrate.board_charuco import charuco_instead
-from measureapp.calibrate.board_circles import circles_in_sight
 from measureapp.calibrate.board_refine import homography, local_axes, mapped
 from measureapp.calibrate.board_squares import SquaresInSight, blurred, levels_at
+from measureapp.calibrate.circle_grid import is_whole
+from measureapp.calibrate.circle_lattice import circles_in_sight
 from measureapp.calibrate.sightings import BoardRefused
 from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
 
@@ -230,10 +231,13 @@ def _seen_instead(grey: ImageArray, board: BoardDescription, squares: SquaresInS
         return charuco_instead(grey, board)
     if isinstance(board, CirclesDescription):
         circles = circles_in_sight(grey)
-        if circles is None or circles[1] < TELLING_SHARE * board.count:
+        if circles is None or circles.count < TELLING_SHARE * board.count:
             return None
-        (columns, rows), count = circles
-        return _another(board, f"{columns} × {rows} circles", count, whole=count == columns * rows, larger=count > board.count)
+        columns, rows = circles.size
+        spans, own = sorted((2 * columns, rows)), sorted((2 * board.columns, board.rows))
+        larger = spans[0] > own[0] or spans[1] > own[1]
+        whole = columns > 1 and is_whole(grey, board.model_copy(update={"columns": columns, "rows": rows}))
+        return _another(board, f"{columns} × {rows} circles", circles.count, whole=whole, larger=larger)
     if squares is None:
         return None
     longer, shorter = squares.size

@@ -88,11 +88,14 @@ def _precision(grey: ImageArray, corner: FloatArray, reach_px: float) -> float:
     return float(np.sqrt((xx + yy) / 2 / max(xx * yy - xy * xy, 1e-9)))
 
 
-def off_the_grid(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> BoolArray:
-    """Say which marks (N,) lie where a smooth grid does not have them: refined onto something else, such as a marker's corner."""
+def off_the_grid(board: BoardDescription, ids: IntArray, corners_px: FloatArray, far_px: float = FAR_PX) -> BoolArray:
+    """Say which marks (N,) lie where a smooth grid does not have them: refined onto something else, such as a marker's corner.
+
+    Nothing within ``far_px`` of its place, and within `FAR_FACTOR` standard deviations of all, is meant.
+    """
     rest, _ = _left_over(board, ids, corners_px)
     away = np.linalg.norm(rest, axis=1)
-    return np.asarray(away > max(FAR_FACTOR * MEDIAN_TO_SIGMA * float(np.median(np.abs(rest))), FAR_PX))
+    return np.asarray(away > max(FAR_FACTOR * MEDIAN_TO_SIGMA * float(np.median(np.abs(rest))), far_px))
 
 
 def _level(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> float:

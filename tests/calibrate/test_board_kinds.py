@@ -56,7 +56,7 @@ def test_the_centre_of_a_circle_is_not_the_centre_of_its_image_and_the_differenc
     """Noise-free and without distortion; the bias at 50° is some ten times what is left."""
     seen = shot(CIRCLES, 50, 100, 40, FULL, noise=False, lens=(0.0,) * 5)
     found = find_board(seen.image, CIRCLES)
-    bias = perspective_bias(homography(CIRCLES, found.ids, seen.marks_px), CIRCLES)
+    bias = perspective_bias(homography(CIRCLES, found.ids, seen.marks_px), CIRCLES, found.ids)
     left = found.corners_px - seen.marks_px
     assert np.linalg.norm(bias.mean(axis=0)) > 0.1
     assert np.abs(left.mean(axis=0)).max() < 0.005
@@ -74,7 +74,7 @@ def test_circle_centres_agree_with_the_exact_ellipse_of_a_cone():
     x, y = (pixels - seen.marks_px[3]).T
     a, b, c, d, e = np.linalg.lstsq(np.column_stack([x * x, x * y, y * y, x, y]), np.ones(720), rcond=None)[0]
     ellipse_centre = np.linalg.solve([[2 * a, b], [b, 2 * c]], [-d, -e])
-    np.testing.assert_allclose(perspective_bias(matrix, CIRCLES)[3], ellipse_centre, atol=1e-4)
+    np.testing.assert_allclose(perspective_bias(matrix, CIRCLES, np.arange(CIRCLES.count))[3], ellipse_centre, atol=1e-4)
 
 
 @pytest.mark.parametrize("aside_mm", [(90.0, 0.0), (-80.0, 60.0)])

@@ -57,15 +57,6 @@ def test_brightness_within_reason_is_no_reason_to_refuse(kind):
         find_board(shot(BOARDS[kind], exposure_us=exposure_us).image, BOARDS[kind])
 
 
-@pytest.mark.parametrize("part", [(slice(300, 600), slice(500, 700)), (slice(None), slice(0, 520))], ids=["middle", "side"])
-def test_a_hidden_part_of_a_circle_grid_is_named_with_the_number_of_marks_in_sight(part):
-    image = shot(CIRCLES, 35).image.copy()
-    image[part] = 60
-    message = refusal(image, CIRCLES)
-    assert "can be seen, the rest is hidden" in message
-    assert f"of its {CIRCLES.count} marks" in message
-
-
 def test_a_hidden_part_of_a_charuco_board_only_costs_its_corners():
     seen = shot(CHARUCO, 35)
     image = seen.image.copy()
