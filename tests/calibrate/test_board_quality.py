@@ -8,6 +8,7 @@ import pytest
 from recorded import recorded
 
 from measureapp.calibrate.board import find_board
+from measureapp.calibrate.board_quality import require_plain
 from measureapp.data.board import CharucoDescription, CheckerboardDescription, CirclesDescription
 from measureapp.errors import CalibrationError
 from tests.calibrate.virtual_board import BOARDS, CHARUCO, CHECKER, CIRCLES, FULL, shot
@@ -111,3 +112,31 @@ def test_every_recorded_image_of_a_board_is_good_enough():
     found = [find_board(cv2.imread(str(path), cv2.IMREAD_GRAYSCALE), board) for path in images]
     assert len(found) == 26
     assert max(np.median(one.sigma_px) for one in found) < 0.15
+
+
+SHORT_SIDES = [(15.0, 0), (15.0, 50), (15.0, 62), (9.0, 0), (9.0, 50), (7.0, 0), (7.0, 45)]  # mm, degrees: 28 down to 9 px at 1.86 px/mm
+
+
+@pytest.mark.parametrize(("square_mm", "tilt_deg"), SHORT_SIDES)
+@pytest.mark.parametrize("towards_deg", [10.0, 100.0])
+def test_small_tilted_squares_are_plain_unless_markers_are_printed_in_them(square_mm, tilt_deg, towards_deg):
+    """Blur of 1 px and the mean of 3 × 3 px reach 2 to 3 px into a square, so that its middle half stays plain down to some 9 px."""
+    plain = CheckerboardDescription(columns=14, rows=11, square_mm=square_mm)
+    printed = CharucoDescription(kind="charuco", columns=14, rows=11, square_mm=square_mm, marker_mm=0.7 * square_mm)
+    small = (648, 486, 1022.5)
+    seen = shot(plain, tilt_deg, towards_deg, 20, small)
+    require_plain(seen.image, seen.marks_px.reshape(11, 14, 2))
+    other = shot(printed, tilt_deg, towards_deg, 20, small)
+    with pytest.raises(CalibrationError, match="not plain"):
+        require_plain(other.image, other.marks_px.reshape(11, 14, 2))
+    with pytest.raises(CalibrationError):
+        find_board(other.image, plain)
+
+
+@pytest.mark.parametrize("roll_deg", [5, 20, 110])
+def test_a_board_seen_askance_by_62_degrees_is_found_whole(roll_deg):
+    seen = shot(CHECKER, 62, 100, roll_deg, (648, 486, 1022.5))
+    found = find_board(seen.image, CHECKER)
+    assert len(found.ids) == CHECKER.count
+    off = np.abs(found.corners_px - seen.marks_px)
+    assert off.max() < 5 * found.sigma_px.max() + 0.1  # another corner is 9 px away
