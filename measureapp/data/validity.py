@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Literal
 
 Standing = Literal["good", "watch", "drifted", "unknown"]
@@ -19,6 +20,8 @@ class Drift:
     expected_px: float = 0.0  # what the calibration left
     error_mm: float = 0.0  # root mean square shift of the measured points in depth
     turn_deg: float = 0.0
+    unseen_deg: Mapping[str, Mapping[str, float]] = field(default_factory=dict)  # camera -> pitch, yaw, roll: smaller turns raise no alarm
+    unseen: str = ""  # the largest of them in words, for what is good is good only as far as it was looked at
 
 
 @dataclass(frozen=True, slots=True)

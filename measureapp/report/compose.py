@@ -165,6 +165,8 @@ def _validity_facts(validity: Validity) -> tuple[Fact, ...]:
     if validity.drift is not None:
         alarmed = validity.drift.standing in ("watch", "drifted")
         facts.append(Fact("Warning" if alarmed else "Cameras since then", validity.drift.sentence))
+        if validity.drift.unseen:
+            facts.append(Fact("Not seen of the cameras", validity.drift.unseen))
     warm = "not reported by the rig" if validity.temperature_c is None else f"{number(validity.temperature_c, 1)} °C"
     return (*facts, Fact("Head while scanned", warm))
 

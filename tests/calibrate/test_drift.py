@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -15,8 +17,6 @@ RMS_PX = 0.1
 
 @pytest.fixture
 def calibrated(head):
-    from dataclasses import replace
-
     return replace(head, cameras={name: replace(camera, rms_px=RMS_PX) for name, camera in head.cameras.items()})
 
 
@@ -73,6 +73,37 @@ def test_cameras_that_the_images_cannot_tell_apart_are_both_named(calibrated, ge
     found = camera_drift([evidence(generator, {"left": turn_of(1.0)}, alike=0.0)], calibrated)
     assert set(found.cameras) == {"left", "right"}
     assert "One of the cameras" in found.sentence
+
+
+def seen_from_upright_fringes(generator, turned=None):
+    """As `evidence`, but a pitch moves the image along the fringes but for a twentieth."""
+    whole = evidence(generator)
+    along = np.diag([0.05, 1.0, 1.0])
+    every = np.kron(np.eye(3), along)
+    turns = np.concatenate([(turned or {}).get(name, np.zeros(3)) for name in NAMES])
+    information = every @ whole.information @ every
+    gradient = every @ whole.gradient + information @ turns
+    misfit = whole.misfit + 2 * turns @ every @ whole.gradient + turns @ information @ turns
+    return replace(whole, information=information, gradient=gradient, misfit=misfit, image_px2=along @ whole.image_px2 @ along)
+
+
+@pytest.mark.parametrize("motion", [0, 1, 2])
+def test_a_turn_is_seen_from_the_size_on_that_is_said(calibrated, generator, motion):
+    clean = camera_drift([seen_from_upright_fringes(generator)], calibrated)
+    least = list(clean.unseen_deg["left"].values())[motion]
+    for share, standings in ((1.2, ("watch", "drifted")), (0.5, ("good",))):
+        turn = np.zeros(3)
+        turn[motion] = np.deg2rad(share * least)
+        found = camera_drift([seen_from_upright_fringes(generator, {"left": turn})], calibrated)
+        assert found.standing in standings, (share, least, found.sentence)
+
+
+def test_the_blindness_along_the_fringes_is_told(calibrated, generator):
+    blind, seeing = (camera_drift([one], calibrated) for one in (seen_from_upright_fringes(generator), evidence(generator)))
+    for name in NAMES:
+        assert blind.unseen_deg[name]["pitch"] == pytest.approx(20 * seeing.unseen_deg[name]["pitch"], rel=0.1)
+        assert f"a pitch of {name} below" in blind.unseen
+    assert "would not show" in blind.unseen and "fringes of both directions" in blind.unseen
 
 
 def test_without_evidence_nothing_is_claimed(calibrated):

@@ -44,7 +44,7 @@ def calibration_state(
     if reasons:
         return ChipState(f"Calibrated {age} · check it !", "verdict_not_proven", "\n".join(reasons))
     good = all(found.good for found in solution_rows(calibration, rig))
-    tip = RESIDUAL_TIP if drift is None else f"{RESIDUAL_TIP}\n{drift.sentence}"
+    tip = RESIDUAL_TIP if drift is None else "\n".join(line for line in (RESIDUAL_TIP, drift.sentence, drift.unseen) if line)
     return ChipState(f"Calibrated {age} · {residual} {'✓' if good else '✗'}", "verdict_pass" if good else "verdict_fail", tip)
 
 
