@@ -13,7 +13,7 @@ from measureapp.data.calibration import HandEye
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError, InputError
 from measureapp.geometry.transform import RigidTransform, orthonormalised
-from measureapp.pipeline.collecting import Collection, Setup, accept, coach, compare, estimates_of, judge, read_result, result_of
+from measureapp.pipeline.collecting import Collection, Limits, Setup, accept, coach, compare, estimates_of, judge, read_result, result_of
 from tests.calibrate.shown_board import Shown
 
 SIGMA_PX = 0.05
@@ -183,16 +183,22 @@ def test_an_angle_that_contradicts_the_images_is_refused_with_the_observation_s_
 
 
 @pytest.mark.parametrize("kind", ["axis", "guide"])
-def test_the_verdict_on_one_link_holds_what_robot_and_hand_eye_add(shown, start, rig, simulate, generator, kind):
+def test_the_verdict_on_one_link_tells_its_own_part_from_that_of_robot_and_hand_eye(shown, start, rig, simulate, generator, kind):
     hand_eye = HandEye(rig.flange_from_camera, rotation_sigma_rad=1e-4, translation_sigma_mm=0.03)
     session = start(kind, hand_eye=hand_eye)
     show(shown, session, rig, simulate, chosen(simulate, rig, kind), generator)
     solution = session.solve().solution
     turn_rad = np.hypot(hand_eye.rotation_sigma_rad, NOISE.robot_rad)
+    verdict = judge(session)
     if kind == "guide":
-        assert solution.guide.direction_sigma_rad > turn_rad
-        assert judge(session).expanded_mm > 2 * 500.0 * turn_rad  # k = 2, over a stroke of 500 mm
+        assert solution.guide.direction_sigma_rad > turn_rad  # as it is kept
+        assert verdict.robot_adds_mm == pytest.approx(2 * 500.0 * turn_rad)  # k = 2, over a stroke of 500 mm
+        own_rad = np.sqrt(solution.guide.direction_sigma_rad**2 - turn_rad**2)
+        assert verdict.expanded_mm == pytest.approx(2 * 500.0 * np.hypot(own_rad, solution.guide.scale_sigma))
     else:
         shift_mm = np.linalg.norm([hand_eye.translation_sigma_mm, NOISE.robot_mm, turn_rad * np.linalg.norm(solution.best.axis.point_mm)])
-        assert judge(session).expanded_mm > 2 * 2 * shift_mm  # half a turn shows an axis beside its place twice
+        assert verdict.robot_adds_mm > 2 * 2 * shift_mm  # half a turn shows an axis beside its place twice
+        assert verdict.expanded_mm < 2 * 2 * shift_mm
+    assert "robot and hand–eye add" in verdict.sentence
+    assert "whole rig" in judge(session, Limits(verdict.expanded_mm * 1.01, 1.0, "a test")).remedy
     assert Collection.open(session.folder).setup.hand_eye.rotation_sigma_rad == hand_eye.rotation_sigma_rad

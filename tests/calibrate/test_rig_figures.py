@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from measureapp.calibrate.camera_prior import cameras_moved
-from measureapp.calibrate.rig_limits import rig_limits
+from measureapp.calibrate.limits import rig_limits
 from measureapp.errors import CalibrationError
 from tests.calibrate.paper_rig import NOISE, Run, calibrated, errors_of, figures_of
 
@@ -64,7 +64,7 @@ def test_the_covariance_grows_with_the_uncertainty_of_the_cameras():
 
 def test_figures_are_stated_as_asked_and_as_the_axes_allow():
     run = calibrated(4, stations=False)
-    limits = {one.name: one for one in rig_limits(run.solution)}
+    limits = {one.name: one for one in rig_limits(run.solution, {})}
     assert set(limits) == {
         "hand-eye position",
         "hand-eye rotation",
@@ -78,7 +78,7 @@ def test_figures_are_stated_as_asked_and_as_the_axes_allow():
         assert one.sigma**2 == pytest.approx(one.axes_allow**2 + one.beyond**2)
         assert "asked" in one.sentence
     better = calibrated(4, stations=False, noise=replace(NOISE, robot_mm=NOISE.robot_mm / 10, robot_rad=NOISE.robot_rad / 10))
-    assert next(iter(rig_limits(better.solution))).axes_allow < limits["hand-eye position"].axes_allow
+    assert next(iter(rig_limits(better.solution, {}))).axes_allow < limits["hand-eye position"].axes_allow
 
 
 def test_freed_cameras_move_towards_the_truth_they_are_known_by():

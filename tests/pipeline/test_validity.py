@@ -150,8 +150,7 @@ def test_over_rigs_clean_scans_are_silent_and_every_knock_is_named(tmp_path: Pat
     _, validity = scanned(tmp_path / "clean", clean, calibrated)
     assert validity.drift is not None and (validity.drift.standing, validity.told) == ("good", ())
     for name in CAMERAS:
-        for turn in ([0.0, KNOCK_DEG, 0.0], [0.0, -5 * KNOCK_DEG, 0.0], [0.0, 0.0, 5 * KNOCK_DEG]):
-            number = sum(abs(value) for value in turn)
+        for number, turn in enumerate(([0.0, KNOCK_DEG, 0.0], [0.0, -5 * KNOCK_DEG, 0.0], [0.0, 0.0, 5 * KNOCK_DEG])):
             _, validity = scanned(tmp_path / f"{name}{number}", described(rig, seed, knocked_deg={name: turn}), calibrated)
             assert validity.drift is not None
             assert validity.drift.cameras == (name,), (turn, validity.drift.sentence)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import Answer, BoardSource
 from measureapp.cli.reply import TerminalProgress
@@ -27,6 +28,7 @@ def register(group: typer.Typer) -> None:
     def axis(
         ctx: typer.Context,
         source: BoardSource,
+        asked: AskedLimits,
         answer: Answer,
         corners: Annotated[Path | None, typer.Option(help="Corners: position,corner,x_mm,y_mm,z_mm[,angle_deg].")] = None,
         angles: Annotated[Path | None, typer.Option(help="Table angles: position,angle_deg, in the order of the images.")] = None,
@@ -37,17 +39,21 @@ def register(group: typer.Typer) -> None:
         """Find the rotation axis by least squares, distance weighting and maximum likelihood."""
         from dataclasses import replace
 
+        from measureapp.calibrate.limits import axis_limits
         from measureapp.calibrate.rotation_axis import solve
 
         if not 1 < power < 100:
             raise InputError(f"--power {power:g} is not above 1.", "The paper's weighting needs p > 1; 2 is usual.")
         if (corners is None) == (not source.images):
             raise InputError("Give either --corners or --images.", "With --images also --cameras, --board and --square-mm.")
+        wanted = asked.values(("axis direction", "axis position"))
         progress = TerminalProgress()
         problem, rejected = (_from_corners(corners, angles), []) if corners is not None else _from_images(source, angles, progress)
         solution = solve(replace(problem, power=power, free_angles=free_angles, closure_radius_mm=closure_radius_mm))
-        document = axis_answer(solution, problem.frame) | {"rejected": rejected}
-        answer.give(ctx, document, _lines(document))
+        limits = axis_limits(solution, wanted)
+        document = axis_answer(solution, problem.frame) | limits_answer(limits) | {"rejected": rejected}
+        answer.give(ctx, document, [*_lines(document), *limit_lines(limits)])
+        asked.exit_unless_met(limits)
 
 
 def _from_corners(corners: Path, angles: Path | None) -> AxisProblem:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from measureapp.cli.calibrate.camera_quality import quality_answer, quality_lines, quality_of, serials_of, write_map
+from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.made_from import MadeFrom, made_from
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import BoardChoice, ImagesOption, OutOption
@@ -31,6 +32,7 @@ def register(group: typer.Typer) -> None:
     def cameras(
         ctx: typer.Context,
         board: BoardChoice,
+        asked: AskedLimits,
         images: ImagesOption = None,
         out: OutOption = None,
         reference: Annotated[str | None, typer.Option(help="Reference camera; default: the first given.")] = None,
@@ -45,12 +47,13 @@ def register(group: typer.Typer) -> None:
     ) -> None:
         """Calibrate the lenses of all cameras and their places to each other, and say how far the result can be trusted."""
         from measureapp.calibrate.camera_array import solve
+        from measureapp.calibrate.limits import camera_limits
         from measureapp.progress import PartOf
         from measureapp.project.board_images import find_board_images
         from measureapp.project.camera_file import write_cameras
         from measureapp.project.camera_inputs import write_camera_inputs
 
-        description = board.description()
+        description, wanted = board.description(), asked.values(("shape",))
         files = find_board_images(images or ())
         numbers = serials_of(serial or (), files.cameras)
         progress = TerminalProgress()
@@ -66,8 +69,11 @@ def register(group: typer.Typer) -> None:
         if out is not None:
             write_cameras(out, _with_inputs(solution.calibration, made_from(ctx, out)))
             written["cameras"] = out
-        document = cameras_answer(solution, files) | quality_answer(quality) | {"files": written}
-        reply(document, "\n".join([*_lines(solution, document), *quality_lines(quality), *_written(written)]), as_json)
+        limits = camera_limits(quality.uncertainty, wanted)
+        document = cameras_answer(solution, files) | quality_answer(quality) | limits_answer(limits) | {"files": written}
+        lines = [*_lines(solution, document), *quality_lines(quality), *limit_lines(limits), *_written(written)]
+        reply(document, "\n".join(lines), as_json)
+        asked.exit_unless_met(limits)
 
 
 def _written(files: Mapping[str, Path]) -> list[str]:

@@ -43,6 +43,10 @@ def register(group: typer.Typer) -> None:
         compare: Annotated[Path | None, typer.Option(help="Solve, and compare with a session or an earlier result.")] = None,
         accept: Annotated[Path | None, typer.Option(help="Solve afresh and write the result; for the rig a project or folder.")] = None,
         valid_days: Annotated[float | None, typer.Option(min=0, help="Days after which an accepted calibration expires.")] = None,
+        good_mm: Annotated[float | None, typer.Option(help="Expanded uncertainty (k = 2) up to which the verdict is good, mm.")] = None,
+        usable_mm: Annotated[
+            float | None, typer.Option(help="The same up to which it is usable, mm; default: four times --good-mm.")
+        ] = None,
         as_json: JsonOption = False,
     ) -> None:
         """Collect views of a board for one calibration, in a session that can be left and continued.
@@ -50,10 +54,11 @@ def register(group: typer.Typer) -> None:
         In one call these follow in this order: undo, redo, images, remove, solve, compare, accept, coach.
         """
         from measureapp.cli.calibrate.collect_answer import collect_answer, collect_lines
-        from measureapp.cli.calibrate.collect_session import Given, Sources, add_sources, opened, previous_result
+        from measureapp.cli.calibrate.collect_session import Given, Sources, add_sources, limits_of, opened, previous_result
         from measureapp.pipeline import collecting
         from measureapp.progress import PartOf
 
+        limits = limits_of(good_mm, usable_mm)
         progress = TerminalProgress()
         sources = Sources(tuple(source.images or ()), views, collecting.ReadbackFiles(robot_poses, guide_positions, angles))
         given = Given(kind, source.board, source.cameras, hand_eye, reference, distortion, standoff_mm, noise.axis_noise())
@@ -69,7 +74,7 @@ def register(group: typer.Typer) -> None:
             collection.solve(PartOf(progress, 0.6, 0.8))
         if collection.solved is not None:
             held_back = collecting.check_held_back(collection, PartOf(progress, 0.8, 1.0)) if validate else None
-            verdict = collecting.judge(collection, held_back=held_back)
+            verdict = collecting.judge(collection, limits, held_back=held_back)
         if compare is not None:
             comparison = collecting.compare(previous_result(compare), collection)
         progress.report(1, 1)

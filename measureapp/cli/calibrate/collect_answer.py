@@ -115,6 +115,7 @@ def _verdict(verdict: Verdict) -> dict[str, Any]:
         "remedy": verdict.remedy,
         "but": verdict.reasons,
         "expanded_mm": verdict.expanded_mm,
+        "robot_adds_mm": verdict.robot_adds_mm,
         "good_mm": verdict.limits.good_mm,
         "usable_mm": verdict.limits.usable_mm,
     }

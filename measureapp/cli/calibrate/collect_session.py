@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, cast, get_args
 from measureapp.cli.calibrate.options import BoardChoice
 from measureapp.errors import InputError, MeasureError
 from measureapp.pipeline.calibrate import expected_noise
-from measureapp.pipeline.collecting import Collection, Kind, ReadbackFiles, Setup, add_recorded, add_views, read_result, result_of
+from measureapp.pipeline.collecting import Collection, Kind, Limits, ReadbackFiles, Setup, add_recorded, add_views, read_result, result_of
 from measureapp.progress import Progress
 from measureapp.project.board_images import find_board_images
 from measureapp.project.camera_file import read_cameras
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from measureapp.calibrate.axis_noise import AxisNoise
     from measureapp.data.calibration import HandEye
     from measureapp.pipeline.collecting.estimates import Calibrated
+
+USABLE_OVER_GOOD = 4.0  # where only one of the two is given
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,3 +126,14 @@ def _hand_eye(path: Path) -> HandEye:
     from measureapp.cli.calibrate.guide import read_hand_eye
 
     return read_hand_eye(path)
+
+
+def limits_of(good_mm: float | None, usable_mm: float | None) -> Limits | None:
+    """Return what the options of a verdict ask; None for the usual of its kind. Raises InputError for limits that are none."""
+    if good_mm is None and usable_mm is None:
+        return None
+    usable = usable_mm if usable_mm is not None else USABLE_OVER_GOOD * (good_mm or 0.0)
+    good = good_mm if good_mm is not None else usable / USABLE_OVER_GOOD
+    if not 0 < good <= usable < float("inf"):
+        raise InputError(f"--good-mm {good:g} and --usable-mm {usable:g} are no limits.", "Give lengths above 0, the first no larger.")
+    return Limits(good, usable, "as asked")

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import Answer, BoardPosesOption, BoardSource, RobotPosesOption
 from measureapp.cli.calibrate.pose_options import GuidePositionsOption
@@ -28,6 +29,7 @@ def register(group: typer.Typer) -> None:
     def guide(
         ctx: typer.Context,
         source: BoardSource,
+        asked: AskedLimits,
         answer: Answer,
         robot_poses: RobotPosesOption,
         guide_positions: GuidePositionsOption,
@@ -35,21 +37,29 @@ def register(group: typer.Typer) -> None:
         board_poses: BoardPosesOption = None,
     ) -> None:
         """Find the guide's direction and scale from a board that stands still."""
+        from measureapp.calibrate.limits import guide_limits
         from measureapp.calibrate.linear_guide import GuideObservation, GuideProblem, solve
         from measureapp.cli.calibrate.sightings import named_board_poses, read_robot_poses, same_names
         from measureapp.project.tables import read_guide
 
+        wanted = asked.values(("guide direction", "guide scale"))
         robot, slide = read_robot_poses(robot_poses), read_guide(guide_positions)
         same_names(guide_positions, tuple(robot), tuple(slide))
         seen = named_board_poses(tuple(robot), board_poses, source, (1.0, 1.0), TerminalProgress())
         names = list(seen.poses)
         observations = tuple(GuideObservation(robot[name], slide[name], seen.poses[name].camera_from_board) for name in names)
         solution = solve(GuideProblem(observations, read_hand_eye(hand_eye), seen.cameras.by_cameras, seen.cameras.prior))
-        document = guide_answer(solution, names) | {
-            "camera_uncertainty_carried_on": seen.cameras.prior is not None,
-            "rejected": seen.rejected,
-        }
-        answer.give(ctx, document, _lines(document))
+        limits = guide_limits(solution, wanted)
+        document = (
+            guide_answer(solution, names)
+            | limits_answer(limits)
+            | {
+                "camera_uncertainty_carried_on": seen.cameras.prior is not None,
+                "rejected": seen.rejected,
+            }
+        )
+        answer.give(ctx, document, [*_lines(document), *limit_lines(limits)])
+        asked.exit_unless_met(limits)
 
 
 def read_hand_eye(path: Path) -> HandEye:

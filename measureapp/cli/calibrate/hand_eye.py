@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import Answer, BoardPosesOption, BoardSource, RobotPosesOption
 from measureapp.cli.calibrate.pose_options import RobotNoise
@@ -26,6 +27,7 @@ def register(group: typer.Typer) -> None:
         ctx: typer.Context,
         source: BoardSource,
         noise_of_robot: RobotNoise,
+        asked: AskedLimits,
         answer: Answer,
         robot_poses: RobotPosesOption,
         board_poses: BoardPosesOption = None,
@@ -34,8 +36,10 @@ def register(group: typer.Typer) -> None:
     ) -> None:
         """Find flange_from_camera by seven methods, then refine it jointly."""
         from measureapp.calibrate.hand_eye import HandEyeProblem, solve
+        from measureapp.calibrate.limits import hand_eye_limits
         from measureapp.cli.calibrate.sightings import named_board_poses, read_robot_poses
 
+        wanted = asked.values(("hand-eye position", "hand-eye rotation"))
         robot = read_robot_poses(robot_poses)
         noise = (board_sigma_mm, board_sigma_deg)
         seen = named_board_poses(tuple(robot), board_poses, source, noise, TerminalProgress())
@@ -43,13 +47,21 @@ def register(group: typer.Typer) -> None:
         expected = noise_of_robot.axis_noise()
         flanges = tuple(robot[name] for name in names)
         solution = solve(HandEyeProblem(flanges, tuple(seen.poses.values()), expected, seen.cameras.by_cameras, seen.cameras.prior))
-        document = hand_eye_answer(solution, names) | {
-            "camera_uncertainty_carried_on": seen.cameras.prior is not None,
-            "rejected": seen.rejected,
-        }
-        answer.give(ctx, document, _lines(document), {"flange_from_camera": solution.refined.flange_from_camera.matrix})
+        limits = hand_eye_limits(solution, wanted)
+        document = (
+            hand_eye_answer(solution, names)
+            | limits_answer(limits)
+            | {
+                "camera_uncertainty_carried_on": seen.cameras.prior is not None,
+                "rejected": seen.rejected,
+            }
+        )
+        answer.give(
+            ctx, document, [*_lines(document), *limit_lines(limits)], {"flange_from_camera": solution.refined.flange_from_camera.matrix}
+        )
         if solution.degeneracy.verdict != "good":
             raise typer.Exit(OUT_OF_TOLERANCE)
+        asked.exit_unless_met(limits)
 
 
 def hand_eye_answer(solution: HandEyeSolution, names: list[str]) -> dict[str, Any]:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import Answer, BoardSource
 from measureapp.cli.calibrate.pose_options import RigTables, RobotNoise, rig_sightings
@@ -26,39 +27,28 @@ def register(group: typer.Typer) -> None:
         tables: RigTables,
         source: BoardSource,
         robot: RobotNoise,
+        asked: AskedLimits,
         answer: Answer,
         table_sigma_arcsec: Annotated[float, typer.Option(min=1e-6, help="Standard deviation of table angles, seconds of arc.")] = 10.0,
     ) -> None:
         """Find hand-eye transform, guide and rotation axis together from images of one board fixed on the table."""
         from measureapp.calibrate.joint import solve_rig
+        from measureapp.calibrate.limits import IN_RIG, rig_limits
 
+        wanted = asked.values(tuple(IN_RIG))
         observations, seen = rig_sightings(tables, source, "the calibration of the rig", TerminalProgress())
         noise = robot.axis_noise(table_sigma_arcsec)
         solution = solve_rig(observations, seen.cameras, noise=noise, camera_prior=seen.cameras.covariance, progress=TerminalProgress())
         carried_on = {"camera_uncertainty_carried_on": seen.cameras.covariance is not None}
-        document = rig_answer(solution) | carried_on | {"images_rejected": seen.rejected}
-        answer.give(ctx, document, _lines(document))
+        limits = rig_limits(solution, wanted)
+        document = rig_answer(solution) | limits_answer(limits) | carried_on | {"images_rejected": seen.rejected}
+        answer.give(ctx, document, _lines(document, limit_lines(limits)))
+        asked.exit_unless_met(limits)
 
 
 def rig_answer(solution: RigSolution) -> dict[str, Any]:
     """Return the JSON answer of a solution."""
-    from measureapp.calibrate.rig_limits import rig_limits
-
     return _parts(solution.calibration) | {
-        "limits": [
-            {
-                "name": one.name,
-                "unit": one.unit,
-                "asked": one.asked,
-                "sigma": one.sigma,
-                "axes_allow": one.axes_allow,
-                "images_and_cameras_add": one.beyond,
-                "met": one.met,
-                "met_beyond_axes": one.met_beyond,
-                "sentence": one.sentence,
-            }
-            for one in rig_limits(solution)
-        ],
         "stages": _parts(solution.stages),
         "guide_from_board": solution.guide_from_board.matrix,
         "standard_deviations": dict(solution.standard_deviations),
@@ -95,10 +85,10 @@ def _parts(solved: Any | RigStages) -> dict[str, Any]:
     }
 
 
-def _lines(document: dict[str, Any]) -> list[str]:
+def _lines(document: dict[str, Any], limits: list[str]) -> list[str]:
     lines = [f"Rig from {len(document['sightings'])} sightings; residuals {document['sigma_ratio']:.2f} times what was expected."]
     lines += [f"  {name:<28} ± {value:.3g}" for name, value in document["standard_deviations"].items()]
-    lines += [f"  {one['sentence']}" for one in document["limits"]]
+    lines += limits
     lines.append(
         f"  a guide taken to run along +Y with scale 1 would have cost {document['paper_cost_mm']:.3f} mm over the travel of these views"
     )

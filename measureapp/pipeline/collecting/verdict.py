@@ -8,7 +8,6 @@ from typing import Literal
 
 import numpy as np
 
-from measureapp.arrays import FloatArray
 from measureapp.calibrate.camera_array import CameraArraySolution
 from measureapp.calibrate.camera_validation import CrossValidation
 from measureapp.calibrate.hand_eye import HandEyeSolution
@@ -36,8 +35,10 @@ from measureapp.pipeline.collecting.solved import Solved
 Level = Literal["good", "usable", "bad"]
 MOST_LEFT_OUT = 0.25  # of the observations
 MOST_TIMES = 10.0  # as many observations again: beyond, something else has to change
-MOSTLY = 0.5
-BY_THE_ROBOT = "Most of it comes from robot and hand–eye. Calibrate the whole rig: it averages over many robot poses."
+BY_THE_ROBOT = (
+    "What robot and hand–eye add does not shrink with more observations. Calibrate the whole rig: it averages over many robot poses; "
+    "or let registration take it out."
+)
 STROKE_MM = 500.0  # a usual travel of the guide
 
 
@@ -65,10 +66,10 @@ class Verdict:
 
     level: Level
     sentence: str  # with the number and the level
-    expanded_mm: float  # k = 2
+    expanded_mm: float  # k = 2, of what this calibration estimates; the level is judged by it
     limits: Limits
     reasons: tuple[str, ...]  # what else speaks against it; each makes a good one at most usable
-    limited_by: str = ""  # what makes it better, where that is not more observations
+    robot_adds_mm: float = 0.0  # k = 2, where the result is used from other robot poses than it was seen from; no observation tells it
 
     @property
     def reason(self) -> str:
@@ -78,12 +79,10 @@ class Verdict:
 
     @property
     def remedy(self) -> str:
-        """What makes it good; nothing where it is. Noise averages with the square root of the number of observations."""
+        """What makes it good; where it is, what would make the robot's part smaller. Noise averages with the square root of the number of observations."""
         times = (self.expanded_mm / self.limits.good_mm) ** 2
         if times <= 1.0:
-            return ""
-        if self.limited_by:
-            return self.limited_by
+            return BY_THE_ROBOT if self.robot_adds_mm > self.limits.good_mm else ""
         if times <= MOST_TIMES:
             return f"About {max(times, 1.5):.1f} times as many observations, as different from each other, would make it good."
         return "More observations alone will not make it good: sharper images, a larger board, or larger differences between positions are needed."
@@ -113,7 +112,9 @@ def judge(collection: Collection, limits: Limits | None = None, *, held_back: Cr
     level: Level = "good" if expanded <= limits.good_mm else "usable" if expanded <= limits.usable_mm else "bad"
     if level == "good" and reasons:
         level = "usable"
-    return Verdict(level, f"{what}: {level}.", expanded, limits, tuple(reasons), _limited_by(collection.setup, solved))
+    robot = _robot_adds_mm(collection.setup, solved)
+    from_elsewhere = f" Used from other robot poses, robot and hand–eye add {millimetres(robot)} (k = 2)." if robot > 0 else ""
+    return Verdict(level, f"{what}: {level}.{from_elsewhere}", expanded, limits, tuple(reasons), robot)
 
 
 def millimetres(value: float) -> str:
@@ -127,7 +128,7 @@ def _expanded(collection: Collection, solved: Solved) -> tuple[float, str]:
     if isinstance(solution, CameraArraySolution):
         return _of_cameras(solution, setup.standoff_mm, setup.length_mm)
     if isinstance(solution, AxisSolution):
-        value = COVERAGE_FACTOR * half_turn_sigma_mm(solution.best.axis, _of_axis(solution, setup))
+        value = COVERAGE_FACTOR * half_turn_sigma_mm(solution.best.axis, solution.covariance)
         return value, f"Moves a point {RADIUS_MM:.0f} mm from the axis by {millimetres(value)} (k = 2) between views half a turn apart"
     if isinstance(solution, HandEyeSolution):
         value = COVERAGE_FACTOR * placing_sigma_mm(solution)
@@ -135,7 +136,9 @@ def _expanded(collection: Collection, solved: Solved) -> tuple[float, str]:
         return value, f"Places a point {away:.0f} mm before the cameras to {millimetres(value)} (k = 2) against the flange"
     if isinstance(solution, GuideSolution):
         guide = solution.guide
-        value = COVERAGE_FACTOR * STROKE_MM * float(np.hypot(guide.direction_sigma_rad, guide.scale_sigma))
+        turn_rad = _robot_turn_rad(setup)
+        own_rad = np.sqrt(max(guide.direction_sigma_rad**2 - turn_rad**2, 0.0))  # the solution carries both
+        value = COVERAGE_FACTOR * STROKE_MM * float(np.hypot(own_rad, guide.scale_sigma))
         return value, f"Moves a point by {millimetres(value)} (k = 2) between views {STROKE_MM:.0f} mm of the guide apart"
     used = {one.id: one for one in collection.usable if one.id in solved.used}
     chosen = few_of([used[name].readback.full() for name in solved.used if name in used])
@@ -145,24 +148,23 @@ def _expanded(collection: Collection, solved: Solved) -> tuple[float, str]:
     return typical, f"Views of one part fit together to {millimetres(typical)} (k = 2), at worst {millimetres(worst)}, before registration"
 
 
-def _limited_by(setup: Setup, solved: Solved) -> str:
+def _robot_adds_mm(setup: Setup, solved: Solved) -> float:
+    """Return what robot and hand-eye add to an axis or a guide that is used from another robot pose than it was seen from, k = 2.
+
+    They turn and shift what the cameras see as a whole. From the robot pose of the calibration this cancels, so that the calibration is judged
+    without it; from another pose the robot errs otherwise.
+    """
     solution = solved.solution
-    if setup.hand_eye is None or not isinstance(solution, AxisSolution | GuideSolution):
-        return ""
     if isinstance(solution, GuideSolution):
-        share = turn_sigma_rad(setup.hand_eye, setup.noise) / solution.guide.direction_sigma_rad
-    else:
-        seen = solution.best.axis
-        share = 1.0 - half_turn_sigma_mm(seen, solution.covariance) / half_turn_sigma_mm(seen, _of_axis(solution, setup))
-    return BY_THE_ROBOT if share > MOSTLY else ""
+        return COVERAGE_FACTOR * STROKE_MM * _robot_turn_rad(setup)
+    if isinstance(solution, AxisSolution) and setup.hand_eye is not None:
+        turn_rad, shift_mm = axis_sigmas(solution.best.axis, setup.hand_eye, setup.noise)
+        return COVERAGE_FACTOR * half_turn_sigma_mm(solution.best.axis, np.diag([turn_rad**2] * 2 + [shift_mm**2] * 2))
+    return 0.0
 
 
-def _of_axis(solution: AxisSolution, setup: Setup) -> FloatArray:
-    """Return the covariance (4, 4) of direction and point; with a robot between, what that and hand-eye add is in it."""
-    if setup.hand_eye is None:
-        return solution.covariance
-    turn_rad, shift_mm = axis_sigmas(solution.best.axis, setup.hand_eye, setup.noise)
-    return np.asarray(solution.covariance + np.diag([turn_rad**2] * 2 + [shift_mm**2] * 2))
+def _robot_turn_rad(setup: Setup) -> float:
+    return 0.0 if setup.hand_eye is None else turn_sigma_rad(setup.hand_eye, setup.noise)
 
 
 def _of_cameras(solution: CameraArraySolution, standoff_mm: float | None, length_mm: float) -> tuple[float, str]:
