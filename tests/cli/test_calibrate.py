@@ -335,3 +335,29 @@ def test_the_whole_rig_follows_from_images(capsys, tmp_path, small_head):
     code, answer = run(capsys, "check", "--calibration", tmp_path / "rig.json", *common)
     assert code == 2
     assert "2 table angles do not belong to 13 robot poses" in answer["error"]["message"]
+
+
+def test_what_is_asked_of_a_figure_is_told_and_can_be_set(capsys, tmp_path):
+    corner_table(tmp_path / "corners.csv", 0.01)
+    axis = ["axis", "--corners", tmp_path / "corners.csv"]
+    _, answer = run(capsys, *axis)
+    usual = {one["name"]: one for one in answer["limits"]}
+    assert {name: one["asked"] for name, one in usual.items()} == {"axis direction": 0.002, "axis position": 0.005}
+    sigma = usual["axis position"]["sigma"]
+    assert sigma == answer["maximum_likelihood"]["standard_deviations"]["point_mm"]
+    for share, code in ((1.01, 0), (0.99, 1)):
+        found, answer = run(capsys, *axis, "--limit", f"axis position={share * sigma}")
+        assert found == code
+        assert next(one for one in answer["limits"] if one["name"] == "axis position")["met"] is (code == 0)
+    code, answer = run(capsys, *axis, "--limit", "guide scale=1")
+    assert code == 2 and "axis direction, axis position" in answer["error"]["hint"]
+
+
+def test_a_hand_eye_limit_that_only_the_robot_exceeds_is_no_failure(capsys, tables):
+    hand_eye = ["hand-eye", "--robot-poses", tables / "standing.csv", "--board-poses", tables / "board.csv"]
+    code, answer = run(capsys, *hand_eye, "--limit", "hand-eye position=0.05", "--robot-sigma-mm", 0.3)
+    position = next(one for one in answer["limits"] if one["name"] == "hand-eye position")
+    assert 0.05 < position["axes_allow"] < position["sigma"]
+    assert position["images_and_cameras_add"] == pytest.approx(np.sqrt(position["sigma"] ** 2 - position["axes_allow"] ** 2))
+    assert not position["met"] and code == (0 if position["met_beyond_axes"] else 1)
+    assert "the rig's axes alone allow" in position["sentence"]
