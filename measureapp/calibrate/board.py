@@ -29,7 +29,7 @@ from measureapp.errors import CalibrationError
 PRECISION_REACH = 0.3  # half the side of the patch that says how well a mark is known, over the distance of marks
 
 
-def find_board(image: ImageArray, board: BoardDescription) -> FoundBoard:
+def find_board(image: ImageArray, board: BoardDescription, expected_px: FloatArray | None = None) -> FoundBoard:
     """Find the marks of ``board``, each with its standard deviation: all of them, or those in sight where it can be told which they are.
 
     Any part of a ChArUco board can be told; of a checkerboard or a circle grid one that shows where the board ends.
@@ -37,15 +37,18 @@ def find_board(image: ImageArray, board: BoardDescription) -> FoundBoard:
     Parameters
     ----------
     image : (H, W) or (H, W, 3), 8 or 16 bit
+    expected_px : (``board.count``, 2), about where each mark should be if that is known; tells parts apart that look alike
 
     Raises
     ------
+    AmbiguousPart
+        A part of the board is seen that may be one of several.
     CalibrationError
         The board is not found, or the image is too dark, over-exposed or blurred to trust its marks; says which.
     """
     grey = as_grey8(image)
     try:
-        found = _marks(grey, board)
+        found = _marks(grey, board, expected_px)
     except CalibrationError:
         if nothing_sharp(grey):
             raise missing(grey, board) from None
@@ -57,23 +60,23 @@ def find_board(image: ImageArray, board: BoardDescription) -> FoundBoard:
     return FoundBoard(ids, corners, sigma, require_usable(grey, board, ids, corners, sigma))
 
 
-def _marks(grey: ImageArray, board: BoardDescription) -> tuple[IntArray, FloatArray, float] | None:
+def _marks(grey: ImageArray, board: BoardDescription, expected_px: FloatArray | None) -> tuple[IntArray, FloatArray, float] | None:
     """Ids (N,), marks (N, 2) and the smallest distance of neighbours, px."""
     if isinstance(board, CharucoDescription):
         return find_charuco(grey, board)
     if isinstance(board, CirclesDescription):
-        return _circles(grey, board)
-    return _squares(grey, board) if isinstance(board, CheckerboardDescription) else None
+        return _circles(grey, board, expected_px)
+    return _squares(grey, board, expected_px) if isinstance(board, CheckerboardDescription) else None
 
 
-def _circles(grey: ImageArray, board: CirclesDescription) -> tuple[IntArray, FloatArray, float] | None:
+def _circles(grey: ImageArray, board: CirclesDescription, expected_px: FloatArray | None) -> tuple[IntArray, FloatArray, float] | None:
     try:
-        return find_circles(grey, board)
+        return find_circles(grey, board, expected_px)
     except CalibrationError as error:
         raise poor_image(grey, board) or error from error
 
 
-def _squares(grey: ImageArray, board: CheckerboardDescription) -> tuple[IntArray, FloatArray, float]:
+def _squares(grey: ImageArray, board: CheckerboardDescription, expected_px: FloatArray | None) -> tuple[IntArray, FloatArray, float]:
     whole = find_squares(grey, board)
     if whole is not None:
         return np.arange(board.count), *whole
@@ -84,7 +87,7 @@ def _squares(grey: ImageArray, board: CheckerboardDescription) -> tuple[IntArray
         raise poor_image(grey, board) or (printed_squares() if shows_markers(grey) else partly_hidden(board, squares.count))
     require_plain(grey, squares.corners_px)
     try:
-        part = find_part(grey, board, squares)
+        part = find_part(grey, board, squares, expected_px)
     except CalibrationError as error:
         raise poor_image(grey, board) or error from error
     if part is None:

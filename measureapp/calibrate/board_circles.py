@@ -6,20 +6,21 @@ import cv2
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, ImageArray, IntArray
-from measureapp.calibrate.board_part import LEAST_MARKS, may_be_any
-from measureapp.calibrate.board_refine import homography, local_axes, mapped, off_the_grid
+from measureapp.calibrate.board_part import LEAST_MARKS, the_one
+from measureapp.calibrate.board_refine import cut_off, homography, local_axes, mapped
 from measureapp.calibrate.circle_grid import grid_in_sight, ids_of, lies_of
 from measureapp.data.board import CirclesDescription
 
 RING_SHARE = 0.35  # half the width of the ring of pixels around the outline, over the radius; within the gap to the next circle
-CUT_PX = 0.1  # a circle cut by less than its outline shows is shifted by some tenths of a pixel; noise and distortion leave a fifth of this
 ROUNDS = 3  # of the correction: each shrinks what is left by the ratio of bias to spacing
 
 
-def find_circles(grey: ImageArray, board: CirclesDescription) -> tuple[IntArray, FloatArray, float] | None:
+def find_circles(
+    grey: ImageArray, board: CirclesDescription, expected_px: FloatArray | None = None
+) -> tuple[IntArray, FloatArray, float] | None:
     """Find ids (N,), projected centres (N, 2) to sub-pixel and the smallest distance of neighbours, px; None where no grid fits.
 
-    Which circles are seen follows from where the grid certainly ends. The centre of a circle's image is not the image of its
+    Which circles are seen follows from where the grid certainly ends, or else from where they are ``expected_px`` (all, 2). The centre of a circle's image is not the image of its
     centre [1]_: what separates them follows from the homography of all circles and is taken off, until it no longer changes. What lens
     distortion adds within one circle is left: below a hundredth of the shift of the distortion over the circle's diameter. Circles
     that are cut count as not seen.
@@ -39,10 +40,8 @@ def find_circles(grey: ImageArray, board: CirclesDescription) -> tuple[IntArray,
     lies = lies_of(board, grid)
     if not lies:
         return None
-    alike = 2 if board.is_symmetric else 1  # either end may come first
-    if len(lies) > alike:
-        raise may_be_any(board, len(grid.places), len(lies) // alike)
-    ids = ids_of(board, grid.places, lies[0])
+    parts = [(ids_of(board, grid.places, lie), grid.centres_px) for lie in lies]
+    ids, _ = parts[the_one(board, parts, expected_px, alike=2 if board.is_symmetric else 1)]  # either end may come first
     order = np.argsort(ids)
     ids, coarse = ids[order], grid.centres_px[order]
     marks = board.flat_corners_mm[ids, :2]
@@ -52,7 +51,7 @@ def find_circles(grey: ImageArray, board: CirclesDescription) -> tuple[IntArray,
     for _ in range(ROUNDS):
         matrix = homography(board, ids, centres)
         centres = seen - perspective_bias(matrix, board, ids)
-    good = ~off_the_grid(board, ids, centres, CUT_PX)
+    good = np.ones(len(ids), bool) if len(ids) == board.count else ~cut_off(board, ids, centres)
     axes = local_axes(matrix, marks)
     diagonals = np.stack([axes[:, 0] + axes[:, 1], axes[:, 0] - axes[:, 1]], axis=1) * board.spacing_mm
     return ids[good], centres[good], float(np.linalg.norm(diagonals, axis=2).min())

@@ -15,6 +15,8 @@ LARGEST_SHIFT = 0.75  # a corner that wanders further than this share of the win
 REFINE_UNTIL = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 60, 1e-4)
 LEAST_MARKS_FOR_CUBIC = 40
 FAR_FACTOR, FAR_PX = 8.0, 0.4  # standard deviations and pixels beyond which a mark is not where the grid has it
+CUT_FACTOR, CUT_PX = 5.0, 0.1  # the same in a part of a board, whose marks at the edge may be cut
+MOST_CUT = 0.25  # share of the marks of a part
 MEDIAN_TO_SIGMA = 1.4826
 LEAST_SIGMA_PX = 0.005
 WEAK_CORNER = 5.0  # a mark said to be this many times worse than the median one counts as no worse than that
@@ -88,14 +90,26 @@ def _precision(grey: ImageArray, corner: FloatArray, reach_px: float) -> float:
     return float(np.sqrt((xx + yy) / 2 / max(xx * yy - xy * xy, 1e-9)))
 
 
-def off_the_grid(board: BoardDescription, ids: IntArray, corners_px: FloatArray, far_px: float = FAR_PX) -> BoolArray:
-    """Say which marks (N,) lie where a smooth grid does not have them: refined onto something else, such as a marker's corner.
-
-    Nothing within ``far_px`` of its place, and within `FAR_FACTOR` standard deviations of all, is meant.
-    """
+def off_the_grid(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> BoolArray:
+    """Say which marks (N,) lie where a smooth grid does not have them: refined onto something else, such as a marker's corner."""
     rest, _ = _left_over(board, ids, corners_px)
     away = np.linalg.norm(rest, axis=1)
-    return np.asarray(away > max(FAR_FACTOR * MEDIAN_TO_SIGMA * float(np.median(np.abs(rest))), far_px))
+    return np.asarray(away > max(FAR_FACTOR * MEDIAN_TO_SIGMA * float(np.median(np.abs(rest))), FAR_PX))
+
+
+def cut_off(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> BoolArray:
+    """Say which marks (N,) of a part of a board what cuts it off has shifted: some tenths of a pixel and, along its edge, all to one side.
+
+    Several of them bend the grid that is fitted to all; so the worst is taken out and the rest fitted again, until none is far.
+    """
+    off = np.zeros(len(ids), bool)
+    while np.count_nonzero(off) < MOST_CUT * len(ids):
+        rest, _ = _left_over(board, ids[~off], corners_px[~off])
+        away = np.linalg.norm(rest, axis=1)
+        if away.max() <= max(CUT_FACTOR * MEDIAN_TO_SIGMA * float(np.median(np.abs(rest))), CUT_PX):
+            break
+        off[np.flatnonzero(~off)[np.argmax(away)]] = True
+    return off
 
 
 def _level(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> float:

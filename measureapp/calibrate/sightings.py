@@ -22,6 +22,10 @@ class BoardRefused(CalibrationError):
         self.cause: Cause = cause
 
 
+class AmbiguousPart(BoardRefused):
+    """An image of a part of the board that may be one of several; where the board was expected to be tells which."""
+
+
 LARGEST_SPREAD = 5.0
 
 

@@ -10,11 +10,12 @@ from typing import Any
 
 import numpy as np
 
-from measureapp.arrays import FloatArray
+from measureapp.arrays import FloatArray, ImageArray
 from measureapp.calibrate.board import find_board, require_unambiguous
 from measureapp.calibrate.board_pose import BoardPose, board_pose, stated_pose, with_seen_noise
+from measureapp.calibrate.board_together import find_beside
 from measureapp.calibrate.camera_prior import pose_by_cameras
-from measureapp.calibrate.sightings import FoundBoard
+from measureapp.calibrate.sightings import AmbiguousPart, FoundBoard
 from measureapp.cli.calibrate.options import BoardSource
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, LabelledCovariance
@@ -91,7 +92,8 @@ def _corners(
     files: BoardImages, array: CameraArrayCalibration, board: BoardDescription, progress: Progress
 ) -> tuple[dict[int, dict[str, FoundBoard]], list[dict[str, Any]]]:
     found: dict[int, dict[str, FoundBoard]] = {}
-    rejected = []
+    rejected: list[dict[str, Any]] = []
+    unclear: list[tuple[str, int, ImageArray]] = []
     total = len(files.cameras) * files.positions
     for done, (camera, position, image) in enumerate(files.each()):
         path = files.path(camera, position)
@@ -104,8 +106,17 @@ def _corners(
             )
         try:
             found.setdefault(position, {})[camera] = find_board(image, board)
+        except AmbiguousPart:
+            unclear.append((camera, position, image))
         except CalibrationError as error:
             rejected.append({"camera": camera, "position": position, "image": path, "reason": error.message})
+    for camera, position, image in unclear:  # the cameras that know their part tell those that do not
+        try:
+            known = found[position]
+            one = find_beside(image, camera, known, array, board) if known else find_board(image, board)
+            found[position] = {**known, camera: one}
+        except CalibrationError as error:
+            rejected.append({"camera": camera, "position": position, "image": files.path(camera, position), "reason": error.message})
     progress.report(total, total)
     return {position: corners for position, corners in found.items() if corners}, rejected
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from measureapp.arrays import ImageArray
 from measureapp.calibrate.board import find_board
-from measureapp.calibrate.sightings import BoardRefused, FoundBoard
-from measureapp.data.board import BoardDescription
+from measureapp.calibrate.board_together import find_beside
+from measureapp.calibrate.sightings import AmbiguousPart, BoardRefused, FoundBoard
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError, InputError
 from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback, Refusal
@@ -141,10 +142,7 @@ class Collection:
         self._check(images, read)
         stored = {camera: self._store.keep_image(pixels, (names or {}).get(camera, "")) for camera, pixels in images.items()}
         self._refuse_twice({camera: image.checksum for camera, image in stored.items()})
-        with ThreadPoolExecutor(DETECTION_THREADS) as pool:
-            results = dict(zip(images, pool.map(lambda pixels: _look(pixels, self.setup.board), images.values()), strict=True))
-        seen = {camera: one for camera, one in results.items() if isinstance(one, FoundBoard)}
-        refused = {camera: one for camera, one in results.items() if isinstance(one, Refusal)}
+        seen, refused = self._looked_for(images)
         observation = Observation(self._next_id(), stored, read, seen, refused)
         self._store.keep_observation(observation)
         self._all[observation.id] = observation
@@ -214,6 +212,18 @@ class Collection:
         """Judge the observations by a solution that a snapshot found; None: there is none."""
         self._solved = solved
 
+    def _looked_for(self, images: Mapping[str, ImageArray]) -> tuple[dict[str, FoundBoard], dict[str, Refusal]]:
+        """Return what each camera saw of the board, or why nothing; a part that one cannot tell is told by the others, where all are calibrated."""
+        board, cameras = self.setup.board, self.setup.cameras
+        with ThreadPoolExecutor(DETECTION_THREADS) as pool:
+            results = dict(zip(images, pool.map(lambda pixels: _look(lambda: find_board(pixels, board)), images.values()), strict=True))
+        known = {camera: one for camera, one in results.items() if isinstance(one, FoundBoard)}
+        unclear = [camera for camera, one in results.items() if isinstance(one, AmbiguousPart)]
+        if known and cameras is not None:
+            results |= {camera: _look(partial(find_beside, images[camera], camera, known, cameras, board)) for camera in unclear}
+        refused = {camera: _refusal(one) for camera, one in results.items() if isinstance(one, CalibrationError)}
+        return {camera: one for camera, one in results.items() if isinstance(one, FoundBoard)}, refused
+
     def _standing(self) -> dict[str, bool]:
         """Observation -> whether it is kept, in the order they were added."""
         kept: dict[str, bool] = {}
@@ -276,13 +286,15 @@ class Collection:
         self._store.keep_session(self.setup, self._actions, self._done)
 
 
-def _look(pixels: ImageArray, board: BoardDescription) -> FoundBoard | Refusal:
+def _look(find: Callable[[], FoundBoard]) -> FoundBoard | CalibrationError:
     try:
-        return find_board(pixels, board)
-    except BoardRefused as error:
-        return Refusal(error.cause, error.message, error.hint)
+        return find()
     except CalibrationError as error:
-        return Refusal("not found", error.message, error.hint)
+        return error
+
+
+def _refusal(error: CalibrationError) -> Refusal:
+    return Refusal(error.cause if isinstance(error, BoardRefused) else "not found", error.message, error.hint)
 
 
 def _why_refused(one: Observation) -> str:
