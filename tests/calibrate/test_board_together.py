@@ -2,15 +2,29 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 import pytest
 
 from measureapp.calibrate.board import find_board
 from measureapp.calibrate.board_together import find_beside
 from measureapp.calibrate.sightings import AmbiguousPart
+from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
+from measureapp.data.fringe import AxisReadback
 from measureapp.geometry.transform import RigidTransform
+from measureapp.pipeline.collecting import Collection, Setup
 from tests.calibrate.virtual_board import CHECKER, CIRCLES, shot
+
+
+@dataclass(frozen=True, eq=False)
+class Sights:
+    board: BoardDescription
+    whole: np.ndarray  # by camera left
+    part: np.ndarray  # by camera right
+    marks_px: np.ndarray  # in camera right
+    cameras: CameraArrayCalibration
 
 
 @pytest.fixture(params=[CHECKER, CIRCLES], ids=["checkerboard", "circles"])
@@ -28,20 +42,29 @@ def sights(request):
     image[middle[1] - 180 : middle[1] + 180, middle[0] - 220 : middle[0] + 220] = other.image[
         middle[1] - 180 : middle[1] + 180, middle[0] - 220 : middle[0] + 220
     ]
-    return request.param, find_board(whole.image, request.param), image, other.marks_px, CameraArrayCalibration("left", cameras)
+    return Sights(request.param, whole.image, image, other.marks_px, CameraArrayCalibration("left", cameras))
 
 
 def test_the_other_camera_tells_which_part_it_is(sights):
-    board, whole, image, marks_px, cameras = sights
     with pytest.raises(AmbiguousPart):
-        find_board(image, board)
-    found = find_beside(image, "right", {"left": whole}, cameras, board)
-    assert 12 <= len(found.ids) < board.count
-    assert np.abs(found.corners_px - marks_px[found.ids]).max() < 0.3  # a wrong identity is off by a whole square
+        find_board(sights.part, sights.board)
+    found = find_beside(sights.part, "right", {"left": find_board(sights.whole, sights.board)}, sights.cameras, sights.board)
+    assert 12 <= len(found.ids) < sights.board.count
+    assert np.abs(found.corners_px - sights.marks_px[found.ids]).max() < 0.3  # a wrong identity is off by a whole square
+
+
+def test_a_collection_with_calibrated_cameras_uses_such_a_part(sights, tmp_path):
+    for known in (None, sights.cameras):
+        kind = "cameras" if known is None else "axis"
+        session = Collection.create(tmp_path / kind, Setup(kind, sights.board, ("left", "right"), known))
+        flange = RigidTransform.identity("base", "flange")
+        one = session.add({"left": sights.whole, "right": sights.part}, AxisReadback(flange, 0.0, 0.0))
+        assert len(one.seen["left"].ids) == sights.board.count
+        assert ("right" in one.seen) is (known is not None)
+        assert ("right" in one.refused) is (known is None)
 
 
 def test_an_expectation_that_fits_no_part_better_than_the_next_is_not_trusted(sights):
-    board, _, image, marks_px, _ = sights
-    spacing = np.linalg.norm(marks_px[1] - marks_px[0])
+    spacing = np.linalg.norm(sights.marks_px[1] - sights.marks_px[0])
     with pytest.raises(AmbiguousPart):
-        find_board(image, board, marks_px + np.array([0.5, 0.1]) * spacing)
+        find_board(sights.part, sights.board, sights.marks_px + np.array([0.5, 0.1]) * spacing)

@@ -55,6 +55,9 @@ def test_a_session_is_collected_coached_solved_and_accepted_in_several_calls(cap
     assert all(one["residuals_px"]["left"] < 0.5 for one in answer["observations"] if one["standing"] == "used")
     focal = next(one for one in answer["estimates"] if one["name"] == "left fx")
     assert abs(focal["value"] - 2045.0) < 5 * focal["standard_deviation"] + 0.001 * 2045  # the image's own blur and quantisation
+    expanded = answer["verdict"]["expanded_mm"]
+    code, answer = run(capsys, *session, "--solve", "--usable-mm", expanded * 0.99)
+    assert (code, answer["verdict"]["level"], answer["verdict"]["good_mm"]) == (1, "bad", pytest.approx(expanded * 0.99 / 4))
     result = tmp_path / "cameras.json"
     code, answer = run(capsys, *session, "--accept", result)
     assert result.is_file()
@@ -85,6 +88,7 @@ def test_words_for_people_name_every_observation(capsys, images, tmp_path):
         (("cameras", "--session", "s", "--images", "left={images}/view*.png"), "is not a board"),
         (("cameras", "--session", "s", "--images", "left={images}/view*.png", *BOARD, "--remove", "77"), "no observation '77'"),
         (("cameras", "--session", "s", "--images", "left={images}/view*.png", *BOARD, "--undo"), "nothing to undo"),
+        (("cameras", "--session", "s", "--good-mm", "0.2", "--usable-mm", "0.1"), "no limits"),
     ],
 )
 def test_bad_input_is_refused_in_one_sentence(capsys, images, tmp_path, arguments, message):
