@@ -121,7 +121,7 @@ def solve_rig(
         progress.report(len(rejected), len(observations), "joint solution of the rig")
         chain = _chain(kept, noise, Free(guide=free_guide), camera_prior if free_cameras else None)
         minimum = chain.adjusted(_start(stages, chain))
-        outlier = _worst_outlier(chain, minimum.state)
+        outlier = _worst_outlier(chain, minimum.state, None if free_cameras else camera_prior)
         if outlier is None:
             break
         rejected[kept.pop(outlier).name] = REJECTED
@@ -211,9 +211,18 @@ def _start(stages: RigStages, chain: Chain) -> ChainState:
     )
 
 
-def _worst_outlier(chain: Chain, state: ChainState) -> int | None:
-    """Return the sighting that lies farthest off, where it is far beyond the median; one at a time, since it draws others along."""
+def _worst_outlier(chain: Chain, state: ChainState, camera_prior: LabelledCovariance | None) -> int | None:
+    """Return the sighting that lies farthest off, where it is far beyond the median; one at a time, since it draws others along.
+
+    What the cameras' calibration leaves uncertain counts beside the noise of the corners: a board seen unlike all others, at the border
+    of the images or strongly turned, may be off by many times the latter and is no outlier.
+    """
     count = len(chain.guide_mm)
-    misfit = np.linalg.norm(chain.residuals(state)[: 6 * count].reshape(count, 6), axis=1)
+    residuals = chain.residuals(state)[: 6 * count].reshape(count, 6)
+    covariance = np.broadcast_to(np.eye(6), (count, 6, 6))
+    if camera_prior is not None and chain.by_cameras is not None:
+        moved = chain.roots @ chain.by_cameras
+        covariance = covariance + moved @ camera_prior.covariance @ np.swapaxes(moved, 1, 2)
+    misfit = np.sqrt(np.einsum("ni,ni->n", residuals, np.linalg.solve(covariance, residuals[..., None])[..., 0]))
     worst = int(np.argmax(misfit))
     return worst if misfit[worst] > OUTLIER_FACTOR * max(float(np.median(misfit)), np.sqrt(6.0)) else None

@@ -80,9 +80,13 @@ def test_a_symmetric_board_is_refused_where_its_pose_matters():
 
 
 @pytest.mark.slow
-def test_an_image_of_five_megapixels_takes_less_than_half_a_second(generator):
+def test_an_image_of_five_megapixels_takes_less_than_a_third_of_a_second(generator):
+    """Processor time of all threads, which other work on the machine does not lengthen."""
     image, truth = photographed(BOARD, 30, generator, size=(2592, 1944), scale=1.6)
-    start = time.perf_counter()
-    found = detect(image, BOARD)
-    assert time.perf_counter() - start < 0.5
+    times = []
+    for _ in range(3):
+        start = time.process_time()
+        found = detect(image, BOARD)
+        times.append(time.process_time() - start)
+    assert min(times) < 0.3
     assert np.sqrt(np.mean((found - truth) ** 2)) < 0.05

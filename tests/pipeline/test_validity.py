@@ -78,6 +78,10 @@ def test_the_demo_finds_its_cameras_where_they_were_calibrated_and_notes_it(demo
     measurement = demo.project.measurement()
     assert measurement is not None and measurement.validity.drift is not None
     assert measurement.validity.drift.sentence == drift["sentence"]
+    assert measurement.validity.drift.unseen_deg == drift["unseen_deg"] and set(drift["unseen_deg"]) == set(CAMERAS)
+    for name, turns in drift["unseen_deg"].items():  # upright fringes: a camera that tips is seen least
+        assert max(turns, key=turns.get) in ("pitch", "roll") and turns["yaw"] < KNOCK_DEG, (name, turns)
+    assert "would not show" in drift["unseen"]
 
 
 @pytest.mark.parametrize("name", CAMERAS)
