@@ -30,14 +30,14 @@ def test_most_parameters_lie_in_their_predicted_intervals():
 
 
 @pytest.mark.slow
-def test_the_predicted_95_percent_intervals_hold_and_are_little_too_wide(record_property):
+def test_the_predicted_95_percent_intervals_hold(record_property):
     runs = [calibrated(seed) for seed in range(1, 21)]
     share = float(np.mean(inside(runs)))
     ratios = [[error / run.solution.standard_deviations[name] for name, error in errors_of(run).items()] for run in runs]
     size = float(np.sqrt(np.mean(np.square(ratios))))
     record_property("inside the 95 % intervals", share)
     record_property("rms of error over sigma", size)
-    assert 0.93 <= share <= 0.985
+    assert 0.93 <= share <= 0.97
     assert 0.8 < size < 1.1
     assert not any(run.solution.rejected for run in runs)
 
