@@ -51,7 +51,7 @@ def find_circles(
     for _ in range(ROUNDS):
         matrix = homography(board, ids, centres)
         centres = seen - perspective_bias(matrix, board, ids)
-    good = np.ones(len(ids), bool) if len(ids) == board.count else ~cut_off(board, ids, centres)
+    good = ~cut_off(board, ids, centres)
     axes = local_axes(matrix, marks)
     diagonals = np.stack([axes[:, 0] + axes[:, 1], axes[:, 0] - axes[:, 1]], axis=1) * board.spacing_mm
     return ids[good], centres[good], float(np.linalg.norm(diagonals, axis=2).min())
