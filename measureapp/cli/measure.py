@@ -36,7 +36,7 @@ def register(app: typer.Typer) -> None:
         from measureapp.inspection.verdict import RULES
         from measureapp.project.geometry_files import read_cloud_or_mesh
         from measureapp.project.program_file import read_program, read_program_nominal, with_alignment
-        from measureapp.report.json_document import alignment_document, dimension_document
+        from measureapp.report.json_document import alignment_document, dimension_document, feature_document
 
         described = read_program(program)
         if alignment is not None:
@@ -48,6 +48,7 @@ def register(app: typer.Typer) -> None:
         document = {
             "program": inspection.program,
             "alignment": alignment_document(inspection.alignment),
+            "features": [feature_document(feature) for feature in inspection.features],
             "dimensions": [dimension_document(dimension) for dimension in inspection.dimensions],
             "verdict_rule": rule,
         }

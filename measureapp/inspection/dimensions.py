@@ -144,4 +144,5 @@ def _words_of(found: Found) -> str:
         return f"{found.name}: not found"
     if len(found.points_mm) == 0:
         return f"{found.name}: constructed"
-    return f"{found.name}: {len(found.points_mm)} points, {found.feature.left_out} left out"
+    words = f"{found.name}: {len(found.points_mm)} points, {found.feature.left_out} left out"
+    return f"{words} ({found.feature.how})" if found.feature.how else words

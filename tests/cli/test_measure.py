@@ -74,3 +74,40 @@ def test_an_alignment_that_is_none_is_refused(words: str, clouds, capsys) -> Non
     assert main(["measure", str(clouds["good"]), str(PROGRAM), "--alignment", words]) == 2
     err = capsys.readouterr().err
     assert f"--alignment {words}" in err and "3-2-1:PLANE,LINE,POINT" in err
+
+
+GROWN = """
+name = "grown faces"
+alignment = "none"
+[[features]]
+name = "face"
+shape = "plane"
+grow = { seed_mm = [50, 0, 30] }
+[[features]]
+name = "bore"
+shape = "cylinder"
+grow = { seed_mm = [20, 0, 15] }
+[[dimensions]]
+name = "bore_diameter"
+kind = "diameter"
+features = ["bore"]
+nominal = 40
+"""
+
+
+def test_features_grown_from_a_seed_are_answered_with_their_points_and_why_they_stopped(tmp_path, capsys) -> None:
+    program = tmp_path / "grown.toml"
+    program.write_text(GROWN)
+    assert main(["measure", str(resource("parts/gear/nominal.stl")), str(program), "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    features = {entry["name"]: entry for entry in document["features"]}
+    assert features["face"]["shape"] == "plane" and features["bore"]["radius_mm"] == pytest.approx(20, abs=0.01)
+    assert "grown from its seed to" in features["face"]["how"] and "it ended" in features["face"]["how"]
+    assert features["bore"]["how"] in document["dimensions"][0]["origin"]
+
+
+def test_a_seed_beside_the_part_leaves_the_dimension_unmeasured_with_the_reason(tmp_path, capsys) -> None:
+    program = tmp_path / "grown.toml"
+    program.write_text(GROWN.replace("[20, 0, 15]", "[0, 0, 15]"))
+    assert main(["measure", str(resource("parts/gear/nominal.stl")), str(program)]) == 1
+    assert "not measured: bore: no measured surface lies within 2 mm of its seed" in capsys.readouterr().out
