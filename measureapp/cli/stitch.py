@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 import typer
 
-from measureapp.cli.reply import JsonOption, TerminalProgress, reply, say
+from measureapp.cli.reply import JsonOption, TerminalProgress, UnitOption, reply, say
+from measureapp.data.length_unit import LengthUnit
 from measureapp.progress import PartOf
 
 if TYPE_CHECKING:
@@ -36,6 +37,7 @@ def register(app: typer.Typer) -> None:
         accept: Annotated[
             list[str] | None, typer.Option(help="Use this view however far it has to move; may be given several times.")
         ] = None,
+        unit: UnitOption = LengthUnit.MM,
         as_json: JsonOption = False,
     ) -> None:
         """Register clouds finely, starting from their poses, and merge them."""
@@ -43,13 +45,15 @@ def register(app: typer.Typer) -> None:
         from measureapp.project.tables import read_poses
         from measureapp.register.settings import StitchSettings
         from measureapp.register.stitch import stitch
+        from measureapp.register.units import check_unit
 
         _check_outputs(clouds, out, mesh)
         _check_accepted(accept or [], clouds)
         known = read_poses(poses, "part", "camera")
         kinematic = [_pose(known, path, poses) for path in clouds]
         progress = TerminalProgress()
-        read = [_read(path, PartOf(progress, 0.2 * i / len(clouds), 0.2 * (i + 1) / len(clouds))) for i, path in enumerate(clouds)]
+        read = [_read(path, unit, PartOf(progress, 0.2 * i / len(clouds), 0.2 * (i + 1) / len(clouds))) for i, path in enumerate(clouds)]
+        check_unit(read, kinematic)
         settings = StitchSettings(pose_sigma_mm=pose_sigma_mm, pose_sigma_deg=pose_sigma_deg, fine=fine)
         stitched = stitch(read, kinematic, settings, PartOf(progress, 0.2, 0.8), accepted=accept or ())
         triangles = _surface(stitched, PartOf(progress, 0.8, 1.0)) if mesh else None
@@ -93,7 +97,7 @@ def _pose(known: dict[str, Any], path: Path, table: Path) -> Any:
     return known[path.stem]
 
 
-def _read(path: Path, progress: PartOf) -> PointCloud:
+def _read(path: Path, unit: LengthUnit, progress: PartOf) -> PointCloud:
     """Read a cloud of any kind and fill in what it does not have."""
     from measureapp.data.cloud import PointCloud
     from measureapp.errors import InputError
@@ -101,7 +105,7 @@ def _read(path: Path, progress: PartOf) -> PointCloud:
     from measureapp.register.normals import estimated_normals
 
     progress.report(0, 1, f"reading {path.name}")
-    plain = read_points(path)
+    plain = read_points(path, unit)
     if plain.frame not in ("", "camera"):
         raise InputError(f"{path} is in frame {plain.frame!r}.", "Give the views' clouds in their camera's frame.")
     _check_units(path, np.asarray(plain.points_mm))
@@ -124,9 +128,15 @@ def _check_units(path: Path, points_mm: Any) -> None:
 
     extent = float(np.ptp(points_mm, axis=0).max())
     if len(points_mm) > 100 and extent < LEAST_EXTENT_MM:
-        raise InputError(f"{path} is only {extent:.3g} mm large: is it in metres or inches?", "Export it in millimetres.")
+        raise InputError(
+            f"{path} is only {extent:.3g} mm large: is it in metres or inches?",
+            "If all are, say so with `--unit m` or `--unit inch`; otherwise export it in millimetres.",
+        )
     if extent > LARGEST_EXTENT_MM:
-        raise InputError(f"{path} is {extent / 1000:.3g} m large: is it in micrometres?", "Export it in millimetres.")
+        raise InputError(
+            f"{path} is {extent / 1000:.3g} m large: is it in micrometres?",
+            "If all are, say so with `--unit um`; otherwise export it in millimetres.",
+        )
 
 
 def _surface(stitched: StitchedCloud, progress: PartOf) -> Any:

@@ -9,6 +9,7 @@ from pydantic import Field, field_validator, model_validator
 
 from measureapp.data.alignment_program import AlignmentProgram, BestFit, alignment_entry, alignment_features
 from measureapp.data.blade_section import BLADE_ANGLES, BLADE_KINDS, BLADE_PAIRS, BLADE_ZONES, BladeKind, BladeSection
+from measureapp.data.length_unit import LengthUnit
 from measureapp.data.model import Model
 from measureapp.data.repeat import Repeat
 
@@ -226,6 +227,7 @@ class InspectionProgram(Model):
     schema_version: Literal[1] = 1
     name: str = Field(min_length=1)
     nominal: str | None = Field(default=None, description="mesh file of the nominal, relative to the program's file")
+    nominal_unit: LengthUnit = Field(default=LengthUnit.MM, description="unit of the nominal's file; the program itself is in mm")
     alignment: AlignmentProgram = Field(default=BestFit(), description="a word like best-fit, or a table with `method`")
     features: tuple[Annotated[MeasuredFeature | ConstructedFeature | BladeSection, Field(discriminator="shape")], ...] = Field(min_length=1)
     dimensions: tuple[DimensionProgram, ...] = ()

@@ -13,6 +13,7 @@ from measureapp.data.mesh import Mesh
 from measureapp.inspection.along_normals import distances_along_normals
 from measureapp.inspection.measured import HasPoints, MeasuredPoints, sampled
 from measureapp.inspection.nominal_surface import NominalSurface
+from measureapp.inspection.units import check_unit_on
 from measureapp.progress import NoProgress, Progress
 
 CHUNK = 200_000
@@ -57,10 +58,11 @@ def deviation(
     Raises
     ------
     InspectionError
-        There are no points, or the nominal has no surface.
+        There are no points, the nominal has no surface, or the points lie on it in another unit only.
     """
     points = MeasuredPoints.of(measured).seen_from(alignment.nominal_from_part)
     surface = NominalSurface(nominal)
+    check_unit_on(points, surface)
     distances, normals = np.empty(len(points)), np.empty((len(points), 3), np.float32)
     for start in range(0, len(points), CHUNK):
         progress.report(start, len(points), "distances from the nominal")

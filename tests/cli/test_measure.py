@@ -20,7 +20,7 @@ def clouds(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     points = sampled(read_mesh(resource("parts/gypsum/nominal.stl")), 40_000)
     rng = np.random.default_rng(2)
     seen = points.points_mm[points.points_mm[:, 2] > 0.01] + rng.normal(0, 0.01, (int(np.sum(points.points_mm[:, 2] > 0.01)), 3))
-    made = {"good": seen, "grown": seen * [1.002, 1.0, 1.0], "metres": seen / 1000}
+    made = {"good": seen, "grown": seen * [1.002, 1.0, 1.0], "metres": seen / 1000, "inches": seen / 25.4}
     for name, values in made.items():
         np.savetxt(folder / f"{name}.xyz", values, fmt="%.6f")
     return {name: folder / f"{name}.xyz" for name in made}
@@ -45,6 +45,21 @@ def test_a_cloud_in_metres_is_bad_input_and_the_unit_is_named(clouds, capsys) ->
     assert main(["measure", str(clouds["metres"]), str(PROGRAM), "--json"]) == 2
     error = json.loads(capsys.readouterr().out)["error"]
     assert error["type"] == "InspectionError" and "metres" in error["message"] and error["hint"]
+
+
+@pytest.mark.parametrize("how", ["best-fit", "none"])
+def test_a_cloud_in_inches_is_asked_about_and_measured_once_it_is_said(how: str, clouds, capsys) -> None:
+    asked = ["measure", str(clouds["inches"]), str(PROGRAM), "--alignment", how, "--json"]
+    assert main(asked) == 2
+    error = json.loads(capsys.readouterr().out)["error"]
+    assert "look like inches" in error["message"] and "`--unit inch`" in error["hint"]
+    assert main([*asked, "--unit", "inch"]) == 0
+    said = json.loads(capsys.readouterr().out)
+    assert main(["measure", str(clouds["good"]), str(PROGRAM), "--alignment", how, "--json"]) == 0
+    plain = json.loads(capsys.readouterr().out)
+    for one, other in zip(said["dimensions"], plain["dimensions"], strict=True):
+        assert one["measured"] == pytest.approx(other["measured"], abs=2e-4)  # six decimals of an inch in the file
+    assert main([*asked, "--unit", "m"]) != 0  # said, but not so
 
 
 def test_a_missing_program_is_bad_input(clouds, capsys) -> None:

@@ -72,6 +72,16 @@ def test_clouds_in_metres_are_asked_about(views: Path, capsys: pytest.CaptureFix
     assert "view1.xyz" in refusal["message"] and "metres" in refusal["message"] and "millimetres" in refusal["hint"]
 
 
+def test_clouds_that_lie_together_in_inches_only_are_asked_about_and_stitched_once_it_is_said(views: Path, capsys):
+    for path in views.glob("view*.xyz"):
+        np.savetxt(path, np.loadtxt(path) / 25.4, "%.7f")
+    assert main(arguments(views)) == 2
+    refusal = json.loads(capsys.readouterr().out)["error"]
+    assert "taken as inches they lie together" in refusal["message"] and "`--unit inch`" in refusal["hint"]
+    assert main(arguments(views, "--unit", "inch")) == 0
+    assert np.abs(read_points(views / "out.ply").points_mm).max() == pytest.approx(HALF_MM, abs=0.5)
+
+
 def test_an_output_of_unknown_kind_is_refused_before_any_work(views: Path, capsys: pytest.CaptureFixture[str]):
     assert main([*arguments(views), "--out", str(views / "out.las")]) == 2
     assert "out.las" in json.loads(capsys.readouterr().out)["error"]["message"]
