@@ -28,7 +28,7 @@ def register(app: typer.Typer) -> None:
     @app.command()
     def compare(
         cloud: Annotated[Path, typer.Argument(help="Cloud or mesh: PLY, STL, OBJ, PCD, XYZ.")],
-        nominal: Annotated[Path, typer.Argument(help="Nominal mesh: STL, PLY, OBJ.")],
+        nominal: Annotated[Path, typer.Argument(help="Nominal: STL, PLY, OBJ, or STEP (with the optional library cascadio).")],
         align: Annotated[
             str,
             typer.Option("--align", help="best-fit, none, cyclic:COUNT, or a file with the 4×4 matrix nominal_from_part (text or JSON)."),

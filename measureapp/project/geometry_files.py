@@ -1,4 +1,4 @@
-"""Clouds and meshes on disk: PLY, STL, OBJ, PCD and XYZ in, PLY, STL and XYZ out.
+"""Clouds and meshes on disk: PLY, STL, OBJ, PCD, XYZ and, as nominals, STEP in; PLY, STL and XYZ out.
 
 Every reader checks what a header declares against what the file holds before it allocates anything, so that a
 damaged file is refused in words. Files carry no units: lengths are taken as millimetres unless another unit is stated.
@@ -21,6 +21,7 @@ from measureapp.project.atomic import replacing
 from measureapp.project.mesh_files import read_obj, read_stl, write_stl
 from measureapp.project.ply import Ply, Ragged, read_ply, write_ply
 from measureapp.project.point_files import read_pcd, read_table
+from measureapp.project.step_files import STEP_KINDS, read_step
 
 LARGEST_FILE_BYTES = 8 * 2**30
 LARGEST_MM = 1e7  # beyond ten kilometres a coordinate is garbage
@@ -76,16 +77,20 @@ def read_points(path: Path, unit: LengthUnit = LengthUnit.MM) -> PlainPoints:
 
 
 def read_mesh(path: Path, frame: str = "nominal", unit: LengthUnit = LengthUnit.MM) -> Mesh:
-    """Read the triangles of a PLY, STL or OBJ file whose lengths are in ``unit``.
+    """Read the triangles of a PLY, STL or OBJ file whose lengths are in ``unit``, or those that follow the surfaces of a STEP file.
 
     Raises
     ------
     InputError
         As `read_points`; also a file without triangles, or with corners that do not exist.
     """
-    path, kind = _checked(path)
+    path, kind = _checked(path, (*KINDS, *STEP_KINDS))
+    if kind in STEP_KINDS:
+        if unit is not LengthUnit.MM:
+            raise InputError(f"{path} is a STEP file, which states its unit itself.", "Leave the unit of the nominal out.")
+        return Mesh(*read_step(path), frame)
     if kind not in (".ply", ".stl", ".obj"):
-        raise InputError(f"{path} cannot hold a mesh.", "Give a PLY, STL or OBJ file.")
+        raise InputError(f"{path} cannot hold a mesh.", "Give a PLY, STL, OBJ or STEP file.")
     mesh = _read_mesh(path, kind, frame)
     if mesh is None:
         raise InputError(f"{path} has points but no triangles.", "Give a mesh, or make one of the cloud first.")
@@ -169,7 +174,7 @@ def write_mesh(path: Path, mesh: Mesh) -> None:
             raise InputError(f"{path}: a mesh cannot be written as {kind or 'a file without ending'}.", "Use .ply or .stl.")
 
 
-def _checked(path: Path) -> tuple[Path, str]:
+def _checked(path: Path, kinds: tuple[str, ...] = KINDS) -> tuple[Path, str]:
     """Return the path and its lower-case ending after the checks that every reader needs."""
     path = Path(path)
     if not path.is_file():
@@ -185,8 +190,8 @@ def _checked(path: Path) -> tuple[Path, str]:
     if size > LARGEST_FILE_BYTES:
         raise InputError(f"{path} has {size / 2**30:.1f} GiB, more than can be read at once.", "Reduce the cloud or mesh first.")
     kind = path.suffix.lower()
-    if kind not in KINDS:
-        raise InputError(f"{path} is of an unknown kind.", "Give one of: " + ", ".join(KINDS) + ".")
+    if kind not in kinds:
+        raise InputError(f"{path} is of an unknown kind.", "Give one of: " + ", ".join(kinds) + ".")
     return path, kind
 
 
