@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -20,6 +21,13 @@ LEAST_EXTENT_MM = 3.0
 LARGEST_EXTENT_MM = 20_000.0
 
 
+class Mesher(StrEnum):
+    """How points become a surface."""
+
+    POISSON = "poisson"
+    OPEN = "open"
+
+
 def register(app: typer.Typer) -> None:
     """Add the command."""
 
@@ -31,6 +39,9 @@ def register(app: typer.Typer) -> None:
         poses: Annotated[Path, typer.Option(help="poses.csv: name,x_mm,y_mm,z_mm,qw,qx,qy,qz (part_from_camera).")],
         out: Annotated[Path, typer.Option(help="The stitched cloud (.ply or .xyz).")],
         mesh: Annotated[Path | None, typer.Option(help="Also make a surface (.ply or .stl).")] = None,
+        mesher: Annotated[
+            Mesher, typer.Option(help="poisson closes a body; open joins the points of one open patch and leaves every hole open.")
+        ] = Mesher.POISSON,
         pose_sigma_mm: Annotated[float, typer.Option(min=1e-6, help="How well the poses are known (standard deviation).")] = 0.5,
         pose_sigma_deg: Annotated[float, typer.Option(min=1e-6, help="The same for their directions.")] = 0.05,
         fine: Annotated[bool, typer.Option("--fine/--kinematic-only", help="Register finely, or place by the poses alone.")] = True,
@@ -56,7 +67,7 @@ def register(app: typer.Typer) -> None:
         check_unit(read, kinematic)
         settings = StitchSettings(pose_sigma_mm=pose_sigma_mm, pose_sigma_deg=pose_sigma_deg, fine=fine)
         stitched = stitch(read, kinematic, settings, PartOf(progress, 0.2, 0.8), accepted=accept or ())
-        triangles = _surface(stitched, PartOf(progress, 0.8, 1.0)) if mesh else None
+        triangles = _surface(stitched, mesher, PartOf(progress, 0.8, 1.0)) if mesh else None
         write_cloud(out, stitched)
         if mesh and triangles is not None:
             write_mesh(mesh, triangles)
@@ -139,10 +150,11 @@ def _check_units(path: Path, points_mm: Any) -> None:
         )
 
 
-def _surface(stitched: StitchedCloud, progress: PartOf) -> Any:
+def _surface(stitched: StitchedCloud, mesher: Mesher, progress: PartOf) -> Any:
+    from measureapp.register.open_surface import open_surface
     from measureapp.register.surface import surface
 
-    return surface(stitched, progress=progress)
+    return open_surface(stitched, progress) if mesher is Mesher.OPEN else surface(stitched, progress=progress)
 
 
 def _document(stitched: StitchedCloud, out: Path, mesh: Path | None) -> dict[str, Any]:
