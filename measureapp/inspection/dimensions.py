@@ -78,6 +78,8 @@ def _check_unit(
         return
 
     def agreeing(factor: float) -> float:
+        if factor < 1.0:
+            return 0.0  # shrunk to a speck, any points lie on a feature near the origin
         taken = found if factor == 1.0 else find_all(replace(points, points_mm=points.points_mm * factor), program, surface, settings)
         measured = [name for one in program.features if isinstance(one, MeasuredFeature) for name in copy_names(one.name, one.repeat)]
         return float(np.mean([taken[name].feature is not None for name in measured])) if measured else 1.0
