@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from measureapp.cli.outcome import alignment_lines
-from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+from measureapp.cli.reply import JsonOption, TerminalProgress, UnitOption, reply
+from measureapp.data.length_unit import LengthUnit
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
@@ -26,8 +27,8 @@ def register(app: typer.Typer) -> None:
 
     @app.command()
     def compare(
-        cloud: Annotated[Path, typer.Argument(help="Cloud or mesh: PLY, STL, OBJ, PCD, XYZ; in mm.")],
-        nominal: Annotated[Path, typer.Argument(help="Nominal mesh: STL, PLY, OBJ.")],
+        cloud: Annotated[Path, typer.Argument(help="Cloud or mesh: PLY, STL, OBJ, PCD, XYZ.")],
+        nominal: Annotated[Path, typer.Argument(help="Nominal: STL, PLY, OBJ, or STEP (with the optional library cascadio).")],
         align: Annotated[
             str,
             typer.Option("--align", help="best-fit, none, cyclic:COUNT, or a file with the 4×4 matrix nominal_from_part (text or JSON)."),
@@ -44,6 +45,8 @@ def register(app: typer.Typer) -> None:
             Path | None, typer.Option("--map", help="Write the nominal with its deviations as PLY; grey where nothing was measured.")
         ] = None,
         reach: Annotated[float, typer.Option(min=0.001, help="A place is measured when a point lies closer than this, in mm.")] = 2.0,
+        unit: UnitOption = LengthUnit.MM,
+        nominal_unit: Annotated[LengthUnit, typer.Option("--nominal-unit", help="The same for the nominal.")] = LengthUnit.MM,
         as_json: JsonOption = False,
     ) -> None:
         """Compare a cloud with its nominal; deviations are positive outside."""
@@ -52,7 +55,7 @@ def register(app: typer.Typer) -> None:
         from measureapp.project.geometry_files import read_cloud_or_mesh, read_mesh
         from measureapp.report.json_document import alignment_document
 
-        measured, surface = read_cloud_or_mesh(cloud), read_mesh(nominal)
+        measured, surface = read_cloud_or_mesh(cloud, unit=unit), read_mesh(nominal, unit=nominal_unit)
         found = deviation(measured, surface, _alignment(align, measured, surface), near_mm=reach, progress=TerminalProgress())
         figures = {name: float(getattr(found, f"{name}_mm")) for name in ("mean", "rms", "p95", "min", "max")}
         document: dict[str, Any] = {

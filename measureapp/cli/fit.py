@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 import typer
 
-from measureapp.cli.reply import JsonOption, reply
+from measureapp.cli.reply import JsonOption, UnitOption, reply
+from measureapp.data.length_unit import LengthUnit
 
 if TYPE_CHECKING:
     from measureapp.geometry.feature import Feature
@@ -44,6 +45,7 @@ def register(app: typer.Typer) -> None:
         points: Annotated[Path, typer.Argument(help="One point a line (white space or commas), or a PLY, STL, OBJ or PCD file.")],
         criterion: Annotated[Criterion, typer.Option(help="What is minimised.")] = Criterion.LEAST_SQUARES,
         robust: Annotated[bool, typer.Option("--robust", help="Leave out outliers and say how many.")] = False,
+        unit: UnitOption = LengthUnit.MM,
         as_json: JsonOption = False,
     ) -> None:
         """Fit a shape by orthogonal distances."""
@@ -51,7 +53,7 @@ def register(app: typer.Typer) -> None:
         from measureapp.geometry.fits import fit
         from measureapp.geometry.minimum_zone import fit_minimum_zone
 
-        read = _read(points)
+        read = _read(points) * unit.in_mm
         if criterion is Criterion.MINIMUM_ZONE and robust:
             raise FitError("A minimum zone holds all points.", "Leave --robust out.")
         if criterion is Criterion.MINIMUM_ZONE:

@@ -9,7 +9,8 @@ import typer
 
 from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.cli.outcome import alignment_lines, dimension_line
-from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+from measureapp.cli.reply import JsonOption, TerminalProgress, UnitOption, reply
+from measureapp.data.length_unit import LengthUnit
 
 
 def register(app: typer.Typer) -> None:
@@ -17,7 +18,7 @@ def register(app: typer.Typer) -> None:
 
     @app.command()
     def measure(
-        cloud: Annotated[Path, typer.Argument(help="Cloud or mesh: PLY, STL, OBJ, PCD, XYZ; in mm.")],
+        cloud: Annotated[Path, typer.Argument(help="Cloud or mesh: PLY, STL, OBJ, PCD, XYZ.")],
         program: Annotated[Path, typer.Argument(help="Inspection program (TOML).")],
         alignment: Annotated[
             str | None,
@@ -27,6 +28,7 @@ def register(app: typer.Typer) -> None:
                 "rps:POINT,POINT,POINT,… or datums:A,B,C.",
             ),
         ] = None,
+        unit: UnitOption = LengthUnit.MM,
         as_json: JsonOption = False,
     ) -> None:
         """Measure the dimensions of an inspection program; exit code 1 when any does not pass."""
@@ -36,18 +38,19 @@ def register(app: typer.Typer) -> None:
         from measureapp.inspection.verdict import RULES
         from measureapp.project.geometry_files import read_cloud_or_mesh
         from measureapp.project.program_file import read_program, read_program_nominal, with_alignment
-        from measureapp.report.json_document import alignment_document, dimension_document
+        from measureapp.report.json_document import alignment_document, dimension_document, feature_document
 
         described = read_program(program)
         if alignment is not None:
             described = with_alignment(described, alignment)
         nominal = read_program_nominal(program, described)
         settings = InspectionSettings()
-        inspection = inspect(read_cloud_or_mesh(cloud), described, nominal, settings, TerminalProgress())
+        inspection = inspect(read_cloud_or_mesh(cloud, unit=unit), described, nominal, settings, TerminalProgress())
         rule = RULES[settings.verdict_rule]
         document = {
             "program": inspection.program,
             "alignment": alignment_document(inspection.alignment),
+            "features": [feature_document(feature) for feature in inspection.features],
             "dimensions": [dimension_document(dimension) for dimension in inspection.dimensions],
             "verdict_rule": rule,
         }

@@ -14,7 +14,12 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
+from measureapp.data.length_unit import LengthUnit
+
 JsonOption = Annotated[bool, typer.Option("--json", help="Answer with exactly one JSON document on standard output.")]
+
+UNIT_HELP = "Unit of its lengths: mm, inch, m, cm or um; without it mm is taken, and a likely other one is asked about."
+UnitOption = Annotated[LengthUnit, typer.Option("--unit", help=UNIT_HELP)]
 
 
 def jsonable(value: Any) -> Any:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 import typer
 
-from measureapp.cli.reply import JsonOption, TerminalProgress, reply, say
+from measureapp.cli.reply import JsonOption, TerminalProgress, UnitOption, reply, say
+from measureapp.data.length_unit import LengthUnit
 from measureapp.progress import PartOf
 
 if TYPE_CHECKING:
@@ -17,6 +19,13 @@ if TYPE_CHECKING:
 DEFAULT_SIGMA_MM = 0.05  # for clouds that do not say how certain their points are
 LEAST_EXTENT_MM = 3.0
 LARGEST_EXTENT_MM = 20_000.0
+
+
+class Mesher(StrEnum):
+    """How points become a surface."""
+
+    POISSON = "poisson"
+    OPEN = "open"
 
 
 def register(app: typer.Typer) -> None:
@@ -30,12 +39,16 @@ def register(app: typer.Typer) -> None:
         poses: Annotated[Path, typer.Option(help="poses.csv: name,x_mm,y_mm,z_mm,qw,qx,qy,qz (part_from_camera).")],
         out: Annotated[Path, typer.Option(help="The stitched cloud (.ply or .xyz).")],
         mesh: Annotated[Path | None, typer.Option(help="Also make a surface (.ply or .stl).")] = None,
+        mesher: Annotated[
+            Mesher, typer.Option(help="poisson closes a body; open joins the points of one open patch and leaves every hole open.")
+        ] = Mesher.POISSON,
         pose_sigma_mm: Annotated[float, typer.Option(min=1e-6, help="How well the poses are known (standard deviation).")] = 0.5,
         pose_sigma_deg: Annotated[float, typer.Option(min=1e-6, help="The same for their directions.")] = 0.05,
         fine: Annotated[bool, typer.Option("--fine/--kinematic-only", help="Register finely, or place by the poses alone.")] = True,
         accept: Annotated[
             list[str] | None, typer.Option(help="Use this view however far it has to move; may be given several times.")
         ] = None,
+        unit: UnitOption = LengthUnit.MM,
         as_json: JsonOption = False,
     ) -> None:
         """Register clouds finely, starting from their poses, and merge them."""
@@ -43,17 +56,19 @@ def register(app: typer.Typer) -> None:
         from measureapp.project.tables import read_poses
         from measureapp.register.settings import StitchSettings
         from measureapp.register.stitch import stitch
+        from measureapp.register.units import check_unit
 
         _check_outputs(clouds, out, mesh)
         _check_accepted(accept or [], clouds)
         known = read_poses(poses, "part", "camera")
         kinematic = [_pose(known, path, poses) for path in clouds]
         progress = TerminalProgress()
-        read = [_read(path, PartOf(progress, 0.2 * i / len(clouds), 0.2 * (i + 1) / len(clouds))) for i, path in enumerate(clouds)]
+        read = [_read(path, unit, PartOf(progress, 0.2 * i / len(clouds), 0.2 * (i + 1) / len(clouds))) for i, path in enumerate(clouds)]
+        check_unit(read, kinematic)
         settings = StitchSettings(pose_sigma_mm=pose_sigma_mm, pose_sigma_deg=pose_sigma_deg, fine=fine)
         stitched = stitch(read, kinematic, settings, PartOf(progress, 0.2, 0.8), accepted=accept or ())
         _check_overlap(stitched, fine)
-        triangles = _surface(stitched, PartOf(progress, 0.8, 1.0)) if mesh else None
+        triangles = _surface(stitched, mesher, PartOf(progress, 0.8, 1.0)) if mesh else None
         write_cloud(out, stitched)
         if mesh and triangles is not None:
             write_mesh(mesh, triangles)
@@ -104,7 +119,7 @@ def _pose(known: dict[str, Any], path: Path, table: Path) -> Any:
     return known[path.stem]
 
 
-def _read(path: Path, progress: PartOf) -> PointCloud:
+def _read(path: Path, unit: LengthUnit, progress: PartOf) -> PointCloud:
     """Read a cloud of any kind and fill in what it does not have."""
     from measureapp.data.cloud import PointCloud
     from measureapp.errors import InputError
@@ -112,7 +127,7 @@ def _read(path: Path, progress: PartOf) -> PointCloud:
     from measureapp.register.normals import estimated_normals
 
     progress.report(0, 1, f"reading {path.name}")
-    plain = read_points(path)
+    plain = read_points(path, unit)
     if plain.frame not in ("", "camera"):
         raise InputError(f"{path} is in frame {plain.frame!r}.", "Give the views' clouds in their camera's frame.")
     _check_units(path, np.asarray(plain.points_mm))
@@ -135,15 +150,22 @@ def _check_units(path: Path, points_mm: Any) -> None:
 
     extent = float(np.ptp(points_mm, axis=0).max())
     if len(points_mm) > 100 and extent < LEAST_EXTENT_MM:
-        raise InputError(f"{path} is only {extent:.3g} mm large: is it in metres or inches?", "Export it in millimetres.")
+        raise InputError(
+            f"{path} is only {extent:.3g} mm large: is it in metres or inches?",
+            "If all are, say so with `--unit m` or `--unit inch`; otherwise export it in millimetres.",
+        )
     if extent > LARGEST_EXTENT_MM:
-        raise InputError(f"{path} is {extent / 1000:.3g} m large: is it in micrometres?", "Export it in millimetres.")
+        raise InputError(
+            f"{path} is {extent / 1000:.3g} m large: is it in micrometres?",
+            "If all are, say so with `--unit um`; otherwise export it in millimetres.",
+        )
 
 
-def _surface(stitched: StitchedCloud, progress: PartOf) -> Any:
+def _surface(stitched: StitchedCloud, mesher: Mesher, progress: PartOf) -> Any:
+    from measureapp.register.open_surface import open_surface
     from measureapp.register.surface import surface
 
-    return surface(stitched, progress=progress)
+    return open_surface(stitched, progress) if mesher is Mesher.OPEN else surface(stitched, progress=progress)
 
 
 def _document(stitched: StitchedCloud, out: Path, mesh: Path | None) -> dict[str, Any]:

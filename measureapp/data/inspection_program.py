@@ -9,6 +9,7 @@ from pydantic import Field, field_validator, model_validator
 
 from measureapp.data.alignment_program import AlignmentProgram, BestFit, alignment_entry, alignment_features
 from measureapp.data.blade_section import BLADE_ANGLES, BLADE_KINDS, BLADE_PAIRS, BLADE_ZONES, BladeKind, BladeSection
+from measureapp.data.length_unit import LengthUnit
 from measureapp.data.model import Model
 from measureapp.data.repeat import Repeat
 
@@ -67,12 +68,24 @@ class Cut(Model):
         return self
 
 
+class Grow(Model):
+    """Points found from a seed on the surface instead of around a nominal: the region that belongs to one shape."""
+
+    seed_mm: Vector = Field(description="a place on the surface, in the nominal's frame")
+    reach_mm: float = Field(default=2.0, gt=0, description="how far from the seed the surface may lie")
+    noise_mm: float | None = Field(default=None, gt=0, description="standard deviation of a point; left out: from the points")
+    form_mm: float = Field(default=0.02, ge=0, description="departure from the ideal shape that still belongs to it")
+    turn_deg: float = Field(default=8.0, gt=0, le=45, description="how far the surface may be turned against the shape")
+
+
 class MeasuredFeature(Model):
-    """A shape fitted to the points around its nominal."""
+    """A shape fitted to the points around its nominal, or to the region that grows from a seed."""
 
     name: str = Field(min_length=1)
     shape: MeasuredShape
-    point_mm: Vector = Field(description="a point of the plane or axis, the centre, or the surface point itself")
+    point_mm: Vector | None = Field(
+        default=None, description="a point of the plane or axis, the centre, or the surface point itself; may be left out with `grow`"
+    )
     direction: Vector | None = Field(
         default=None, description="outward normal of planes and surface points, axis of a cylinder, of a cone towards its apex"
     )
@@ -81,10 +94,24 @@ class MeasuredFeature(Model):
     patch_mm: float = Field(default=4.0, gt=0, description="radius of the patch a surface point is taken from")
     hole: bool = Field(default=False, description="the material lies outside: a bore or a socket")
     cut: Cut = Cut()
+    grow: Grow | None = Field(default=None, description="take the points by region growing; of `cut` only x_mm, y_mm and z_mm still count")
     repeat: Repeat | None = None
+
+    @property
+    def placed(self) -> bool:
+        """Whether the drawing says where the feature lies."""
+        return self.point_mm is not None
 
     @model_validator(mode="after")
     def _has_what_its_shape_needs(self) -> MeasuredFeature:
+        if self.grow is not None and self.shape == "surface_point":
+            raise ValueError("a surface_point is a patch about its nominal and does not `grow`")
+        if self.grow is not None and not self.placed:
+            if self.direction is not None or self.radius_mm is not None or self.half_angle_deg is not None:
+                raise ValueError("a nominal needs `point_mm`; leave direction and sizes out where the drawing gives no place")
+            return self
+        if not self.placed:
+            raise ValueError(f"a {self.shape} needs `point_mm`, or `grow` with a seed")
         if self.shape != "sphere" and self.direction is None:
             raise ValueError(f"a {self.shape} needs `direction`")
         if self.direction is not None and sum(value * value for value in self.direction) < 1e-12:
@@ -200,6 +227,7 @@ class InspectionProgram(Model):
     schema_version: Literal[1] = 1
     name: str = Field(min_length=1)
     nominal: str | None = Field(default=None, description="mesh file of the nominal, relative to the program's file")
+    nominal_unit: LengthUnit = Field(default=LengthUnit.MM, description="unit of the nominal's file; the program itself is in mm")
     alignment: AlignmentProgram = Field(default=BestFit(), description="a word like best-fit, or a table with `method`")
     features: tuple[Annotated[MeasuredFeature | ConstructedFeature | BladeSection, Field(discriminator="shape")], ...] = Field(min_length=1)
     dimensions: tuple[DimensionProgram, ...] = ()

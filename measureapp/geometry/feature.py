@@ -35,6 +35,7 @@ class Feature:
         None  # (6 + S, 6 + S): of point_mm, direction and the S sizes (radius_mm, then half_angle_rad or minor_radius_mm)
     )
     boundary_mm: FloatArray | None = None  # (K, 3) extent of the points used, for display
+    how: str = ""  # how its points were found, where that is not around its nominal
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "point_mm", read_only(self.point_mm, np.float64, (3,)))

@@ -28,6 +28,7 @@ class Cells:
     deviations_mm: FloatArray  # (K,), from the feature
     keys: IntArray  # (K, D), which cell
     noise_mm: float  # typical standard deviation of a mean, from the scatter within the cells
+    noises_mm: FloatArray  # (K,), of each mean: cells at the rim hold fewer points
 
     def __len__(self) -> int:
         return len(self.points_mm)
@@ -72,8 +73,10 @@ def cell_means(points_mm: FloatArray, feature: Feature, keys: IntArray, name: st
     scatter = np.bincount(cell, weights=(deviations - mean[cell]) ** 2)[full] / (counts[full] - 1)
     # the mean of points on a curved surface lies inside it; their mean deviation does not
     places = places + (mean[full] - signed_distances(feature, places))[:, None] * outward_normals(feature, places)
-    noise = float(np.sqrt(np.median(scatter) / np.median(counts[full])))
-    return Cells(places, mean[full], found[full], noise)
+    freedoms = float(np.median(counts[full])) - 1
+    variance = float(np.median(scatter)) / (1 - 2 / (9 * freedoms)) ** 3  # of χ² the median lies below the mean (Wilson and Hilferty)
+    noise = float(np.sqrt(variance / np.median(counts[full])))
+    return Cells(places, mean[full], found[full], noise, np.sqrt(variance / counts[full]))
 
 
 def surface_keys(points_mm: FloatArray, feature: Feature, cell_mm: float) -> IntArray:

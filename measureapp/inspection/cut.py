@@ -39,6 +39,7 @@ def nominal_features(described: MeasuredFeature) -> tuple[NominalFeature, ...]:
 
 def _nominal(described: MeasuredFeature, name: str, turn: FloatArray) -> NominalFeature:
     surface_point = described.shape == "surface_point"
+    assert described.point_mm is not None  # the program refuses a feature without a place that does not grow
     direction = None if described.direction is None else turn @ np.asarray(described.direction, float)
     feature = Feature(
         name,
@@ -49,6 +50,16 @@ def _nominal(described: MeasuredFeature, name: str, turn: FloatArray) -> Nominal
         None if described.half_angle_deg is None else float(np.radians(described.half_angle_deg)),
     )
     return NominalFeature(feature, described.cut, described.hole, surface_point, described.patch_mm, turn)
+
+
+def within_box(points_mm: FloatArray, cut: Cut, copy_from_first: FloatArray) -> BoolArray:
+    """Return which points (N,) lie within the limits in x, y and z, as the first copy has them."""
+    inside = np.ones(len(points_mm), bool)
+    as_first = points_mm @ copy_from_first
+    for axis, extent in enumerate((cut.x_mm, cut.y_mm, cut.z_mm)):
+        if extent is not None:
+            inside &= (as_first[:, axis] > extent[0]) & (as_first[:, axis] < extent[1])
+    return inside
 
 
 def cut_points(points: MeasuredPoints, nominal: NominalFeature, edges: cKDTree | None) -> IntArray:
@@ -78,17 +89,13 @@ def _within_band(points_mm: FloatArray, nominal: NominalFeature) -> BoolArray:
 
 
 def _within_extents(points_mm: FloatArray, nominal: NominalFeature) -> BoolArray:
-    inside = np.ones(len(points_mm), bool)
     cut = nominal.cut
+    inside = within_box(points_mm, cut, nominal.copy_from_first)
     if nominal.feature.direction is not None and (cut.along_mm or cut.radial_mm):
         along, off, _ = along_and_off(points_mm, nominal.feature.point_mm, nominal.feature.direction)
         for values, extent in ((along, cut.along_mm), (off, cut.radial_mm)):
             if extent is not None:
                 inside &= (values > extent[0]) & (values < extent[1])
-    as_first = points_mm @ nominal.copy_from_first
-    for axis, extent in enumerate((cut.x_mm, cut.y_mm, cut.z_mm)):
-        if extent is not None:
-            inside &= (as_first[:, axis] > extent[0]) & (as_first[:, axis] < extent[1])
     return inside
 
 

@@ -13,6 +13,7 @@ from measureapp.data.mesh import Mesh
 from measureapp.inspection.along_normals import distances_along_normals
 from measureapp.inspection.measured import HasPoints, MeasuredPoints, sampled
 from measureapp.inspection.nominal_surface import NominalSurface
+from measureapp.inspection.units import NEAR_SHARE, check_unit_on
 from measureapp.progress import NoProgress, Progress
 
 CHUNK = 200_000
@@ -57,7 +58,7 @@ def deviation(
     Raises
     ------
     InspectionError
-        There are no points, or the nominal has no surface.
+        There are no points, the nominal has no surface, or the points lie on it in another unit only.
     """
     points = MeasuredPoints.of(measured).seen_from(alignment.nominal_from_part)
     surface = NominalSurface(nominal)
@@ -67,6 +68,9 @@ def deviation(
         chunk = slice(start, start + CHUNK)
         own = None if points.normals is None else points.normals[chunk]
         distances[chunk], normals[chunk] = distances_and_normals(points.points_mm[chunk], own, surface)
+    unmeasured = unmeasured_share(points.points_mm, nominal, near_mm)
+    if unmeasured > 0.5 or np.median(np.abs(distances)) > NEAR_SHARE * surface.diagonal_mm:
+        check_unit_on(points, surface)  # a cloud that lies on most of its nominal is in the right unit
     progress.report(1, 1, "distances from the nominal")
     return Deviation(
         points.points_mm,
@@ -77,7 +81,7 @@ def deviation(
         float(np.percentile(np.abs(distances), 95)),
         float(distances.min()),
         float(distances.max()),
-        unmeasured_share(points.points_mm, nominal, near_mm),
+        unmeasured,
         alignment,
     )
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import replace
+
 import numpy as np
 
 from measureapp.data.dimension import Dimension, Verdict
-from measureapp.data.inspection_program import ZONES, DimensionProgram, InspectionProgram
+from measureapp.data.inspection_program import ZONES, DimensionProgram, InspectionProgram, MeasuredFeature, copy_names
 from measureapp.data.measurement import Alignment, Inspection
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
@@ -16,6 +19,7 @@ from measureapp.inspection.measured import HasPoints, MeasuredPoints
 from measureapp.inspection.nominal_surface import NominalSurface
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.uncertainty import COVERAGE_FACTOR, expanded
+from measureapp.inspection.units import check_unit, check_unit_on
 from measureapp.inspection.value import Value
 from measureapp.inspection.values import value_of
 from measureapp.inspection.verdict import judge
@@ -43,7 +47,7 @@ def inspect(
     Raises
     ------
     InspectionError
-        There are no points, the best fit has no nominal, or the points do not match it. A single feature or
+        There are no points, the best fit has no nominal, the points do not match it or are in another unit. A single feature or
         dimension that has no answer does not raise: it is "not measured" with its reason.
     """
     points = MeasuredPoints.of(measured)
@@ -51,12 +55,36 @@ def inspect(
     progress.report(0, 3, "alignment")
     placed = alignment or align(points, program, surface, settings, getattr(measured, "frame", "part"))
     progress.report(1, 3, "features")
-    found = find_all(points.seen_from(placed.nominal_from_part), program, surface, settings, progress)
+    in_place = points.seen_from(placed.nominal_from_part)
+    found = find_all(in_place, program, surface, settings, progress)
+    _check_unit(in_place, found, program, surface, settings)
     progress.report(2, 3, "dimensions")
     dimensions = tuple(_dimension(described, found, settings) for described in program.dimensions)
     features = tuple(one.feature for one in found.values() if one.feature is not None)
     progress.report(3, 3, "inspected")
     return Inspection(program.name, placed, features, dimensions)
+
+
+def _check_unit(
+    points: MeasuredPoints,
+    found: Mapping[str, Found],
+    program: InspectionProgram,
+    surface: NominalSurface | None,
+    settings: InspectionSettings,
+) -> None:
+    """Ask about the unit of points that lie on the nominal in another unit only; without a nominal mesh, that its features are found on."""
+    if surface is not None:
+        check_unit_on(points, surface)
+        return
+
+    def agreeing(factor: float) -> float:
+        if factor < 1.0:
+            return 0.0  # shrunk to a speck, any points lie on a feature near the origin
+        taken = found if factor == 1.0 else find_all(replace(points, points_mm=points.points_mm * factor), program, surface, settings)
+        measured = [name for one in program.features if isinstance(one, MeasuredFeature) for name in copy_names(one.name, one.repeat)]
+        return float(np.mean([taken[name].feature is not None for name in measured])) if measured else 1.0
+
+    check_unit(agreeing, "of the features are found")
 
 
 def _dimension(described: DimensionProgram, found: dict[str, Found], settings: InspectionSettings) -> Dimension:
@@ -144,4 +172,5 @@ def _words_of(found: Found) -> str:
         return f"{found.name}: not found"
     if len(found.points_mm) == 0:
         return f"{found.name}: constructed"
-    return f"{found.name}: {len(found.points_mm)} points, {found.feature.left_out} left out"
+    words = f"{found.name}: {len(found.points_mm)} points, {found.feature.left_out} left out"
+    return f"{words} ({found.feature.how})" if found.feature.how else words

@@ -61,23 +61,29 @@ def find(described: MeasuredFeature, points: MeasuredPoints, edges: cKDTree | No
 
 
 def _find_one(nominal: NominalFeature, points: MeasuredPoints, edges: cKDTree | None, settings: InspectionSettings) -> Found:
-    name = nominal.feature.name
-    chosen = cut_points(points, nominal, edges)
+    return fitted(nominal, points, cut_points(points, nominal, edges), settings, nominal.feature)
+
+
+def fitted(
+    expected: NominalFeature, points: MeasuredPoints, chosen: IntArray, settings: InspectionSettings, drawn: Feature | None
+) -> Found:
+    """Fit the shape of ``expected``, and lying about there, to the chosen points; ``drawn`` is its place in the drawing, if it has one."""
+    name = expected.feature.name
     if len(chosen) < settings.least_points:
         reason = f"{name}: only {len(chosen)} points were measured there, {settings.least_points} are needed"
-        return Found(name, None, reason, nominal=nominal.feature)
+        return Found(name, None, reason, nominal=drawn)
     if len(chosen) > settings.fit_points:
         chosen = chosen[:: -(-len(chosen) // settings.fit_points)]
     cut = points.where(chosen)
     try:
-        feature, residuals, kept = _trimmed_fit(nominal, cut, settings)
+        feature, residuals, kept = _trimmed_fit(expected, cut, settings)
     except FitError as error:
-        return Found(name, None, f"{name}: {error.message}", nominal=nominal.feature)
-    if reason := _implausible(feature, nominal):
-        return Found(name, None, f"{name}: {reason}", nominal=nominal.feature)
+        return Found(name, None, f"{name}: {error.message}", nominal=drawn)
+    if reason := _implausible(feature, expected):
+        return Found(name, None, f"{name}: {reason}", nominal=drawn)
     used = cut.where(kept)
     factor = shared_error_factor(used.points_mm, residuals, settings.uncertainty.correlation_mm)
-    return Found(name, feature, "", factor, effective_views(used.view), used.points_mm, nominal.feature)
+    return Found(name, feature, "", factor, effective_views(used.view), used.points_mm, drawn)
 
 
 def _trimmed_fit(nominal: NominalFeature, cut: MeasuredPoints, settings: InspectionSettings) -> tuple[Feature, FloatArray, IntArray]:

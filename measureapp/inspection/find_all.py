@@ -9,6 +9,7 @@ from measureapp.data.inspection_program import ConstructedFeature, InspectionPro
 from measureapp.inspection.blades.find import find_blades
 from measureapp.inspection.constructed import construct
 from measureapp.inspection.features import Found, find
+from measureapp.inspection.grown import find_grown
 from measureapp.inspection.measured import MeasuredPoints
 from measureapp.inspection.nominal_surface import NominalSurface
 from measureapp.inspection.settings import InspectionSettings
@@ -40,6 +41,8 @@ def find_all(
             found.update(construct(described, found))
         elif isinstance(described, BladeSection):
             found.update(find_blades(described, points, surface, settings))
+        elif described.grow is not None:
+            found.update(find_grown(described, points, settings))
         else:
             found.update(find(described, points, edges, settings))
     return found

@@ -13,11 +13,12 @@ from measureapp.geometry.feature import Shape
 from measureapp.geometry.fits import fit
 from measureapp.geometry.minimum_zone import fit_minimum_zone
 from measureapp.geometry.shapes import tangents
-from measureapp.inspection.cells import Cells, angles, around_count, cell_means, noise_reach, surface_keys
+from measureapp.inspection.cells import Cells, angles, around_count, cell_means, surface_keys
 from measureapp.inspection.features import Found
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.shapes import along_and_off
 from measureapp.inspection.value import Value, direction_of, feature_of, placement_of
+from measureapp.inspection.zone_noise import LEVELS, Zone, noise_of_width
 
 LEAST_SECTIONS = 5
 LEAST_ON_LINE = 6
@@ -26,7 +27,7 @@ WORDS = {"minimum-zone": "minimum zone", "least-squares": "least squares"}
 
 
 def form_value(described: DimensionProgram, found: Found, settings: InspectionSettings) -> Value:
-    """Return the form deviation of one feature; its uncertainty is what the noise of the means alone spans.
+    """Return the form deviation of one feature; its uncertainty is what simulated noise of the means does to it.
 
     Raises
     ------
@@ -37,11 +38,11 @@ def form_value(described: DimensionProgram, found: Found, settings: InspectionSe
     cells = extracted(found, settings)
     if described.kind == "flatness":
         _require(found, "flatness", "plane")
-        made = Value(zone_width("plane", cells.points_mm, described.criterion, found.name), cells.form_sigma_mm)
+        made = _zone("plane", cells, described.criterion, found.name, settings)
     elif described.kind == "cylindricity":
         _require(found, "cylindricity", "cylinder")
         _require_turn(cells, feature, settings, found.name)
-        made = Value(zone_width("cylinder", cells.points_mm, described.criterion, found.name), cells.form_sigma_mm)
+        made = _zone("cylinder", cells, described.criterion, found.name, settings)
     elif described.kind == "roundness":
         _require(found, "roundness", "cylinder", "cone")
         made = _roundness(described.criterion, found, cells, settings)
@@ -49,7 +50,13 @@ def form_value(described: DimensionProgram, found: Found, settings: InspectionSe
         _require(found, "straightness", "plane", "cylinder", "cone")
         made = _of_lines(described, found, settings) if feature.shape == "plane" else _of_axis(described.criterion, found, cells, settings)
     across_views = placement_of(found, settings) if found.views > 1 else 0.0
-    return Value(made.value, float(np.hypot(made.sigma, across_views)), f"{filter_words(settings)}, {WORDS[described.criterion]}{made.how}")
+    how = f"{filter_words(settings)}, {WORDS[described.criterion]}{made.how}; Monte Carlo, {len(LEVELS) * settings.form_trials} draws"
+    return Value(made.value, float(np.hypot(made.sigma, across_views)), how)
+
+
+def _zone(shape: Shape, cells: Cells, criterion: Criterion, name: str, settings: InspectionSettings) -> Value:
+    width = zone_width(shape, cells.points_mm, criterion, name)
+    return Value(width, noise_of_width([Zone.of(shape, cells.points_mm, cells.noises_mm)], criterion, settings.form_trials))
 
 
 def extracted(found: Found, settings: InspectionSettings) -> Cells:
@@ -117,9 +124,12 @@ def _profile(feature: Feature, cells: Cells, section: BoolArray) -> tuple[FloatA
 def _roundness(criterion: Criterion, found: Found, cells: Cells, settings: InspectionSettings) -> Value:
     feature = feature_of(found)
     whole = sections(cells, around_of(feature, settings), settings, found.name)
-    widths = [zone_width("circle", _profile(feature, cells, section)[0], criterion, found.name) for section in whole]
-    slope = np.cos(feature.half_angle_rad or 0.0)
-    return Value(max(widths), cells.form_sigma_mm / slope, f", the worst of {len(whole)} sections")
+    profiles = [_profile(feature, cells, section)[0] for section in whole]
+    widths = [zone_width("circle", profile, criterion, found.name) for profile in profiles]
+    noises = cells.noises_mm / np.cos(feature.half_angle_rad or 0.0)
+    zones = [Zone.of("circle", profile, noises[section]) for profile, section in zip(profiles, whole, strict=True)]
+    sigma = noise_of_width(zones, criterion, settings.form_trials)
+    return Value(max(widths), sigma, f", the worst of {len(whole)} sections")
 
 
 def _of_axis(criterion: Criterion, found: Found, cells: Cells, settings: InspectionSettings) -> Value:
@@ -138,9 +148,9 @@ def _of_axis(criterion: Criterion, found: Found, cells: Cells, settings: Inspect
         spreads.append(np.sqrt(np.linalg.inv(design.T @ design)[[0, 1], [0, 1]].max()))
         centres.append(feature.point_mm + height * direction_of(feature) + centre @ side)
     width = zone_width("line", np.array(centres), criterion, found.name)
-    noise = cells.noise_mm / np.cos(feature.half_angle_rad or 0.0) * float(np.median(spreads))
-    # a diameter is off by no more than twice the greatest shift of a centre, whose length has two components
-    return Value(width, float(np.sqrt(2)) * noise_reach(2 * len(whole)) * noise, f", the axis through {len(whole)} sections")
+    noises = cells.noise_mm / np.cos(feature.half_angle_rad or 0.0) * np.array(spreads)
+    sigma = noise_of_width([Zone.of("line", np.array(centres), noises)], criterion, settings.form_trials)
+    return Value(width, sigma, f", the axis through {len(whole)} sections")
 
 
 def _of_lines(described: DimensionProgram, found: Found, settings: InspectionSettings) -> Value:
@@ -163,7 +173,8 @@ def _of_lines(described: DimensionProgram, found: Found, settings: InspectionSet
         raise InspectionError(f"{found.name}: no line is long enough for {LEAST_ON_LINE} cells of {settings.form_cell_mm:g} mm")
     position = (cells.points_mm - feature.point_mm) @ line
     widths = [_line_width(position[mask], cells.deviations_mm[mask], described.criterion) for mask in lines]
-    return Value(max(widths), cells.form_sigma_mm, f", the worst of {len(lines)} lines")
+    zones = [Zone.of_profile(position[mask], cells.deviations_mm[mask], cells.noises_mm[mask]) for mask in lines]
+    return Value(max(widths), noise_of_width(zones, described.criterion, settings.form_trials), f", the worst of {len(lines)} lines")
 
 
 def _line_width(position: FloatArray, height: FloatArray, criterion: Criterion) -> float:

@@ -33,11 +33,14 @@ def local_fit(
     matrix = best_fit(points, surface, settings.alignment, frame).nominal_from_part.matrix
     edges = surface.sharp_edges()
     measured = {
-        nominal.feature.name: nominal for one in program.features if isinstance(one, MeasuredFeature) for nominal in nominal_features(one)
+        nominal.feature.name: nominal
+        for one in program.features
+        if isinstance(one, MeasuredFeature) and one.grow is None
+        for nominal in nominal_features(one)
     }
     if made := [name for name in asked.features if name not in measured]:
         raise InspectionError(
-            f"{made[0]} is not cut from the points: a local best fit cannot rest on it.", "Name features that are fitted to points."
+            f"{made[0]} is not cut from the points around its nominal: a local best fit cannot rest on it.", "Name features that are."
         )
     for _ in range(ROUNDS):
         placed = points.seen_from(RigidTransform(orthonormalised(matrix), "nominal", frame))

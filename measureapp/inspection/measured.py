@@ -67,16 +67,21 @@ class MeasuredPoints:
 
     def thinned(self, count: int) -> MeasuredPoints:
         """Return about ``count`` points spread evenly over the surface: one of each cell of a grid."""
-        if len(self) <= count:
-            return self
-        cells = np.asarray(self.points_mm - self.points_mm.min(axis=0))
-        size = float(cells.max()) / np.sqrt(count)
-        for _ in range(12):
-            first = _first_of_each_cell(cells, size)
-            if 0.8 * count <= len(first) <= 1.2 * count:
-                break
-            size *= np.sqrt(len(first) / count)
-        return self.where(np.sort(first))
+        return self if len(self) <= count else self.where(thinned_indices(self.points_mm, count))
+
+
+def thinned_indices(points_mm: FloatArray, count: int) -> IntArray:
+    """Return the indices, ascending, of about ``count`` points spread evenly over the surface."""
+    if len(points_mm) <= count:
+        return np.arange(len(points_mm))
+    offsets = np.asarray(points_mm - points_mm.min(axis=0))
+    size = float(offsets.max()) / np.sqrt(count)
+    for _ in range(12):
+        first = _first_of_each_cell(offsets, size)
+        if 0.8 * count <= len(first) <= 1.2 * count:
+            break
+        size *= np.sqrt(len(first) / count)
+    return np.sort(first)
 
 
 def _first_of_each_cell(offsets_mm: FloatArray, size_mm: float) -> IntArray:

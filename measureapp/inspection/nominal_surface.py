@@ -12,6 +12,7 @@ from scipy.spatial import cKDTree
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
+from measureapp.inspection.slivers import divided
 
 SHARP_DEG = 25.0
 ON_EDGE = 1e-4
@@ -53,6 +54,7 @@ class NominalSurface:
         self.low_mm, self.high_mm = self.vertices_mm.min(axis=0), self.vertices_mm.max(axis=0)
         self.diagonal_mm = float(np.linalg.norm(self.high_mm - self.low_mm))
         self._offset = (self.low_mm + self.high_mm) / 2
+        self._pieces = divided(corners)
         self._scene = self._build_scene()
         self._vertex_normals = _angle_weighted_normals(corners, self.triangles, self.normals, len(self.vertices_mm))
 
@@ -60,8 +62,12 @@ class NominalSurface:
         import open3d as o3d
 
         scene = o3d.t.geometry.RaycastingScene()
-        vertices = (self.vertices_mm - self._offset).astype(np.float32)
-        scene.add_triangles(o3d.core.Tensor.from_numpy(vertices), o3d.core.Tensor.from_numpy(self.triangles.astype(np.uint32)))
+        vertices, triangles = self.vertices_mm, self.triangles
+        if len(self._pieces.parents) > len(triangles):
+            vertices = self._pieces.corners_mm(vertices[triangles]).reshape(-1, 3)
+            triangles = np.arange(len(vertices)).reshape(-1, 3)
+        single = (vertices - self._offset).astype(np.float32)
+        scene.add_triangles(o3d.core.Tensor.from_numpy(single), o3d.core.Tensor.from_numpy(triangles.astype(np.uint32)))
         return scene
 
     def closest(self, points_mm: FloatArray) -> Closest:
@@ -73,9 +79,12 @@ class NominalSurface:
 
         query = o3d.core.Tensor.from_numpy(np.ascontiguousarray(points_mm - self._offset, dtype=np.float32))
         answer = self._scene.compute_closest_points(query)
-        triangles = answer["primitive_ids"].numpy().astype(np.int64)
+        pieces = answer["primitive_ids"].numpy().astype(np.int64)
         uv = answer["primitive_uvs"].numpy().astype(np.float64)
         weights = np.column_stack([1 - uv.sum(axis=1), uv])
+        if len(self._pieces.parents) > len(self.triangles):
+            weights = np.einsum("nk,nkc->nc", weights, self._pieces.weights[pieces])
+        triangles = self._pieces.parents[pieces]
         points = np.einsum("nk,nkd->nd", weights, self.vertices_mm[self.triangles[triangles]])
         normals = self.normals[triangles]
         border = np.flatnonzero(weights.min(axis=1) < ON_EDGE)
@@ -91,7 +100,10 @@ class NominalSurface:
         rays = np.empty((len(points_mm), 6), np.float32)
         rays[:, :3], rays[:, 3:] = points_mm - self._offset, directions
         answer = self._scene.cast_rays(o3d.core.Tensor.from_numpy(rays))
-        return Hits(answer["t_hit"].numpy().astype(np.float64), answer["primitive_ids"].numpy().astype(np.int64))
+        pieces = np.minimum(
+            answer["primitive_ids"].numpy().astype(np.int64), len(self._pieces.parents) - 1
+        )  # a miss has a number beyond all
+        return Hits(answer["t_hit"].numpy().astype(np.float64), self._pieces.parents[pieces])
 
     def _pseudo_normals(self, triangles: IntArray, weights: FloatArray) -> FloatArray:
         """Normals on edges (mean of both sides) and corners (weighted by angle)."""

@@ -15,6 +15,7 @@ from measureapp.inspection.blades.values import blade_value
 from measureapp.inspection.features import Found
 from measureapp.inspection.form import form_value
 from measureapp.inspection.settings import InspectionSettings
+from measureapp.inspection.small_arcs import needs_draws, simulated_radius_sigma
 from measureapp.inspection.tolerances import tolerance_value
 from measureapp.inspection.value import AXES, CENTRES, Value, direction_of, feature_of, placement_of
 
@@ -53,7 +54,11 @@ def _round(found: Found, settings: InspectionSettings, factor: float) -> Value:
     feature = feature_of(found)
     if feature.radius_mm is None:
         raise InspectionError(f"{found.name} is a {feature.shape} and has no radius")
-    return Value(factor * feature.radius_mm, factor * float(np.hypot(found.radius_sigma, placement_of(found, settings))))
+    sigma, how = found.radius_sigma, ""
+    if needs_draws(found):
+        sigma = simulated_radius_sigma(found, feature, settings.radius_trials)
+        how = f"small piece: Monte Carlo, {settings.radius_trials} draws"
+    return Value(factor * feature.radius_mm, factor * float(np.hypot(sigma, placement_of(found, settings))), how)
 
 
 def _distance(one: Found, other: Found, settings: InspectionSettings) -> Value:

@@ -1,12 +1,12 @@
-"""Clouds and meshes on disk: PLY, STL, OBJ, PCD and XYZ in, PLY, STL and XYZ out.
+"""Clouds and meshes on disk: PLY, STL, OBJ, PCD, XYZ and, as nominals, STEP in; PLY, STL and XYZ out.
 
 Every reader checks what a header declares against what the file holds before it allocates anything, so that a
-damaged file is refused in words. Files carry no units: lengths are taken as millimetres.
+damaged file is refused in words. Files carry no units: lengths are taken as millimetres unless another unit is stated.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -14,12 +14,14 @@ import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray, read_only
 from measureapp.data.cloud import PointCloud, StitchedCloud
+from measureapp.data.length_unit import LengthUnit
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InputError
 from measureapp.project.atomic import replacing
 from measureapp.project.mesh_files import read_obj, read_stl, write_stl
 from measureapp.project.ply import Ply, Ragged, read_ply, write_ply
 from measureapp.project.point_files import read_pcd, read_table
+from measureapp.project.step_files import STEP_KINDS, read_step
 
 LARGEST_FILE_BYTES = 8 * 2**30
 LARGEST_MM = 1e7  # beyond ten kilometres a coordinate is garbage
@@ -50,8 +52,8 @@ class PlainPoints:
         return len(self.points_mm)
 
 
-def read_points(path: Path) -> PlainPoints:
-    """Read the points (or the vertices) of a PLY, STL, OBJ, PCD or text file.
+def read_points(path: Path, unit: LengthUnit = LengthUnit.MM) -> PlainPoints:
+    """Read the points (or the vertices) of a PLY, STL, OBJ, PCD or text file whose lengths are in ``unit``.
 
     Raises
     ------
@@ -71,31 +73,48 @@ def read_points(path: Path) -> PlainPoints:
     else:
         table = read_table(path)
         points = _sound(path, table[:, :3], {"normals": table[:, 3:6] if table.shape[1] == 6 else None})
-    return points
+    return _points_in_mm(path, points, unit)
 
 
-def read_mesh(path: Path, frame: str = "nominal") -> Mesh:
-    """Read the triangles of a PLY, STL or OBJ file.
+def read_mesh(path: Path, frame: str = "nominal", unit: LengthUnit = LengthUnit.MM) -> Mesh:
+    """Read the triangles of a PLY, STL or OBJ file whose lengths are in ``unit``, or those that follow the surfaces of a STEP file.
 
     Raises
     ------
     InputError
         As `read_points`; also a file without triangles, or with corners that do not exist.
     """
-    path, kind = _checked(path)
+    path, kind = _checked(path, (*KINDS, *STEP_KINDS))
+    if kind in STEP_KINDS:
+        if unit is not LengthUnit.MM:
+            raise InputError(f"{path} is a STEP file, which states its unit itself.", "Leave the unit of the nominal out.")
+        return Mesh(*read_step(path), frame)
     if kind not in (".ply", ".stl", ".obj"):
-        raise InputError(f"{path} cannot hold a mesh.", "Give a PLY, STL or OBJ file.")
+        raise InputError(f"{path} cannot hold a mesh.", "Give a PLY, STL, OBJ or STEP file.")
     mesh = _read_mesh(path, kind, frame)
     if mesh is None:
         raise InputError(f"{path} has points but no triangles.", "Give a mesh, or make one of the cloud first.")
-    return mesh
+    return _mesh_in_mm(mesh, unit)
 
 
-def read_cloud_or_mesh(path: Path, frame: str = "part") -> PlainPoints | Mesh:
+def read_cloud_or_mesh(path: Path, frame: str = "part", unit: LengthUnit = LengthUnit.MM) -> PlainPoints | Mesh:
     """Read a mesh if the file has triangles, otherwise its points; raises InputError as `read_points`."""
     checked, kind = _checked(path)
     mesh = _read_mesh(checked, kind, frame) if kind in (".ply", ".stl", ".obj") else None
-    return read_points(checked) if mesh is None else mesh
+    return read_points(checked, unit) if mesh is None else _mesh_in_mm(mesh, unit)
+
+
+def _points_in_mm(path: Path, points: PlainPoints, unit: LengthUnit) -> PlainPoints:
+    if unit is LengthUnit.MM:
+        return points
+    if points.frame:
+        raise InputError(f"{path} was written by MeasureApp, in millimetres, not in {unit.words}.", "Leave the unit out.")
+    sigma = None if points.sigma_mm is None else points.sigma_mm * unit.in_mm
+    return replace(points, points_mm=points.points_mm * unit.in_mm, sigma_mm=sigma)
+
+
+def _mesh_in_mm(mesh: Mesh, unit: LengthUnit) -> Mesh:
+    return mesh if unit is LengthUnit.MM else replace(mesh, vertices_mm=mesh.vertices_mm * unit.in_mm)
 
 
 def read_point_cloud(path: Path) -> PointCloud:
@@ -155,7 +174,7 @@ def write_mesh(path: Path, mesh: Mesh) -> None:
             raise InputError(f"{path}: a mesh cannot be written as {kind or 'a file without ending'}.", "Use .ply or .stl.")
 
 
-def _checked(path: Path) -> tuple[Path, str]:
+def _checked(path: Path, kinds: tuple[str, ...] = KINDS) -> tuple[Path, str]:
     """Return the path and its lower-case ending after the checks that every reader needs."""
     path = Path(path)
     if not path.is_file():
@@ -171,8 +190,8 @@ def _checked(path: Path) -> tuple[Path, str]:
     if size > LARGEST_FILE_BYTES:
         raise InputError(f"{path} has {size / 2**30:.1f} GiB, more than can be read at once.", "Reduce the cloud or mesh first.")
     kind = path.suffix.lower()
-    if kind not in KINDS:
-        raise InputError(f"{path} is of an unknown kind.", "Give one of: " + ", ".join(KINDS) + ".")
+    if kind not in kinds:
+        raise InputError(f"{path} is of an unknown kind.", "Give one of: " + ", ".join(kinds) + ".")
     return path, kind
 
 

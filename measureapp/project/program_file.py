@@ -56,7 +56,7 @@ def read_program_nominal(path: Path, program: InspectionProgram) -> Mesh | None:
     nominal = Path(path).parent / program.nominal
     if not nominal.is_file():
         raise InputError(f"{nominal}, the nominal named in {path}, does not exist.", "Put the mesh there or correct `nominal`.")
-    return read_mesh(nominal)
+    return read_mesh(nominal, unit=program.nominal_unit)
 
 
 def _first_problem(error: ValidationError, document: dict[str, object]) -> str:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import asdict
-from math import isfinite
+from math import degrees, isfinite
 from typing import Any
 
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.dimension import Dimension
+from measureapp.data.feature import Feature
 from measureapp.data.measurement import Alignment, Measurement
 from measureapp.data.validity import Validity
 from measureapp.report.model import ReportModel, ViewLine
@@ -30,6 +31,24 @@ def dimension_document(dimension: Dimension) -> dict[str, Any]:
         "verdict": dimension.verdict.value,
         "reason": dimension.reason,
         "origin": dimension.origin,
+    }
+
+
+def feature_document(feature: Feature) -> dict[str, Any]:
+    """Return a feature that was found, in the nominal's frame; what its shape does not have is None."""
+    angle = feature.half_angle_rad
+    return {
+        "name": feature.name,
+        "shape": feature.shape,
+        "point_mm": feature.point_mm.tolist(),
+        "direction": None if feature.direction is None else feature.direction.tolist(),
+        "radius_mm": feature.radius_mm,
+        "half_angle_deg": None if angle is None else degrees(angle),
+        "points": feature.points,
+        "left_out": feature.left_out,
+        "rms_mm": feature.rms_mm,
+        "form_error_mm": feature.form_error_mm,
+        "how": feature.how,
     }
 
 

@@ -2,15 +2,17 @@ from __future__ import annotations
 
 import csv
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from measureapp.cli import main
+from measureapp.data.cloud import PointCloud
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.measured import sampled
-from measureapp.project.geometry_files import read_mesh
+from measureapp.project.geometry_files import read_mesh, write_cloud, write_mesh
 from measureapp.project.ply import read_ply
 from measureapp.resources import resource
 
@@ -125,3 +127,40 @@ def test_sections_bands_and_the_coloured_nominal_are_written(cloud: Path, tmp_pa
 def test_what_cannot_be_written_is_refused(options: tuple[str, ...], complaint: str, cloud: Path, capsys) -> None:
     assert main(["compare", str(cloud), str(NOMINAL), *options]) in (2, 3, 4)
     assert complaint in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("align", ["best-fit", "matrix"])
+def test_another_unit_of_cloud_or_nominal_is_asked_about_and_taken_once_it_is_said(align: str, cloud: Path, tmp_path: Path, capsys) -> None:
+    inches, matrix = tmp_path / "inches.xyz", tmp_path / "matrix.txt"
+    np.savetxt(inches, np.loadtxt(cloud) / 25.4, fmt="%.7f")
+    np.savetxt(matrix, PLACED.inverse().matrix)
+    how = ["--align", "best-fit" if align == "best-fit" else str(matrix)]
+    if align == "best-fit":  # a matrix moves inches by millimetres: nothing then tells the unit but the size
+        assert main(["compare", str(inches), str(NOMINAL), *how]) == 2
+        assert "`--unit inch`" in capsys.readouterr().err
+    assert answer(capsys, str(inches), str(NOMINAL), *how, "--unit", "inch")["deviation_mm"]["rms"] == pytest.approx(0.02, rel=0.1)
+    metres = tmp_path / "metres.ply"
+    surface = read_mesh(NOMINAL)
+    write_mesh(metres, replace(surface, vertices_mm=surface.vertices_mm / 1000))
+    if align == "best-fit":
+        assert main(["compare", str(cloud), str(metres), *how]) == 2
+        assert "`--nominal-unit m`" in capsys.readouterr().err
+    told = answer(capsys, str(cloud), str(metres), *how, "--nominal-unit", "m")
+    assert told["deviation_mm"]["rms"] == pytest.approx(0.02, rel=0.1)
+
+
+def test_points_in_place_but_in_inches_are_asked_about(tmp_path: Path, capsys) -> None:
+    path = tmp_path / "inches.xyz"
+    np.savetxt(path, sampled(read_mesh(NOMINAL), 5000).points_mm / 25.4, fmt="%.7f")
+    assert main(["compare", str(path), str(NOMINAL), "--align", "none"]) == 2
+    assert "look like inches" in capsys.readouterr().err
+
+
+def test_a_file_of_our_own_is_in_millimetres_and_nothing_else(tmp_path: Path, capsys) -> None:
+    path = tmp_path / "ours.ply"
+    points = sampled(read_mesh(NOMINAL), 500)
+    count = len(points)
+    flat = (np.full(count, 0.02), np.zeros(count), np.zeros((count, 2)), np.ones(count))
+    write_cloud(path, PointCloud(points.points_mm, points.normals, *flat, "part", "v"))
+    assert main(["compare", str(path), str(NOMINAL), "--unit", "inch"]) == 2
+    assert "written by MeasureApp, in millimetres" in capsys.readouterr().err

@@ -20,7 +20,7 @@ def clouds(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     points = sampled(read_mesh(resource("parts/gypsum/nominal.stl")), 40_000)
     rng = np.random.default_rng(2)
     seen = points.points_mm[points.points_mm[:, 2] > 0.01] + rng.normal(0, 0.01, (int(np.sum(points.points_mm[:, 2] > 0.01)), 3))
-    made = {"good": seen, "grown": seen * [1.002, 1.0, 1.0], "metres": seen / 1000}
+    made = {"good": seen, "grown": seen * [1.002, 1.0, 1.0], "metres": seen / 1000, "inches": seen / 25.4}
     for name, values in made.items():
         np.savetxt(folder / f"{name}.xyz", values, fmt="%.6f")
     return {name: folder / f"{name}.xyz" for name in made}
@@ -45,6 +45,21 @@ def test_a_cloud_in_metres_is_bad_input_and_the_unit_is_named(clouds, capsys) ->
     assert main(["measure", str(clouds["metres"]), str(PROGRAM), "--json"]) == 2
     error = json.loads(capsys.readouterr().out)["error"]
     assert error["type"] == "InspectionError" and "metres" in error["message"] and error["hint"]
+
+
+@pytest.mark.parametrize("how", ["best-fit", "none"])
+def test_a_cloud_in_inches_is_asked_about_and_measured_once_it_is_said(how: str, clouds, capsys) -> None:
+    asked = ["measure", str(clouds["inches"]), str(PROGRAM), "--alignment", how, "--json"]
+    assert main(asked) == 2
+    error = json.loads(capsys.readouterr().out)["error"]
+    assert "look like inches" in error["message"] and "`--unit inch`" in error["hint"]
+    assert main([*asked, "--unit", "inch"]) == 0
+    said = json.loads(capsys.readouterr().out)
+    assert main(["measure", str(clouds["good"]), str(PROGRAM), "--alignment", how, "--json"]) == 0
+    plain = json.loads(capsys.readouterr().out)
+    for one, other in zip(said["dimensions"], plain["dimensions"], strict=True):
+        assert one["measured"] == pytest.approx(other["measured"], abs=2e-4)  # six decimals of an inch in the file
+    assert main([*asked, "--unit", "m"]) != 0  # said, but not so
 
 
 def test_a_missing_program_is_bad_input(clouds, capsys) -> None:
@@ -74,3 +89,40 @@ def test_an_alignment_that_is_none_is_refused(words: str, clouds, capsys) -> Non
     assert main(["measure", str(clouds["good"]), str(PROGRAM), "--alignment", words]) == 2
     err = capsys.readouterr().err
     assert f"--alignment {words}" in err and "3-2-1:PLANE,LINE,POINT" in err
+
+
+GROWN = """
+name = "grown faces"
+alignment = "none"
+[[features]]
+name = "face"
+shape = "plane"
+grow = { seed_mm = [50, 0, 30] }
+[[features]]
+name = "bore"
+shape = "cylinder"
+grow = { seed_mm = [20, 0, 15] }
+[[dimensions]]
+name = "bore_diameter"
+kind = "diameter"
+features = ["bore"]
+nominal = 40
+"""
+
+
+def test_features_grown_from_a_seed_are_answered_with_their_points_and_why_they_stopped(tmp_path, capsys) -> None:
+    program = tmp_path / "grown.toml"
+    program.write_text(GROWN)
+    assert main(["measure", str(resource("parts/gear/nominal.stl")), str(program), "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    features = {entry["name"]: entry for entry in document["features"]}
+    assert features["face"]["shape"] == "plane" and features["bore"]["radius_mm"] == pytest.approx(20, abs=0.01)
+    assert "grown from its seed to" in features["face"]["how"] and "it ended" in features["face"]["how"]
+    assert features["bore"]["how"] in document["dimensions"][0]["origin"]
+
+
+def test_a_seed_beside_the_part_leaves_the_dimension_unmeasured_with_the_reason(tmp_path, capsys) -> None:
+    program = tmp_path / "grown.toml"
+    program.write_text(GROWN.replace("[20, 0, 15]", "[0, 0, 15]"))
+    assert main(["measure", str(resource("parts/gear/nominal.stl")), str(program)]) == 1
+    assert "not measured: bore: no measured surface lies within 2 mm of its seed" in capsys.readouterr().out

@@ -58,6 +58,18 @@ def test_clouds_without_normals_are_stitched_and_meshed(views: Path, capsys: pyt
     assert len(read_mesh(views / "out.stl").triangles) > 1000
 
 
+def test_an_open_patch_is_meshed_without_filling_anything(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
+    rng = np.random.default_rng(4)
+    flat = np.column_stack([rng.uniform(-20, 20, (12000, 2)), np.full(12000, 500.0) + rng.normal(0, 0.02, 12000)])
+    np.savetxt(tmp_path / "view0.xyz", flat[np.hypot(*flat[:, :2].T) > 6], "%.5f")
+    write_poses(tmp_path / "poses.csv", {"view0": RigidTransform.identity("part", "camera")})
+    out = tmp_path / "out.ply"
+    assert main(arguments(tmp_path, "--kinematic-only", "--mesh", str(out), "--mesher", "open")) == 0
+    mesh = read_mesh(out)
+    assert mesh.measured is not None and mesh.measured.all()
+    assert np.hypot(*mesh.vertices_mm[mesh.triangles].mean(axis=1)[:, :2].T).min() > 5.5
+
+
 def test_a_pose_table_without_the_clouds_name_is_refused(views: Path, capsys: pytest.CaptureFixture[str]):
     write_poses(views / "poses.csv", {"other": RigidTransform.identity("part", "camera")})
     assert main(arguments(views)) == 2
@@ -70,6 +82,16 @@ def test_clouds_in_metres_are_asked_about(views: Path, capsys: pytest.CaptureFix
     assert main(arguments(views)) == 2
     refusal = json.loads(capsys.readouterr().out)["error"]
     assert "view1.xyz" in refusal["message"] and "metres" in refusal["message"] and "millimetres" in refusal["hint"]
+
+
+def test_clouds_that_lie_together_in_inches_only_are_asked_about_and_stitched_once_it_is_said(views: Path, capsys):
+    for path in views.glob("view*.xyz"):
+        np.savetxt(path, np.loadtxt(path) / 25.4, "%.7f")
+    assert main(arguments(views)) == 2
+    refusal = json.loads(capsys.readouterr().out)["error"]
+    assert "taken as inches they lie together" in refusal["message"] and "`--unit inch`" in refusal["hint"]
+    assert main(arguments(views, "--unit", "inch")) == 0
+    assert np.abs(read_points(views / "out.ply").points_mm).max() == pytest.approx(HALF_MM, abs=0.5)
 
 
 def test_an_output_of_unknown_kind_is_refused_before_any_work(views: Path, capsys: pytest.CaptureFixture[str]):

@@ -79,8 +79,10 @@ def test_a_plate_seen_from_above_leaves_shifts_and_a_turn_open_and_says_so() -> 
 def test_a_cloud_in_another_unit_is_refused_and_the_unit_named(factor: float, unit: str, samples, scan, on_table) -> None:
     nominal = samples("gypsum").nominal
     cloud = scan(nominal, on_table(0.0), count=20_000)
-    with pytest.raises(InspectionError, match=unit):
+    with pytest.raises(InspectionError, match=f"points look like {unit}"):
         best_fit(MeasuredPoints(cloud.points_mm * factor), nominal)
+    with pytest.raises(InspectionError, match=f"nominal looks like {unit}"):
+        best_fit(cloud, Mesh(nominal.vertices_mm * factor, nominal.triangles, "nominal"))
 
 
 def test_the_nominal_of_another_part_is_refused(samples, scan, on_table) -> None:

@@ -84,6 +84,49 @@ def test_points_with_normals_are_measured_as_those_without() -> None:
     assert np.abs(by_rays - signed_distances(lifted, surface)).max() < 0.02 * np.sin(np.radians(10))
 
 
+def foot_distances(points: np.ndarray, corners: np.ndarray) -> np.ndarray:
+    """Distances (N,) of points from the nearest of a few triangles (T, 3, 3), in double precision."""
+    nearest = np.full(len(points), np.inf)
+    for a, b, c in corners:
+        edges = []
+        for start, end in ((a, b), (b, c), (c, a)):
+            along = end - start
+            share = np.clip((points - start) @ along / (along @ along), 0, 1)
+            edges.append(np.linalg.norm(points - start - share[:, None] * along, axis=1))
+        normal = np.cross(b - a, c - a)
+        inside = np.all([np.cross(end - start, points - start) @ normal >= 0 for start, end in ((a, b), (b, c), (c, a))], axis=0)
+        above = np.abs((points - a) @ normal) / np.linalg.norm(normal)
+        nearest = np.minimum(nearest, np.where(inside, above, np.min(edges, axis=0)))
+    return nearest
+
+
+def test_closest_points_on_long_narrow_triangles_are_as_near_as_in_double_precision() -> None:
+    """A fan of facets 120 mm long and up to 1.5 mm wide, as CAD programs divide a disc."""
+    turn = np.radians(np.linspace(0, 5, 8))
+    rim = np.column_stack([120 * np.cos(turn), 120 * np.sin(turn), 0.3 * np.cos(9 * turn)])
+    vertices = np.vstack([[0.0, 0.0, 0.0], rim])
+    triangles = np.array([[0, k, k + 1] for k in range(1, len(rim))])
+    rng = np.random.default_rng(2)
+    nominal = Mesh(vertices, triangles, "nominal")
+    points = sampled(nominal, 4000).points_mm + rng.normal(0, 0.05, (4000, 3))
+    exact = foot_distances(points, vertices[triangles])
+    single = 2.0**-23 * 120  # of a coordinate
+    assert np.abs(np.abs(signed_distances(points, NominalSurface(nominal))) - exact).max() < 20 * single
+
+
+def test_no_place_of_the_impeller_is_nearer_along_a_ray_than_its_closest_point(samples) -> None:
+    """They differ only in a corner, where the closest point may lie on the other face."""
+    nominal, rng = samples("impeller").nominal, np.random.default_rng(5)
+    points = sampled(nominal, 60_000)
+    assert points.normals is not None
+    lifted = points.points_mm + rng.normal(0, 0.03, (len(points), 1)) * points.normals
+    surface = NominalSurface(nominal)
+    by_rays = np.abs(distances_and_normals(lifted, np.array(points.normals), surface)[0])
+    closest = np.abs(signed_distances(lifted, surface))
+    assert (closest - by_rays).max() < 1e-4
+    assert np.mean(by_rays - closest > 1e-3) < 0.002
+
+
 def test_points_far_from_the_nominal_are_measured_to_the_closest_point() -> None:
     half, rng = np.array([50.0, 30.0, 20.0]), np.random.default_rng(1)
     points = rng.uniform(-1.5, 1.5, (4000, 3)) * half

@@ -93,6 +93,13 @@ def test_a_part_larger_than_its_nominal_is_measured_as_it_is(samples, scan, on_t
     assert found["b"].verdict is Verdict.PASS
 
 
+def test_points_in_another_unit_are_asked_about_where_only_the_features_tell() -> None:
+    described = program(BLOCK, BLOCK_DIMENSIONS)
+    points = block(np.random.default_rng(3))
+    with pytest.raises(InspectionError, match=r"Taken as metres, 100% of the features are found; taken as millimetres, 0%.*`--unit m`"):
+        inspect(MeasuredPoints(points.points_mm / 1000, points.normals), described)
+
+
 def test_the_uncertainty_holds_in_95_of_100_cases_when_the_points_err_independently() -> None:
     described = program(BLOCK, BLOCK_DIMENSIONS)
     within = []

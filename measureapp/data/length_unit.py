@@ -1,0 +1,35 @@
+"""Units of length that files come in; everything inside is in millimetres."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+
+_MM = {"mm": 1.0, "inch": 25.4, "m": 1000.0, "cm": 10.0, "um": 0.001}
+_WORDS = {"mm": "millimetres", "inch": "inches", "m": "metres", "cm": "centimetres", "um": "micrometres"}
+
+
+class LengthUnit(StrEnum):
+    """A unit as it is named on the command line and in programs; the likelier ones come first.
+
+    >>> LengthUnit.INCH.in_mm, LengthUnit.INCH.words
+    (25.4, 'inches')
+    """
+
+    MM = "mm"
+    INCH = "inch"
+    M = "m"
+    CM = "cm"
+    UM = "um"
+
+    @property
+    def in_mm(self) -> float:
+        """Millimetres of one unit."""
+        return _MM[self.value]
+
+    @property
+    def words(self) -> str:
+        """The unit's name, in the plural."""
+        return _WORDS[self.value]
+
+
+OTHER_UNITS = tuple(unit for unit in LengthUnit if unit is not LengthUnit.MM)

@@ -1,0 +1,40 @@
+"""Whether clouds are in millimetres, as their poses are: only then do the placed views lie on one part."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from measureapp.data.cloud import PointCloud
+from measureapp.data.length_unit import OTHER_UNITS
+from measureapp.errors import RegistrationError
+from measureapp.geometry.transform import RigidTransform
+
+APART, TOGETHER = 3.0, 1.0  # spread of the placed views, in their own size
+
+
+def check_unit(clouds: Sequence[PointCloud], poses: Sequence[RigidTransform]) -> None:
+    """Ask about the unit of clouds (frame camera) that lie apart in millimetres and together in another unit.
+
+    Raises
+    ------
+    RegistrationError
+        Naming the unit.
+    """
+    middles = np.stack([np.median(cloud.points_mm, axis=0) for cloud in clouds])
+    sizes = np.array([np.linalg.norm(np.subtract(*np.percentile(cloud.points_mm, [95, 5], axis=0))) for cloud in clouds])
+
+    def spread(factor: float) -> float:
+        placed = np.stack([pose.apply(factor * middle[None])[0] for pose, middle in zip(poses, middles, strict=True)])
+        off = np.linalg.norm(placed - np.median(placed, axis=0), axis=1)
+        return float(np.median(off)) / max(factor * float(np.median(sizes)), 1e-9)
+
+    if spread(1.0) < APART:
+        return
+    unit = min(OTHER_UNITS, key=lambda one: spread(one.in_mm))
+    if spread(unit.in_mm) < TOGETHER:
+        raise RegistrationError(
+            f"Placed by their poses the clouds lie {spread(1.0):.0f} times their own size apart; taken as {unit.words} they lie together.",
+            f"Say so with `--unit {unit}`, or export the clouds in millimetres.",
+        )
