@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import json
 import shutil
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
@@ -32,6 +33,7 @@ from measureapp.errors import CalibrationError, InputError, StorageError
 from measureapp.project import board_views, calibration_store, results
 from measureapp.project.atomic import write_text
 from measureapp.project.calibration_store import RIG_UNCERTAINTY
+from measureapp.project.claim import claimed
 from measureapp.project.frame_store import FrameStore
 
 if TYPE_CHECKING:
@@ -95,6 +97,10 @@ class ProjectFolder:
     def name(self) -> str:
         """The project's name."""
         return self.settings.name
+
+    def claimed(self) -> AbstractContextManager[None]:
+        """Hold the project while it is changed. Raises StorageError where another window or command does so, or it is read-only."""
+        return claimed(self.path)
 
     def rig(self) -> RigDescription:
         """Return the rig the project was made for."""

@@ -92,6 +92,16 @@ def spoken(key: str) -> str:
     return f"{words} ({unit})" if unit else words
 
 
+def titled(name: str) -> str:
+    """Return a name from a file as words with a capital; a letter stays as it is in the drawing.
+
+    >>> titled("outer_diameter"), titled("a")
+    ('Outer diameter', 'a')
+    """
+    words = name.replace("_", " ")
+    return words if len(words) == 1 else words[:1].upper() + words[1:]
+
+
 def moment(iso: str) -> str:
     """Return an ISO 8601 moment as date and time of day.
 

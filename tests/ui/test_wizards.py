@@ -9,7 +9,9 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
 from measureapp.data.board import CheckerboardDescription
+from measureapp.errors import StorageError
 from measureapp.project.camera_file import read_cameras
+from measureapp.project.claim import claimed
 from tests.ui.board_pictures import BOARD, FOCAL, HEIGHT, WIDTH, record
 from ui.wizards.kinds import CAMERAS, HAND_EYE, KINDS
 from ui.wizards.wizard import COLLECT, RESULT, SETUP
@@ -69,7 +71,7 @@ def test_a_folder_of_images_becomes_an_accepted_calibration(qtbot, wizard, recor
     estimate, sigma = (float(text.removeprefix("± ").split("\u00a0")[0]) for text in focal[1:3])
     assert abs(estimate - FOCAL) < 5 * sigma + 1.0  # drawing the board costs some hundredths of a pixel, a few tenths of the focal length
     assert not wizard.calibrating.result.has_truth
-    assert "Collect more" in wizard.footer.words  # the check leaves the choice open
+    assert "Back to the views" in wizard.footer.words  # the check leaves the choice open
     qtbot.waitUntil(lambda: not wizard.calibrating.is_checking, timeout=PATIENCE_MS)
     assert "views held back fit with" in wizard.result.held_back.text()
     assert wizard.result.stop_check.isHidden()
@@ -133,6 +135,47 @@ def test_closing_loses_nothing_and_the_work_goes_on(qtbot, page, wizard, recorde
     assert all(view.pictures for view in wizard.collecting.views)
 
 
+def test_views_that_another_window_works_on_are_not_taken_over(qtbot, page, wizard, recorded):
+    read_folder(qtbot, wizard, recorded)
+    folder = wizard.collecting.collection.folder
+    wizard.close()
+    page.open_wizard(CAMERAS)
+    with claimed(folder):
+        wizard.setup.resumeClicked.emit()
+        qtbot.waitUntil(lambda: "another window" in wizard.footer.message.words.text(), timeout=PATIENCE_MS)
+    assert wizard.step == SETUP
+    wizard.setup.resumeClicked.emit()
+    qtbot.waitUntil(lambda: wizard.step == COLLECT, timeout=PATIENCE_MS)
+    settle(qtbot, wizard)
+    with pytest.raises(StorageError, match="another window"), claimed(folder):
+        pass
+
+
+def test_what_begin_waits_for_stands_beside_it(wizard, recorded):
+    wizard.setup.source.setValue("images")
+    assert (wizard.footer.primary.text(), wizard.footer.primary.isEnabled()) == ("Begin", False)
+    assert wizard.footer.missing.text() == "Choose a folder"
+    wizard.setup.folder.setValue(recorded)
+    assert wizard.footer.primary.isEnabled()
+    assert not wizard.footer.missing.isVisible()
+
+
+def test_the_focus_does_not_fall_on_the_help_when_its_button_goes(wizard):
+    wizard.footer.primary.setFocus()
+    wizard.setup.source.setValue("images")
+    assert wizard.focusWidget() is wizard.steps
+
+
+def test_the_arrow_keys_go_to_the_steps_that_were_reached(qtbot, wizard, recorded):
+    QTest.keyClick(wizard.steps, Qt.Key.Key_Down)
+    assert wizard.step == SETUP  # nothing was collected
+    read_folder(qtbot, wizard, recorded)
+    QTest.keyClick(wizard.steps, Qt.Key.Key_Up)
+    assert wizard.step == SETUP
+    QTest.keyClick(wizard.steps, Qt.Key.Key_Down)
+    assert wizard.step == COLLECT
+
+
 @pytest.mark.parametrize("folder, said", [("nothing here", "There is no folder"), ("", "No images lie in")])
 def test_a_folder_without_images_is_refused_with_a_remedy(qtbot, wizard, tmp_path, folder, said):
     (tmp_path / "empty").mkdir()
@@ -170,7 +213,8 @@ def test_an_image_of_one_camera_may_be_missing_and_a_broken_one_is_told(qtbot, w
 def test_sizes_of_a_board_that_contradict_each_other_cannot_begin(wizard):
     wizard.setup.board.kind.setValue("charuco")
     wizard.setup.board.lengths["marker_mm"].setValue(25.0)
-    assert wizard.footer.words[0] == ""
+    assert not wizard.footer.primary.isEnabled()
+    assert wizard.footer.missing.text() == "Check the board"
     assert "do not fit" in wizard.setup.board.note.text()
 
 

@@ -60,6 +60,7 @@ class CalibrationPage(Page):
         self.shares = card(
             label("What the calibration adds to a point placed by the axes (1 σ)", "heading"), label(SHARES_TEXT, "soft"), 8, self.chart
         )
+        self.shares.layout().setStretch(self.shares.layout().count() - 1, 1)
         layout = column(self.table, self.shares, 0, spacing=16)
         layout.setStretch(1, 1000)
         self.body.setLayout(layout)
@@ -132,6 +133,7 @@ class CalibrationPage(Page):
             self.state.setText("The true geometry of the rig is not known yet." if cameras is None else CAMERAS_ONLY)
             self.table.set_rows([self._cells(found) for found in self._rows])
             self.table.setFixedHeight(self.table.fitted_height())
+            self._select(max(0, self.table.currentIndex().row()))
             return
         self._rows = solution_rows(calibration, self.session.rig)
         bad = [found.name for found in self._rows if not found.good]

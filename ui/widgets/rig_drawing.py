@@ -73,7 +73,7 @@ class RigDrawing(QWidget):
         canvas.pen("faint", 1.2)
         canvas.fill("sunken")
         canvas.box(-140, low - 100, 140, high + 100)
-        canvas.text(0, low - 100, f"Guide {high - low:.0f} mm", dx=28, dy=14)
+        canvas.text(0, low - 100, f"Guide {high - low:.0f} mm", dx=28, dy=14, clear=True)
         canvas.pen("faint", 1.5)
         canvas.fill("raised")
         canvas.circle(x, y, radius)
@@ -81,7 +81,7 @@ class RigDrawing(QWidget):
         canvas.circle(x, y, radius * 0.62)
         canvas.line((x - 40, y), (x + 40, y))
         canvas.line((x, y - 40), (x, y + 40))
-        canvas.text(x, y - radius, f"Table ⌀ {2 * radius:.0f} mm", dy=14)
+        canvas.text(x, y - radius, f"Table ⌀ {2 * radius:.0f} mm", dy=14, clear=True)
         _robot_top(canvas, stand, x - rig.standoff_mm * 0.85, y)
 
 
