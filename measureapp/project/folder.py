@@ -39,6 +39,7 @@ from measureapp.project.frame_store import FrameStore
 if TYPE_CHECKING:
     from measureapp.calibrate.stitch_uncertainty import RigUncertainty
 
+FORMAT = 1  # of the project's own files
 DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
 ModelT = TypeVar("ModelT", bound=BaseModel)
 PROGRAM, NOMINAL = "program.toml", "nominal"
@@ -242,8 +243,14 @@ def _read_json(path: Path) -> Any:
 
 
 def _read_model(path: Path, kind: type[ModelT]) -> ModelT:
+    document = _read_json(path)
+    version = document.get("schema_version", FORMAT) if isinstance(document, dict) else FORMAT
+    if version != FORMAT:
+        raise StorageError(
+            f"{path} has format {version}; this version reads format {FORMAT}.", "Use the version of MeasureApp that wrote it."
+        )
     try:
-        return kind.model_validate(_read_json(path))
+        return kind.model_validate(document)
     except ValidationError as error:
         raise StorageError(
             f"{path}: {first_problem(error, 'the file')}.", "Restore the file from a backup, or make a new project."

@@ -14,7 +14,9 @@ from measureapp.project.claim import claimed
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.rig_file import read_rig
 
-HOLDER = "import sys; from measureapp.project.claim import claimed\nwith claimed(sys.argv[1]):\n    print('held', flush=True); sys.stdin.read()"
+HOLDER = (
+    "import sys; from measureapp.project.claim import claimed\nwith claimed(sys.argv[1]):\n    print('held', flush=True); sys.stdin.read()"
+)
 
 
 @pytest.fixture

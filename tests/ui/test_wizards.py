@@ -198,6 +198,15 @@ def test_the_wrong_board_is_named_and_the_images_are_kept(qtbot, wizard, recorde
     assert [view.verdict for view in wizard.collecting.views] == ["pass"] * 8
 
 
+def test_images_that_cannot_be_read_lead_back_to_the_choice(qtbot, wizard, tmp_path):
+    (tmp_path / "left01.png").write_bytes(b"no image")
+    read_folder(qtbot, wizard, tmp_path)
+    assert wizard.step == COLLECT
+    assert wizard.footer.words[0] == "Choose other images"
+    wizard.footer.primary.click()
+    assert wizard.step == SETUP
+
+
 def test_an_image_of_one_camera_may_be_missing_and_a_broken_one_is_told(qtbot, wizard, tmp_path):
     folder = record(tmp_path / "some", 5)
     (folder / "right02.png").unlink()

@@ -24,6 +24,7 @@ SMALLEST, USUAL = (1320, 660), (1340, 740)
 MORE = 5  # views at a time, beyond those planned
 HELP_PAGE = "calibration_wizards"
 ANYWAY, KEEP_OLD, NOT_NOW = "Accept all the same", "Keep the old one", "Not now"
+OTHER_IMAGES = "Choose other images"
 JUDGING, NO_RESULT = "Judging the result…", "These views give no result yet."
 
 
@@ -139,6 +140,8 @@ class CalibrationWizard(QDialog):
             if collecting.can_take_more and not collecting.is_collecting:
                 more = f"Take {MORE} more views"
                 return (see, more, "") if collecting.is_good or collecting.took_more else (more, see, "")
+            if not (see or collecting.from_rig or collecting.is_collecting or collecting.is_thinking):
+                return OTHER_IMAGES, "", ""
             return see, "", ""
         more = "Collect more" if collecting.can_collect else "Back to the views"
         if self.calibrating.result is None:
@@ -155,6 +158,8 @@ class CalibrationWizard(QDialog):
             self.collecting.begin(self.setup.value())
         elif offered == "See the result":
             self._conclude()
+        elif offered == OTHER_IMAGES:
+            self.show_step(SETUP)
         elif self.step == COLLECT:
             self._take(offered)
         else:
