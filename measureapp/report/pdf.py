@@ -78,7 +78,7 @@ def typst_document(model: ReportModel) -> dict[str, Any]:
     word = "NO VERDICT" if model.verdict is None else model.verdict.value.upper()
     colour = NEUTRAL if model.verdict is None else COLOURS[model.verdict]
     return {
-        "title": titled(model.title),
+        "title": model.title,
         "software": model.software,
         "footer": f"{model.software} · {model.measurement.project} · {model.title}",
         "verdict": {"word": word, "colour": colour, "sign": "–" if model.verdict is None else SIGNS[model.verdict]},

@@ -93,13 +93,12 @@ def spoken(key: str) -> str:
 
 
 def titled(name: str) -> str:
-    """Return a name from a file as words with a capital; a letter stays as it is in the drawing.
+    """Return a name such as programs give as words with a capital; any other, and a letter, as it stands in the drawing.
 
-    >>> titled("outer_diameter"), titled("a")
-    ('Outer diameter', 'a')
+    >>> titled("outer_diameter"), titled("a"), titled("P1_x, hole")
+    ('Outer diameter', 'a', 'P1_x, hole')
     """
-    words = name.replace("_", " ")
-    return words if len(words) == 1 else words[:1].upper() + words[1:]
+    return name.replace("_", " ").capitalize() if re.fullmatch(r"[a-z][a-z0-9_]+", name) else name
 
 
 def moment(iso: str) -> str:

@@ -45,7 +45,8 @@ def test_a_process_that_dies_gives_its_folder_free(tmp_path):
 
 
 def test_a_folder_that_cannot_be_written_to_is_told(tmp_path):
-    with pytest.raises(StorageError, match="cannot be written to"), claimed(tmp_path / "nowhere"):
+    (tmp_path / "file").touch()
+    with pytest.raises(StorageError, match="cannot be written to"), claimed(tmp_path / "file"):
         pass
 
 
