@@ -42,7 +42,8 @@ class RigPage(Page):
         )
         demo.setFixedWidth(352)
         main = column(card(self.drawing, margin=8), self.devices, spacing=16)
-        main.setStretch(0, 1)
+        main.setStretch(0, 2)
+        main.setStretch(1, 3)
         layout = row(main, demo, spacing=16)
         layout.setStretch(0, 1)
         self.body.setLayout(layout)
@@ -66,7 +67,7 @@ class RigPage(Page):
         )
         self.drawing.show_rig(rig)
         self.devices.set_rows(self._rows())
-        self.devices.setFixedHeight(self.devices.fitted_height())
+        self.devices.setMaximumHeight(self.devices.fitted_height())
         self.show_properties(self._properties())
 
     def _rows(self) -> list[list[Cell]]:

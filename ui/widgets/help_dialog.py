@@ -47,6 +47,6 @@ def _space(document: QTextDocument) -> None:
         cursor, form = QTextCursor(block), block.blockFormat()
         if cursor.currentTable() is None:
             form.setTopMargin(ABOVE_HEADING if form.headingLevel() > 1 else 0)
-            form.setBottomMargin(BELOW_ITEM if block.textList() is not None else BELOW)
+            form.setBottomMargin(BELOW_ITEM if block.textList() is not None and block.next().textList() is not None else BELOW)
             cursor.setBlockFormat(form)
         block = block.next()
