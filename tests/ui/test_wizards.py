@@ -13,6 +13,7 @@ from measureapp.errors import StorageError
 from measureapp.project.camera_file import read_cameras
 from measureapp.project.claim import claimed
 from tests.ui.board_pictures import BOARD, FOCAL, HEIGHT, WIDTH, record
+from ui.look.demo_settings import DemoSettings
 from ui.wizards.kinds import CAMERAS, HAND_EYE, KINDS
 from ui.wizards.wizard import COLLECT, RESULT, SETUP
 
@@ -261,6 +262,18 @@ def test_one_link_of_a_rig_is_offered_only_when_the_rig_is_calibrated(page, appl
     assert not page.offers[HAND_EYE.kind].isEnabled()
     application.session.set_calibration(calibration)
     assert all(page.offers[kind.kind].isEnabled() for kind in KINDS)
+
+
+def test_one_link_is_taken_at_the_resolution_of_the_calibrated_cameras(page, application, calibration):
+    application.session.set_calibration(calibration)  # of 1296 px; the rig has 2592
+    page.open_wizard(HAND_EYE)
+    wizard = page.wizards[HAND_EYE.kind]
+    assert wizard.setup.resolution.value() == "half"
+    application.controllers.demo.choose(DemoSettings(resolution="full"))
+    wizard.close()
+    wizard.begin()
+    assert wizard.setup.resolution.value() == "half"
+    wizard.close()
 
 
 def test_a_wizard_does_not_open_while_the_rig_is_busy(page, application):
