@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import json
+import logging
 import subprocess
 import sys
 from pathlib import Path
+
+from ui.app import keep_log
+from ui.workers.job import LOG, unexpected
 
 ROOT = Path(__file__).resolve().parents[2]
 HEAVY = ("vtk", "vtkmodules", "pyvista", "open3d", "numba", "cv2", "scipy", "trimesh", "pydantic")
@@ -34,3 +38,18 @@ def test_the_window_is_shown_before_any_heavy_library_is_imported():
     told = json.loads(done.stdout.splitlines()[-1])
     assert told["heavy"] == []
     assert told["seconds"] < 20.0  # on an idle machine about one second; the figure itself is in the README
+
+
+def test_errors_of_the_program_are_written_to_the_log_that_the_message_names(tmp_path):
+    path = tmp_path / "MeasureApp" / LOG
+    root = logging.getLogger()
+    before = list(root.handlers)
+    keep_log(path)
+    try:
+        logging.getLogger("ui.app").error("uncaught", exc_info=ValueError("seven"))
+        assert "ValueError: seven" in path.read_text(encoding="utf-8")
+        assert LOG in unexpected(ValueError("seven"), "It").hint
+    finally:
+        for handler in [one for one in root.handlers if one not in before]:
+            root.removeHandler(handler)
+            handler.close()
