@@ -8,7 +8,10 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 from ui.app import keep_log
+from ui.controllers import startup
 from ui.workers.job import LOG, unexpected
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -53,3 +56,20 @@ def test_errors_of_the_program_are_written_to_the_log_that_the_message_names(tmp
         for handler in [one for one in root.handlers if one not in before]:
             root.removeHandler(handler)
             handler.close()
+
+
+def test_an_import_that_another_thread_disturbed_is_tried_again(monkeypatch):
+    calls = []
+
+    def disturbed(name):
+        calls.append(name)
+        if len(calls) < 3:
+            raise RuntimeError("dictionary changed size during iteration")
+
+    monkeypatch.setattr(startup.importlib, "import_module", disturbed)
+    startup.imported("open3d")
+    assert calls == ["open3d"] * 3
+    monkeypatch.setattr(startup, "IMPORT_TRIALS", 1)
+    calls.clear()
+    with pytest.raises(RuntimeError, match="changed size"):
+        startup.imported("open3d")

@@ -58,9 +58,9 @@ class CalibrationPage(Page):
         self.action_row.addWidget(self.calibrate)
         self.chart = BarChart(look)
         self.shares = card(
-            label("What the calibration adds to a point placed by the axes (1 σ)", "heading"), label(SHARES_TEXT, "soft"), 8, self.chart
+            label("What the calibration adds to a point placed by the axes (1 σ)", "heading"), label(SHARES_TEXT, "soft"), 8, self.chart, 0
         )
-        self.shares.layout().setStretch(self.shares.layout().count() - 1, 1)
+        self.shares.layout().setStretch(self.shares.layout().count() - 2, 1000)  # the chart before the empty end
         layout = column(self.table, self.shares, 0, spacing=16)
         layout.setStretch(0, 1000)  # the table first, as far as it has rows
         layout.setStretch(1, 100)
