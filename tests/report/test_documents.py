@@ -134,7 +134,7 @@ def test_the_report_says_what_a_value_is_and_what_it_rests_on(measured) -> None:
     assert printed["dimensions"][0]["tolerance"] == "0 / +0.2"
     assert printed["origins"] == [
         {
-            "name": "boss_position",
+            "name": "Boss position",
             "kind": "position",
             "datums": "A gear face, B bore",
             "origin": "boss: 1372 points, 99 left out; associated axis",

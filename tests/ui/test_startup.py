@@ -49,7 +49,7 @@ def test_errors_of_the_program_are_written_to_the_log_that_the_message_names(tmp
     before = list(root.handlers)
     keep_log(path)
     try:
-        logging.getLogger("ui.app").error("uncaught", exc_info=ValueError("seven"))
+        logging.getLogger("a room of the window").error("uncaught", exc_info=ValueError("seven"))
         assert "ValueError: seven" in path.read_text(encoding="utf-8")
         assert LOG in unexpected(ValueError("seven"), "It").hint
     finally:

@@ -51,7 +51,7 @@ def advise_cameras(collection: Collection, notes: Notes) -> None:
     missing = max((ADVISED_VIEWS - one.count for one in views), default=ADVISED_VIEWS)
     if not few and missing > 0:
         what = "one more view with" if missing == 1 else f"{missing} more views, each with"
-        notes.wish(f"Take {what} another tilt and place: the more there are, the less the noise of one counts")
+        notes.wish(f"Take {what} another tilt and place, to average the noise")
 
 
 def _tilt_wish(way: str, fixed: bool) -> str:
