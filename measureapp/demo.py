@@ -90,17 +90,17 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
     settings = ProjectSettings(name=name, part=part.name, rig=description)
     check_space(ProjectFolder(request.folder, settings), description, plan)
     project = ProjectFolder.create(request.folder, settings)
-    project.save_plan(plan)
-    _give_drawing(project, request.part)
     world = World(description, part, request.seed, project.settings.board)
     rig = load_plugin(plugin_folder(), PLUGIN).module.rig_of(world)
     watch = Stopwatch()
-    with watch.stage("total"), Groundwork() as groundwork:
-        calibrated = calibrate_rig(rig, project, on_event, PartOf(progress, 0.0, 0.3), watch)
-        views = scan(rig, project, calibrated.rig.calibration, on_event, PartOf(progress, 0.3, 0.8), watch, request.bracket_s, groundwork)
-        measurement = assemble(project, calibrated.rig.calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, groundwork)
-    outcome = finished(project, measurement, watch)
-    return _with_truth(outcome, world, project)
+    with project.claimed():
+        project.save_plan(plan)
+        _give_drawing(project, request.part)
+        with watch.stage("total"), Groundwork() as groundwork:
+            calibration = calibrate_rig(rig, project, on_event, PartOf(progress, 0.0, 0.3), watch).rig.calibration
+            views = scan(rig, project, calibration, on_event, PartOf(progress, 0.3, 0.8), watch, request.bracket_s, groundwork)
+            measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, groundwork)
+        return _with_truth(finished(project, measurement, watch), world, project)
 
 
 def _give_drawing(project: ProjectFolder, part: str) -> None:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import logging
 import sys
+from contextlib import suppress
 from dataclasses import dataclass
+from logging.handlers import RotatingFileHandler
 from pathlib import Path
 from types import TracebackType
 
@@ -18,9 +20,10 @@ from ui.look.paths import demo_folder
 from ui.look.theme import preferred_shade
 from ui.main_window import MainWindow
 from ui.session import Session
-from ui.workers.job import unexpected
+from ui.workers.job import LOG, unexpected
 
 _log = logging.getLogger(__name__)
+LOG_BYTES = 1_000_000
 
 
 @dataclass(frozen=True)
@@ -55,6 +58,7 @@ def run(project: Path | None = None, demo: bool = False) -> int:
     application.setApplicationName("MeasureApp")
     application.setApplicationDisplayName("MeasureApp")
     built = build(application)
+    keep_log(Path.home() / "MeasureApp" / LOG)
     sys.excepthook = Reporter(built.session)
     built.window.show()
     QTimer.singleShot(0, built.controllers.startup.begin)
@@ -63,6 +67,17 @@ def run(project: Path | None = None, demo: bool = False) -> int:
     elif demo:
         open_demo(built)
     return application.exec()
+
+
+def keep_log(path: Path) -> None:
+    """Keep the tracebacks of errors in a file of limited size; where it cannot be written they go to the terminal alone."""
+    with suppress(OSError):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        handler = RotatingFileHandler(path, maxBytes=LOG_BYTES, backupCount=1, encoding="utf-8")
+        handler.setLevel(logging.ERROR)
+        handler.setFormatter(logging.Formatter("%(asctime)s %(name)s: %(message)s"))
+        logging.getLogger().addHandler(handler)
+        logging.getLogger().addHandler(logging.StreamHandler())
 
 
 def open_demo(built: Application) -> None:

@@ -146,12 +146,12 @@ class MainWindow(QMainWindow):
         session.rigChanged.connect(self._show_devices)
         scan = self.pages["scan"]
         assert isinstance(scan, ScanPage)
-        scan.next_step.clicked.connect(self._show_clouds)
+        scan.next_step.clicked.connect(self._go_on)
         QShortcut(QKeySequence.StandardKey.HelpContents, self, self._show_help)
         QShortcut(QKeySequence.StandardKey.Open, self, self._choose_project)
 
-    def _show_clouds(self) -> None:
-        self.show_page("clouds")
+    def _go_on(self) -> None:
+        self.show_page("inspection" if self.session.role == "operator" else "clouds")
 
     def _show_properties(self) -> None:
         self.properties.show_properties(self.page.properties)

@@ -12,6 +12,7 @@ from typing import Annotated, Any
 
 import typer
 
+from measureapp.cli.reply import JsonOption, reply
 from measureapp.errors import InputError
 
 REPAIR = "Run `python3 installer/bootstrap.py run`, which installs what Qt needs."
@@ -25,12 +26,16 @@ def register(app: typer.Typer) -> None:
     def gui(
         project: Annotated[Path | None, typer.Argument(help="Project folder to open.")] = None,
         demo: Annotated[bool, typer.Option("--demo", help="Open with the demo project on the virtual rig.")] = False,
+        as_json: JsonOption = False,
     ) -> None:
         """Open the window."""
         if project is not None and not project.is_dir():
             raise InputError(f"{project} is not a project folder.", "Name a folder made by `measureapp demo` or `measureapp scan`.")
         check_screen()
-        raise typer.Exit(_window().run(project, demo))
+        code = _window().run(project, demo)
+        if as_json:
+            reply({"closed": code == 0, "project": project}, "", as_json)
+        raise typer.Exit(code)
 
 
 def check_screen() -> None:

@@ -31,6 +31,11 @@ def check_with_board(project: ProjectFolder, rig: Rig, progress: Progress, limit
     DeviceError
         From the rig.
     """
+    with project.claimed():
+        return _checked(project, rig, progress, limit_mm)
+
+
+def _checked(project: ProjectFolder, rig: Rig, progress: Progress, limit_mm: float) -> QuickCheck:
     calibration = project.needed_calibration()
     check_before_scan(rig, calibration)
     viewpoints = check_viewpoints(rig.description)

@@ -65,16 +65,10 @@ def restitch(project: ProjectFolder, choices: ViewChoices, on_event: Callable[[E
     if measurement is None:
         raise InputError(f"{project.path} has no clouds yet.", "Scan the part, or compute it from its images: measureapp process PROJECT.")
     check_choices(choices, [view.viewpoint_id for view in measurement.views])
-    watch = Stopwatch()
-    made = assemble(
-        project,
-        measurement.calibration,
-        measurement.views,
-        on_event,
-        PartOf(progress, 0.1, 1.0),
-        watch,
-        choices=choices,
-        validity=measurement.validity,
-    )
-    project.save_view_choices(choices)
-    return finished(project, made, watch)
+    watch, rest = Stopwatch(), PartOf(progress, 0.1, 1.0)
+    with project.claimed():
+        made = assemble(
+            project, measurement.calibration, measurement.views, on_event, rest, watch, choices=choices, validity=measurement.validity
+        )
+        project.save_view_choices(choices)
+        return finished(project, made, watch)

@@ -26,7 +26,7 @@ from measureapp.data.rig import RigDescription
 from measureapp.data.validity import Validity
 from measureapp.data.view_choices import ViewChoices
 from measureapp.devices.rig import Rig
-from measureapp.errors import CalibrationError, DecodeError, ReconstructError, RegistrationError
+from measureapp.errors import CalibrationError, DecodeError, InputError, ReconstructError, RegistrationError
 from measureapp.fringe.bracket import BracketLimits
 from measureapp.fringe.decode import decode
 from measureapp.fringe.patterns import pattern_images
@@ -186,9 +186,11 @@ def _with_chosen_exposures(rig: Rig, project: ProjectFolder, plan: ScanPlan, bra
 def clouds_from_disk(
     project: ProjectFolder, calibration: RigCalibration, on_event: OnEvent, progress: Progress, watch: Stopwatch
 ) -> tuple[ViewResult, ...]:
-    """Make the clouds of all stored viewpoints."""
+    """Make the clouds of all stored viewpoints. Raises InputError where no images are stored."""
     sink = _Processing(project, calibration, on_event, watch)
     stored = project.stored_viewpoints()
+    if not stored:
+        raise InputError(f"{project.path} holds no images of the part.", "Scan the part first, or put the project's folder `stacks` back.")
     for index, viewpoint_id in enumerate(stored):
         part = PartOf(progress, index / len(stored), (index + 1) / len(stored), f"{viewpoint_id}: ")
         sink.process(project.frames.load(viewpoint_id), part)

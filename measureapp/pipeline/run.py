@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -96,12 +97,13 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
     calibration = calibrated.calibration()
     check_space(project, request.rig, request.plan)
     watch = Stopwatch()
-    with Groundwork() as groundwork:
+    with ExitStack() as held, Groundwork() as groundwork:
         rig = connect_rig(request.rig)
         try:
             if calibration is not None:
                 check_before_scan(rig, calibration)
             project = ProjectFolder.create(request.folder, project.settings)
+            held.enter_context(project.claimed())
             if calibration is not None and project.calibration() is None:
                 project.save_calibration(calibration, calibrated.rig_uncertainty())
             project.save_plan(request.plan)
@@ -111,7 +113,7 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
         if calibration is None:
             return None
         measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, groundwork)
-    return finished(project, measurement, watch)
+        return finished(project, measurement, watch)
 
 
 def _project_of(request: ScanRequest) -> ProjectFolder:
@@ -138,10 +140,11 @@ def _calibrated_for(request: ScanRequest, project: ProjectFolder) -> ProjectFold
 def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Outcome:
     """Recompute everything from the stored images: the calibration (where its images are stored), clouds, part, dimensions, report."""
     watch = Stopwatch()
-    calibration = _calibration_of(project, on_event, PartOf(progress, 0.0, 0.2), watch)
-    check_stored_images(project, calibration)
-    views = clouds_from_disk(project, calibration, on_event, PartOf(progress, 0.2, 0.7), watch)
-    return finished(project, assemble(project, calibration, views, on_event, PartOf(progress, 0.7, 1.0), watch), watch)
+    with project.claimed():
+        calibration = _calibration_of(project, on_event, PartOf(progress, 0.0, 0.2), watch)
+        check_stored_images(project, calibration)
+        views = clouds_from_disk(project, calibration, on_event, PartOf(progress, 0.2, 0.7), watch)
+        return finished(project, assemble(project, calibration, views, on_event, PartOf(progress, 0.7, 1.0), watch), watch)
 
 
 def process(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Measurement:

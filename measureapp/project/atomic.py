@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 from collections.abc import Iterator, Mapping
@@ -10,6 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from measureapp.errors import StorageError
+
+NOT_ALLOWED = (errno.EACCES, errno.EPERM, errno.EROFS)
 
 
 @contextmanager
@@ -31,7 +34,8 @@ def replacing(path: Path) -> Iterator[Path]:
         temporary.replace(path)
         _sync_folder(path.parent)
     except OSError as error:
-        raise StorageError(f"{path} cannot be written: {error.strerror or error}.", "Free some space or choose another folder.") from error
+        hint = "Check the permissions" if error.errno in NOT_ALLOWED else "Free some space"
+        raise StorageError(f"{path} cannot be written: {error.strerror or error}.", f"{hint}, or choose another folder.") from error
     finally:
         with suppress(OSError):  # what went wrong before says more than that nothing can be removed
             temporary.unlink(missing_ok=True)

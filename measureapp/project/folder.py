@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import json
 import shutil
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
@@ -32,11 +33,13 @@ from measureapp.errors import CalibrationError, InputError, StorageError
 from measureapp.project import board_views, calibration_store, results
 from measureapp.project.atomic import write_text
 from measureapp.project.calibration_store import RIG_UNCERTAINTY
+from measureapp.project.claim import claimed
 from measureapp.project.frame_store import FrameStore
 
 if TYPE_CHECKING:
     from measureapp.calibrate.stitch_uncertainty import RigUncertainty
 
+FORMAT = 1  # of the project's own files
 DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
 ModelT = TypeVar("ModelT", bound=BaseModel)
 PROGRAM, NOMINAL = "program.toml", "nominal"
@@ -95,6 +98,10 @@ class ProjectFolder:
     def name(self) -> str:
         """The project's name."""
         return self.settings.name
+
+    def claimed(self) -> AbstractContextManager[None]:
+        """Hold the project while it is changed. Raises StorageError where another window or command does so, or it is read-only."""
+        return claimed(self.path)
 
     def rig(self) -> RigDescription:
         """Return the rig the project was made for."""
@@ -236,8 +243,14 @@ def _read_json(path: Path) -> Any:
 
 
 def _read_model(path: Path, kind: type[ModelT]) -> ModelT:
+    document = _read_json(path)
+    version = document.get("schema_version", FORMAT) if isinstance(document, dict) else FORMAT
+    if version != FORMAT:
+        raise StorageError(
+            f"{path} has format {version}; this version reads format {FORMAT}.", "Use the version of MeasureApp that wrote it."
+        )
     try:
-        return kind.model_validate(_read_json(path))
+        return kind.model_validate(document)
     except ValidationError as error:
         raise StorageError(
             f"{path}: {first_problem(error, 'the file')}.", "Restore the file from a backup, or make a new project."

@@ -82,8 +82,9 @@ def load(folder: Path, calibration: RigCalibration) -> Measurement | None:
             validity=validity_from(document.get("validity", {})),
         )
     except (OSError, ValueError, KeyError, TypeError, InputError) as error:
+        reason = error.message if isinstance(error, InputError) else f"{error}."
         raise StorageError(
-            f"The results in {folder} cannot be read: {error}.", "Compute them again: measureapp process PROJECT."
+            f"The results in {folder} cannot be read: {reason}", "Compute them again: measureapp process PROJECT."
         ) from error
 
 

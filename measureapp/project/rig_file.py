@@ -23,7 +23,7 @@ def read_rig(name_or_path: str | Path) -> RigDescription:
     """
     path = Path(name_or_path)
     if not path.suffix:
-        path = resource(f"rigs/{name_or_path}.toml")
+        path = _named(path.name)
     try:
         document = tomllib.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
@@ -36,3 +36,10 @@ def read_rig(name_or_path: str | Path) -> RigDescription:
         return RigDescription.model_validate(document)
     except ValidationError as error:
         raise InputError(f"{path}: {first_problem(error, 'the rig')}.", "Correct this field.") from error
+
+
+def _named(name: str) -> Path:
+    known = {path.stem: path for path in sorted(resource("rigs").glob("*.toml"))}
+    if name not in known:
+        raise InputError(f"There is no rig {name!r}.", f"Give a rig description (TOML), or one of: {', '.join(known)}.")
+    return known[name]

@@ -16,7 +16,7 @@ from measureapp.project.atomic import replacing
 from measureapp.report.compose import compose
 from measureapp.report.model import DeviationSummary, Fact, ReportModel, ViewLine
 from measureapp.report.part_pictures import diverging
-from measureapp.report.words import COLOURS, NEUTRAL, SIGNS, datums, number, percent, spoken, tolerance
+from measureapp.report.words import COLOURS, NEUTRAL, SIGNS, datums, number, percent, spoken, titled, tolerance
 from measureapp.resources import resource
 
 TEMPLATE = "report/report.typ"
@@ -101,7 +101,7 @@ def _facts(facts: tuple[Fact, ...]) -> list[dict[str, str]]:
 def _dimension(dimension: Dimension) -> dict[str, str]:
     unit = "°" if dimension.unit == "°" else f" {dimension.unit}"
     return {
-        "name": dimension.name,
+        "name": titled(dimension.name),
         "nominal": number(dimension.nominal) + unit,
         "measured": number(dimension.measured) + (unit if dimension.measured is not None else ""),
         "error": number(dimension.error, signed=True),
@@ -118,7 +118,7 @@ def _dimension(dimension: Dimension) -> dict[str, str]:
 def _origin(dimension: Dimension) -> dict[str, str]:
     """What a value is and what it rests on."""
     return {
-        "name": dimension.name,
+        "name": titled(dimension.name),
         "kind": spoken(dimension.kind),
         "datums": datums(dimension.datums),
         "origin": dimension.origin,

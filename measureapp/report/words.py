@@ -92,6 +92,15 @@ def spoken(key: str) -> str:
     return f"{words} ({unit})" if unit else words
 
 
+def titled(name: str) -> str:
+    """Return a name such as programs give as words with a capital; any other, and a letter, as it stands in the drawing.
+
+    >>> titled("outer_diameter"), titled("a"), titled("P1_x, hole")
+    ('Outer diameter', 'a', 'P1_x, hole')
+    """
+    return name.replace("_", " ").capitalize() if re.fullmatch(r"[a-z][a-z0-9_]+", name) else name
+
+
 def moment(iso: str) -> str:
     """Return an ISO 8601 moment as date and time of day.
 

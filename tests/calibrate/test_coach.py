@@ -12,6 +12,7 @@ from measureapp.data.fringe import AxisReadback
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, rotation_about
 from measureapp.pipeline.collecting import Collection, Readback, Setup, coach
+from measureapp.pipeline.collecting.coaching.advice import outline_px
 from measureapp.pipeline.collecting.coaching.next_view import best_view, candidates, gain_of
 from tests.calibrate.shown_board import Shown
 
@@ -135,7 +136,7 @@ def test_a_wish_of_one_of_several_cameras_names_it(shown, tmp_path, head, board,
         corners = simulate.corners(head, board, simulate.board_pose(generator), SIGMA_PX, generator)
         shown.add(session, {"left": corners["left"]})
     text = asked(session)
-    assert "Show the board where cameras left and right both see it, 5 times more" in text
+    assert "Show the board where cameras left and right both see it, 5 more times" in text
 
 
 def test_before_the_solution_the_outline_lies_where_the_board_is_asked_for(shown, one_camera, board, generator):
@@ -145,6 +146,13 @@ def test_before_the_solution_the_outline_lies_where_the_board_is_asked_for(shown
     assert "on the right side" in " ".join(advice.sentences)
     assert advice.ghost.outlines_px["left"][:, 0].min() > WIDTH / 3
     assert advice.ghost.outlines_px["left"][:, 0].max() < WIDTH
+
+
+def test_no_outline_is_drawn_where_the_distortion_found_turns_back_on_itself(board):
+    """With k3 = -60 the radius in the image is largest where the ray is at r = (7 * 60) ** (-1 / 6) = 0.365 and falls beyond."""
+    folding = PinholeCamera(WIDTH, HEIGHT, LENS.matrix * [[0.6, 0, 1], [0, 0.6, 1], [0, 0, 1]], np.array([0, 0, 0, 0, -60.0]))
+    assert outline_px(folding, place(board, (0, 0), (0, 0), 700.0), board) is not None
+    assert outline_px(folding, place(board, (1.6, 0), (0, 0), 700.0), board) is None
 
 
 def test_the_proposed_view_shrinks_the_uncertainty_more_than_most_others(shown, one_camera, board, generator):

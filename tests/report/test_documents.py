@@ -19,7 +19,7 @@ from measureapp.report.html import html_text
 from measureapp.report.json_document import dimension_document, report_document
 from measureapp.report.part_pictures import diverging, nice_limit, part_pictures
 from measureapp.report.pdf import model_page_images, pdf_bytes, typst_document
-from measureapp.report.words import number, tolerance
+from measureapp.report.words import number, titled, tolerance
 
 
 def test_pdf_csv_and_json_say_the_same_of_every_dimension(measured) -> None:
@@ -29,7 +29,8 @@ def test_pdf_csv_and_json_say_the_same_of_every_dimension(measured) -> None:
     printed = typst_document(model)["dimensions"]
     assert len(rows) == len(document["dimensions"]) == len(printed) == len(model.dimensions)
     for row, entry, line, dimension in zip(rows, document["dimensions"], printed, model.dimensions, strict=True):
-        assert row["name"] == entry["name"] == line["name"] == dimension.name
+        assert row["name"] == entry["name"] == dimension.name
+        assert line["name"] == titled(dimension.name)
         assert row["verdict"] == entry["verdict"] == line["verdict"] == dimension.verdict.value
         assert row["reason"] == entry["reason"] == dimension.reason
         for key in ("measured", "error", "uncertainty"):
@@ -133,7 +134,7 @@ def test_the_report_says_what_a_value_is_and_what_it_rests_on(measured) -> None:
     assert printed["dimensions"][0]["tolerance"] == "0 / +0.2"
     assert printed["origins"] == [
         {
-            "name": "boss_position",
+            "name": "Boss position",
             "kind": "position",
             "datums": "A gear face, B bore",
             "origin": "boss: 1372 points, 99 left out; associated axis",

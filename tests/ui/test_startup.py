@@ -3,9 +3,16 @@
 from __future__ import annotations
 
 import json
+import logging
 import subprocess
 import sys
 from pathlib import Path
+
+import pytest
+
+from ui.app import keep_log
+from ui.controllers import startup
+from ui.workers.job import LOG, unexpected
 
 ROOT = Path(__file__).resolve().parents[2]
 HEAVY = ("vtk", "vtkmodules", "pyvista", "open3d", "numba", "cv2", "scipy", "trimesh", "pydantic")
@@ -34,3 +41,35 @@ def test_the_window_is_shown_before_any_heavy_library_is_imported():
     told = json.loads(done.stdout.splitlines()[-1])
     assert told["heavy"] == []
     assert told["seconds"] < 20.0  # on an idle machine about one second; the figure itself is in the README
+
+
+def test_errors_of_the_program_are_written_to_the_log_that_the_message_names(tmp_path):
+    path = tmp_path / "MeasureApp" / LOG
+    root = logging.getLogger()
+    before = list(root.handlers)
+    keep_log(path)
+    try:
+        logging.getLogger("a room of the window").error("uncaught", exc_info=ValueError("seven"))
+        assert "ValueError: seven" in path.read_text(encoding="utf-8")
+        assert LOG in unexpected(ValueError("seven"), "It").hint
+    finally:
+        for handler in [one for one in root.handlers if one not in before]:
+            root.removeHandler(handler)
+            handler.close()
+
+
+def test_an_import_that_another_thread_disturbed_is_tried_again(monkeypatch):
+    calls = []
+
+    def disturbed(name):
+        calls.append(name)
+        if len(calls) < 3:
+            raise RuntimeError("dictionary changed size during iteration")
+
+    monkeypatch.setattr(startup.importlib, "import_module", disturbed)
+    startup.imported("open3d")
+    assert calls == ["open3d"] * 3
+    monkeypatch.setattr(startup, "IMPORT_TRIALS", 1)
+    calls.clear()
+    with pytest.raises(RuntimeError, match="changed size"):
+        startup.imported("open3d")

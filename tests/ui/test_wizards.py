@@ -9,8 +9,11 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
 from measureapp.data.board import CheckerboardDescription
+from measureapp.errors import StorageError
 from measureapp.project.camera_file import read_cameras
+from measureapp.project.claim import claimed
 from tests.ui.board_pictures import BOARD, FOCAL, HEIGHT, WIDTH, record
+from ui.look.demo_settings import DemoSettings
 from ui.wizards.kinds import CAMERAS, HAND_EYE, KINDS
 from ui.wizards.wizard import COLLECT, RESULT, SETUP
 
@@ -69,7 +72,7 @@ def test_a_folder_of_images_becomes_an_accepted_calibration(qtbot, wizard, recor
     estimate, sigma = (float(text.removeprefix("± ").split("\u00a0")[0]) for text in focal[1:3])
     assert abs(estimate - FOCAL) < 5 * sigma + 1.0  # drawing the board costs some hundredths of a pixel, a few tenths of the focal length
     assert not wizard.calibrating.result.has_truth
-    assert "Collect more" in wizard.footer.words  # the check leaves the choice open
+    assert "Back to the views" in wizard.footer.words  # the check leaves the choice open
     qtbot.waitUntil(lambda: not wizard.calibrating.is_checking, timeout=PATIENCE_MS)
     assert "views held back fit with" in wizard.result.held_back.text()
     assert wizard.result.stop_check.isHidden()
@@ -133,6 +136,47 @@ def test_closing_loses_nothing_and_the_work_goes_on(qtbot, page, wizard, recorde
     assert all(view.pictures for view in wizard.collecting.views)
 
 
+def test_views_that_another_window_works_on_are_not_taken_over(qtbot, page, wizard, recorded):
+    read_folder(qtbot, wizard, recorded)
+    folder = wizard.collecting.collection.folder
+    wizard.close()
+    page.open_wizard(CAMERAS)
+    with claimed(folder):
+        wizard.setup.resumeClicked.emit()
+        qtbot.waitUntil(lambda: "another window" in wizard.footer.message.words.text(), timeout=PATIENCE_MS)
+    assert wizard.step == SETUP
+    wizard.setup.resumeClicked.emit()
+    qtbot.waitUntil(lambda: wizard.step == COLLECT, timeout=PATIENCE_MS)
+    settle(qtbot, wizard)
+    with pytest.raises(StorageError, match="another window"), claimed(folder):
+        pass
+
+
+def test_what_begin_waits_for_stands_beside_it(wizard, recorded):
+    wizard.setup.source.setValue("images")
+    assert (wizard.footer.primary.text(), wizard.footer.primary.isEnabled()) == ("Begin", False)
+    assert wizard.footer.missing.text() == "Choose a folder"
+    wizard.setup.folder.setValue(recorded)
+    assert wizard.footer.primary.isEnabled()
+    assert not wizard.footer.missing.isVisible()
+
+
+def test_the_focus_does_not_fall_on_the_help_when_its_button_goes(wizard):
+    wizard.footer.primary.setFocus()
+    wizard.setup.source.setValue("images")
+    assert wizard.focusWidget() is wizard.steps
+
+
+def test_the_arrow_keys_go_to_the_steps_that_were_reached(qtbot, wizard, recorded):
+    QTest.keyClick(wizard.steps, Qt.Key.Key_Down)
+    assert wizard.step == SETUP  # nothing was collected
+    read_folder(qtbot, wizard, recorded)
+    QTest.keyClick(wizard.steps, Qt.Key.Key_Up)
+    assert wizard.step == SETUP
+    QTest.keyClick(wizard.steps, Qt.Key.Key_Down)
+    assert wizard.step == COLLECT
+
+
 @pytest.mark.parametrize("folder, said", [("nothing here", "There is no folder"), ("", "No images lie in")])
 def test_a_folder_without_images_is_refused_with_a_remedy(qtbot, wizard, tmp_path, folder, said):
     (tmp_path / "empty").mkdir()
@@ -155,6 +199,15 @@ def test_the_wrong_board_is_named_and_the_images_are_kept(qtbot, wizard, recorde
     assert [view.verdict for view in wizard.collecting.views] == ["pass"] * 8
 
 
+def test_images_that_cannot_be_read_lead_back_to_the_choice(qtbot, wizard, tmp_path):
+    (tmp_path / "left01.png").write_bytes(b"no image")
+    read_folder(qtbot, wizard, tmp_path)
+    assert wizard.step == COLLECT
+    assert wizard.footer.words[0] == "Choose other images"
+    wizard.footer.primary.click()
+    assert wizard.step == SETUP
+
+
 def test_an_image_of_one_camera_may_be_missing_and_a_broken_one_is_told(qtbot, wizard, tmp_path):
     folder = record(tmp_path / "some", 5)
     (folder / "right02.png").unlink()
@@ -170,7 +223,8 @@ def test_an_image_of_one_camera_may_be_missing_and_a_broken_one_is_told(qtbot, w
 def test_sizes_of_a_board_that_contradict_each_other_cannot_begin(wizard):
     wizard.setup.board.kind.setValue("charuco")
     wizard.setup.board.lengths["marker_mm"].setValue(25.0)
-    assert wizard.footer.words[0] == ""
+    assert not wizard.footer.primary.isEnabled()
+    assert wizard.footer.missing.text() == "Check the board"
     assert "do not fit" in wizard.setup.board.note.text()
 
 
@@ -208,6 +262,18 @@ def test_one_link_of_a_rig_is_offered_only_when_the_rig_is_calibrated(page, appl
     assert not page.offers[HAND_EYE.kind].isEnabled()
     application.session.set_calibration(calibration)
     assert all(page.offers[kind.kind].isEnabled() for kind in KINDS)
+
+
+def test_one_link_is_taken_at_the_resolution_of_the_calibrated_cameras(page, application, calibration):
+    application.session.set_calibration(calibration)  # of 1296 px; the rig has 2592
+    page.open_wizard(HAND_EYE)
+    wizard = page.wizards[HAND_EYE.kind]
+    assert wizard.setup.resolution.value() == "half"
+    application.controllers.demo.choose(DemoSettings(resolution="full"))
+    wizard.close()
+    wizard.begin()
+    assert wizard.setup.resolution.value() == "half"
+    wizard.close()
 
 
 def test_a_wizard_does_not_open_while_the_rig_is_busy(page, application):

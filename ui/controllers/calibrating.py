@@ -17,6 +17,8 @@ from ui.controllers.rig_connection import VIRTUAL
 from ui.session import Session
 
 if TYPE_CHECKING:
+    from measureapp.data.rig import RigDescription
+    from ui.look.demo_settings import Resolution
     from ui.workers.job import Job
 
 
@@ -56,7 +58,19 @@ class CalibratingController(QObject):
         if rig is None:
             return None
         board = DEFAULT_BOARD if project is None else ProjectFolder.open(project).settings.board
-        return RigSetup(rig.name, rig.driver == VIRTUAL, project is not None, settings.resolution, settings.seed, board)
+        resolution = self._calibrated_resolution(rig) or settings.resolution
+        return RigSetup(rig.name, rig.driver == VIRTUAL, project is not None, resolution, settings.seed, board)
+
+    def _calibrated_resolution(self, rig: RigDescription) -> Resolution | None:
+        """Return the resolution at which the cameras were calibrated, where this wizard takes them as they are."""
+        from measureapp.data.rig import BINNING
+
+        known = self._session.calibration
+        if known is None or self.kind in ("cameras", "rig"):
+            return None
+        width = known.cameras.cameras[known.cameras.reference].pinhole.width_px
+        own = next((camera for camera in rig.cameras if camera.name == known.cameras.reference), None)
+        return None if own is None else next((one for one, factor in BINNING.items() if own.width_px // factor == width), None)
 
     @property
     def is_checking(self) -> bool:

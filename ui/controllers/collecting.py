@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
 from pathlib import Path
 from queue import SimpleQueue
 from typing import TYPE_CHECKING
@@ -46,9 +47,11 @@ class CollectingController(QObject):
         self._thinker: Job | None = None
         self._stale = False  # something changed since the solver began
         self._more = 0  # views beyond those planned that are still to be taken
+        self._held = ExitStack()  # the session's folder, while it is open
         self._forget()
 
     def _forget(self) -> None:
+        self._held.close()
         self._changes: work.Changes = SimpleQueue()
         self.collection: Collection | None = None
         self.thought: work.Thought | None = None
@@ -170,10 +173,16 @@ class CollectingController(QObject):
 
     @Slot(object)
     def _resumed(self, found: tuple[Collection, RigDescription | None, dict[tuple[str, str], QImage]]) -> None:
-        self._take_over(*found)
+        try:
+            self._take_over(*found)
+        except MeasureError as error:
+            self.told.emit(error.message, error.hint, "error")
 
     def _take_over(self, collection: Collection, rig: RigDescription | None, thumbnails: dict[tuple[str, str], QImage]) -> None:
+        from measureapp.project.claim import claimed
+
         self._forget()
+        self._held.enter_context(claimed(collection.folder))
         self.collection, self._rig, self._images = collection, rig, CollectedImages(thumbnails)
         self.begun.emit()
         self._after_change()
@@ -184,6 +193,11 @@ class CollectingController(QObject):
     def can_take_more(self) -> bool:
         """Whether the rig can take views beyond those planned that teach something."""
         return self.thought is not None and self.thought.suggestion is not None
+
+    @property
+    def can_collect(self) -> bool:
+        """Whether views can be added, planned ones or others."""
+        return bool(self.remaining) or self.can_take_more
 
     @property
     def took_more(self) -> bool:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Slot
 
+from measureapp.errors import StorageError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.run_events import RunEvents
 from ui.session import Session
@@ -36,6 +37,7 @@ class ReadProject:
     measurement: Measurement | None
     files: dict[str, Path]
     validity: Validity | None
+    damage: StorageError | None = None  # why the results there cannot be shown
 
 
 class ProjectController(QObject):
@@ -85,6 +87,8 @@ class ProjectController(QObject):
             session.set_measurement(read.measurement, read.files)
         session.set_validity(read.validity)
         session.tell(f"{read.name} is open.", "", "done")
+        if read.damage is not None:
+            session.tell(read.damage.message, "Press Compute again on the page Scan; nothing has to be scanned again.", "warning")
 
     @Slot(object)
     def _recomputed(self, outcome: Outcome) -> None:
@@ -102,7 +106,11 @@ def read_project(folder: Path, job: Job) -> ReadProject:
     project = ProjectFolder.open(folder)
     calibration = project.calibration()
     job.report(1, 3, "Reading clouds")
-    measurement = project.measurement()
+    measurement, damage = None, None
+    try:
+        measurement = project.measurement()
+    except StorageError as error:  # results can be computed again, so the rest is opened
+        damage = error
     job.report(2, 3, "Reading clouds")
     files = {
         "project": folder,
@@ -123,4 +131,5 @@ def read_project(folder: Path, job: Job) -> ReadProject:
         measurement,
         {name: path for name, path in files.items() if path.exists()},
         None if calibration is None else known_validity(project, calibration, None if measurement is None else measurement.validity),
+        damage,
     )

@@ -10,6 +10,7 @@ from measureapp.errors import CalibrationError
 from ui.controllers import result_values as values
 from ui.controllers.collecting_nouns import Kind
 from ui.controllers.kept_sessions import RESULT, project_on_disk
+from ui.controllers.seen_views import name_of
 from ui.look.wording import millimetres, quantity
 from ui.session import Session
 
@@ -71,6 +72,7 @@ def concluded(job: Job, snapshot: Collection, before: Before) -> Result:
             (before.cameras, before.rig),
         )
     )
+    rows = values.rows_beside(shown, true, previous)
     return Result(
         snapshot,
         verdict.sentence,
@@ -78,12 +80,12 @@ def concluded(job: Job, snapshot: Collection, before: Before) -> Result:
         reasons_of(verdict),
         cameras,
         rig,
-        values.rows_beside(shown, true, previous),
+        rows,
         facts_of(snapshot, solved),
-        tuple(solved.rejected.items()),
+        tuple((name_of(snapshot.observation(view)), reason) for view, reason in solved.rejected.items()),
         compared(snapshot, before),
         bool(true),
-        bool(previous),
+        any(row.previous is not None for row in rows),
     )
 
 
@@ -178,7 +180,7 @@ def facts_of(snapshot: Collection, solved: Solved) -> tuple[tuple[str, str], ...
         facts += [(f"Camera {name}", quantity(camera.rms_px, "px", 3)) for name, camera in solved.cameras.cameras.items()]
     if solved.residuals_mm:
         worst = max(solved.residuals_mm, key=lambda name: solved.residuals_mm[name])
-        facts.append(("Largest residual", f"{millimetres(solved.residuals_mm[worst])}, view {worst}"))
+        facts.append(("Largest residual", f"{millimetres(solved.residuals_mm[worst])}, {name_of(snapshot.observation(worst))}"))
     return tuple(facts)
 
 
@@ -220,4 +222,6 @@ def _save_rig(rig: RigCalibration, place: Path, project: Path | None) -> None:
     if project is None:
         write_rig(rig, place)
     else:
-        ProjectFolder.open(project).save_calibration(rig)
+        opened = ProjectFolder.open(project)
+        with opened.claimed():
+            opened.save_calibration(rig)

@@ -25,11 +25,10 @@ VERDICTS: Mapping[str, ViewVerdict] = {
 
 def seen_view(observation: Observation, solved: Solved | None, pictures: Mapping[str, QImage]) -> SeenView:
     """Return one observation as the last solution judges it."""
-    names = [image.name for image in observation.images.values() if image.name]
     left_out = {} if solved is None else _corners_left_out(observation, solved)
     return SeenView(
         id=observation.id,
-        name=names[0] if names else observation.id,
+        name=name_of(observation),
         pictures=pictures,
         corners_px={camera: np.asarray(found.corners_px) for camera, found in observation.seen.items()},
         left_out_px=left_out,
@@ -40,6 +39,11 @@ def seen_view(observation: Observation, solved: Solved | None, pictures: Mapping
         residual_mm=observation.residual_mm,
         removed=observation.standing == "removed",
     )
+
+
+def name_of(observation: Observation) -> str:
+    """Return what a view is called: as its first image is, or by its number."""
+    return next((image.name for image in observation.images.values() if image.name), observation.id)
 
 
 def _corners_left_out(observation: Observation, solved: Solved) -> dict[str, np.ndarray]:

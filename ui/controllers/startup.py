@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 WARM_UP = ("scipy.optimize", "scipy.spatial", "numba", "open3d", "trimesh", "measureapp.pipeline.warm_up", "measureapp.demo")
 IMPORTED_SHARE = 0.3
+IMPORT_TRIALS = 5
 DEFAULT_RIG = "paper"
 
 
@@ -84,13 +85,24 @@ def load_graphics(job: Job) -> str:
     return missing_graphics()
 
 
+def imported(name: str) -> None:
+    """Import a module; open3d walks over the modules there are and fails where another thread imports meanwhile."""
+    for left in reversed(range(IMPORT_TRIALS)):
+        try:
+            importlib.import_module(name)
+            return
+        except RuntimeError:
+            if not left:
+                raise
+
+
 def warm_up(job: Job) -> None:
     """Import what the first measurement needs and compile its kernels; runs on a job's thread."""
     for done, name in enumerate(WARM_UP):
         job.report(IMPORTED_SHARE * done, len(WARM_UP), "Preparing the measurement")
         if importlib.util.find_spec(name) is None:
             raise MeasureError(f"The package {name} is missing.", "Run `python3 installer/bootstrap.py run` to repair the installation.")
-        importlib.import_module(name)
+        imported(name)
     from measureapp.pipeline.warm_up import warm_up as compile_kernels
 
     compile_kernels(PartOf(job, IMPORTED_SHARE, 1.0, "Preparing the measurement: "))

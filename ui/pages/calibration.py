@@ -58,10 +58,12 @@ class CalibrationPage(Page):
         self.action_row.addWidget(self.calibrate)
         self.chart = BarChart(look)
         self.shares = card(
-            label("What the calibration adds to a point placed by the axes (1 σ)", "heading"), label(SHARES_TEXT, "soft"), 8, self.chart
+            label("What the calibration adds to a point placed by the axes (1 σ)", "heading"), label(SHARES_TEXT, "soft"), 8, self.chart, 0
         )
+        self.shares.layout().setStretch(self.shares.layout().count() - 2, 1000)  # the chart before the empty end
         layout = column(self.table, self.shares, 0, spacing=16)
-        layout.setStretch(1, 1000)
+        layout.setStretch(0, 1000)  # the table first, as far as it has rows
+        layout.setStretch(1, 100)
         self.body.setLayout(layout)
         self._rows: list[SolutionRow] = []
         session.calibrationChanged.connect(self._show)
@@ -131,7 +133,8 @@ class CalibrationPage(Page):
             self._rows = [] if cameras is None else camera_rows(cameras)
             self.state.setText("The true geometry of the rig is not known yet." if cameras is None else CAMERAS_ONLY)
             self.table.set_rows([self._cells(found) for found in self._rows])
-            self.table.setFixedHeight(self.table.fitted_height())
+            self.table.setMaximumHeight(self.table.fitted_height())
+            self._select(max(0, self.table.currentIndex().row()))
             return
         self._rows = solution_rows(calibration, self.session.rig)
         bad = [found.name for found in self._rows if not found.good]
@@ -140,7 +143,7 @@ class CalibrationPage(Page):
         self.state.setText(f"Calibrated {age}. {judgement}" if age else judgement)
         self.verdict.setText(millimetres(worst_residual_mm(calibration)))
         self.table.set_rows([self._cells(found) for found in self._rows])
-        self.table.setFixedHeight(self.table.fitted_height())
+        self.table.setMaximumHeight(self.table.fitted_height())
         shares = contributions(calibration, self.session.rig)
         self.chart.show_bars([Bar(name, value, strong=name == "Together") for name, value in shares])
         self._select(max(0, self.table.currentIndex().row()))

@@ -42,8 +42,8 @@ class RigPage(Page):
         )
         demo.setFixedWidth(352)
         main = column(card(self.drawing, margin=8), self.devices, spacing=16)
-        main.setStretch(0, 3)
-        main.setStretch(1, 2)
+        main.setStretch(0, 2)
+        main.setStretch(1, 3)
         layout = row(main, demo, spacing=16)
         layout.setStretch(0, 1)
         self.body.setLayout(layout)
@@ -62,11 +62,12 @@ class RigPage(Page):
             return
         problems = [driver for driver in self.session.drivers if driver.problem]
         self.state.setText(
-            f"{rig.name}. {several(len(rig.cameras), 'camera')}, projector, robot, guide and table described."
+            f"{rig.name}. {several(len(rig.cameras), 'camera')}, projector, robot, guide and table."
             + (f" {several(len(problems), 'driver')} could not be loaded." if problems else "")
         )
         self.drawing.show_rig(rig)
         self.devices.set_rows(self._rows())
+        self.devices.setMaximumHeight(self.devices.fitted_height())
         self.show_properties(self._properties())
 
     def _rows(self) -> list[list[Cell]]:

@@ -66,8 +66,15 @@ class ScanPage(ViewportPage):
         session.rigChanged.connect(self._make_images)
         session.projectChanged.connect(self._make_images)
         session.busyChanged.connect(self._show_busy)
+        session.appearanceChanged.connect(self._name_next_step)
         self._make_images()
         self._show()
+
+    def _name_next_step(self) -> None:
+        """An operator goes on with the dimensions; the clouds are the engineer's."""
+        operator = self.session.role == "operator"
+        self.next_step.setText("See the dimensions" if operator else "See the clouds")
+        self.next_step.set_icon("inspection" if operator else "clouds")
 
     def _show_busy(self) -> None:
         busy = bool(self.session.busy_with)

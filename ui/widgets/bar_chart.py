@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from ui.look.look import Look
 from ui.look.wording import millimetres
 
-LINE, TALLEST_LINE, BAR, NAME_WIDTH, VALUE_WIDTH = 26, 48, 12, 264, 96
+LINE, USUAL_LINE, TALLEST_LINE, BAR, NAME_WIDTH, VALUE_WIDTH = 20, 26, 48, 12, 264, 96
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class BarChart(QWidget):
         longest = max((bar.value_mm for bar in self.bars), default=0.0) or 1.0
         room = max(40, self.width() - NAME_WIDTH - VALUE_WIDTH)
         line = self.height() / max(1, len(self.bars))
-        thickness = BAR * line / LINE
+        thickness = BAR * line / USUAL_LINE
         for place, bar in enumerate(self.bars):
             top = place * line
             font = painter.font()

@@ -6,11 +6,11 @@ from typing import Literal
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLayout, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFormLayout, QFrame, QHBoxLayout, QLabel, QLayout, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from ui.look.look import Look
 
-TextRole = Literal["body", "title", "heading", "strong", "soft", "small", "caption", "figure"]
+TextRole = Literal["body", "title", "heading", "strong", "soft", "small", "caption", "figure", "field"]
 ButtonRole = Literal["normal", "primary", "quiet", "message"]
 
 
@@ -72,6 +72,22 @@ class Button(QPushButton):
     def _redraw(self) -> None:
         if self._icon:
             self.setIcon(self._look.icon(self._icon, "accent_on" if self._role == "primary" else "soft"))
+
+
+class Form(QFormLayout):
+    """Named editors under one another, every name beside the middle of its editor."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(*(() if parent is None else (parent,)))
+        self.setContentsMargins(0, 0, 0, 0)
+        self.setHorizontalSpacing(16)
+        self.setVerticalSpacing(8)
+
+    def add(self, name: str | QLabel, editor: QWidget) -> None:
+        """Add an editor; a label as its name can say something else later."""
+        named = QLabel(name) if isinstance(name, str) else name
+        named.setProperty("role", "field")
+        self.addRow(named, editor)
 
 
 def card(*parts: QWidget | QLayout | int, margin: int = 16, spacing: int = 8) -> QFrame:

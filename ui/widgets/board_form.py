@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QFormLayout, QLabel, QSpinBox, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLabel, QSpinBox, QWidget
 
 from measureapp.data.board import DICTIONARIES, BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
-from ui.widgets.basic import label
+from ui.widgets.basic import Form, label
 from ui.widgets.segments import Segments
 
 KINDS = {"checkerboard": "Checkerboard", "charuco": "ChArUco", "circles": "Circles"}
@@ -49,17 +49,13 @@ class BoardForm(QWidget):
         self.dictionary.setCurrentText("5X5_250")
         self.note = label("", "small", wrap=True)
         self._columns_word, self._rows_word = QLabel(), QLabel()
-        self._form = QFormLayout(self)
-        self._form.setContentsMargins(0, 0, 0, 0)
-        self._form.setHorizontalSpacing(16)
-        self._form.setLabelAlignment(Qt.AlignmentFlag.AlignVCenter)
-        self._form.setVerticalSpacing(8)
-        self._form.addRow("Board", self.kind)
-        self._form.addRow(self._columns_word, self.columns)
-        self._form.addRow(self._rows_word, self.rows)
+        self._form = Form(self)
+        self._form.add("Kind", self.kind)
+        self._form.add(self._columns_word, self.columns)
+        self._form.add(self._rows_word, self.rows)
         for name, words in WORDS.items():
-            self._form.addRow(words, self.lengths[name])
-        self._form.addRow("Dictionary", self.dictionary)
+            self._form.add(words, self.lengths[name])
+        self._form.add("Dictionary", self.dictionary)
         self._form.addRow("", self.note)
         self._bow = (0.0, 0.0, 0.0)
         self._legacy = False

@@ -61,9 +61,19 @@ class Canvas:
         self._painter.drawRoundedRect(QRectF(self.at(x0, y0), self.at(x1, y1)).normalized(), 3, 3)
 
     def text(
-        self, x: float, y: float, words: str, *, colour: str = "soft", dx: float = 0, dy: float = 0, bold: bool = False, centre: bool = True
+        self,
+        x: float,
+        y: float,
+        words: str,
+        *,
+        colour: str = "soft",
+        dx: float = 0,
+        dy: float = 0,
+        bold: bool = False,
+        centre: bool = True,
+        clear: bool = False,
     ) -> None:
-        """Write words at a world point, moved by pixels."""
+        """Write words at a world point, moved by pixels; ``clear`` wipes away what lies behind them."""
         font = self._painter.font()
         font.setPixelSize(self.theme.sizes["small"])
         font.setBold(bold)
@@ -72,7 +82,10 @@ class Canvas:
         place = self.at(x, y) + QPointF(dx, dy)
         box = QRectF(place.x() - (120 if centre else 0), place.y() - 10, 240, 20)
         side = Qt.AlignmentFlag.AlignHCenter if centre else Qt.AlignmentFlag.AlignLeft
-        self._painter.drawText(box, side | Qt.AlignmentFlag.AlignVCenter, words)
+        side |= Qt.AlignmentFlag.AlignVCenter
+        if clear:
+            self._painter.fillRect(self._painter.boundingRect(box, side, words), self.theme.colour("surface"))
+        self._painter.drawText(box, side, words)
 
     def heading(self, words: str) -> None:
         """Write the name of the view in its corner."""

@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import cast
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QFileDialog, QFormLayout, QSpinBox, QWidget
+from PySide6.QtWidgets import QComboBox, QFileDialog, QSpinBox, QWidget
 
 from ui.look.demo_settings import DemoSettings, Resolution
 from ui.look.pattern_words import PATTERN_WORDS
-from ui.widgets.basic import label
+from ui.widgets.basic import Form, label
 from ui.widgets.segments import Segments
 
 PARTS = {"gypsum": "Gypsum cross", "impeller": "Impeller", "gear": "Gear", "sphere_plate": "Sphere plate", "flat": "Flat plate"}
@@ -46,19 +46,16 @@ class DemoForm(QWidget):
         self._viewpoints.setRange(3, 60)
         self._seed.setRange(1, 9999)
         self._seed.setToolTip("Another seed is another rig: other hidden errors of robot, guide, table and lenses")
-        form = QFormLayout(self)
-        form.setContentsMargins(0, 0, 0, 0)
-        form.setHorizontalSpacing(16)
-        form.setVerticalSpacing(8)
+        form = Form(self)
         for words, editor in (
             ("Part", self._part),
             ("Resolution", self._resolution),
             ("Viewpoints", self._viewpoints),
             ("Patterns", self._patterns),
-            ("", self._pattern_line),
             ("Seed of the rig", self._seed),
         ):
-            form.addRow(words, editor)
+            form.add(words, editor)
+        form.insertRow(form.rowCount() - 1, "", self._pattern_line)
         self.setValue(DemoSettings())
         self._part.activated.connect(self._on_part)
         self._part.currentIndexChanged.connect(self._tell)

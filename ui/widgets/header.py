@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QWidget
 
 from ui.look.look import Look
-from ui.widgets.basic import Button, ElidedLabel, column, label, row
+from ui.widgets.basic import Button, ElidedLabel, column, row
 from ui.widgets.chip import Chip
 from ui.widgets.segments import Segments
 
@@ -22,7 +22,7 @@ class HeaderBar(QFrame):
         self.setObjectName("header")
         self.setFixedHeight(look.theme.sizes["header"])
         self._look = look
-        self.project, self.part = ElidedLabel("No project open", "heading"), label("", "small")
+        self.project, self.part = ElidedLabel("No project open", "heading"), ElidedLabel("", "small")
         self.devices = Chip(look, "devices", "Looking for devices…")
         self.calibration = Chip(look, "calibration", "Not calibrated")
         self.disk = Chip(look, "disk")
@@ -46,7 +46,7 @@ class HeaderBar(QFrame):
     def show_project(self, name: str, part: str) -> None:
         """Show what is open."""
         self.project.set_words(name or "No project open")
-        self.part.setText(part)
+        self.part.set_words(part)
         self.part.setVisible(bool(part))
 
     def _other_shade(self) -> None:

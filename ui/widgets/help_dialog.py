@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from PySide6.QtGui import QTextCursor, QTextDocument
 from PySide6.QtWidgets import QDialog, QTextBrowser, QWidget
 
 from measureapp.errors import InputError
 from measureapp.resources import resource
 from ui.look.look import Look
 from ui.widgets.basic import column
+
+ABOVE_HEADING, BELOW, BELOW_ITEM = 16, 8, 4  # px
 
 
 class HelpDialog(QDialog):
@@ -32,5 +35,18 @@ class HelpDialog(QDialog):
         colour = self._look.theme.colours["accent_text"]
         self.browser.document().setDefaultStyleSheet(f"a {{ color: {colour}; }}")
         self.browser.setMarkdown(text)
+        _space(self.browser.document())
         self.show()
         self.raise_()
+
+
+def _space(document: QTextDocument) -> None:
+    """Set paragraphs apart, which Qt does not do for Markdown."""
+    block = document.begin()
+    while block.isValid():
+        cursor, form = QTextCursor(block), block.blockFormat()
+        if cursor.currentTable() is None:
+            form.setTopMargin(ABOVE_HEADING if form.headingLevel() > 1 else 0)
+            form.setBottomMargin(BELOW_ITEM if block.textList() is not None and block.next().textList() is not None else BELOW)
+            cursor.setBlockFormat(form)
+        block = block.next()

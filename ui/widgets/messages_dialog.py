@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDialog, QHeaderView, QWidget
 
 from ui.look.look import Look
 from ui.widgets.basic import column, label
-from ui.widgets.data_table import Cell, DataTable
+from ui.widgets.data_table import ROW_HEIGHT, Cell, DataTable
 from ui.widgets.job_strip import LEVEL_ICONS
 
 
@@ -36,6 +36,9 @@ class MessagesDialog(QDialog):
         self.resize(960, 480)
         self.table = DataTable(look, ["Time", "What happened", "What to do"], stretch=1)
         self.table.horizontalHeader().setSectionResizeMode(2, QHeaderView.ResizeMode.Stretch)
+        self.table.setWordWrap(True)
+        self.table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self.table.verticalHeader().setMinimumSectionSize(ROW_HEIGHT)
         self.setLayout(column(label("Messages", "title"), self.table, margin=24, spacing=16))
 
     def show_messages(self, messages: Iterable[Told]) -> None:

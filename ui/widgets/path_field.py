@@ -22,6 +22,7 @@ class PathField(QWidget):
         self._title, self._files = title, files
         self.text = QLineEdit()
         self.text.setPlaceholderText(placeholder)
+        self.text.setToolTip(placeholder)
         self.text.textChanged.connect(lambda _text: self.valueChanged.emit(self.value()))
         self.browse = Button("Browse…", look, "open")
         self.browse.clicked.connect(self._choose)

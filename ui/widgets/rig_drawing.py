@@ -26,7 +26,7 @@ class RigDrawing(QWidget):
         super().__init__()
         self._look = look
         self._rig: RigDescription | None = None
-        self.setMinimumSize(480, 280)
+        self.setMinimumSize(480, 208)
         look.changed.connect(self.update)
 
     def show_rig(self, rig: RigDescription | None) -> None:
@@ -73,7 +73,7 @@ class RigDrawing(QWidget):
         canvas.pen("faint", 1.2)
         canvas.fill("sunken")
         canvas.box(-140, low - 100, 140, high + 100)
-        canvas.text(0, low - 100, f"Guide {high - low:.0f} mm", dx=28, dy=14)
+        canvas.text(0, low - 100, f"Guide {high - low:.0f} mm", dx=28, dy=14, clear=True)
         canvas.pen("faint", 1.5)
         canvas.fill("raised")
         canvas.circle(x, y, radius)
@@ -81,7 +81,7 @@ class RigDrawing(QWidget):
         canvas.circle(x, y, radius * 0.62)
         canvas.line((x - 40, y), (x + 40, y))
         canvas.line((x, y - 40), (x, y + 40))
-        canvas.text(x, y - radius, f"Table ⌀ {2 * radius:.0f} mm", dy=14)
+        canvas.text(x, y - radius, f"Table ⌀ {2 * radius:.0f} mm", dy=14, clear=True)
         _robot_top(canvas, stand, x - rig.standoff_mm * 0.85, y)
 
 
@@ -124,8 +124,8 @@ def _sight(canvas: Canvas, head: tuple[float, float], goal: tuple[float, float],
     canvas.pen("accent", 1.0, Qt.PenStyle.DashLine)
     canvas.fill("accent", 0.08)
     canvas.polygon(head, (goal[0] - spread, goal[1] - 40), (goal[0] + spread, goal[1] + 30))
-    middle = ((head[0] + goal[0] - spread) / 2, (head[1] + goal[1]) / 2)
-    canvas.text(*middle, f"{standoff_mm:.0f} mm", dx=-44, dy=6, colour="accent_text")
+    inside = ((head[0] + 2 * goal[0]) / 3, (head[1] + 2 * goal[1]) / 3)
+    canvas.text(*inside, f"{standoff_mm:.0f} mm", colour="accent_text")
 
 
 def _robot_top(canvas: Canvas, stand: float, head_x: float, y: float) -> None:

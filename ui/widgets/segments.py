@@ -22,7 +22,6 @@ class Segments(QWidget):
         for place, (name, text) in enumerate(options.items()):
             made = QPushButton(text)
             made.setCheckable(True)
-            made.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             made.setAutoDefault(False)
             made.setProperty("role", "segment")
             made.setProperty("place", "first" if place == 0 else "last" if place == last else "middle")
@@ -31,6 +30,7 @@ class Segments(QWidget):
             self._buttons[name] = made
             layout.addWidget(made)
         next(iter(self._buttons.values())).setChecked(True)
+        self._keep_focus_on_chosen()
         self._group.buttonClicked.connect(self._on_clicked)
 
     def value(self) -> str:
@@ -41,11 +41,18 @@ class Segments(QWidget):
         """Choose an option by its name."""
         if name != self.value():
             self._buttons[name].setChecked(True)
+            self._keep_focus_on_chosen()
             self.valueChanged.emit(name)
 
     def set_available(self, name: str, available: bool) -> None:
         """Offer an option or not."""
         self._buttons[name].setEnabled(available)
 
+    def _keep_focus_on_chosen(self) -> None:
+        """Tab stops at the chosen option; the arrow keys go on from there."""
+        for made in self._buttons.values():
+            made.setFocusPolicy(Qt.FocusPolicy.TabFocus if made.isChecked() else Qt.FocusPolicy.NoFocus)
+
     def _on_clicked(self) -> None:
+        self._keep_focus_on_chosen()
         self.valueChanged.emit(self.value())

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from PySide6.QtCore import QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.look.look import Look
@@ -27,7 +27,7 @@ class Step:
 
 
 class StepList(QWidget):
-    """Draws the steps; a click on one that was reached asks to go there."""
+    """Draws the steps; a click on one that was reached asks to go there, as do the arrow keys."""
 
     stepClicked = Signal(int)
 
@@ -36,6 +36,8 @@ class StepList(QWidget):
         self._look = look
         self.steps: tuple[Step, ...] = ()
         self.current = 0
+        self._by_keys = False  # whether the focus came by the keyboard
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setFixedWidth(WIDTH)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Expanding)
         look.changed.connect(self.update)
@@ -55,9 +57,24 @@ class StepList(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Ask for the step under the mouse."""
-        place = int(event.position().y() // LINE)
+        self._ask_for(int(event.position().y() // LINE))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Ask for the step before or after."""
+        step = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}.get(Qt.Key(event.key()))
+        if step is None:
+            super().keyPressEvent(event)
+        else:
+            self._ask_for(self.current + step)
+
+    def _ask_for(self, place: int) -> None:
         if 0 <= place < len(self.steps) and self.steps[place].state != "waiting":
             self.stepClicked.emit(place)
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        """Show the focus to those who work by keyboard."""
+        self._by_keys = event.reason() in (Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReason)
+        super().focusInEvent(event)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw every step with its number or its sign, joined by a line."""
@@ -67,9 +84,10 @@ class StepList(QWidget):
         for place, step in enumerate(self.steps):
             top = place * LINE
             if place == self.current:
-                painter.setPen(Qt.PenStyle.NoPen)
+                marked = self.hasFocus() and self._by_keys
+                painter.setPen(QPen(theme.colour("accent"), 2) if marked else Qt.PenStyle.NoPen)
                 painter.setBrush(theme.colour("accent_soft"))
-                painter.drawRoundedRect(QRectF(0, top + 4, self.width(), LINE - 8), 6, 6)
+                painter.drawRoundedRect(QRectF(1, top + 5, self.width() - 2, LINE - 10), 6, 6)
             if place + 1 < len(self.steps):
                 painter.setPen(theme.colour("line"))
                 painter.drawLine(8 + DOT // 2, top + LINE // 2 + DOT // 2 + 4, 8 + DOT // 2, top + LINE + LINE // 2 - DOT // 2 - 4)

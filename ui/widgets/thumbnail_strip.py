@@ -23,6 +23,7 @@ class Thumbnail:
     image: QImage
     figure: str  # its residual, or what became of it
     verdict: str  # "pass", "fail", "not proven", "not measured"
+    name: str
     reason: str = ""
     removed: bool = False
 
@@ -74,7 +75,7 @@ class _Strip(QWidget):
         """Tell the reason of the thumbnail under the mouse."""
         if isinstance(event, QHelpEvent):
             found = self.at(event.pos().x())
-            QToolTip.showText(event.globalPos(), f"{found.id}: {found.reason or found.figure}" if found is not None else "", self)
+            QToolTip.showText(event.globalPos(), f"{found.name}: {found.reason or found.figure}" if found is not None else "", self)
             return True
         return super().event(event)
 
@@ -112,7 +113,7 @@ class _Strip(QWidget):
         words = box.adjusted(22, PICTURE + 3, 0, 0)
         self._write(painter, QRectF(words.left(), words.top(), words.width(), 18), thumbnail.figure, "text")
         below = QRectF(box.left(), words.top() + 18, box.width(), 18)
-        self._write(painter, below, thumbnail.reason or thumbnail.id, "soft")
+        self._write(painter, below, thumbnail.name, "soft")
 
     def _write(self, painter: QPainter, box: QRectF, words: str, colour: str) -> None:
         font = painter.font()

@@ -212,7 +212,7 @@ class CollectPage(QWidget):
             "Removed" if view.removed else quantity(residual, "px", 3) if residual is not None else "Not used yet" if found else "No board"
         )
         reason = view.reasons.get(camera, "") or (view.reason if view.verdict == "fail" else "")
-        return Thumbnail(view.id, view.pictures.get(camera, view.empty), figure, verdict, reason or view.name, view.removed)
+        return Thumbnail(view.id, view.pictures.get(camera, view.empty), figure, verdict, view.name, reason, view.removed)
 
 
 def gauge_words(gauge: Gauge) -> str:

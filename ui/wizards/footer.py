@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QProgressBar, QWidget
+from PySide6.QtWidgets import QProgressBar, QPushButton, QWidget
 
 from ui.look.look import Look
 from ui.look.wording import sentence_case
@@ -15,8 +15,10 @@ WAITING = "Judging the result…"
 class Footer(QWidget):
     """One filled button, up to two quiet ones, progress with Stop, and one sentence."""
 
-    def __init__(self, look: Look) -> None:
+    def __init__(self, look: Look, resting: QWidget) -> None:
+        """``resting`` takes the focus when a button that has it goes."""
         super().__init__()
+        self._resting = resting
         self.message = MessageLine(look)
         self.note, self.bar = label("", "small"), QProgressBar()
         self.bar.setRange(0, 1000)
@@ -26,10 +28,11 @@ class Footer(QWidget):
         self.third, self.second = Button("", look), Button("", look)
         self.primary = Button("", look, role="primary")
         self.help = Button("Help", look, "help", "quiet", "What this wizard does (F1)")
+        self.missing = label("", "soft")
         self.words: tuple[str, str, str] = ("", "", "")
         self._running = QWidget()
         self._running.setLayout(row(column(0, self.note, self.bar, 0, spacing=4), self.stop, spacing=12))
-        layout = row(self.message, self._running, self.third, self.second, self.primary, spacing=12)
+        layout = row(self.message, self._running, self.missing, self.third, self.second, self.primary, spacing=12)
         layout.setStretch(0, 1)
         self.setLayout(layout)
         self.setMinimumHeight(48)
@@ -38,12 +41,22 @@ class Footer(QWidget):
         """Say one sentence with its remedy."""
         self.message.say(text, hint, level)
 
-    def offer(self, primary: str, second: str, third: str) -> None:
-        """Offer these buttons; empty words: not offered."""
+    def offer(self, primary: str, second: str, third: str, missing: str = "") -> None:
+        """Offer these buttons; empty words: not offered. ``missing`` says what the filled one waits for."""
         self.words = (primary, second, third)
+        self.missing.setText(missing)
+        self.missing.setVisible(bool(missing))
         for button, words in zip((self.primary, self.second, self.third), self.words, strict=True):
+            usable = bool(words) and not (missing and button is self.primary)
+            self._keep_focus(button, usable)
             button.setText(words)
             button.setVisible(bool(words))
+            button.setEnabled(usable)
+
+    def _keep_focus(self, button: QPushButton, usable: bool) -> None:
+        """Qt would give the focus to whatever comes next, the help for one."""
+        if button.hasFocus() and not usable:
+            self._resting.setFocus()
 
     def show_running(self, collecting: bool, judging: bool) -> None:
         """Show that views are taken or read, or that the result is being judged."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QLabel, QScrollArea, QWidget
 
 from ui.controllers.result import Result
 from ui.controllers.result_values import ValueRow
@@ -18,7 +18,7 @@ TRUE, ERROR, CHANGE = 3, 4, 5
 FAR = 3.0  # standard deviations
 TRUTH_NOTE = "True values are known because the rig is simulated. Nothing that measures reads them."
 CHECK_TIP = "Stop this check; the result stays as it is, and can be accepted meanwhile too"
-SIDE, MARGIN = 344, 20
+SIDE, MARGIN, SCROLL_BAR = 344, 20, 14
 
 
 class ResultPage(QWidget):
@@ -41,23 +41,42 @@ class ResultPage(QWidget):
         self.held_back, self.stop_check = label("", "body", wrap=True), Button("Stop", look, "cancel", "quiet", CHECK_TIP)
         self._held_back = card(label("Checked with views held back", "heading"), self.held_back, row(self.stop_check, 0), margin=16)
         self._compared = card(label("Compared with the one before", "heading"), self.comparison, margin=16)
-        side = QWidget()
-        side.setObjectName("clear")
-        side.setFixedWidth(SIDE)
-        side.setLayout(column(facts, self._held_back, self._compared, 0, self.truth_note, spacing=12))
+        cards = QWidget()
+        cards.setObjectName("clear")
+        cards.setLayout(column(facts, self._held_back, self._compared, 0, self.truth_note, spacing=12))
+        cards.setFixedWidth(SIDE)
+        side = QScrollArea()
+        side.setWidgetResizable(True)
+        side.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        side.setFixedWidth(SIDE + SCROLL_BAR)
+        side.setWidget(cards)
+        side.viewport().setAutoFillBackground(False)
         left = column(self._group_place, self.table, spacing=8)
         left.setStretch(1, 1)
         middle = row(left, side, spacing=16)
         middle.setStretch(0, 1)
-        layout = column(card(line, margin=12), middle, spacing=12)
-        layout.setStretch(1, 1)
-        self.setLayout(layout)
+        whole = column(card(line, margin=12), middle, spacing=12)
+        whole.setStretch(1, 1)
+        self._whole, self.none = QWidget(), label("", "soft")
+        self._whole.setLayout(whole)
+        self.none.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.setLayout(column(self.none, self._whole))
+        self.show_none("")
         self._result: Result | None = None
         look.changed.connect(self._show_sign)
+
+    def show_none(self, words: str) -> None:
+        """Say why there is no result to show."""
+        self._result = None
+        self.none.setText(words)
+        self.none.show()
+        self._whole.hide()
 
     def show_result(self, result: Result) -> None:
         """Show a result, its first group of values first."""
         self._result = result
+        self.none.hide()
+        self._whole.show()
         self.verdict.setText(result.verdict)
         self._show_sign()
         names = list(dict.fromkeys(one.quantity.group for one in result.rows))

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFormLayout, QSpinBox, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QSpinBox, QWidget
 
 from measureapp.data.board import BoardDescription
 from ui.controllers.collecting_nouns import Kept, RigSetup, Start
 from ui.look.look import Look
 from ui.look.wording import several, when
-from ui.widgets.basic import Button, card, column, label, row
+from ui.widgets.basic import Button, Form, card, column, label, row
 from ui.widgets.board_form import BoardForm
 from ui.widgets.path_field import PathField
 from ui.widgets.segments import Segments
@@ -65,14 +65,11 @@ class SetupPage(QWidget):
         self.kept = card(kept_row, margin=12)
         self.kept.hide()
         self._rig_name, self._rig_note = label("", "strong"), label("", "small", wrap=True)
-        form = QFormLayout()
-        form.setHorizontalSpacing(16)
-        form.setLabelAlignment(Qt.AlignmentFlag.AlignVCenter)
-        form.addRow("Resolution", self.resolution)
-        form.addRow("Seed of the rig", self.seed)
+        form = Form()
+        form.add("Resolution", self.resolution)
+        form.add("Seed of the rig", self.seed)
         self._virtual_form = QWidget()
         self._virtual_form.setLayout(form)
-        form.setContentsMargins(0, 0, 0, 0)
         self._rig_part = QWidget()
         self._rig_part.setLayout(column(self._rig_name, self._rig_note, 8, self._virtual_form))
         self._images_part = QWidget()
@@ -92,12 +89,10 @@ class SetupPage(QWidget):
         """The tables that tell where the axes stood at recorded images."""
         if not self.tables:
             return []
-        form = QFormLayout()
+        form = Form()
         form.setContentsMargins(0, 8, 0, 0)
-        form.setHorizontalSpacing(16)
-        form.setLabelAlignment(Qt.AlignmentFlag.AlignVCenter)
         for axis, field in self.tables.items():
-            form.addRow(TABLES[axis][0], field)
+            form.add(TABLES[axis][0], field)
         fields = QWidget()
         fields.setLayout(form)
         return [fields, label(TABLES_HINT, "small", wrap=True)]

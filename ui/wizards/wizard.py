@@ -20,9 +20,12 @@ from ui.wizards.result_page import ResultPage
 from ui.wizards.setup_page import SetupPage
 
 SETUP, COLLECT, RESULT = range(3)
-SMALLEST, USUAL = (1180, 660), (1340, 740)
+SMALLEST, USUAL = (1320, 660), (1340, 740)
 MORE = 5  # views at a time, beyond those planned
 HELP_PAGE = "calibration_wizards"
+ANYWAY, KEEP_OLD, NOT_NOW = "Accept all the same", "Keep the old one", "Not now"
+OTHER_IMAGES = "Choose other images"
+JUDGING, NO_RESULT = "Judging the result…", "These views give no result yet."
 
 
 class CalibrationWizard(QDialog):
@@ -40,7 +43,7 @@ class CalibrationWizard(QDialog):
         self.stack = QStackedWidget()
         for page in (self.setup, self.collect, self.result):
             self.stack.addWidget(page)
-        self.footer = Footer(look)
+        self.footer = Footer(look, self.steps)
         self.help = HelpDialog(look, self)
         title = row(label(kind.title, "title"), 0, self.footer.help)
         middle = row(self.steps, self.stack, spacing=24)
@@ -106,7 +109,9 @@ class CalibrationWizard(QDialog):
     def refresh(self) -> None:
         """Show how far every step is and what can be done now."""
         self.steps.show_steps(self._states(), self.step)
-        self.footer.offer(*self._offers())
+        self.footer.offer(*self._offers(), self.setup.problem() if self.step == SETUP else "")
+        if self.step == RESULT and self.calibrating.result is None and not self.calibrating.is_concluding:
+            self.result.show_none(NO_RESULT)
         self.footer.show_running(self.collecting.is_collecting and self.step == COLLECT, self.calibrating.is_concluding)
 
     def _states(self) -> list[Step]:
@@ -127,7 +132,7 @@ class CalibrationWizard(QDialog):
         """Return the words of the filled button, the second and the third; empty: not offered."""
         collecting = self.collecting
         if self.step == SETUP:
-            return ("" if self.setup.problem() else "Begin", "", "")
+            return "Begin", "", ""
         if self.step == COLLECT:
             see = "See the result" if collecting.is_solved and not collecting.is_collecting else ""
             if collecting.remaining and not collecting.is_collecting:
@@ -135,13 +140,16 @@ class CalibrationWizard(QDialog):
             if collecting.can_take_more and not collecting.is_collecting:
                 more = f"Take {MORE} more views"
                 return (see, more, "") if collecting.is_good or collecting.took_more else (more, see, "")
+            if not (see or collecting.from_rig or collecting.is_collecting or collecting.is_thinking):
+                return OTHER_IMAGES, "", ""
             return see, "", ""
+        more = "Collect more" if collecting.can_collect else "Back to the views"
         if self.calibrating.result is None:
-            return "", "Collect more", ""
-        keep = "Keep the old one" if self.calibrating.has_previous else "Not now"
+            return "", more, ""
+        keep = KEEP_OLD if self.calibrating.has_previous else NOT_NOW
         if self.calibrating.result.sign == "pass":
-            return "Accept", "Collect more", keep
-        return "Collect more", "Accept all the same", keep
+            return "Accept", more, keep
+        return (more, ANYWAY, keep) if collecting.can_collect else (keep, ANYWAY, more)
 
     def _do_next(self) -> None:
         self.footer.say("")
@@ -150,12 +158,12 @@ class CalibrationWizard(QDialog):
             self.collecting.begin(self.setup.value())
         elif offered == "See the result":
             self._conclude()
+        elif offered == OTHER_IMAGES:
+            self.show_step(SETUP)
         elif self.step == COLLECT:
             self._take(offered)
-        elif offered == "Accept":
-            self._accept()
         else:
-            self.show_step(COLLECT)
+            self._decide(offered)
 
     def _do_second(self) -> None:
         offered = self.footer.words[1]
@@ -163,10 +171,17 @@ class CalibrationWizard(QDialog):
             self._conclude()
         elif self.step == COLLECT:
             self._take(offered)
-        elif offered == "Collect more":
-            self.show_step(COLLECT)
         else:
+            self._decide(offered)
+
+    def _decide(self, offered: str) -> None:
+        """What is done with the result: take it, leave it, or go back to the views."""
+        if offered in ("Accept", ANYWAY):
             self._accept()
+        elif offered in (KEEP_OLD, NOT_NOW):
+            self.close()
+        else:
+            self.show_step(COLLECT)
 
     def _take(self, offered: str) -> None:
         if offered.endswith("more views"):
@@ -178,7 +193,7 @@ class CalibrationWizard(QDialog):
         if self.step == COLLECT:
             self.collecting.take(1)
         else:
-            self.close()
+            self._decide(self.footer.words[2])
 
     def _resume(self) -> None:
         kept = self.collecting.kept()
@@ -191,8 +206,9 @@ class CalibrationWizard(QDialog):
         self.show_step(COLLECT)
 
     def _conclude(self) -> None:
-        self.show_step(RESULT)
+        self.result.show_none(JUDGING)
         self.calibrating.conclude()
+        self.show_step(RESULT)
 
     @Slot(object)
     def _show_result(self, found: Result) -> None:

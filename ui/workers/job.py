@@ -14,6 +14,7 @@ from measureapp.errors import MeasureError
 from measureapp.progress import Cancelled
 
 REPORT_INTERVAL_S = 0.05
+LOG = "measureapp.log"
 Work = Callable[["Job"], Any]
 _log = logging.getLogger(__name__)
 
@@ -92,5 +93,5 @@ def unexpected(error: BaseException, doing: str) -> MeasureError:
     """Return an error of the program itself as a sentence."""
     return MeasureError(
         f"{doing} stopped by an error in the program ({type(error).__name__}: {error}).",
-        "Nothing that was stored is lost; try again, and send the log to support if it happens twice.",
+        f"Nothing that was stored is lost; try again. If it happens twice, send {LOG} in the folder MeasureApp of your home to support.",
     )

@@ -122,7 +122,9 @@ def _method(result: Calibrated) -> str:
 def _write_rig(result: RigCalibration, solution: Solution, target: Path) -> None:
     if (target / PROJECT).is_file():
         uncertainty = uncertainty_of(solution) if isinstance(solution, RigSolution) else None
-        ProjectFolder.open(target).save_calibration(result, uncertainty)
+        project = ProjectFolder.open(target)
+        with project.claimed():
+            project.save_calibration(result, uncertainty)
         return
     write_rig(result, target)
 

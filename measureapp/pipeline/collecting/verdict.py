@@ -53,10 +53,10 @@ class Limits:
 
 LIMITS: Mapping[Kind, Limits] = {
     "cameras": Limits(0.02, 0.05, "of 0.05 mm that a measurement may be uncertain by, 0.02 mm hardly shows and 0.05 mm uses it up"),
-    "axis": Limits(0.05, 0.2, "views that are off by less than 0.05 mm need no registration, those up to 0.2 mm are registered safely"),
-    "hand-eye": Limits(0.1, 0.5, "registration of overlapping views takes out 0.1 mm with ease, and starts safely up to 0.5 mm"),
-    "guide": Limits(0.05, 0.2, "views that are off by less than 0.05 mm need no registration, those up to 0.2 mm are registered safely"),
-    "rig": Limits(0.1, 0.5, "registration of overlapping views takes out 0.1 mm with ease, and starts safely up to 0.5 mm"),
+    "axis": Limits(0.05, 0.2, "views that are off by less than 0.05 mm need no fine stitching, those up to 0.2 mm are stitched safely"),
+    "hand-eye": Limits(0.1, 0.5, "fine stitching of overlapping views takes out 0.1 mm with ease, and starts safely up to 0.5 mm"),
+    "guide": Limits(0.05, 0.2, "views that are off by less than 0.05 mm need no fine stitching, those up to 0.2 mm are stitched safely"),
+    "rig": Limits(0.1, 0.5, "fine stitching of overlapping views takes out 0.1 mm with ease, and starts safely up to 0.5 mm"),
 }
 
 
@@ -145,7 +145,10 @@ def _expanded(collection: Collection, solved: Solved) -> tuple[float, str]:
     if len(chosen) < 2:
         raise CalibrationError("The observations of the solution are no longer there.", "Solve again.")
     typical, worst = (COVERAGE_FACTOR * sigma for sigma in fitting_together_sigma_mm(solution, chosen))
-    return typical, f"Views of one part fit together to {millimetres(typical)} (k = 2), at worst {millimetres(worst)}, before registration"
+    return (
+        typical,
+        f"Views of one part fit together to {millimetres(typical)} (k = 2), at worst {millimetres(worst)}, before fine stitching",
+    )
 
 
 def _robot_adds_mm(setup: Setup, solved: Solved) -> float:

@@ -87,7 +87,10 @@ def _sentence(text: str, owners: Sequence[str], cameras: Sequence[str]) -> str:
 
 
 def outline_px(pinhole: PinholeCamera, camera_from_board: RigidTransform, board: BoardDescription) -> FloatArray | None:
-    """Return the outline of the marks (N, 2), closed, where all of it lies before the camera and in its image; else None."""
+    """Return the outline of the marks (N, 2), closed, where all of it lies before the camera and in its image; else None.
+
+    Distortion found from few views may turn back on itself beyond them: where its Jacobian is not positive nothing is drawn.
+    """
     marks = board.flat_corners_mm
     low, high = marks.min(axis=0)[:2], marks.max(axis=0)[:2]
     corners = np.array([low, [high[0], low[1]], high, [low[0], high[1]], low])
@@ -97,9 +100,10 @@ def outline_px(pinhole: PinholeCamera, camera_from_board: RigidTransform, board:
     points = camera_from_board.apply(np.column_stack([flat, np.zeros(len(flat))]))
     if points[:, 2].min() <= 0:
         return None
-    pixels = pinhole.project(points)
+    pixels, slopes = pinhole.project_with_slopes(points)
     size = np.array([pinhole.width_px, pinhole.height_px])
-    return pixels if np.all((pixels >= 0) & (pixels <= size - 1)) else None
+    folded = np.linalg.det(slopes[:, :, :2]) <= 0
+    return pixels if np.all((pixels >= 0) & (pixels <= size - 1)) and not folded.any() else None
 
 
 def outlines_px(cameras: CameraArrayCalibration, place: RigidTransform, board: BoardDescription) -> dict[str, FloatArray]:

@@ -51,7 +51,7 @@ def advise_cameras(collection: Collection, notes: Notes) -> None:
     missing = max((ADVISED_VIEWS - one.count for one in views), default=ADVISED_VIEWS)
     if not few and missing > 0:
         what = "one more view with" if missing == 1 else f"{missing} more views, each with"
-        notes.wish(f"Take {what} another tilt and place: more average the noise")
+        notes.wish(f"Take {what} another tilt and place, to average the noise")
 
 
 def _tilt_wish(way: str, fixed: bool) -> str:
@@ -119,4 +119,8 @@ def _shared(cameras: Sequence[str], observations: Sequence[Observation], notes: 
         count = sum(cameras[0] in one.seen and other in one.seen for one in observations)
         notes.gauges.append(Gauge(f"Views shared by {cameras[0]} and {other}", count, SHARED_TARGET, ""))
         if observations and count < SHARED_TARGET:
-            notes.wish(f"Show the board where cameras {cameras[0]} and {other} both see it, {SHARED_TARGET - count} times more")
+            notes.wish(f"Show the board where cameras {cameras[0]} and {other} both see it, {_times(SHARED_TARGET - count)}")
+
+
+def _times(count: int) -> str:
+    return "once more" if count == 1 else f"{count} more times"

@@ -1,0 +1,39 @@
+"""Holding a folder while it is changed, so that two windows or commands never write into the same one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from filelock import FileLock, Timeout
+
+from measureapp.errors import StorageError
+
+LOCK = ".lock"
+
+
+@contextmanager
+def claimed(folder: Path) -> Iterator[None]:
+    """Hold ``folder``, which must exist, until the body ends; the system gives it free when the process dies.
+
+    Raises
+    ------
+    StorageError
+        Another window or command is changing it, or it cannot be written to.
+    """
+    lock = FileLock(Path(folder) / LOCK, timeout=0)
+    try:
+        lock.acquire()
+    except Timeout as error:
+        raise StorageError(
+            f"{folder} is being changed by another window or command.", "Wait until that is done, or close it; then try again."
+        ) from error
+    except OSError as error:
+        raise StorageError(
+            f"{folder} cannot be written to: {error.strerror or error}.", "Check the permissions, or copy the folder to a disk of your own."
+        ) from error
+    try:
+        yield
+    finally:
+        lock.release()

@@ -1,0 +1,30 @@
+"""What is told where a file cannot be written."""
+
+from __future__ import annotations
+
+import errno
+from pathlib import Path
+
+import pytest
+
+from measureapp.errors import StorageError
+from measureapp.project.atomic import write_text
+
+
+@pytest.mark.parametrize(
+    ("number", "remedy"),
+    [(errno.ENOSPC, "Free some space, or"), (errno.EROFS, "Check the permissions, or"), (errno.EACCES, "Check the perm")],
+)
+def test_the_remedy_is_for_what_went_wrong_and_the_old_file_stays(tmp_path, monkeypatch, number, remedy):
+    path = tmp_path / "a.txt"
+    write_text(path, "before")
+
+    def refuse(*_arguments, **_options):
+        raise OSError(number, "refused")
+
+    monkeypatch.setattr(Path, "write_text", refuse)
+    with pytest.raises(StorageError, match="cannot be written: refused") as told:
+        write_text(path, "after")
+    assert told.value.hint.startswith(remedy)
+    assert path.read_bytes() == b"before"
+    assert [one.name for one in tmp_path.iterdir()] == ["a.txt"]
