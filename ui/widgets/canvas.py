@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
+from ui.look.painting import set_letters
 from ui.look.theme import Theme
 
 
@@ -64,10 +65,7 @@ class Canvas:
         self, x: float, y: float, words: str, *, colour: str = "soft", dx: float = 0, dy: float = 0, bold: bool = False, centre: bool = True
     ) -> None:
         """Write words at a world point, moved by pixels."""
-        font = self._painter.font()
-        font.setPixelSize(self.theme.sizes["small"])
-        font.setBold(bold)
-        self._painter.setFont(font)
+        set_letters(self._painter, self.theme.sizes["small"], bold=bold)
         self._painter.setPen(self.theme.colour(colour))
         place = self.at(x, y) + QPointF(dx, dy)
         box = QRectF(place.x() - (120 if centre else 0), place.y() - 10, 240, 20)
@@ -76,9 +74,6 @@ class Canvas:
 
     def heading(self, words: str) -> None:
         """Write the name of the view in its corner."""
-        font = self._painter.font()
-        font.setPixelSize(self.theme.sizes["small"])
-        font.setBold(True)
-        self._painter.setFont(font)
+        set_letters(self._painter, self.theme.sizes["small"], bold=True)
         self._painter.setPen(self.theme.colour("soft"))
         self._painter.drawText(QPointF(self.area.left(), self.area.top() - 8), words)
