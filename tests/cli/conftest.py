@@ -1,16 +1,29 @@
-"""Sound inputs for the tests of refusals."""
+"""The command line, built once per file, and sound inputs for the tests of refusals."""
 
 from __future__ import annotations
 
+import importlib
 import json
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
+from typer.main import get_command
 
+from measureapp.cli.main import build
 from measureapp.planning.viewpoints import plan_around_part
 from measureapp.project.rig_file import read_rig
 from tests.cli.fringe_sets import write_paper_set
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _built_once() -> Iterator[None]:
+    """Let all calls of a file share one command line, as it is when first built: building takes longer than most refusals."""
+    command = get_command(build())
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(importlib.import_module("measureapp.cli.main"), "build", lambda: command)
+        yield
 
 
 @pytest.fixture(scope="session")

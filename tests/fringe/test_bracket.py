@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+
 import numpy as np
 import pytest
 
@@ -41,10 +43,12 @@ def taken(
     return FringeStack("v", patterns, exposures, {"left": images}, 255)
 
 
+@functools.cache
 def proposal(seed: int, limits: BracketLimits, brightness: float = 1.0) -> BracketProposal:
     return propose_bracket(probed(taken(seed, (100_000, 4_000), brightness=brightness), {}), PATTERNS, limits)
 
 
+@functools.cache
 def observed(seed: int, exposures: tuple[int, ...], brightness: float = 1.0) -> tuple[float, float]:
     """Share of the pixels whose phase is right, and the median of their predicted noise, after really taking the bracket."""
     mean, _ = scene(seed, brightness)
