@@ -33,6 +33,15 @@ def refused(capsys: pytest.CaptureFixture[str], arguments: list[str], code: int 
     return said.err
 
 
+def refused_with(capsys: pytest.CaptureFixture[str], *arguments: object) -> str:
+    """Run a command for programs that must be refused as bad input; return the kind of error and its sentence."""
+    capsys.readouterr()
+    assert main([*map(str, arguments), "--json"]) == 2
+    error = json.loads(capsys.readouterr().out)["error"]
+    assert error["hint"]
+    return f"{error['type']}: {error['message']}"
+
+
 def filled(line: str, shelf: Path, out: Path, given: str) -> list[str]:
     known = {
         "NOMINAL": NOMINAL,
