@@ -24,7 +24,8 @@ from measureapp.inspection.measured import MeasuredPoints
 from measureapp.inspection.nominal_surface import NominalSurface
 from measureapp.inspection.point_to_plane import register
 from measureapp.inspection.settings import AlignmentSettings
-from measureapp.pipeline.measure import assemble, check_space, scan
+from measureapp.pipeline.assemble import assemble
+from measureapp.pipeline.measure import check_space, scan
 from measureapp.pipeline.run import Outcome, calibrate_rig, finished
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.viewpoints import plan_around_part

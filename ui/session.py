@@ -102,6 +102,18 @@ class Session(QObject):
         self.drivers: tuple[DriverRow, ...] = ()
         self._forget()
 
+    def _tell_results(self) -> None:
+        """Tell everyone that everything which follows from the images may be another."""
+        for signal in (
+            self.calibrationChanged,
+            self.viewpointsChanged,
+            self.cloudsChanged,
+            self.inspectionChanged,
+            self.reportChanged,
+            self.comparisonChanged,
+        ):
+            signal.emit()
+
     def _forget(self) -> None:
         self.project_name = ""
         self.part = ""
@@ -122,17 +134,9 @@ class Session(QObject):
         """Begin with another project; whatever was known of the last one is forgotten."""
         self._forget()
         self.project_name, self.part, self.folder = name, part, folder
-        for signal in (
-            self.projectChanged,
-            self.planChanged,
-            self.calibrationChanged,
-            self.viewpointsChanged,
-            self.cloudsChanged,
-            self.inspectionChanged,
-            self.reportChanged,
-            self.comparisonChanged,
-        ):
-            signal.emit()
+        self.projectChanged.emit()
+        self.planChanged.emit()
+        self._tell_results()
 
     def set_rig(self, rig: RigDescription | None, drivers: tuple[DriverRow, ...] | None = None) -> None:
         """Tell which rig is there."""
@@ -212,15 +216,7 @@ class Session(QObject):
         for view in measurement.views:
             status: ViewpointStatus = "processed" if view.quality.accepted else "failed"
             self.viewpoints[view.viewpoint_id] = ViewpointState(view.viewpoint_id, status, view.quality.reason)
-        for signal in (
-            self.calibrationChanged,
-            self.viewpointsChanged,
-            self.cloudsChanged,
-            self.inspectionChanged,
-            self.reportChanged,
-            self.comparisonChanged,
-        ):
-            signal.emit()
+        self._tell_results()
 
     def set_busy(self, title: str) -> None:
         """Tell which job runs; an empty title: none."""

@@ -14,6 +14,7 @@ from measureapp.calibrate.axis_noise import AxisNoise
 from measureapp.calibrate.board_pose import BoardPose
 from measureapp.calibrate.least_squares import Minimum, NormalEquations, minimise
 from measureapp.calibrate.poses import change_between, inverted, moved, stacked
+from measureapp.data.calibration import HandEye, LinearGuide, RotationAxis
 from measureapp.progress import Progress
 
 POSE = 6
@@ -35,6 +36,22 @@ class ChainState:
     robot_changes: FloatArray  # (G, 6), error of each robot pose in its flange frame
     table_changes: FloatArray  # (K,), error of each table angle
     camera_changes: FloatArray = field(default_factory=lambda: np.zeros(0))  # (C,), where the cameras are freed
+
+    @classmethod
+    def unchanged(
+        cls, hand_eye: HandEye, guide: LinearGuide, axis: RotationAxis, guide_from_board: FloatArray, robot_poses: int
+    ) -> ChainState:
+        """Return the chain of a calibrated rig in which no robot pose, table angle or camera errs."""
+        return cls(
+            flange_from_camera=np.asarray(hand_eye.flange_from_camera.matrix),
+            guide_direction=np.asarray(guide.direction),
+            guide_scale=guide.scale,
+            axis_point_mm=np.asarray(axis.point_mm),
+            axis_direction=np.asarray(axis.direction),
+            guide_from_board=np.asarray(guide_from_board),
+            robot_changes=np.zeros((robot_poses, 6)),
+            table_changes=np.zeros(0),
+        )
 
 
 @dataclass(frozen=True, slots=True)

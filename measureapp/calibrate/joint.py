@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -103,17 +103,8 @@ def solve_rig(
     """
     progress = progress or NoProgress()
     noise = noise or AxisNoise()
-    sweep, stroke = _spans([observation.readback for observation in observations])
-    if camera_prior is not None and any(observation.by_cameras is None for observation in observations):
-        raise CalibrationError(
-            "The board poses do not say how they depend on the cameras.", "Give `by_cameras` with every sighting, or no camera prior."
-        )
-    if len(observations) < LEAST_OBSERVATIONS or sweep < LEAST_SWEEP_RAD:
-        raise CalibrationError(
-            f"{len(observations)} sightings of the board over {np.rad2deg(sweep):.1f}° of the table do not determine the rig.",
-            f"Give at least {LEAST_OBSERVATIONS} with different robot poses, and turn the table by 60° or more.",
-        )
-    free_guide = stroke >= LEAST_STROKE_MM
+    _check_determined(observations, camera_prior)
+    free_guide = _spans([observation.readback for observation in observations])[1] >= LEAST_STROKE_MM
     stages = stages_of(observations, free_guide)
     kept = list(observations)
     rejected: dict[str, str] = {}
@@ -138,6 +129,20 @@ def solve_rig(
     names = [observation.name for observation in kept]
     unseen = () if free_guide else (_UNSEEN_GUIDE,)
     return solution_of(chain, minimum, names, cameras, stages, rejected=rejected, not_seen=unseen, camera_prior=camera_prior)
+
+
+def _check_determined(observations: Sequence[RigObservation], camera_prior: LabelledCovariance | None) -> None:
+    """Raise CalibrationError for too few sightings, too little of the table, or sightings that cannot take up a camera prior."""
+    sweep, _ = _spans([observation.readback for observation in observations])
+    if camera_prior is not None and any(observation.by_cameras is None for observation in observations):
+        raise CalibrationError(
+            "The board poses do not say how they depend on the cameras.", "Give `by_cameras` with every sighting, or no camera prior."
+        )
+    if len(observations) < LEAST_OBSERVATIONS or sweep < LEAST_SWEEP_RAD:
+        raise CalibrationError(
+            f"{len(observations)} sightings of the board over {np.rad2deg(sweep):.1f}° of the table do not determine the rig.",
+            f"Give at least {LEAST_OBSERVATIONS} with different robot poses, and turn the table by 60° or more.",
+        )
 
 
 _UNSEEN_GUIDE = "direction and scale of the guide: it hardly moved, +Y and 1 are assumed"
@@ -198,17 +203,8 @@ def _by_cameras(observations: Sequence[RigObservation]) -> FloatArray | None:
 
 
 def _start(stages: RigStages, chain: Chain) -> ChainState:
-    return ChainState(
-        flange_from_camera=np.asarray(stages.hand_eye.flange_from_camera.matrix),
-        guide_direction=np.asarray(stages.guide.direction),
-        guide_scale=stages.guide.scale,
-        axis_point_mm=np.asarray(stages.axis.point_mm),
-        axis_direction=np.asarray(stages.axis.direction),
-        guide_from_board=np.asarray(stages.guide_from_board.matrix),
-        robot_changes=np.zeros((chain.robot_poses, 6)),
-        table_changes=np.zeros(chain.table_angles),
-        camera_changes=np.zeros(chain.cameras_freed),
-    )
+    state = ChainState.unchanged(stages.hand_eye, stages.guide, stages.axis, stages.guide_from_board.matrix, chain.robot_poses)
+    return replace(state, table_changes=np.zeros(chain.table_angles), camera_changes=np.zeros(chain.cameras_freed))
 
 
 def _worst_outlier(chain: Chain, state: ChainState, camera_prior: LabelledCovariance | None) -> int | None:

@@ -101,18 +101,10 @@ def solution_of(
     change = change_between(chain.camera_from_board, chain.predicted(state))
     distances, angles = np.linalg.norm(change[:, 3:], axis=1), np.linalg.norm(change[:, :3], axis=1)
     residuals = _residuals(names, distances, angles, state.robot_changes[chain.robot_group])
-    hand_eye = HandEye(
-        RigidTransform(orthonormalised(state.flange_from_camera), "flange", "camera"),
-        rotation_sigma_rad=_largest(deviations, "hand_eye.rotation"),
-        translation_sigma_mm=_largest(deviations, "hand_eye.x_mm", "hand_eye.y_mm", "hand_eye.z_mm"),
-        residual_mm=float(np.sqrt(np.mean(distances**2))),
-        residual_rad=float(np.sqrt(np.mean(angles**2))),
-        method="joint calibration of the rig",
-    )
     return RigSolution(
         calibration=RigCalibration(
             cameras,
-            hand_eye,
+            _hand_eye(state, deviations, distances, angles),
             _guide(state, deviations, _straightness(chain, distances)),
             _axis(state, deviations, covariance, chain.labels, distances),
             Provenance(method="joint calibration of the rig"),
@@ -135,6 +127,17 @@ def solution_of(
         weak_directions=weakest(covariance, chain.labels),
         not_observable=not_seen,
         warnings=_warnings(ratio),
+    )
+
+
+def _hand_eye(state: ChainState, deviations: dict[str, float], distances: FloatArray, angles: FloatArray) -> HandEye:
+    return HandEye(
+        RigidTransform(orthonormalised(state.flange_from_camera), "flange", "camera"),
+        rotation_sigma_rad=_largest(deviations, "hand_eye.rotation"),
+        translation_sigma_mm=_largest(deviations, "hand_eye.x_mm", "hand_eye.y_mm", "hand_eye.z_mm"),
+        residual_mm=float(np.sqrt(np.mean(distances**2))),
+        residual_rad=float(np.sqrt(np.mean(angles**2))),
+        method="joint calibration of the rig",
     )
 
 

@@ -156,16 +156,8 @@ def _flange(one: RigObservation, calibration: RigCalibration) -> RigidTransform:
 
 
 def _state(calibration: RigCalibration, part_from_board: FloatArray, count: int) -> ChainState:
-    return ChainState(
-        flange_from_camera=np.asarray(calibration.hand_eye.flange_from_camera.matrix),
-        guide_direction=np.asarray(calibration.guide.direction),
-        guide_scale=calibration.guide.scale,
-        axis_point_mm=np.asarray(calibration.axis.point_mm),
-        axis_direction=np.asarray(calibration.axis.direction),
-        guide_from_board=np.asarray(calibration.table_from_guide.inverse().matrix @ part_from_board),
-        robot_changes=np.zeros((count, 6)),
-        table_changes=np.zeros(0),
-    )
+    guide_from_board = calibration.table_from_guide.inverse().matrix @ part_from_board
+    return ChainState.unchanged(calibration.hand_eye, calibration.guide, calibration.axis, guide_from_board, count)
 
 
 def _suspect(views: Sequence[ViewCheck], explained: Mapping[str, float], limit_mm: float) -> str:

@@ -56,7 +56,7 @@ def restitch(project: ProjectFolder, choices: ViewChoices, on_event: Callable[[E
     RegistrationError
         No view is left to be stitched, or they do not fit.
     """
-    from measureapp.pipeline.measure import assemble
+    from measureapp.pipeline.assemble import assemble
     from measureapp.pipeline.run import finished
     from measureapp.pipeline.watch import Stopwatch
 

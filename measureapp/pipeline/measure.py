@@ -1,42 +1,34 @@
-"""From fringe stacks to clouds, from clouds to a part, from a part to its dimensions."""
+"""From fringe stacks, of a rig or of the disk, to the clouds of the views."""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, replace
-from datetime import UTC, datetime
 from typing import Any
 
 import numpy as np
 
 from measureapp.acquire.capture import ExposureTaken
 from measureapp.acquire.engine import Engine
-from measureapp.acquire.events import Event, ExposuresChosen, InspectionReady, StitchReady, ValidityKnown, ViewpointFailed, ViewReady
-from measureapp.arrays import FloatArray
-from measureapp.calibrate.stitch_uncertainty import view_uncertainty
+from measureapp.acquire.events import Event, ExposuresChosen, ValidityKnown, ViewpointFailed, ViewReady
 from measureapp.data.calibration import RigCalibration
-from measureapp.data.cloud import StitchedCloud
 from measureapp.data.fringe import FringeStack
-from measureapp.data.measurement import Inspection, Measurement, ViewResult
+from measureapp.data.measurement import ViewResult
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
-from measureapp.data.validity import Validity
-from measureapp.data.view_choices import ViewChoices
 from measureapp.devices.rig import Rig
-from measureapp.errors import CalibrationError, DecodeError, InputError, ReconstructError, RegistrationError
+from measureapp.errors import CalibrationError, DecodeError, InputError, ReconstructError
 from measureapp.fringe.bracket import BracketLimits
 from measureapp.fringe.decode import decode
 from measureapp.fringe.patterns import pattern_images
 from measureapp.fringe.stack_checks import check_stack
-from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 from measureapp.map_memory import MapMemory
 from measureapp.pipeline.bracket import propose_bracket
-from measureapp.pipeline.chosen_views import chosen, with_refused
 from measureapp.pipeline.live_decoding import LiveDecoding
-from measureapp.pipeline.validity import check_before_scan, validity_of
+from measureapp.pipeline.validity import check_before_scan
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.reach import check_reach
 from measureapp.progress import NoProgress, PartOf, Progress
@@ -47,16 +39,10 @@ from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
 from measureapp.reconstruct.rectifier import Rectifier
 from measureapp.register.cloud_quality import judge
 from measureapp.register.groundwork import Groundwork
-from measureapp.register.place import stations
-from measureapp.register.settings import StitchSettings
-from measureapp.register.stitch import stitch
-from measureapp.register.surface import surface
 
 OnEvent = Callable[[Event], None]
 LAST_IMAGE_TO_CLOUD = "last image to cloud"  # storing goes on meanwhile and is not waited for
-TYPICAL_RADIUS_MM = 100.0  # of points about the table's axis
 LEAST_POINTS_SHARE, MOST_EPIPOLAR_PX = 0.3, 0.3  # of the phases; beside them a view is looked at for mistakes
-KNOWN_STATION_MM, KNOWN_STATION_DEG = 0.03, 0.004  # repeatability of the robot and what the board leaves unknown
 
 
 class _Processing:
@@ -260,131 +246,6 @@ def _completeness(maps: Mapping[str, PhaseMap], pixels: np.typing.NDArray[Any]) 
     unlit = (PixelState.SHADOW, PixelState.WEAK_MODULATION)
     lit = int(np.count_nonzero(~np.isin(next(iter(maps.values())).state, unlit)))
     return min(1.0, len(pixels) / lit) if lit else 0.0
-
-
-def assemble(
-    project: ProjectFolder,
-    calibrated: RigCalibration,
-    views: Sequence[ViewResult],
-    on_event: OnEvent,
-    progress: Progress,
-    watch: Stopwatch,
-    groundwork: Groundwork | None = None,
-    *,
-    choices: ViewChoices | None = None,
-    validity: Validity | None = None,
-) -> Measurement:
-    """Stitch the clouds of all views, make the surface, measure the dimensions and keep everything.
-
-    Parameters
-    ----------
-    groundwork : what was done of stitching while the views came
-    choices : views used or refused by hand; None: as the project keeps them
-    validity : of the calibration, where it is known for these views; None: judged anew
-
-    Raises
-    ------
-    RegistrationError
-        No view gave a cloud worth stitching.
-    """
-    if validity is None:
-        validity = validity_of(project, calibrated, views)
-        on_event(ValidityKnown(validity))
-    choices = project.view_choices() if choices is None else choices
-    good = chosen(views, choices)
-    if not good:
-        reasons = "; ".join(sorted({view.quality.reason or "refused by hand" for view in views})) or "no view gave points"
-        told = " ".join(("", *validity.told))
-        raise RegistrationError(f"There is nothing to stitch: {reasons}.{told}", "Look at the images; change exposures or viewpoints.")
-    with watch.stage("stitching"):
-        clouds, placed = [view.cloud for view in good], [view.part_from_camera for view in good]
-        standing = stations([view.readback for view in good])
-        settings, prior = stitch_settings(calibrated, good), _placed_by_axes(project, good)
-        part = PartOf(progress, 0.0, 0.5)
-        stitched = stitch(
-            clouds,
-            placed,
-            settings,
-            part,
-            stations=standing,
-            prior_covariance=prior,
-            accepted=choices.used,
-            groundwork=groundwork,
-        )
-        stitched = with_refused(stitched, views, choices)
-    on_event(StitchReady(stitched))
-    with watch.stage("surface"):
-        mesh = surface(stitched, progress=PartOf(progress, 0.5, 0.7))
-    with watch.stage("inspection"):
-        inspection = _inspected(project, stitched, inspection_settings(calibrated, project.rig(), good), PartOf(progress, 0.7, 0.9))
-    if inspection is not None:
-        on_event(InspectionReady(inspection))
-    plan = project.plan()
-    measurement = Measurement(
-        project=project.name,
-        part=project.settings.part,
-        rig=project.rig().name,
-        measured_at=datetime.now(UTC).isoformat(timespec="seconds"),
-        calibration=calibrated,
-        views=tuple(views),
-        stitched=stitched,
-        mesh=mesh,
-        inspection=inspection,
-        settings={} if plan is None else _settings(plan),
-        timings_s=dict(watch.seconds),
-        validity=validity,
-    )
-    with watch.stage("saving"):
-        project.save_measurement(measurement)
-    progress.report(1.0, 1.0, "measured")
-    return measurement
-
-
-def _placed_by_axes(project: ProjectFolder, views: Sequence[ViewResult]) -> FloatArray | None:
-    """Return the covariance of where the calibrated axes place the views, all together; None where the calibration did not keep it."""
-    rig = project.rig_uncertainty()
-    return None if rig is None else view_uncertainty(rig, [view.readback for view in views]).pose_covariance
-
-
-def stitch_settings(calibration: RigCalibration, views: Sequence[ViewResult]) -> StitchSettings:
-    """Return the settings of stitching where no covariance is known: the priors are tight where the robot's error was measured at every station of the scan."""
-    known = all(calibration.station(view.readback) is not None for view in views)
-    return StitchSettings(pose_sigma_mm=KNOWN_STATION_MM, pose_sigma_deg=KNOWN_STATION_DEG) if known else StitchSettings()
-
-
-def inspection_settings(calibration: RigCalibration, rig: RigDescription, views: Sequence[ViewResult]) -> InspectionSettings:
-    """Return the settings of inspection with what calibration and axes leave unknown, for the uncertainty of every dimension.
-
-    Where the robot's error was measured at the stations of the scan, a view is placed as well as the robot repeats and the
-    table turns; elsewhere only as well as the robot's absolute accuracy. The scale is known as well as the focal lengths.
-    """
-    known = all(calibration.station(view.readback) is not None for view in views)
-    table_mm = float(np.deg2rad(rig.table.accuracy_arcsec / 3600.0)) * TYPICAL_RADIUS_MM
-    placement_mm = float(np.hypot(rig.robot.repeatability_mm, table_mm)) if known else rig.robot.absolute_accuracy_mm
-    scales = [
-        camera.standard_deviations.get("fx", 0.0) / float(camera.pinhole.matrix[0, 0]) for camera in calibration.cameras.cameras.values()
-    ]
-    return InspectionSettings(uncertainty=UncertaintySettings(placement_mm=placement_mm, systematic_relative=max(scales)))
-
-
-def _inspected(project: ProjectFolder, stitched: StitchedCloud, settings: InspectionSettings, progress: Progress) -> Inspection | None:
-    if project.program is None:
-        return None
-    from measureapp.inspection.dimensions import inspect
-    from measureapp.project.geometry_files import read_mesh
-    from measureapp.project.program_file import read_program
-
-    nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")
-    return inspect(stitched, read_program(project.program), nominal, settings, progress=progress)
-
-
-def _settings(plan: ScanPlan) -> dict[str, Any]:
-    return {
-        "plan": plan.name,
-        "patterns": plan.patterns.name,
-        "exposures_us": list(plan.bracket.exposures_us),
-        "exposure rule": "all unsaturated exposures, weighted by inverse variance",
-    }
 
 
 def check_space(project: ProjectFolder, rig: RigDescription, plan: ScanPlan) -> None:

@@ -19,9 +19,10 @@ from measureapp.devices.connect import connect_rig
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, InputError
 from measureapp.fringe.patterns import check_determines_phase
+from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.calibrate import CalibratedRig, calibrate_from_views
 from measureapp.pipeline.documents import outcome_document, write_reports
-from measureapp.pipeline.measure import assemble, check_space, clouds_from_disk, scan
+from measureapp.pipeline.measure import check_space, clouds_from_disk, scan
 from measureapp.pipeline.validity import check_before_scan, check_stored_images
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.calibration_views import calibration_viewpoints

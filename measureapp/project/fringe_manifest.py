@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -21,6 +20,7 @@ from measureapp.errors import InputError
 from measureapp.fringe.patterns import check_determines_phase
 from measureapp.fringe.stack_checks import check_stack
 from measureapp.project.images import read_image
+from measureapp.project.text_document import read_toml
 
 Images = dict[str, tuple[str, ...]]  # camera -> paths beside the manifest
 NOT_GIVEN = -1.0
@@ -119,12 +119,7 @@ def manifest_files(path: Path) -> tuple[Path, ...]:
 
 def parse_manifest(path: Path) -> FringeManifest:
     """Read the file alone, without its images; raises InputError."""
-    try:
-        document = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give the path of a MANIFEST.toml.") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise InputError(f"{path} is not TOML: {error}.", "Mend the line it names.") from error
+    document = read_toml(path, "Give the path of a MANIFEST.toml.")
     try:
         return FringeManifest.model_validate(document)
     except ValidationError as error:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import tomllib
 from collections.abc import Iterator, Sequence
 from math import tau
 from pathlib import Path
@@ -18,6 +16,7 @@ from measureapp.data.model import first_problem
 from measureapp.data.pattern_sets import made_for
 from measureapp.errors import InputError, StorageError
 from measureapp.project.atomic import replacing, write_json, write_text
+from measureapp.project.text_document import read_toml_or_json
 
 LEAST_PROJECTOR_PX, MOST_PROJECTOR_PX = 64, 8192
 LIST, SKELETON = "patterns.json", "MANIFEST.toml"
@@ -41,18 +40,13 @@ def read_pattern_set(name_or_path: str, width_px: int, height_px: int) -> Patter
         if name_or_path not in named:
             raise InputError(f"There is no pattern set {name_or_path!r}.", f"Give a file, or one of: {', '.join(named)}.")
         return named[name_or_path]
+    document = read_toml_or_json(path, "a pattern set", "Give a pattern set as TOML or JSON.")
+    if isinstance(document, dict) and isinstance(document.get("patterns"), dict):
+        document = document["patterns"]
     try:
-        text = path.read_text(encoding="utf-8")
-        document = tomllib.loads(text) if path.suffix.lower() == ".toml" else json.loads(text)
-        if isinstance(document, dict) and isinstance(document.get("patterns"), dict):
-            document = document["patterns"]
         return PatternSet.model_validate(document)
     except ValidationError as error:
         raise InputError(f"{path}: {first_problem(error, 'the pattern set')}.", "Correct this field.") from error
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give a pattern set as TOML or JSON.") from error
-    except (ValueError, RecursionError) as error:
-        raise InputError(f"{path} cannot be read as a pattern set: {error}.", "Give a pattern set as TOML or JSON.") from error
 
 
 def check_size(width_px: int, height_px: int) -> None:

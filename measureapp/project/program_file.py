@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -14,6 +13,7 @@ from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InputError
 from measureapp.project.geometry_files import read_mesh
+from measureapp.project.text_document import read_toml
 
 
 def read_program(path: Path) -> InspectionProgram:
@@ -26,14 +26,7 @@ def read_program(path: Path) -> InspectionProgram:
         (the place is named).
     """
     path = Path(path)
-    try:
-        document = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Check the path of the inspection program.") from error
-    except UnicodeDecodeError as error:
-        raise InputError(f"{path} is not a text file.", "Give an inspection program in TOML.") from error
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{path} is not valid TOML: {error}.", "Correct the line named.") from error
+    document = read_toml(path, "Give an inspection program in TOML.")
     try:
         return InspectionProgram.model_validate(document)
     except ValidationError as error:

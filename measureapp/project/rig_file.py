@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from pathlib import Path
 
 from pydantic import ValidationError
@@ -10,6 +9,7 @@ from pydantic import ValidationError
 from measureapp.data.model import first_problem
 from measureapp.data.rig import RigDescription
 from measureapp.errors import InputError
+from measureapp.project.text_document import read_toml
 from measureapp.resources import resource
 
 
@@ -24,14 +24,7 @@ def read_rig(name_or_path: str | Path) -> RigDescription:
     path = Path(name_or_path)
     if not path.suffix:
         path = _named(path.name)
-    try:
-        document = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Name a rig description (TOML).") from error
-    except UnicodeDecodeError as error:
-        raise InputError(f"{path} is not a text file.", "Name a rig description (TOML).") from error
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{path} is not valid TOML: {error}.", "Correct the line named.") from error
+    document = read_toml(path, "Name a rig description (TOML).")
     try:
         return RigDescription.model_validate(document)
     except ValidationError as error:

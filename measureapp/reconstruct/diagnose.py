@@ -15,7 +15,8 @@ from measureapp.data.phase import PhaseMap
 from measureapp.errors import ReconstructError
 from measureapp.reconstruct.diagnose_sample import FlatView, Samples, match_samples
 from measureapp.reconstruct.diagnose_witness import Residuals, contrast, likeness, seen_by_camera, seen_by_projector
-from measureapp.reconstruct.projector import ProjectorFate, triangulate_with_projector
+from measureapp.reconstruct.projector_depth import triangulate_with_projector
+from measureapp.reconstruct.projector_fate import ProjectorFate
 
 Kind = Literal[
     "wrong-sign", "phase-runs-backwards", "fringe-direction", "turned-image", "swapped-cameras", "unrelated-cameras", "moved-camera",

@@ -9,13 +9,9 @@ import numpy as np
 from pydantic import Field
 
 from measureapp.arrays import BoolArray, FloatArray
-from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.cloud import PointCloud
 from measureapp.data.model import Model
-from measureapp.data.phase import PhaseMap
-from measureapp.reconstruct.projector import calibrated, clean_with_projector, projector_points, triangulate_with_projector
-from measureapp.reconstruct.rectifier import Rectifier
-from measureapp.reconstruct.settings import ReconstructSettings
+from measureapp.reconstruct.lit_camera import LitCamera
 
 CLIPPED_AT = 5.0  # limits: a wrong fringe order must not move the mean of its surroundings
 SAMPLES = 100_000
@@ -54,10 +50,7 @@ class ProjectorFill:
 def fill_with_projector(
     depth_mm: FloatArray,
     sigma_mm: FloatArray,
-    phase_map: PhaseMap,
-    cameras: CameraArrayCalibration,
-    settings: ReconstructSettings | None = None,
-    rectifier: Rectifier | None = None,
+    lit: LitCamera,
     fillable: BoolArray | None = None,
     fill: FillSettings | None = None,
 ) -> ProjectorFill:
@@ -68,30 +61,26 @@ def fill_with_projector(
 
     Parameters
     ----------
-    depth_mm, sigma_mm : (H, W) float32, what the cameras measured and cleaning left, on the grid of the map's camera; 0 for none
-    phase_map : of that camera
+    depth_mm, sigma_mm : (H, W) float32, what the cameras measured and cleaning left, on the grid of the lit camera; 0 for none
     fillable : (H, W), pixels that may be filled: leave out those that a camera contradicted; None for all
     fill : None for the defaults
 
     Raises
     ------
     ReconstructError
-        The projector or the camera is not calibrated, or the images have another size.
+        The images have another size than the camera is calibrated for.
     """
-    settings, fill = settings or ReconstructSettings(), fill or FillSettings()
-    camera, projector = calibrated(phase_map, cameras)
-    rays = (rectifier or Rectifier(cameras)).rays(camera.name)
-    made = triangulate_with_projector(phase_map, camera, projector, settings, rays)
-    agreement, fits = _agreement(depth_mm, sigma_mm, made.depth_mm, made.sigma_mm, fill)
+    made = lit.triangulated()
+    agreement, fits = _agreement(depth_mm, sigma_mm, made.depth_mm, made.sigma_mm, fill or FillSettings())
     wanted = (made.depth_mm > 0) & (depth_mm == 0)
     if fillable is not None:
         wanted &= fillable
     new = wanted & fits
     joint = np.where(new, made.depth_mm, depth_mm).astype(np.float32)
     joint_sigma = np.where(new, made.sigma_mm, sigma_mm).astype(np.float32)
-    cleaned = clean_with_projector(joint, joint_sigma, new, (camera, projector), rays, settings)
+    cleaned = lit.cleaned(joint, joint_sigma, new)
     kept = np.asarray(new & (cleaned.depth_mm > 0))
-    cloud = projector_points(cleaned, joint_sigma, kept, phase_map, cameras, rays)
+    cloud = lit.points(cleaned, joint_sigma, kept)
     rejected = made.rejected | {
         "disagreement of projector and cameras": int((wanted & ~fits).sum()),
         "cleaned away": int((new & ~kept).sum()),

@@ -13,6 +13,7 @@ from measureapp.data.cloud import PROJECTOR_BIT, PointCloud, joined
 from measureapp.data.phase import PhaseMap
 from measureapp.data.point_state import PointState
 from measureapp.progress import NoProgress, PartOf, Progress
+from measureapp.reconstruct.lit_camera import LitCamera
 from measureapp.reconstruct.projector import measured_with_projector, reconstruct_with_projector
 from measureapp.reconstruct.projector_fill import FillSettings, ProjectorAgreement, fill_with_projector
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
@@ -53,14 +54,15 @@ def reconstruct_view_with_projector(
     rectifier = rectifier or Rectifier(cameras)
     seen = [name for name in cameras.names if name in phase_maps]
     if len(seen) == 1:
-        return _alone(phase_maps[seen[0]], cameras, settings, rectifier)
+        return _alone(LitCamera.of(phase_maps[seen[0]], cameras, settings, rectifier))
     made = reconstruct(phase_maps, cameras, settings, PartOf(progress, 0.0, 0.8), rectifier)
     clouds, fates, rejected = [made.cloud], dict(made.fates), dict(made.rejected)
     agreement, added = {}, 0
     for name, fate in made.fates.items():
         progress.report(4, 5, f"filling {name}")
         depth, sigma = _depth_of(name, made.cloud, cameras, fate.shape)
-        filled = fill_with_projector(depth, sigma, phase_maps[name], cameras, settings, rectifier, fate == PointState.UNMATCHED, fill)
+        lit = LitCamera.of(phase_maps[name], cameras, settings, rectifier)
+        filled = fill_with_projector(depth, sigma, lit, fate == PointState.UNMATCHED, fill)
         agreement[name] = filled.agreement
         clouds.append(filled.cloud)
         fates[name] = read_only(np.where(filled.filled, np.uint8(PointState.VALID), fate))
@@ -69,9 +71,9 @@ def reconstruct_view_with_projector(
     return ProjectorView(replace(made, cloud=joined(clouds), fates=fates, rejected=rejected), agreement, added)
 
 
-def _alone(phase_map: PhaseMap, cameras: CameraArrayCalibration, settings: ReconstructSettings, rectifier: Rectifier) -> ProjectorView:
-    made = reconstruct_with_projector(phase_map, cameras, settings, rectifier, phase_map.direction)
-    return ProjectorView(Reconstruction(made.cloud, (), made.rejected, {phase_map.camera: made.fate}), {}, len(made.cloud))
+def _alone(lit: LitCamera) -> ProjectorView:
+    made = reconstruct_with_projector(lit)
+    return ProjectorView(Reconstruction(made.cloud, (), made.rejected, {lit.camera.name: made.fate}), {}, len(made.cloud))
 
 
 def looked_at_alone(
@@ -89,7 +91,7 @@ def looked_at_alone(
         The camera is not in the calibration, or its images have another size.
     """
     if cameras is not None and cameras.projector is not None:
-        made = measured_with_projector(phase_map, cameras, settings, direction=phase_map.direction)
+        made = measured_with_projector(LitCamera.of(phase_map, cameras, settings))
         return Reconstruction(made.cloud, (), made.rejected, {phase_map.camera: made.fate})
     fate = np.where(phase_map.valid, np.uint8(PointState.UNMATCHED), np.uint8(PointState.NO_PHASE))
     nothing = np.zeros((0, 3))

@@ -12,7 +12,7 @@ import pytest
 
 from measureapp.data.phase import PhaseMap
 from measureapp.reconstruct.diagnose import diagnose
-from measureapp.reconstruct.projector import triangulate_with_projector
+from measureapp.reconstruct.projector_depth import triangulate_with_projector
 from measureapp.reconstruct.rectifier import Rectifier
 from tests.reconstruct.conftest import plane
 from tests.reconstruct.projector_scene import HEAD, ProjectorHead, make_head

@@ -16,6 +16,7 @@ from measureapp.data.calibration import CameraArrayCalibration, CameraCalibratio
 from measureapp.data.fringe import AxisReadback
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, orthonormalised, rotation_about
+from tests.calibrate.shown_board import Shown
 
 WIDTH, HEIGHT, FOCAL = 1296, 972, 2045.0
 TOE_RAD = np.deg2rad(35.2)
@@ -29,6 +30,11 @@ def lens(distortion=(-0.1, 0.08, 0.0004, -0.0003, 0.02)) -> PinholeCamera:
 
 def placed(rotation, translation, name) -> CameraCalibration:
     return CameraCalibration(name, lens(), RigidTransform.from_parts(rotation, translation, "camera", name))
+
+
+@pytest.fixture
+def shown(monkeypatch) -> Shown:
+    return Shown(monkeypatch)
 
 
 @pytest.fixture(scope="session")

@@ -9,11 +9,13 @@ import numpy as np
 from measureapp.calibrate.sightings import BoardRefused, FoundBoard
 from measureapp.pipeline.collecting import collection as collecting
 
+SIGMA_PX = 0.05  # stated noise of the marks
+
 
 class Shown:
     """Adds observations to collections from marks instead of images."""
 
-    def __init__(self, monkeypatch, sigma_px=0.05):
+    def __init__(self, monkeypatch, sigma_px=SIGMA_PX):
         self._marks, self._numbers, self._sigma_px = {}, itertools.count(1), sigma_px
         monkeypatch.setattr(collecting, "find_board", self._found)
 

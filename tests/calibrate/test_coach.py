@@ -14,18 +14,12 @@ from measureapp.geometry.transform import RigidTransform, rotation_about
 from measureapp.pipeline.collecting import Collection, Readback, Setup, coach
 from measureapp.pipeline.collecting.coaching.advice import outline_px
 from measureapp.pipeline.collecting.coaching.next_view import best_view, candidates, gain_of
-from tests.calibrate.shown_board import Shown
+from tests.calibrate.shown_board import SIGMA_PX
 
 WIDTH, HEIGHT, FOCAL = 1296, 972, 2045.0
 LENS = PinholeCamera(WIDTH, HEIGHT, np.array([[FOCAL, 0, 648.0], [0, FOCAL, 486.0], [0, 0, 1]]), np.array([-0.1, 0.05, 0, 0, 0]))
 ALL_TILTS = ((0.45, 0), (-0.45, 0), (0, 0.45), (0, -0.45))  # of the board about the camera's x and y, rad
 EVERYWHERE = tuple(itertools.product((-1, 0, 1), (-1, 0, 1)))
-SIGMA_PX = 0.05
-
-
-@pytest.fixture
-def shown(monkeypatch):
-    return Shown(monkeypatch, SIGMA_PX)
 
 
 @pytest.fixture

@@ -14,15 +14,9 @@ from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError, InputError
 from measureapp.geometry.transform import RigidTransform, orthonormalised
 from measureapp.pipeline.collecting import Collection, Limits, Setup, accept, coach, compare, estimates_of, judge, read_result, result_of
-from tests.calibrate.shown_board import Shown
+from tests.calibrate.shown_board import SIGMA_PX
 
-SIGMA_PX = 0.05
 NOISE = AxisNoise(robot_mm=0.05, robot_rad=5e-5)
-
-
-@pytest.fixture
-def shown(monkeypatch):
-    return Shown(monkeypatch, SIGMA_PX)
 
 
 @pytest.fixture

@@ -14,15 +14,8 @@ from measureapp.errors import CalibrationError, InputError, StorageError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.collecting import Collection, ReadbackFiles, Setup, add_recorded
 from measureapp.project.board_images import find_board_images
-from tests.calibrate.shown_board import Shown
+from tests.calibrate.shown_board import SIGMA_PX
 from tests.calibrate.virtual_board import CHECKER, shot
-
-SIGMA_PX = 0.05
-
-
-@pytest.fixture
-def shown(monkeypatch):
-    return Shown(monkeypatch, SIGMA_PX)
 
 
 @pytest.fixture

@@ -10,11 +10,11 @@ import pytest
 from recorded import recorded
 
 from measureapp.cli import main
-from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, LinearGuide, RotationAxis
-from measureapp.geometry.pinhole import PinholeCamera
+from measureapp.data.calibration import LinearGuide, RotationAxis
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.camera_file import read_cameras, write_cameras
 from measureapp.project.tables import write_poses
+from tests.cli.drawn_board import SMALL_HEAD, drawn_views
 
 X = RigidTransform.from_vector([0.2, -1.2, 0.3], [100, -150, 80], "flange", "camera")
 GUIDE = LinearGuide(np.array([0.003, 1.0, -0.002]), 1.0004)
@@ -139,47 +139,13 @@ def test_the_axis_wants_one_source(capsys, tmp_path):
     assert "p > 1" in answer["error"]["hint"]
 
 
-def drawn_views(folder, head, board, poses):
-    """Write images of a board seen at poses; its corner square is black."""
-    square = 30
-    columns, rows = board[0] + 1, board[1] + 1
-    picture = np.full(((rows + 2) * square, (columns + 2) * square), 235, np.uint8)
-    for row in range(rows):
-        for column in range(columns):
-            if (row + column) % 2 == 0:
-                picture[(row + 1) * square : (row + 2) * square, (column + 1) * square : (column + 2) * square] = 20
-    drawing = np.array([[12 / square, 0, -24 + 6 / square], [0, 12 / square, -24 + 6 / square], [0, 0, 1]])
-    for number, pose in enumerate(poses):
-        for name, camera in head.cameras.items():
-            in_camera = camera.reference_from_camera.inverse().matrix @ pose.matrix
-            homography = camera.pinhole.matrix @ in_camera[:3, [0, 1, 3]] @ drawing
-            twice = np.array([[2, 0, 0.5], [0, 2, 0.5], [0, 0, 1.0]])
-            size = (camera.pinhole.width_px, camera.pinhole.height_px)
-            image = cv2.warpPerspective(picture, twice @ homography, (2 * size[0], 2 * size[1]), borderValue=120, flags=cv2.INTER_AREA)
-            image = cv2.GaussianBlur(cv2.resize(image, size, interpolation=cv2.INTER_AREA), (0, 0), 0.7)
-            cv2.imwrite(str(folder / f"{name}{number}.png"), image)
-
-
-@pytest.fixture(scope="module")
-def small_head():
-    lens = PinholeCamera(480, 360, np.array([[700.0, 0, 240], [0, 700, 180], [0, 0, 1]]), np.zeros(5))
-    right = RigidTransform.from_vector([0, -0.3, 0], [150, 0, 20], "camera", "right")
-    return CameraArrayCalibration(
-        "left",
-        {
-            "left": CameraCalibration("left", lens, RigidTransform.identity("camera", "left")),
-            "right": CameraCalibration("right", lens, right),
-        },
-    )
-
-
-def test_the_axis_follows_from_images_of_two_cameras(capsys, tmp_path, small_head):
+def test_the_axis_follows_from_images_of_two_cameras(capsys, tmp_path):
     axis = RotationAxis(np.array([40.0, 20.0, 480.0]), np.array([0.05, -0.8, -0.6]), "camera")
     start = RigidTransform.from_vector([-0.2, 0.1, 0.05], [-10, -30, 450], "camera", "board")
     angles = [-30, -15, 0, 15, 30]
-    drawn_views(tmp_path, small_head, (9, 6), [axis.turned(np.deg2rad(angle)) @ start for angle in angles])
+    drawn_views(tmp_path, SMALL_HEAD, (9, 6), [axis.turned(np.deg2rad(angle)) @ start for angle in angles])
     cv2.imwrite(str(tmp_path / "right1.png"), np.full((360, 480), 90, np.uint8))
-    write_cameras(tmp_path / "cameras.json", small_head)
+    write_cameras(tmp_path / "cameras.json", SMALL_HEAD)
     (tmp_path / "angles.csv").write_text("position,angle_deg\n" + "\n".join(f"{n},{angle}" for n, angle in enumerate(angles, 1)))
     code, answer = run(
         capsys,
@@ -215,7 +181,7 @@ def test_the_recorded_pairs_are_calibrated_from_the_command_line(capsys, tmp_pat
     assert again["inputs"] == 26
 
 
-def test_one_camera_alone_is_calibrated(capsys, tmp_path, small_head):
+def test_one_camera_alone_is_calibrated(capsys, tmp_path):
     generator = np.random.default_rng(4)
     poses = [
         RigidTransform.from_vector(
@@ -223,7 +189,7 @@ def test_one_camera_alone_is_calibrated(capsys, tmp_path, small_head):
         )
         for n in range(7)
     ]
-    drawn_views(tmp_path, small_head, (9, 6), poses)
+    drawn_views(tmp_path, SMALL_HEAD, (9, 6), poses)
     code, answer = run(capsys, "cameras", "--images", f"left={tmp_path}/left*.png", "--board", "9x6", "--square-mm", 12, "--distortion", 4)
     assert code == 0, answer
     focal = answer["cameras"]["left"]["parameters"]["fx"]
@@ -255,86 +221,6 @@ def test_a_file_without_a_hand_eye_transform_is_refused(capsys, tables):
     )
     assert code == 2
     assert "x.json holds no flange_from_camera" in answer["error"]["message"]
-
-
-def test_the_whole_rig_follows_from_images(capsys, tmp_path, small_head):
-    generator = np.random.default_rng(6)
-    axis = RotationAxis(np.array([700.0, 20, 100]), np.array([0.003, -0.002, 1]), "guide")
-    turn = np.column_stack([[0, -1, 0], [np.sqrt(0.5), 0, -np.sqrt(0.5)], [np.sqrt(0.5), 0, np.sqrt(0.5)]])
-    guide_from_board = RigidTransform.from_parts(turn, [660, 70, 190], "guide", "board")
-    states = [("pose", 0.0, 0.0)] * 8 + [("axis", 0.0, angle) for angle in (-30.0, 0.0, 30.0)] + [("guide", s, 0.0) for s in (-30.0, 30.0)]
-    robot, slides, angles, seen = {}, ["name,position_mm"], ["position,angle_deg"], []
-    still = None
-    for number, (kind, slide, angle) in enumerate(states):
-        if kind == "pose" or still is None:
-            vector = generator.uniform(-0.45, 0.45, 3)
-            view = RigidTransform.from_vector(vector, [*generator.uniform(-60, -40, 2), 430], "camera", "board")
-            flange = guide_from_board @ view.inverse() @ X.inverse()
-        if kind != "pose" and still is None:
-            view = RigidTransform.from_vector([0.1, 0.1, 0], [-30, -30, 470], "camera", "board")
-            flange = still = guide_from_board @ view.inverse() @ X.inverse()
-        flange = flange if kind == "pose" else still
-        name = f"v{number:02d}"
-        robot[name] = RigidTransform(flange.matrix, "base", "flange")
-        slides.append(f"{name},{slide}")
-        angles.append(f"{number},{angle}")
-        turned = axis.turned(np.deg2rad(angle)) @ guide_from_board
-        seen.append((GUIDE.guide_from_base(slide) @ robot[name] @ X).inverse() @ turned)
-    write_poses(tmp_path / "robot.csv", robot)
-    (tmp_path / "guide.csv").write_text("\n".join(slides))
-    (tmp_path / "angles.csv").write_text("\n".join(angles))
-    write_cameras(tmp_path / "cameras.json", small_head)
-    drawn_views(tmp_path, small_head, (9, 6), seen)
-    code, answer = run(
-        capsys,
-        *("rig", "--robot-poses", tmp_path / "robot.csv", "--guide-positions", tmp_path / "guide.csv", "--angles", tmp_path / "angles.csv"),
-        *("--images", f"left={tmp_path}/left*.png", "--images", f"right={tmp_path}/right*.png"),
-        *(
-            "--cameras",
-            tmp_path / "cameras.json",
-            "--board",
-            "9x6",
-            "--square-mm",
-            12,
-            "--robot-sigma-mm",
-            0.01,
-            "--robot-sigma-deg",
-            0.001,
-            "--out",
-            tmp_path / "rig.json",
-        ),
-    )
-    assert code == 0, answer
-    sigma = answer["standard_deviations"]
-    shift = np.array(answer["flange_from_camera"])[:3, 3] - X.translation_mm
-    assert np.all(np.abs(shift) < 5 * np.array([sigma[f"hand_eye.{name}_mm"] for name in "xyz"]) + 0.05)
-    assert np.linalg.norm(np.cross(answer["axis"]["direction"], axis.direction)) < np.deg2rad(0.1)
-    assert np.array(answer["covariance"]).shape == (len(answer["parameters"]),) * 2
-    assert answer["not_observable"] == []
-    assert len(answer["weak_directions"]) == 3
-    common = (
-        *("--robot-poses", tmp_path / "robot.csv", "--guide-positions", tmp_path / "guide.csv", "--angles", tmp_path / "angles.csv"),
-        *("--images", f"left={tmp_path}/left*.png", "--images", f"right={tmp_path}/right*.png"),
-        *("--cameras", tmp_path / "cameras.json", "--board", "9x6", "--square-mm", 12),
-    )
-    code, answer = run(capsys, "check", "--calibration", tmp_path / "rig.json", *common)
-    assert code == 0, answer
-    assert answer["good"] and len(answer["views"]) == 13
-    knocked = json.loads((tmp_path / "rig.json").read_text())
-    knocked["axis"]["point_mm"][0] += 8
-    knocked["stations"] = []
-    (tmp_path / "knocked.json").write_text(json.dumps(knocked))
-    code, answer = run(capsys, "check", "--calibration", tmp_path / "knocked.json", *common)
-    assert code == 1
-    assert answer["suspect"] == "axis"
-    assert "calibrate the axis again" in answer["verdict"]
-    code, answer = run(capsys, "check", "--calibration", tmp_path / "cameras.json", *common)
-    assert code == 2
-    assert "holds no calibrated rig" in answer["error"]["message"]
-    (tmp_path / "angles.csv").write_text("position,angle_deg\n0,0\n1,10")
-    code, answer = run(capsys, "check", "--calibration", tmp_path / "rig.json", *common)
-    assert code == 2
-    assert "2 table angles do not belong to 13 robot poses" in answer["error"]["message"]
 
 
 def test_what_is_asked_of_a_figure_is_told_and_can_be_set(capsys, tmp_path):

@@ -10,15 +10,7 @@ from recorded import recorded
 
 from measureapp.cli.main import main
 from tests.cli.fringe_sets import write_paper_set, write_recorded_manifest
-
-
-def refused(capsys: pytest.CaptureFixture[str], *arguments: object) -> str:
-    """Run a command that must be refused as bad input and return what it says."""
-    capsys.readouterr()
-    assert main([str(argument) for argument in (*arguments, "--json")]) == 2
-    error = json.loads(capsys.readouterr().out)["error"]
-    assert error["hint"]
-    return f"{error['type']}: {error['message']}"
+from tests.cli.refusal import refused_with
 
 
 def test_decode_answers_with_the_figures_and_writes_the_phase_map(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -42,7 +34,7 @@ def test_sixteen_bit_images_give_the_same_phase(tmp_path: Path, capsys: pytest.C
     assert main(["decode", str(manifest), "--out", str(tmp_path / "out"), "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["cameras"]["left"]["decoded_ratio"] > 0.98
     manifest.write_text(manifest.read_text().replace("saturation = 4095\n", ""))
-    assert "need `saturation`" in refused(capsys, "decode", manifest, "--out", tmp_path / "other")
+    assert "need `saturation`" in refused_with(capsys, "decode", manifest, "--out", tmp_path / "other")
 
 
 @pytest.mark.parametrize(
@@ -51,7 +43,7 @@ def test_sixteen_bit_images_give_the_same_phase(tmp_path: Path, capsys: pytest.C
         ("shift_sign = -1", "shift_sign = 2", "shift_sign"),
         ("projector_px = 1024", "projector_px = 1100", "beat of the pitches"),
         ("projector_px = 1024", "projektor_px = 1024", "projektor_px: is not known here"),
-        ("projector_px = 1024", "projector_px = ", "is not TOML"),
+        ("projector_px = 1024", "projector_px = ", "is not valid TOML"),
         ("pitch_px = 33", "pitch_px = 32", "beat|repeats|single pitch|not determine"),
         ("pitch_px = 33", "periods = 32\npitch_px = 33", "either pitch_px or periods"),
         ('kind = "phase-shift"', 'kind = "phase-shifts"', "phase-shifts"),
@@ -70,7 +62,7 @@ def test_a_manifest_that_cannot_be_right_is_refused_by_the_place(
     text = manifest.read_text()
     assert old in text
     manifest.write_text(text.replace(old, new, 1) if "pitch_px = 33" not in old else text.replace(old, new))
-    said = refused(capsys, "decode", manifest, "--out", tmp_path / "out")
+    said = refused_with(capsys, "decode", manifest, "--out", tmp_path / "out")
     assert any(part in said for part in expected.split("|")), said
     assert not (tmp_path / "out").exists()
 
@@ -87,11 +79,11 @@ def test_images_that_are_damaged_or_do_not_fit_each_other_are_refused_by_name(tm
         (cv2.imencode(".png", np.zeros((40, 256), np.uint16))[1].tobytes(), "16 bit"),
     ):
         image.write_bytes(damage)
-        said = refused(capsys, "decode", manifest, "--out", tmp_path / "out")
+        said = refused_with(capsys, "decode", manifest, "--out", tmp_path / "out")
         assert "1000_2.png" in said
         assert expected in said
     assert not (tmp_path / "out").exists()
-    assert "cannot be read" in refused(capsys, "decode", tmp_path / "none.toml", "--out", tmp_path / "out")
+    assert "cannot be read" in refused_with(capsys, "decode", tmp_path / "none.toml", "--out", tmp_path / "out")
 
 
 def test_without_projector_px_the_beat_is_the_range(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -107,7 +99,7 @@ def test_the_recorded_real_set_decodes_from_its_manifest(tmp_path: Path, capsys:
     assert main(["decode", str(manifest), "--out", str(tmp_path / "out"), "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["cameras"]["one"]["decoded_px"] == pytest.approx(214_654, rel=0.001)
     manifest.write_text(manifest.read_text().replace("shift_sign = 1", "shift_sign = -1"))
-    assert "against the Gray code" in refused(capsys, "decode", manifest, "--out", tmp_path / "other")
+    assert "against the Gray code" in refused_with(capsys, "decode", manifest, "--out", tmp_path / "other")
 
 
 def test_the_guard_against_blooming_is_chosen_from_the_images_or_refused_in_words(

@@ -14,20 +14,13 @@ from measureapp.errors import InputError
 from measureapp.fringe.noise import CameraNoise
 from measureapp.project.noise_file import read_noise
 from tests.cli.fringe_sets import write_paper_set
+from tests.cli.refusal import refused_with
 
 
 def answer(capsys: pytest.CaptureFixture[str], *arguments: object) -> dict[str, object]:
     capsys.readouterr()
     assert main([str(argument) for argument in (*arguments, "--json")]) == 0
     return json.loads(capsys.readouterr().out)
-
-
-def refused(capsys: pytest.CaptureFixture[str], *arguments: object) -> str:
-    capsys.readouterr()
-    assert main([str(argument) for argument in (*arguments, "--json")]) == 2
-    error = json.loads(capsys.readouterr().out)["error"]
-    assert error["hint"]
-    return f"{error['type']}: {error['message']}"
 
 
 def write_flats(folder: Path, camera: CameraNoise, shares: tuple[float, ...] = (0.03, 0.1, 0.3, 0.6, 0.9), bits: int = 8) -> str:
@@ -69,8 +62,8 @@ def test_dark_images_give_the_black_level_of_a_twelve_bit_camera(tmp_path: Path,
     flats = write_flats(tmp_path / "flats", camera, bits=12)
     dark = write_flats(tmp_path / "dark", camera, (0.0,), bits=12)
     common = ("noise", "--images", f"one={flats}", "--out", tmp_path / "noise.json")
-    assert "have 16 bit" in refused(capsys, *common)
-    assert "black level" in refused(capsys, *common, "--saturation", 4095)
+    assert "have 16 bit" in refused_with(capsys, *common)
+    assert "black level" in refused_with(capsys, *common, "--saturation", 4095)
     found = answer(capsys, *common, "--saturation", 4095, "--dark", f"one={dark}")["cameras"]["one"]
     assert found["noise"]["black_grey"] == pytest.approx(64, abs=0.1)
     assert found["noise"]["full_well_e"] == pytest.approx(10_000, rel=0.02)
@@ -80,13 +73,13 @@ def test_dark_images_give_the_black_level_of_a_twelve_bit_camera(tmp_path: Path,
 def test_flats_that_cannot_be_used_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     flats = write_flats(tmp_path / "flats", CameraNoise())
     out = ("--out", tmp_path / "noise.json")
-    assert "does not name a camera" in refused(capsys, "noise", "--images", flats, *out)
-    assert "camera left twice" in refused(capsys, "noise", "--images", f"left={flats}", "--images", f"left={flats}", *out)
-    assert "No file matches" in refused(capsys, "noise", "--images", f"left={tmp_path}/none*.png", *out)
+    assert "does not name a camera" in refused_with(capsys, "noise", "--images", flats, *out)
+    assert "camera left twice" in refused_with(capsys, "noise", "--images", f"left={flats}", "--images", f"left={flats}", *out)
+    assert "No file matches" in refused_with(capsys, "noise", "--images", f"left={tmp_path}/none*.png", *out)
     (tmp_path / "flats" / "2_1.png").unlink()
-    assert "2_0.png has no other image of its brightness" in refused(capsys, "noise", "--images", f"left={flats}", *out)
+    assert "2_0.png has no other image of its brightness" in refused_with(capsys, "noise", "--images", f"left={flats}", *out)
     cv2.imwrite(str(tmp_path / "flats" / "2_1.png"), np.zeros((5, 5), np.uint8))
-    assert "2_1.png differs from" in refused(capsys, "noise", "--images", f"left={flats}", *out)
+    assert "2_1.png differs from" in refused_with(capsys, "noise", "--images", f"left={flats}", *out)
     assert not (tmp_path / "noise.json").exists()
 
 
@@ -117,8 +110,8 @@ def test_bracket_proposes_exposures_from_a_recorded_probe(tmp_path: Path, capsys
     assert said["compared"]["probe"]["worth"] < said["figures"]["worth"]
     assert main(["bracket", str(manifest)]) == 0
     assert "proposed:" in capsys.readouterr().out
-    assert "do not suffice" in refused(capsys, "bracket", manifest, "--budget-s", 0.1)
-    assert "cannot be read" in refused(capsys, "bracket", manifest, "--noise", tmp_path / "none.json")
+    assert "do not suffice" in refused_with(capsys, "bracket", manifest, "--budget-s", 0.1)
+    assert "cannot be read" in refused_with(capsys, "bracket", manifest, "--noise", tmp_path / "none.json")
 
 
 def test_bracket_takes_the_noise_of_the_cameras(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

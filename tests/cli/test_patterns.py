@@ -12,20 +12,13 @@ from measureapp.cli.main import main
 from measureapp.data.pattern_sets import PATTERN_SETS
 from measureapp.fringe.response import response_of_ramp
 from measureapp.project.response_file import write_response
+from tests.cli.refusal import refused_with
 
 
 def answered(capsys: pytest.CaptureFixture[str], *arguments: object) -> dict[str, Any]:
     capsys.readouterr()
     assert main([*map(str, arguments), "--json"]) == 0
     return json.loads(capsys.readouterr().out)
-
-
-def refused(capsys: pytest.CaptureFixture[str], *arguments: object) -> str:
-    capsys.readouterr()
-    assert main([*map(str, arguments), "--json"]) == 2
-    error = json.loads(capsys.readouterr().out)["error"]
-    assert error["hint"]
-    return error["message"]
 
 
 def test_the_list_has_every_named_set_with_its_promise(capsys: pytest.CaptureFixture[str]) -> None:
@@ -95,7 +88,7 @@ def test_what_cannot_be_is_refused_and_nothing_written(
     arguments: tuple[str, ...], reason: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     filled = [str(tmp_path / "out") if word == "OUT" else word for word in arguments]
-    assert reason in refused(capsys, "patterns", *filled)
+    assert reason in refused_with(capsys, "patterns", *filled)
     assert list(tmp_path.iterdir()) == []
 
 
@@ -103,6 +96,6 @@ def test_a_set_that_is_ambiguous_on_the_projector_is_refused_with_the_reason(tmp
     file = tmp_path / "mine.toml"
     groups = "\n".join(f'[[groups]]\nkind = "phase-shift"\npitch_px = {pitch}' for pitch in (32, 34))
     file.write_text(f'name = "mine"\nprojector_px = 1024\n{groups}\n')
-    assert "beat of the pitches 32, 34 px is 544 px" in refused(capsys, "patterns", "check", file)
-    assert "beat" in refused(capsys, "patterns", "export", file, "--out", tmp_path / "out")
+    assert "beat of the pitches 32, 34 px is 544 px" in refused_with(capsys, "patterns", "check", file)
+    assert "beat" in refused_with(capsys, "patterns", "export", file, "--out", tmp_path / "out")
     assert not (tmp_path / "out").exists()

@@ -20,7 +20,10 @@ from measureapp.fringe.decode import decode
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.images import read_image
-from measureapp.reconstruct.projector import ProjectorFate, lens_of, reconstruct_with_projector, triangulate_with_projector
+from measureapp.reconstruct.lit_camera import LitCamera
+from measureapp.reconstruct.projector import reconstruct_with_projector
+from measureapp.reconstruct.projector_depth import lens_of, triangulate_with_projector
+from measureapp.reconstruct.projector_fate import ProjectorFate
 from tests.reconstruct.conftest import nearest, plane, sphere
 from tests.reconstruct.projector_scene import HEAD, PITCH_PX, SIGMA_RAD, ProjectorHead, make_head, projector_lens, wrong_sign
 
@@ -85,7 +88,7 @@ def test_the_matrix_of_a_tilted_imager_is_that_of_opencv() -> None:
 def test_rows_alone_measure_where_the_camera_stands_above_the_projector(head) -> None:
     rows = head.phase_maps(PLANE, across=True)["upper"].across
     assert rows is not None
-    made = triangulate_with_projector(rows, head.cameras.cameras["upper"], head.projector, direction="horizontal")
+    made = triangulate_with_projector(rows, head.cameras.cameras["upper"], head.projector)
     assert (made.depth_mm > 0).sum() == rows.valid.sum()
     assert np.abs(made.depth_mm - head.depth_mm("upper", PLANE))[made.depth_mm > 0].max() < FLOAT32_PHASE_MM
 
@@ -122,7 +125,7 @@ def test_a_camera_in_the_projectors_place_measures_nothing() -> None:
 
 def test_one_camera_and_the_projector_give_a_cloud_with_normals_marked_as_the_projectors(head) -> None:
     phase_map = head.phase_maps(PLANE, noise_seed=1)["right"]
-    made = reconstruct_with_projector(phase_map, head.cameras)
+    made = reconstruct_with_projector(LitCamera.of(phase_map, head.cameras))
     assert len(made.cloud) > 0.98 * phase_map.valid.sum()
     assert set(np.unique(made.cloud.cameras)) == {PROJECTOR_BIT | 2}
     points = head.head_from_reference.apply(made.cloud.points_mm)
@@ -138,18 +141,18 @@ def test_one_camera_and_the_projector_give_a_cloud_with_normals_marked_as_the_pr
 def test_what_is_missing_is_refused_in_words(head) -> None:
     maps = head.phase_maps(PLANE)
     with pytest.raises(ReconstructError, match="projector is not calibrated"):
-        reconstruct_with_projector(maps["left"], head.without_projector())
+        reconstruct_with_projector(LitCamera.of(maps["left"], head.without_projector()))
     with pytest.raises(ReconstructError, match="'lower' is not in the calibration"):
-        reconstruct_with_projector(replace(maps["left"], camera="lower"), head.cameras)
+        reconstruct_with_projector(LitCamera.of(replace(maps["left"], camera="lower"), head.cameras))
     dark = replace(maps["left"], state=np.full_like(maps["left"].state, PixelState.SHADOW))
     with pytest.raises(ReconstructError, match="no pixel with a phase"):
-        reconstruct_with_projector(dark, head.cameras)
+        reconstruct_with_projector(LitCamera.of(dark, head.cameras))
     small = replace(maps["left"], phase_rad=maps["left"].phase_rad[:, :100])
     with pytest.raises(ReconstructError, match="100 × 162 px"):
-        reconstruct_with_projector(small, head.cameras)
+        reconstruct_with_projector(LitCamera.of(small, head.cameras))
     beside = replace(maps["left"], phase_rad=np.where(maps["left"].valid, maps["left"].phase_rad - 300, 0).astype(np.float32))
     with pytest.raises(ReconstructError, match="outside the projector's image") as raised:
-        reconstruct_with_projector(beside, head.cameras)
+        reconstruct_with_projector(LitCamera.of(beside, head.cameras))
     assert "shift_sign" in raised.value.hint
 
 
@@ -199,7 +202,7 @@ def test_the_real_camera_and_projector_give_the_recorded_depth() -> None:
 
 def test_the_real_camera_and_projector_give_a_smooth_surface() -> None:
     phase_map, cameras = real_set(recorded("slmaster_real_mono"), distortion=True)
-    made = reconstruct_with_projector(phase_map, cameras)
+    made = reconstruct_with_projector(LitCamera.of(phase_map, cameras))
     assert len(made.cloud) > 0.85 * phase_map.valid.sum()
     assert np.percentile(made.cloud.points_mm[:, 2], 50) == pytest.approx(727.4, abs=5)
     grid = np.full(phase_map.phase_rad.shape, np.nan)

@@ -13,6 +13,7 @@ from measureapp.data.cloud import PROJECTOR_BIT
 from measureapp.data.phase import PhaseMap
 from measureapp.errors import ReconstructError
 from measureapp.geometry.transform import RigidTransform
+from measureapp.reconstruct.lit_camera import LitCamera
 from measureapp.reconstruct.projector_fill import FillSettings, fill_with_projector
 from tests.reconstruct.conftest import plane
 from tests.reconstruct.projector_scene import ProjectorHead, make_head
@@ -49,7 +50,7 @@ def turned(cameras: CameraArrayCalibration, angle_rad: float) -> CameraArrayCali
 
 def test_a_hole_is_filled_with_true_points_that_are_marked(head: ProjectorHead, phase_map: PhaseMap) -> None:
     depth, sigma = seen_by_cameras(head, phase_map)
-    made = fill_with_projector(depth, sigma, phase_map, head.cameras)
+    made = fill_with_projector(depth, sigma, LitCamera.of(phase_map, head.cameras))
     hole = phase_map.valid & (depth == 0)
     assert hole.sum() == 4800
     assert made.filled.sum() == len(made.cloud) > 0.99 * hole.sum()
@@ -65,11 +66,13 @@ def test_a_hole_is_filled_with_true_points_that_are_marked(head: ProjectorHead, 
 
 def test_a_projector_out_of_calibration_fills_nothing_and_says_by_how_much(head: ProjectorHead, phase_map: PhaseMap) -> None:
     depth, sigma = seen_by_cameras(head, phase_map)
-    made = fill_with_projector(depth, sigma, phase_map, turned(head.cameras, 2e-3))
+    made = fill_with_projector(depth, sigma, LitCamera.of(phase_map, turned(head.cameras, 2e-3)))
     assert len(made.cloud) == 0
     assert "disagree by" in made.agreement.refused
     assert made.agreement.disagreement_mm > made.agreement.limit_mm > 0.09
-    tolerant = fill_with_projector(depth, sigma, phase_map, turned(head.cameras, 2e-3), fill=FillSettings(max_disagreement_mm=50))
+    tolerant = fill_with_projector(
+        depth, sigma, LitCamera.of(phase_map, turned(head.cameras, 2e-3)), fill=FillSettings(max_disagreement_mm=50)
+    )
     assert len(tolerant.cloud) > 4000
     off = tolerant.cloud.points_mm[:, 2] - head.depth_mm("left", PLANE)[tolerant.filled]
     assert np.median(off) == pytest.approx(tolerant.agreement.bias_mm, abs=0.3 * abs(tolerant.agreement.bias_mm))
@@ -80,7 +83,7 @@ def test_where_cameras_and_projector_disagree_locally_nothing_is_filled(head: Pr
     order = np.zeros(depth.shape, np.float32)
     order[30:150, 60:220] = tau  # a region of one wrong fringe order, round the hole
     wrong = replace(phase_map, phase_rad=np.where(phase_map.valid, phase_map.phase_rad + order, 0).astype(np.float32))
-    made = fill_with_projector(depth, sigma, wrong, head.cameras)
+    made = fill_with_projector(depth, sigma, LitCamera.of(wrong, head.cameras))
     assert made.agreement.refused == ""
     assert len(made.cloud) == 0
     assert made.rejected["disagreement of projector and cameras"] > 4000
@@ -90,14 +93,14 @@ def test_pixels_that_must_not_be_filled_stay_empty(head: ProjectorHead, phase_ma
     depth, sigma = seen_by_cameras(head, phase_map)
     fillable = np.zeros(depth.shape, bool)
     fillable[:, :140] = True
-    made = fill_with_projector(depth, sigma, phase_map, head.cameras, fillable=fillable)
+    made = fill_with_projector(depth, sigma, LitCamera.of(phase_map, head.cameras), fillable=fillable)
     assert 2000 < made.filled.sum() <= 2400
     assert not made.filled[:, 140:].any()
 
 
 def test_without_points_of_cameras_nothing_is_filled(head: ProjectorHead, phase_map: PhaseMap) -> None:
     nothing = np.zeros_like(phase_map.phase_rad)
-    made = fill_with_projector(nothing, nothing, phase_map, head.cameras)
+    made = fill_with_projector(nothing, nothing, LitCamera.of(phase_map, head.cameras))
     assert len(made.cloud) == 0
     assert made.agreement.refused.startswith("only 0 points")
 
@@ -105,4 +108,4 @@ def test_without_points_of_cameras_nothing_is_filled(head: ProjectorHead, phase_
 def test_without_a_calibrated_projector_filling_is_refused(head: ProjectorHead, phase_map: PhaseMap) -> None:
     depth, sigma = seen_by_cameras(head, phase_map)
     with pytest.raises(ReconstructError, match="projector is not calibrated"):
-        fill_with_projector(depth, sigma, phase_map, head.without_projector())
+        fill_with_projector(depth, sigma, LitCamera.of(phase_map, head.without_projector()))

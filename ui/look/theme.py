@@ -90,11 +90,14 @@ def font(size_px: int, *, bold: bool = False) -> QFont:
 
 
 def apply(application: QApplication, theme: Theme) -> None:
-    """Dress the whole application."""
+    """Dress the whole application; one that wears the theme already is left as it is, for Qt would polish every widget again."""
+    style_sheet = theme.style_sheet()
+    if application.styleSheet() == style_sheet:
+        return
     application.setStyle("Fusion")
     application.setFont(font(theme.sizes["body"]))
     application.setPalette(theme.palette())
-    application.setStyleSheet(theme.style_sheet())
+    application.setStyleSheet(style_sheet)
 
 
 def preferred_shade(application: QApplication) -> Shade:

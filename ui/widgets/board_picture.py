@@ -7,10 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
-from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QPaintEvent, QPen, QPolygonF
+from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.look.look import Look
+from ui.look.painting import picture_painter, set_letters, write_elided
 
 DOT_PX = 3.0
 HEAT = 0.35  # opacity of the cells that were covered
@@ -61,15 +62,8 @@ class BoardPicture(QWidget):
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw image, coverage, ghost and corners."""
         theme = self._look.theme
-        painter = QPainter(self)
-        painter.setRenderHints(QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform)
-        frame = QPainterPath()
-        frame.addRoundedRect(QRectF(self.rect()), theme.sizes["corner"], theme.sizes["corner"])
-        painter.setClipPath(frame)
-        painter.fillRect(self.rect(), theme.colour("sunken"))
-        font = painter.font()
-        font.setPixelSize(theme.sizes["small"])
-        painter.setFont(font)
+        painter = picture_painter(self, theme)
+        set_letters(painter, theme.sizes["small"])
         if self.is_empty:
             painter.setPen(theme.colour("soft"))
             painter.drawText(self.rect().adjusted(32, 0, -32, 0), Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, self.empty_words)
@@ -129,5 +123,4 @@ class BoardPicture(QWidget):
         strip = QRectF(0, self.height() - 28, self.width(), 28)
         painter.fillRect(strip, QColor(0, 0, 0, 190))
         painter.setPen(Qt.GlobalColor.white)
-        words = painter.fontMetrics().elidedText(self.caption, Qt.TextElideMode.ElideRight, int(strip.width()) - 24)
-        painter.drawText(strip.adjusted(12, 0, -12, 0), Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, words)
+        write_elided(painter, strip.adjusted(12, 0, -12, 0), self.caption)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
+from ui.look.painting import set_letters
 from ui.look.theme import Theme
 
 
@@ -74,10 +75,7 @@ class Canvas:
         clear: bool = False,
     ) -> None:
         """Write words at a world point, moved by pixels; ``clear`` wipes away what lies behind them."""
-        font = self._painter.font()
-        font.setPixelSize(self.theme.sizes["small"])
-        font.setBold(bold)
-        self._painter.setFont(font)
+        set_letters(self._painter, self.theme.sizes["small"], bold=bold)
         self._painter.setPen(self.theme.colour(colour))
         place = self.at(x, y) + QPointF(dx, dy)
         box = QRectF(place.x() - (120 if centre else 0), place.y() - 10, 240, 20)
@@ -89,9 +87,6 @@ class Canvas:
 
     def heading(self, words: str) -> None:
         """Write the name of the view in its corner."""
-        font = self._painter.font()
-        font.setPixelSize(self.theme.sizes["small"])
-        font.setBold(True)
-        self._painter.setFont(font)
+        set_letters(self._painter, self.theme.sizes["small"], bold=True)
         self._painter.setPen(self.theme.colour("soft"))
         self._painter.drawText(QPointF(self.area.left(), self.area.top() - 8), words)

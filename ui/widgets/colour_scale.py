@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from ui.look.look import Look
+from ui.look.painting import set_letters
 from ui.look.wording import millimetres
 
 WIDTH = 304
@@ -50,9 +51,7 @@ class ColourScale(QWidget):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(gradient)
         painter.drawRoundedRect(bar, 4, 4)
-        font = painter.font()
-        font.setPixelSize(theme.sizes["small"])
-        painter.setFont(font)
+        set_letters(painter, theme.sizes["small"])
         painter.setPen(theme.colour("soft"))
         below = QRectF(0, 16, self.width(), 20)
         digits = 3 if self.high < 1 else 2

@@ -10,6 +10,7 @@ from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.look.look import Look
+from ui.look.painting import set_letters
 
 LINE, BAR = 36, 6
 
@@ -49,9 +50,7 @@ class Gauges(QWidget):
         theme = self._look.theme
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        font = painter.font()
-        font.setPixelSize(theme.sizes["small"])
-        painter.setFont(font)
+        set_letters(painter, theme.sizes["small"])
         for place, level in enumerate(self.levels):
             top, right = place * LINE, self.width() - 28
             painter.setPen(theme.colour("text"))

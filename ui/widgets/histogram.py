@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.look.look import Look
+from ui.look.painting import set_letters
 from ui.look.wording import millimetres
 
 BINS = 48
@@ -67,9 +68,7 @@ class Histogram(QWidget):
 
     def _numbers(self, painter: QPainter) -> None:
         theme = self._look.theme
-        font = painter.font()
-        font.setPixelSize(theme.sizes["small"])
-        painter.setFont(font)
+        set_letters(painter, theme.sizes["small"])
         painter.setPen(theme.colour("soft"))
         top = float(self.height() - NUMBERS_HEIGHT)
         for tick in range(TICKS):

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QImage, QPainter, QPainterPath, QPaintEvent
+from PySide6.QtGui import QImage, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from ui.look.look import Look
+from ui.look.painting import LEFT, picture_painter, set_letters
 
 MAX_SIDE = 640
 
@@ -48,12 +49,7 @@ class ImageView(QWidget):
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the image with its caption on top."""
         theme = self._look.theme
-        painter = QPainter(self)
-        painter.setRenderHints(QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform)
-        frame = QPainterPath()
-        frame.addRoundedRect(QRectF(self.rect()), theme.sizes["corner"], theme.sizes["corner"])
-        painter.setClipPath(frame)
-        painter.fillRect(self.rect(), theme.colour("sunken"))
+        painter = picture_painter(self, theme)
         if not self._image.isNull():
             fitted = self._image.size().scaled(self.size(), Qt.AspectRatioMode.KeepAspectRatioByExpanding)
             target = QRectF(0, 0, fitted.width(), fitted.height())
@@ -64,7 +60,5 @@ class ImageView(QWidget):
             if not self._image.isNull():
                 painter.fillRect(strip, Qt.GlobalColor.black)
             painter.setPen(Qt.GlobalColor.white if not self._image.isNull() else theme.colour("soft"))
-            font = painter.font()
-            font.setPixelSize(theme.sizes["small"])
-            painter.setFont(font)
-            painter.drawText(strip.adjusted(8, 0, -8, 0), Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, self.caption)
+            set_letters(painter, theme.sizes["small"])
+            painter.drawText(strip.adjusted(8, 0, -8, 0), LEFT, self.caption)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt, Signal
-from PySide6.QtGui import QColor, QImage, QKeyEvent, QMouseEvent, QPainter, QPainterPath, QPaintEvent, QPen, QWheelEvent
+from PySide6.QtGui import QColor, QImage, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QWheelEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.look.look import Look
+from ui.look.painting import picture_painter
 
 LARGEST = 64.0  # screen pixels of one image pixel, about
 STEP, CLICK_PX, SMOOTH_BELOW = 1.25, 4.0, 2.0
@@ -139,13 +140,7 @@ class PixelPicture(QWidget):
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the image, and a ring around the chosen pixel."""
-        theme = self._look.theme
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        frame = QPainterPath()
-        frame.addRoundedRect(QRectF(self.rect()), theme.sizes["corner"], theme.sizes["corner"])
-        painter.setClipPath(frame)
-        painter.fillRect(self.rect(), theme.colour("sunken"))
+        painter = picture_painter(self, self._look.theme)
         if self.is_empty:
             return
         scale = self._scale()

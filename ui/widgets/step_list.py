@@ -11,6 +11,7 @@ from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent, QPainter,
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.look.look import Look
+from ui.look.painting import set_letters, write_elided
 
 StepState = Literal["waiting", "now", "done", "problem"]
 WIDTH, LINE, DOT = 184, 72, 28
@@ -105,18 +106,11 @@ class StepList(QWidget):
             sign = box.adjusted(6, 6, -6, -6).toRect()
             self._look.icon("pass" if step.state == "done" else "not proven", "accent_on").paint(painter, sign)
             return
-        font = painter.font()
-        font.setPixelSize(theme.sizes["small"])
-        font.setBold(True)
-        painter.setFont(font)
+        set_letters(painter, theme.sizes["small"], bold=True)
         painter.setPen(theme.colour("accent_on" if filled else "soft"))
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, str(place + 1))
 
     def _write(self, painter: QPainter, box: QRectF, words: str, colour: str, size: int, *, bold: bool = False) -> None:
-        font = painter.font()
-        font.setPixelSize(size)
-        font.setBold(bold)
-        painter.setFont(font)
+        set_letters(painter, size, bold=bold)
         painter.setPen(self._look.theme.colour(colour))
-        elided = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, int(box.width()))
-        painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, elided)
+        write_elided(painter, box, words)

@@ -10,6 +10,7 @@ from PySide6.QtGui import QHelpEvent, QImage, QKeyEvent, QMouseEvent, QPainter, 
 from PySide6.QtWidgets import QScrollArea, QSizePolicy, QToolTip, QWidget
 
 from ui.look.look import Look
+from ui.look.painting import set_letters, write_elided
 
 WIDTH, PICTURE, TEXT, GAP = 128, 80, 40, 8
 STRIP_HEIGHT = PICTURE + TEXT + 24
@@ -116,12 +117,9 @@ class _Strip(QWidget):
         self._write(painter, below, thumbnail.name, "soft")
 
     def _write(self, painter: QPainter, box: QRectF, words: str, colour: str) -> None:
-        font = painter.font()
-        font.setPixelSize(self._look.theme.sizes["small"])
-        painter.setFont(font)
+        set_letters(painter, self._look.theme.sizes["small"])
         painter.setPen(self._look.theme.colour(colour))
-        elided = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, int(box.width()))
-        painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, elided)
+        write_elided(painter, box, words)
 
 
 class ThumbnailStrip(QScrollArea):

@@ -10,6 +10,7 @@ from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.look.look import Look
+from ui.look.painting import set_letters, write_elided
 
 WORDS = {
     "waiting": "Waiting",
@@ -124,9 +125,6 @@ class ViewpointTiles(QWidget):
             self._look.icon(SIGNS[tile.status], COLOURS[tile.status]).paint(painter, sign)
 
     def _write(self, painter: QPainter, box: QRectF, words: str, colour: str, edge: Qt.AlignmentFlag, size: int) -> None:
-        font = painter.font()
-        font.setPixelSize(size)
-        painter.setFont(font)
+        set_letters(painter, size)
         painter.setPen(self._look.theme.colour(colour))
-        elided = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, int(box.width()))
-        painter.drawText(box, edge | Qt.AlignmentFlag.AlignLeft, elided)
+        write_elided(painter, box, words, edge | Qt.AlignmentFlag.AlignLeft)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from measureapp.pipeline.collecting import estimates_of, result_of
 
 if TYPE_CHECKING:
-    from measureapp.pipeline.collecting import Advice, Collection, Comparison, Observation, Verdict
+    from measureapp.pipeline.collecting import Advice, Collection, Comparison, Observation, Readback, Verdict
     from measureapp.pipeline.collecting.coaching import Ghost
 
 MARKS = {"used": "✓", "new": "·", "rejected": "✗", "removed": "–", "no board": "✗"}
@@ -67,7 +67,6 @@ def collect_lines(document: Mapping[str, Any]) -> list[str]:
 
 
 def _observation(one: Observation) -> dict[str, Any]:
-    read = one.readback
     return {
         "id": one.id,
         "standing": one.standing,
@@ -84,9 +83,16 @@ def _observation(one: Observation) -> dict[str, Any]:
         },
         "residuals_px": dict(one.residuals_px),
         "residual_mm": one.residual_mm,
-        "base_from_flange": None if read.base_from_flange is None else read.base_from_flange.matrix,
-        "guide_mm": read.guide_mm,
-        "table_deg": None if read.table_rad is None else math.degrees(read.table_rad),
+        **_axes(one.readback),
+    }
+
+
+def _axes(at: Readback | Ghost) -> dict[str, Any]:
+    """Return where the axes are, or should be; None for those that nobody knows."""
+    return {
+        "base_from_flange": None if at.base_from_flange is None else at.base_from_flange.matrix,
+        "guide_mm": at.guide_mm,
+        "table_deg": None if at.table_rad is None else math.degrees(at.table_rad),
     }
 
 
@@ -95,16 +101,8 @@ def _advice(advice: Advice) -> dict[str, Any]:
         {"name": one.name, "camera": one.camera, "value": one.value, "target": one.target, "unit": one.unit, "share": one.share}
         for one in advice.gauges
     ]
-    return {"sentences": advice.sentences, "gauges": gauges, "ghost": None if advice.ghost is None else _ghost(advice.ghost)}
-
-
-def _ghost(ghost: Ghost) -> dict[str, Any]:
-    return {
-        "outlines_px": dict(ghost.outlines_px),
-        "base_from_flange": None if ghost.base_from_flange is None else ghost.base_from_flange.matrix,
-        "guide_mm": ghost.guide_mm,
-        "table_deg": None if ghost.table_rad is None else math.degrees(ghost.table_rad),
-    }
+    ghost = None if advice.ghost is None else {"outlines_px": dict(advice.ghost.outlines_px), **_axes(advice.ghost)}
+    return {"sentences": advice.sentences, "gauges": gauges, "ghost": ghost}
 
 
 def _verdict(verdict: Verdict) -> dict[str, Any]:

@@ -17,6 +17,7 @@ from measureapp.project.folder import ProjectFolder
 
 if TYPE_CHECKING:
     from measureapp.calibrate.axis_noise import AxisNoise
+    from measureapp.cli.calibrate.collect_options import SessionStart
     from measureapp.data.calibration import HandEye
     from measureapp.pipeline.collecting.estimates import Calibrated
 
@@ -51,18 +52,15 @@ class Given:
     kind: str
     board: BoardChoice
     cameras: Path | None
-    hand_eye: Path | None
-    reference: str | None
-    distortion: int
-    standoff_mm: float | None
+    start: SessionStart
     noise: AxisNoise
 
     def setup(self, sources: Sources) -> Setup:
         """Return what the session is told. Raises InputError naming the option that is wrong or missing."""
-        names = sources.camera_names()
-        if self.reference is not None and self.reference not in names:
-            raise InputError(f"--reference {self.reference!r} is not among the cameras.", "Name one of: " + ", ".join(names) + ".")
-        first = self.reference or names[0]
+        names, start = sources.camera_names(), self.start
+        if start.reference is not None and start.reference not in names:
+            raise InputError(f"--reference {start.reference!r} is not among the cameras.", "Name one of: " + ", ".join(names) + ".")
+        first = start.reference or names[0]
         project = None if sources.project is None else ProjectFolder.open(sources.project)
         rig = None if project is None else project.rig()
         return Setup(
@@ -70,10 +68,10 @@ class Given:
             board=self.board.description() if self.board != BoardChoice() or project is None else project.settings.board,
             camera_names=(first, *(name for name in names if name != first)),
             cameras=None if self.cameras is None else read_cameras(self.cameras),
-            hand_eye=None if self.hand_eye is None else _hand_eye(self.hand_eye),
+            hand_eye=None if start.hand_eye is None else _hand_eye(start.hand_eye),
             noise=self.noise if rig is None else expected_noise(rig),
-            distortion_count=self.distortion,
-            standoff_mm=self.standoff_mm if self.standoff_mm is not None or rig is None else rig.standoff_mm,
+            distortion_count=start.distortion,
+            standoff_mm=start.standoff_mm if start.standoff_mm is not None or rig is None else rig.standoff_mm,
             serials={} if rig is None else {camera.name: camera.serial for camera in rig.cameras},
         )
 

@@ -1,6 +1,6 @@
 """Compiled loop that compares, at points, what their cameras see of the fringes across the epipolar lines."""
-# One loop over pixels, as in `fusing`.
-# ruff: noqa: PLR0912, PLR0915
+# One loop over pixels, as in `fusing`; its parts are compiled into it.
+# ruff: noqa: PLR0912
 
 from __future__ import annotations
 
@@ -52,6 +52,55 @@ def release(covered: Any, width: Any, u: Any, v: Any) -> None:
     for k in range(max(i - 1, 0), min(i + 2, height)):
         for m in range(max(j - 1, 0), min(j + 2, width)):
             covered[k * width + m] = 0
+
+
+@njit(**INLINE)
+def solve_again(own_phase: Any, own_sigma: Any, nx: Any, ny: Any, z: Any, bits: Any, sights: Any) -> Any:
+    """Step from depth ``z`` to that of least squares of the cameras in ``bits`` alone.
+
+    Returns (whether they determine it, depth, its standard deviation, gain of the last of them).
+    """
+    taking, gain_of_one = 0, 0.0
+    zz, zd, dd = 0.0, 0.0, 1.0 / (float(own_sigma) ** 2 + 1e-20)
+    rz, rd = 0.0, 0.0
+    for c in range(len(sights)):
+        if (bits >> c) & 1 == 0:
+            continue
+        sight, e, _along, g, variance, _here, _there, _line = see(own_phase, nx, ny, z, sights[c])
+        if sight != SEEN:
+            continue
+        weight = 1.0 / (variance + 1e-20)
+        zz += weight * g * g
+        zd -= weight * g
+        dd += weight
+        rz -= weight * g * e
+        rd += weight * e
+        taking += 1
+        gain_of_one = g
+    determinant = zz * dd - zd * zd
+    if taking == 0 or not determinant > 0:
+        return False, 0.0, 0.0, 0.0
+    return True, z + (rz * dd - zd * rd) / determinant, np.sqrt(dd / determinant), gain_of_one
+
+
+@njit(**INLINE)
+def others_agree(verdict: Any, value: Any, noise: Any, steep: Any, sigmas: Any, tolerance_px: Any) -> bool:
+    """Whether two of the cameras that differ from this one agree with each other."""
+    for k in range(len(verdict)):
+        for m in range(k):
+            if verdict[k] == DIFFERS and verdict[m] == DIFFERS:
+                limit = sigmas * np.sqrt(noise[k] + noise[m]) + tolerance_px * max(steep[k], steep[m])
+                if abs(value[k] - value[m]) <= limit:
+                    return True
+    return False
+
+
+@njit(**INLINE)
+def release_differing(verdict: Any, places: Any, covered: Any, widths: Any, u: Any, v: Any) -> None:
+    """Give the pixels of the cameras that differ free for other points."""
+    for k in range(len(verdict)):
+        if verdict[k] == DIFFERS:
+            release(covered[places[k]], widths[places[k]], u[k], v[k])
 
 
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
@@ -115,45 +164,20 @@ def check_across(
             if differ == 0:
                 continue
             if agree >= 2 and agree > differ:
-                taking = 0
                 for k in range(count):
                     if verdict[k] == DIFFERS:
                         bits[y, x] &= ~np.uint8(1 << places[k])
-                        release(covered[places[k]], widths[places[k]], u[k], v[k])
-                zz, zd, dd = 0.0, 0.0, 1.0 / (float(own[1][y, x]) ** 2 + 1e-20)
-                rz, rd, gain_of_one = 0.0, 0.0, 0.0
-                for c in range(len(sights)):
-                    if (bits[y, x] >> c) & 1 == 0:
-                        continue
-                    sight, e, _along, g, variance, _here, _there, _line = see(own[0][y, x], nx, ny, z, sights[c])
-                    if sight != SEEN:
-                        continue
-                    weight = 1.0 / (variance + 1e-20)
-                    zz += weight * g * g
-                    zd -= weight * g
-                    dd += weight
-                    rz -= weight * g * e
-                    rd += weight * e
-                    taking += 1
-                    gain_of_one = g
-                determinant = zz * dd - zd * zd
-                if taking > 0 and determinant > 0:
-                    depth[y, x] = z + (rz * dd - zd * rd) / determinant
-                    z_sigma[y, x] = np.sqrt(dd / determinant)
+                release_differing(verdict, places, covered, widths, u, v)
+                solved, better, sigma, gain = solve_again(own[0][y, x], own[1][y, x], nx, ny, z, bits[y, x], sights)
+                if solved:
+                    depth[y, x] = better
+                    z_sigma[y, x] = sigma
                     if len(pair_gain) > 0:
-                        pair_gain[y, x] = gain_of_one
+                        pair_gain[y, x] = gain
                     continue
-            against = 0
-            for k in range(count):
-                for m in range(k):
-                    if verdict[k] == DIFFERS and verdict[m] == DIFFERS:
-                        limit = sigmas * np.sqrt(noise[k] + noise[m]) + tolerance_px * max(steep[k], steep[m])
-                        against += int(abs(value[k] - value[m]) <= limit)
-            if against > 0 and agree == 1:
+            if agree == 1 and others_agree(verdict, value, noise, steep, sigmas, tolerance_px):
                 set_aside[y, x] = True
-                for k in range(count):
-                    if verdict[k] == DIFFERS:
-                        release(covered[places[k]], widths[places[k]], u[k], v[k])
+                release_differing(verdict, places, covered, widths, u, v)
             depth[y, x] = 0
             z_sigma[y, x] = 0
             fate[y, x] = CONTRADICTED

@@ -1,6 +1,4 @@
 """Compiled loops over pixels: where a camera's ray meets the surface that one projector column or row lights."""
-# One loop over pixels cannot be cut into functions without leaving SIMD code.
-# ruff: noqa: PLR0912, PLR0915
 
 from __future__ import annotations
 
@@ -57,18 +55,12 @@ def triangulate(
             has_r = used[1] and row_state[y, x] == 0
             if not (has_c or has_r):
                 continue
-            b[COLUMN, count] = 0.0
-            b[ROW, count] = 0.0
-            b[WEIGHT_C, count] = 0.0
-            b[WEIGHT_R, count] = 0.0
+            b[COLUMN, count], b[WEIGHT_C, count] = 0.0, 0.0
+            b[ROW, count], b[WEIGHT_R, count] = 0.0, 0.0
             if has_c:
-                noise = column_sigma[y, x] * scales[0, 0]
-                b[COLUMN, count] = column_phase[y, x] * scales[0, 0] + scales[0, 1]
-                b[WEIGHT_C, count] = 1.0 / (noise * noise + TINY)
+                b[COLUMN, count], b[WEIGHT_C, count] = measured(column_phase[y, x], column_sigma[y, x], scales[0])
             if has_r:
-                noise = row_sigma[y, x] * scales[1, 0]
-                b[ROW, count] = row_phase[y, x] * scales[1, 0] + scales[1, 1]
-                b[WEIGHT_R, count] = 1.0 / (noise * noise + TINY)
+                b[ROW, count], b[WEIGHT_R, count] = measured(row_phase[y, x], row_sigma[y, x], scales[1])
             rx, ry = np.float64(rays[y, x, 0]), np.float64(rays[y, x, 1])
             b[A0, count] = turn[0, 0] * rx + turn[0, 1] * ry + turn[0, 2]
             b[A1, count] = turn[1, 0] * rx + turn[1, 1] * ry + turn[1, 2]
@@ -77,33 +69,41 @@ def triangulate(
             count += 1
         solve(b, count, step, lens, image, limits)
         for i in range(count):
-            x = index[i]
-            w = b[W, i]
-            if not b[SINE, i] >= limits[0]:
-                fate[y, x] = PARALLEL
-                continue
-            if not (w > 0.0 and b[A2, i] + w * step[2] > 0.0):
-                fate[y, x] = BEHIND
-                continue
-            if b[SEEN_C, i] < limits[1] or b[SEEN_C, i] > limits[2] or b[SEEN_R, i] < limits[3] or b[SEEN_R, i] > limits[4]:
-                fate[y, x] = OUTSIDE
-                continue
-            if not abs(b[LEFT, i]) <= SOLVED_PX:
-                fate[y, x] = UNSOLVED
-                continue
-            if b[WEIGHT_C, i] > 0.0 and b[WEIGHT_R, i] > 0.0:
+            x, w = index[i], b[W, i]
+            fate[y, x] = judged(b, i, step, limits)
+            if b[WEIGHT_C, i] > 0.0 and b[WEIGHT_R, i] > 0.0 and (fate[y, x] == POINT or fate[y, x] == CONTRADICTED):
                 residual[y, x] = b[MISS, i]
-                if abs(b[MISS, i]) > b[ALLOWED, i]:
-                    fate[y, x] = CONTRADICTED
-                    continue
-            fate[y, x] = POINT
-            depth[y, x] = 1.0 / w
-            depth_sigma[y, x] = 1.0 / (w * w * np.sqrt(b[SQUARE, i]))
+            if fate[y, x] == POINT:
+                depth[y, x] = 1.0 / w
+                depth_sigma[y, x] = 1.0 / (w * w * np.sqrt(b[SQUARE, i]))
+
+
+@njit(nogil=True, cache=True, fastmath=FAST, error_model="numpy", forceinline=True)
+def measured(phase: Any, sigma: Any, scale: Any) -> Any:
+    """Return the column (or row) of a phase and its weight, one over its variance; ``scale`` is px per rad and the px at phase 0."""
+    noise = sigma * scale[0]
+    return phase * scale[0] + scale[1], 1.0 / (noise * noise + TINY)
+
+
+@njit(nogil=True, cache=True, fastmath=FAST, error_model="numpy", forceinline=True)
+def judged(b: Any, i: int, step: Any, limits: Any) -> int:
+    """Return what becomes of the solved pixel ``i``: POINT, or the first reason against it. What is not a number fails every test."""
+    if not b[SINE, i] >= limits[0]:
+        return PARALLEL
+    if not (b[W, i] > 0.0 and b[A2, i] + b[W, i] * step[2] > 0.0):
+        return BEHIND
+    if b[SEEN_C, i] < limits[1] or b[SEEN_C, i] > limits[2] or b[SEEN_R, i] < limits[3] or b[SEEN_R, i] > limits[4]:
+        return OUTSIDE
+    if not abs(b[LEFT, i]) <= SOLVED_PX:
+        return UNSOLVED
+    if b[WEIGHT_C, i] > 0.0 and b[WEIGHT_R, i] > 0.0 and abs(b[MISS, i]) > b[ALLOWED, i]:
+        return CONTRADICTED
+    return POINT
 
 
 @njit(nogil=True, cache=True, fastmath=FAST, error_model="numpy")
 def solve(b: Any, count: int, step: Any, lens: Any, image: Any, limits: Any) -> None:
-    """Solve projected column = column (and row = row) for the inverse depth w by Gauss-Newton steps.
+    """Solve projected column = column (and row = row) for the inverse depth w by Gauss-Newton steps; one long loop that stays SIMD code.
 
     In the projector's frame the ray's point is (a + w t) / w: its undistorted image is a ratio of two linear functions of w, and
     the first guess, without distortion, is exact for a lens without.

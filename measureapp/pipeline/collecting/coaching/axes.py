@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -20,42 +21,43 @@ from measureapp.pipeline.collecting.coaching.axis_spread import next_position, s
 from measureapp.pipeline.collecting.collection import Collection
 
 SWEEP_TARGET_DEG = 120.0  # the axis of a shorter arc is known worse; the paper turns its table by 120°
-TABLE_POSITIONS, SLIDE_POSITIONS = 7, 5
+
+
+@dataclass(frozen=True, slots=True)
+class Travel:
+    """How far an axis should be moved, in how many positions, and how that is said."""
+
+    positions: int
+    span: float
+    unit: str
+    positions_gauge: str
+    span_gauge: str
+    further: str  # order to move beyond the positions there are
+    take: str  # order to take the board in between: before and behind the number
+    of: str
+
+
+TABLE = Travel(7, SWEEP_TARGET_DEG, "°", "Table positions", "Sweep of the table", "Turn the table further", "Take the board at", "table")
+SLIDE = Travel(
+    5, ADVISED_STROKE_MM, " mm", "Guide positions", "Travel of the guide", "Move the guide further", "Take the board from", "guide"
+)
 
 
 def advise_axis(collection: Collection, notes: Notes) -> None:
     """Note which table positions are missing."""
-    angles = np.rad2deg(table_angles_rad(collection)).tolist()
-    count = len(collection.counted)
-    notes.gauges.append(Gauge("Table positions", count, TABLE_POSITIONS, ""))
-    notes.gauges.append(Gauge("Sweep of the table", span_of(angles), SWEEP_TARGET_DEG, "°"))
-    missing = max(TABLE_POSITIONS - count, 0)
-    if not angles:
-        if count < LEAST_TABLE_POSITIONS:
-            notes.wish(f"Take the board at {LEAST_TABLE_POSITIONS - count} more table positions, each turned by 15° to 30°")
-        return
-    if span_of(angles) < SWEEP_TARGET_DEG:
-        _more(max(missing, 1), next_position(angles, SWEEP_TARGET_DEG), angles, "Turn the table further", "°", notes)
-    elif missing:
-        notes.wish(f"Take the board at {missing} more table {_positions(missing)}, between those there are")
-    _gap(angles, "°", notes)
+    angles, count = np.rad2deg(table_angles_rad(collection)).tolist(), len(collection.counted)
+    _advise_travel(TABLE, angles, count, notes)
+    if not angles and count < LEAST_TABLE_POSITIONS:
+        notes.wish(f"Take the board at {LEAST_TABLE_POSITIONS - count} more table positions, each turned by 15° to 30°")
 
 
 def advise_guide(collection: Collection, notes: Notes) -> None:
     """Note which slide positions are missing."""
     slides = [one.readback.guide_mm for one in collection.counted if one.readback.guide_mm is not None]
-    notes.gauges.append(Gauge("Guide positions", len(slides), SLIDE_POSITIONS, ""))
-    notes.gauges.append(Gauge("Travel of the guide", span_of(slides), ADVISED_STROKE_MM, "mm"))
-    missing = max(SLIDE_POSITIONS - len(slides), 0)
+    _advise_travel(SLIDE, slides, len(slides), notes)
     if not slides:
         notes.wish(f"Take the standing board from {LEAST_SLIDE_POSITIONS} positions of the guide or more, {ADVISED_STROKE_MM:.0f} mm apart")
-        return
-    if span_of(slides) < ADVISED_STROKE_MM:
-        _more(max(missing, 1), next_position(slides, ADVISED_STROKE_MM), slides, "Move the guide further", " mm", notes)
-    elif missing:
-        notes.wish(f"Take the board from {missing} more guide {_positions(missing)}, between those there are")
-    _gap(slides, " mm", notes)
-    if collection.setup.kind == "guide" and _robot_moved(collection):
+    elif collection.setup.kind == "guide" and _robot_moved(collection):
         notes.wish("Keep the robot still while the guide moves: the errors of its poses would count as errors of the guide")
 
 
@@ -112,12 +114,27 @@ def _robot_moved(collection: Collection) -> bool:
     return len(set(groups_of(np.array([pose.matrix[:3].ravel() for pose in poses]), SAME_POSE).tolist())) > 1 if poses else False
 
 
-def _more(count: int, goal: float, positions: Sequence[float], order: str, unit: str, notes: Notes) -> None:
+def _advise_travel(travel: Travel, positions: Sequence[float], count: int, notes: Notes) -> None:
+    """Note how many positions there are and how far they reach; where they are known, which are missing."""
+    notes.gauges.append(Gauge(travel.positions_gauge, count, travel.positions, ""))
+    notes.gauges.append(Gauge(travel.span_gauge, span_of(positions), travel.span, travel.unit.strip()))
+    if not positions:
+        return
+    missing = max(travel.positions - count, 0)
+    if span_of(positions) < travel.span:
+        _more(max(missing, 1), positions, travel, notes)
+    elif missing:
+        notes.wish(f"{travel.take} {missing} more {travel.of} {_positions(missing)}, between those there are")
+    _gap(positions, travel.unit, notes)
+
+
+def _more(count: int, positions: Sequence[float], travel: Travel, notes: Notes) -> None:
+    goal = next_position(positions, travel.span)
     low, high = min(positions), max(positions)
     beyond = high if goal > high else low
     if low <= goal <= high:  # the gap is named by itself
         beyond = high if abs(high) <= abs(low) else low
-    notes.wish(f"{order}: {_number(count)} more {_positions(count)} beyond {beyond:.0f}{unit}")
+    notes.wish(f"{travel.further}: {_number(count)} more {_positions(count)} beyond {beyond:.0f}{travel.unit}")
 
 
 def _gap(positions: Sequence[float], unit: str, notes: Notes) -> None:

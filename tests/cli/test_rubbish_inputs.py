@@ -1,0 +1,95 @@
+"""Every input of every command, given rubbish: exit code 2, one sentence that names it with a remedy, nothing left behind."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.cli.command_names import ALL_COMMANDS
+from tests.cli.refusal import filled, refused
+
+JUNK = ("absent", "folder", "empty", "garbage")
+
+# Every command with each of its inputs in turn as IN; the kind of file it is; OUT is where it may write.
+INPUTS: list[tuple[str, str]] = [
+    ("decode IN --out OUT", "toml"),
+    ("reconstruct IN --cameras CAMERAS --out OUT.ply", "toml"),
+    ("reconstruct MANIFEST --cameras IN --out OUT.ply", "json"),
+    ("decode MANIFEST --noise IN --out OUT", "json"),
+    ("decode MANIFEST --response IN --out OUT", "json"),
+    ("why IN --cameras CAMERAS", "toml"),
+    ("why MANIFEST --cameras IN", "json"),
+    ("patterns check IN", "toml"),
+    ("patterns export IN --out OUT", "json"),
+    ("patterns export paper --response IN --out OUT", "json"),
+    ("patterns compare three-close --part IN", "stl"),
+    ("response IN --out OUT.json", "toml"),
+    ("response IN --out OUT.json", "csv"),
+    ("noise --images left=IN --out OUT.json", "png"),
+    ("bracket IN --budget-s 3", "toml"),
+    ("fit plane IN", "ply"),
+    ("fit sphere IN --criterion minimum-zone", "xyz"),
+    ("measure IN PROGRAM", "ply"),
+    ("measure NOMINAL IN", "toml"),
+    ("compare IN NOMINAL", "pcd"),
+    ("compare NOMINAL IN", "obj"),
+    ("compare NOMINAL NOMINAL --align IN", "json"),
+    ("stitch IN --poses POSES --out OUT.ply", "ply"),
+    ("stitch NOMINAL --poses IN --out OUT.ply", "csv"),
+    ("demo --part IN --out OUT", "stl"),
+    ("demo --part IN --out OUT", "ply"),
+    ("scan IN --rig paper --project OUT", "json"),
+    ("scan PLAN --rig IN --project OUT", "toml"),
+    ("rig check IN", "toml"),
+    ("calibrate cameras --images left=IN --board 9x6 --square-mm 10 --out OUT.json", "png"),
+    ("calibrate axis --corners IN --out OUT.json", "csv"),
+    ("calibrate axis --images left=IMAGE --cameras IN --board 9x6 --square-mm 10 --out OUT.json", "json"),
+    ("calibrate hand-eye --robot-poses IN --board-poses POSES --out OUT.json", "csv"),
+    ("calibrate hand-eye --robot-poses POSES --board-poses IN --out OUT.json", "csv"),
+    ("calibrate guide --robot-poses IN --guide-positions POSES --board-poses POSES --hand-eye POSES --out OUT.json", "csv"),
+    ("calibrate guide --robot-poses POSES --guide-positions IN --board-poses POSES --hand-eye POSES --out OUT.json", "csv"),
+    ("calibrate rig --robot-poses IN --guide-positions POSES --angles POSES --out OUT.json", "csv"),
+    ("calibrate check --calibration POSES --robot-poses POSES --guide-positions IN --angles POSES", "csv"),
+    ("calibrate check --project IN", ""),
+    ("calibrate history IN", ""),
+    ("calibrate again IN", "json"),
+    ("calibrate projector IN --board 9x6 --square-mm 10 --out OUT.json", "toml"),
+    ("calibrate projector MANIFEST --board 9x6 --square-mm 10 --cameras IN --out OUT.json", "json"),
+    ("calibrate collect cameras --session OUT --images left=IN --board 9x6 --square-mm 10", "png"),
+    ("calibrate collect axis --session OUT --images left=IMAGE --cameras IN --board 9x6 --square-mm 10", "json"),
+    ("calibrate collect rig --session OUT --views IN", ""),
+    ("rig check paper --calibration IN", ""),
+    ("process IN", ""),
+    ("verify IN", ""),
+    ("report IN --out OUT", ""),
+    ("scan PLAN --rig paper --project OUT --calibration IN", ""),
+]
+
+
+def junk(kind: str, ending: str, folder: Path) -> Path:
+    path = folder / (f"{kind}.{ending}" if ending else kind)
+    if kind == "folder":
+        path.mkdir()
+    elif kind == "empty":
+        path.touch()
+    elif kind == "garbage":
+        path.write_bytes(np.random.default_rng(3).integers(0, 256, 3000, np.uint8).tobytes())
+    return path
+
+
+@pytest.mark.parametrize("kind", JUNK)
+@pytest.mark.parametrize(("line", "ending"), INPUTS)
+def test_rubbish_is_refused_by_name(line: str, ending: str, kind: str, shelf: Path, tmp_path: Path, capsys) -> None:
+    given = junk(kind, ending, tmp_path)
+    before = sorted(tmp_path.rglob("*"))
+    said = refused(capsys, filled(line, shelf, tmp_path / "out", str(given)))
+    assert given.name in said
+    assert sorted(tmp_path.rglob("*")) == before
+
+
+def test_every_command_that_reads_something_is_given_rubbish() -> None:
+    tried = {tuple(line.split()) for line, _ in INPUTS}
+    untried = [command for command in ALL_COMMANDS if not any(words[: len(command)] == command for words in tried)]
+    assert sorted(untried) == [("board", "export"), ("gui",), ("patterns", "list"), ("plugins",)]  # without input, or tested elsewhere

@@ -1,0 +1,32 @@
+"""Options and commands that there are not, and no command at all."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from measureapp.cli import main
+from tests.cli.command_names import ALL_COMMANDS
+from tests.cli.refusal import refused
+
+
+@pytest.mark.parametrize("command", [command for command in ALL_COMMANDS if command != ("gui",)], ids=" ".join)
+def test_an_unknown_option_is_refused(command: tuple[str, ...], capsys) -> None:
+    assert "--no-such-option" in refused(capsys, [*command, "--no-such-option"])
+
+
+def test_gui_refuses_what_is_no_project_and_an_unknown_option(tmp_path: Path, capsys) -> None:
+    assert main(["gui", str(tmp_path / "absent")]) == main(["gui", "--no-such-option"]) == 2
+    assert capsys.readouterr().err.count("\n") == 2
+
+
+def test_an_unknown_command_is_refused(capsys) -> None:
+    assert "nonsense" in refused(capsys, ["nonsense"])
+
+
+def test_without_a_command_the_help_is_shown_and_a_program_is_told_what_is_missing(capsys) -> None:
+    assert main([]) == 2
+    assert "Commands:" in capsys.readouterr().err
+    assert main(["calibrate", "--json"]) == 2
+    assert main(["--json"]) == 2
