@@ -9,7 +9,8 @@ import pytest
 
 from measureapp.cli.main import main
 from measureapp.project.response_file import read_response
-from tests.cli.test_patterns import answered, refused
+from tests.cli.refusal import refused_with
+from tests.cli.test_patterns import answered
 
 TAU = 2 * np.pi
 
@@ -68,9 +69,9 @@ def test_a_grey_ramp_tells_the_curve(tmp_path: Path, capsys: pytest.CaptureFixtu
 def test_what_tells_nothing_is_refused_and_nothing_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     manifest = dense_set(tmp_path, steps=4, gamma=1.0)
     out = tmp_path / "response.json"
-    assert "no error of the projector" in refused(capsys, "response", manifest, "--out", out)
-    assert "no camera 'upper'" in refused(capsys, "response", manifest, "--out", out, "--camera", "upper")
-    assert "absent.toml" in refused(capsys, "response", tmp_path / "absent.toml", "--out", out)
+    assert "no error of the projector" in refused_with(capsys, "response", manifest, "--out", out)
+    assert "no camera 'upper'" in refused_with(capsys, "response", manifest, "--out", out, "--camera", "upper")
+    assert "absent.toml" in refused_with(capsys, "response", tmp_path / "absent.toml", "--out", out)
     (tmp_path / "ramp.csv").write_text("level,grey\n0,1\n255,200\n")
-    assert "2 different levels" in refused(capsys, "response", tmp_path / "ramp.csv", "--out", out)
+    assert "2 different levels" in refused_with(capsys, "response", tmp_path / "ramp.csv", "--out", out)
     assert not out.exists()
