@@ -35,14 +35,17 @@ def register(group: typer.Typer) -> None:
         In one call these follow in this order: undo, redo, images, remove, solve, compare, accept, coach.
         """
         from measureapp.cli.calibrate.collect_answer import collect_lines
-        from measureapp.cli.calibrate.collect_session import Given, Sources, opened
+        from measureapp.cli.calibrate.collect_session import Given, Sources, limits_of, opened
         from measureapp.cli.calibrate.collect_steps import carry_out
         from measureapp.pipeline.collecting import ReadbackFiles
+        from measureapp.project.claim import claimed
 
+        limits = limits_of(steps.good_mm, steps.usable_mm)
         readbacks = ReadbackFiles(recorded.robot_poses, recorded.guide_positions, recorded.angles)
         sources = Sources(tuple(source.images or ()), recorded.views, readbacks)
         collection = opened(session, Given(kind, source.board, source.cameras, start, noise.axis_noise()), sources)
-        done = carry_out(steps, collection, sources, TerminalProgress())
+        with claimed(collection.folder):
+            done = carry_out(steps, limits, collection, sources, TerminalProgress())
         reply(done.document, "\n".join(collect_lines(done.document)), as_json)
         if not done.within:
             raise typer.Exit(OUT_OF_TOLERANCE)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from measureapp.cli.calibrate.collect_answer import collect_answer
-from measureapp.cli.calibrate.collect_session import Sources, add_sources, limits_of, previous_result
+from measureapp.cli.calibrate.collect_session import Sources, add_sources, previous_result
 from measureapp.pipeline import collecting
 from measureapp.progress import PartOf, Progress
 
@@ -23,9 +23,10 @@ class Done:
     within: bool  # no verdict is bad, no comparison out of its bounds
 
 
-def carry_out(steps: Steps, collection: collecting.Collection, sources: Sources, progress: Progress) -> Done:
+def carry_out(
+    steps: Steps, limits: collecting.Limits | None, collection: collecting.Collection, sources: Sources, progress: Progress
+) -> Done:
     """Do what was asked for. Raises InputError, CalibrationError, StorageError."""
-    limits = limits_of(steps.good_mm, steps.usable_mm)
     changes = _edited(steps, collection, sources, PartOf(progress, 0.0, 0.6))
     verdict = _solved(steps, collection, limits, PartOf(progress, 0.6, 1.0))
     comparison = None if steps.compare is None else collecting.compare(previous_result(steps.compare), collection)
