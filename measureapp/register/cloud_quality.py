@@ -20,6 +20,10 @@ WAVE_MM = CELL_MM  # radius within which a smooth surface is a quadric; the neig
 WAVE_PATCHES = 200
 WAVE_POINTS = 400  # at most in a patch
 LEAST_WAVE_POINTS = 30
+WAVE_CELL_MM = 2.0  # cells of a patch
+LEAST_IN_WAVE_CELL = 5
+LEAST_WAVE_CELLS = 12
+GAUSSIAN = 1.4826  # standard deviation over the median absolute deviation of normal errors
 SMOOTH_COSINE = 0.94  # normals within 20° of their mean: no edge runs through the patch
 LEAST_SMOOTH = 8  # patches
 WORST_SHARE = 0.9  # distortions are local: of all patches the worst tenth is judged
@@ -31,7 +35,7 @@ def judge(cloud: PointCloud, settings: QualitySettings | None = None, *, complet
     Density is points per mm² of surface from the distance of the eighth neighbour; noise the RMS distance to a plane
     through the points within a fixed radius; the outlier ratio is the share of points whose neighbours are more
     than three times as far as usual. Distortion is by how much smooth patches of 6 mm radius depart from a quadric beyond their noise,
-    at the edge of the worst tenth: waves shorter than the patches, as wrong phases leave them. All are taken on a random sample of
+    at the edge of the worst tenth: waves shorter than the patches and longer than their cells of 2 mm, as wrong phases leave them. All are taken on a random sample of
     whole patches.
 
     Parameters
@@ -42,7 +46,7 @@ def judge(cloud: PointCloud, settings: QualitySettings | None = None, *, complet
     if len(cloud) <= PLANE_POINTS:
         return CloudQuality(len(cloud), 0.0, 0.0, 0.0, completeness, False, f"only {len(cloud)} points")
     density, noise, outliers = _figures(np.asarray(cloud.points_mm), settings.plane_radius_mm)
-    distortion = _distortion(np.asarray(cloud.points_mm), np.asarray(cloud.normals), noise)
+    distortion = _distortion(np.asarray(cloud.points_mm), np.asarray(cloud.normals))
     reasons = _reasons(len(cloud), density, noise, outliers, completeness, distortion, settings)
     return CloudQuality(len(cloud), density, noise, outliers, completeness, not reasons, "; ".join(reasons), distortion)
 
@@ -113,7 +117,7 @@ def _figures(points_mm: FloatArray, radius_mm: float) -> tuple[float, float, flo
     return _density(distances[:, 1 : NEIGHBOURS + 1]), _plane_noise(sample[index], distances <= radius_mm), outliers
 
 
-def _distortion(points_mm: FloatArray, normals: FloatArray, noise_mm: float) -> float:
+def _distortion(points_mm: FloatArray, normals: FloatArray) -> float:
     """Return by how much smooth patches depart from a quadric beyond the noise; zero where too few patches are smooth."""
     around, core = _patches(points_mm, SAMPLE_POINTS)
     sample, facing = points_mm[around], np.asarray(normals[around], np.float64)
@@ -125,18 +129,31 @@ def _distortion(points_mm: FloatArray, normals: FloatArray, noise_mm: float) -> 
         mean = facing[inside].mean(axis=0)
         length = float(np.linalg.norm(mean))
         if len(inside) >= LEAST_WAVE_POINTS and length > 0 and np.quantile(facing[inside] @ mean / length, 0.05) > SMOOTH_COSINE:
-            excess.append(_departure(sample[inside], mean / length) - noise_mm**2)
+            departure = _departure(sample[inside], mean / length)
+            excess += [] if departure is None else [departure]
     return float(np.sqrt(max(np.quantile(excess, WORST_SHARE), 0.0))) if len(excess) >= LEAST_SMOOTH else 0.0
 
 
-def _departure(points_mm: FloatArray, normal: FloatArray) -> float:
-    """Return the variance of points about the quadric over the plane across ``normal`` (least squares)."""
+def _departure(points_mm: FloatArray, normal: FloatArray) -> float | None:
+    """Return the variance of a patch about the quadric over the plane across ``normal``, beyond its noise; None where it has too few points.
+
+    Taken on medians of small cells, so that neither single stray points nor the noise of a surface seen askance count as waves.
+    """
     across = np.linalg.svd(normal[None])[2][1:]
     away = points_mm - points_mm.mean(axis=0)
     u, v, height = away @ across[0], away @ across[1], away @ normal
-    terms = np.column_stack([np.ones(len(u)), u, v, u * u, u * v, v * v])
-    left = height - terms @ np.linalg.lstsq(terms, height)[0]
-    return float(left @ left / max(len(left) - terms.shape[1], 1))
+    cell = np.unique(np.floor(np.column_stack([u, v]) / WAVE_CELL_MM).astype(int), axis=0, return_inverse=True)[1].ravel()
+    order = np.argsort(cell, kind="stable")
+    parts = [part for part in np.split(order, np.flatnonzero(np.diff(cell[order])) + 1) if len(part) >= LEAST_IN_WAVE_CELL]
+    if len(parts) < LEAST_WAVE_CELLS:
+        return None
+    middle = np.array([[u[part].mean(), v[part].mean(), np.median(height[part])] for part in parts])
+    scatter = np.array([GAUSSIAN * np.median(np.abs(height[part] - at)) for part, at in zip(parts, middle[:, 2], strict=True)])
+    of_noise = float(np.mean(np.pi / 2 * np.median(scatter) ** 2 / np.array([len(part) for part in parts])))
+    x, y, z = middle.T
+    terms = np.column_stack([np.ones(len(x)), x, y, x * x, x * y, y * y])
+    left = z - terms @ np.linalg.lstsq(terms, z)[0]
+    return float(left @ left / (len(left) - terms.shape[1])) - of_noise
 
 
 def _plane_noise(near: FloatArray, inside: FloatArray) -> float:

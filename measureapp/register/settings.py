@@ -30,14 +30,15 @@ class QualitySettings(Model):
     """When a view's cloud may be stitched (methods sheet, section 8).
 
     The limits keep out what would spoil a measurement to 0.1 mm: a surface needs a point per voxel of registration in reach; noise may
-    exceed that figure a little, since stitching averages it; waves of a surface may not, since nothing averages them; a view with less
-    than a twentieth of what it should see, or more outliers than wrong fringe orders leave at weak contrast, was disturbed.
+    exceed that figure a little, since stitching averages it; so may waves, because the edges of a part look like waves of 0.05 mm where
+    points are coarse; a view with less than a twentieth of what it should see, or more outliers than wrong fringe orders leave at weak
+    contrast, was disturbed.
     """
 
     least_points: int = Field(default=500, ge=1)
     least_density_per_mm2: float = Field(default=0.3, ge=0)
     largest_noise_mm: float = Field(default=0.15, gt=0)
     largest_outlier_ratio: float = Field(default=0.08, ge=0, le=1)
-    largest_distortion_mm: float = Field(default=0.1, gt=0, description="waves of a smooth surface, such as wrong phases leave")
+    largest_distortion_mm: float = Field(default=0.15, gt=0, description="waves of a smooth surface, such as wrong phases leave")
     least_completeness: float = Field(default=0.05, ge=0, le=1)
     plane_radius_mm: float = Field(default=1.5, gt=0, description="radius of the local planes that noise is judged by")

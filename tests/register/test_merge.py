@@ -100,9 +100,9 @@ def waving(cloud: PointCloud, height_mm: float, period_mm: float) -> PointCloud:
 def test_waves_of_a_surface_are_told_from_its_noise_and_refused():
     clean = judge(plane(18_000, 0.04, 1))
     wavy = judge(waving(plane(18_000, 0.04, 1), 0.25, 8.0))
-    # a patch of 110 mm² holds 500 points, of which 400 are taken: the variance of what noise leaves is known to √(2/394), and the worst
-    # tenth of 200 patches lies 1.3 of these deviations above the mean
-    assert clean.distortion_mm < 0.04 * np.sqrt(2 * 1.3 * np.sqrt(2 / 394) + 0.05)
+    # a cell of 4 mm² holds 18 points, whose median has σ √(π/36); the variance of 28 such medians about six terms is known to √(2/22), and
+    # the worst tenth of 200 patches lies 1.3 of these deviations above the mean; twice that for cells that are not whole
+    assert clean.distortion_mm < 0.04 * np.sqrt(np.pi / 36) * np.sqrt(2 * 1.3 * np.sqrt(2 / 22))
     assert clean.accepted
     # the quadric follows the wave in part, the worst patches least: no more than the wave itself, and not far less
     assert 0.6 * 0.25 / np.sqrt(2) < wavy.distortion_mm < 1.15 * 0.25
