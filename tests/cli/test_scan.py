@@ -180,7 +180,7 @@ def test_a_rig_that_cannot_be_connected_leaves_nothing_behind(rig: Path, plan: P
 
 
 def test_an_unknown_rig_is_refused(plan: Path, tmp_path: Path, capsys, standing_still) -> None:
-    refused(capsys, "no-such-rig", "name", "scan", plan, "--rig", "no-such-rig", "--project", tmp_path / "p")
+    refused(capsys, "no-such-rig", "paper", "scan", plan, "--rig", "no-such-rig", "--project", tmp_path / "p")
     assert not (tmp_path / "p").exists()
 
 

@@ -100,7 +100,7 @@ def test_an_output_of_unknown_kind_is_refused_before_any_work(views: Path, capsy
 
 
 def test_clouds_that_share_nothing_are_refused_and_nothing_is_written(views: Path, capsys: pytest.CaptureFixture[str]):
-    away = {f"view{k}": RigidTransform.from_parts(np.eye(3), [900.0 * k, 0, 0], "part", "camera") for k in range(4)}
+    away = {f"view{k}": RigidTransform.from_parts(np.eye(3), [200.0 * k, 0, 0], "part", "camera") for k in range(4)}
     write_poses(views / "poses.csv", away)
     assert main(arguments(views)) == 2
     refusal = json.loads(capsys.readouterr().out)["error"]
