@@ -102,7 +102,9 @@ class ViewPlacement:
     used: bool
     bound_mm: float = 0.0  # furthest correction the axes allow; 0 where nothing was corrected
     bound_deg: float = 0.0
-    sigma_mm: float = 0.0  # standard deviation of where the view's centroid lies, in its worst direction; 0 where unknown
+    sigma_mm: float = (
+        0.0  # standard deviation of where the view's centroid lies beside the others', in its worst direction; 0 where unknown
+    )
     sigma_deg: float = 0.0
     held_by_axes: tuple[str, ...] = ()  # motions that the common surface leaves open
 

@@ -8,7 +8,7 @@ from measureapp.errors import FrameMismatch
 from measureapp.geometry.transform import RigidTransform
 from measureapp.register.icp import measure_pair, register_pair
 from measureapp.register.place import place, stations
-from measureapp.register.pose_graph import solve
+from measureapp.register.pose_graph import moved_to, solve, turned
 from measureapp.register.pose_prior import KinematicPrior
 from measureapp.register.prepare import prepare
 
@@ -51,6 +51,24 @@ def test_views_of_one_station_share_their_error():
     covariance = PRIOR.covariance(["a", "a", "b"])
     assert covariance[0, 6] == pytest.approx(0.25) and covariance[0, 12] == pytest.approx(0, abs=1e-12)
     assert covariance[0, 0] == pytest.approx(0.25 + 0.02**2)
+
+
+def test_a_motion_that_all_views_have_in_common_is_not_uncertainty_beside_each_other() -> None:
+    """The part as a whole known to 5 mm and 0.01 rad, each view in it to 0.02 mm and 1e-4 rad: 4 of 5 parts of the latter remain."""
+    generator = np.random.default_rng(3)
+    poses = [RigidTransform.from_vector(generator.uniform(-1, 1, 3), generator.uniform(-50, 50, 3), "part", "camera") for _ in range(5)]
+    centres = generator.uniform(-40, 40, (5, 3))
+    own = np.diag([0.02**2] * 3 + [1e-8] * 3)
+    seen = np.vstack([turned(pose.rotation.T) @ moved_to(pose.translation_mm, np.zeros(3)) for pose in poses])
+    common = seen @ np.diag([25.0] * 3 + [1e-4] * 3) @ seen.T
+    about = [turned(pose.rotation.T) @ moved_to(pose.translation_mm, centre) for pose, centre in zip(poses, centres, strict=True)]
+    apart = np.zeros((30, 30))
+    for k, change in enumerate(about):
+        apart[6 * k : 6 * k + 6, 6 * k : 6 * k + 6] = change @ own @ change.T
+    found = solve(poses, poses, np.linalg.inv(common + apart), [], centres).covariances
+    shift = np.mean([np.trace(one[:3, :3]) for one in found])
+    assert shift < 3 * 0.02**2  # less than before: what the views' errors have in common is gone as well
+    assert shift > 3 * 0.02**2 * (1 - 6 / 15)  # at most six of the fifteen shifts
 
 
 def test_without_pairs_the_poses_are_the_axes_own():
