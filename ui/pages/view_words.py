@@ -71,8 +71,8 @@ def view_properties(view: ViewResult, placement: ViewPlacement | None) -> Proper
                 "Fine stitching",
                 (
                     ("Correction", f"{millimetres(placement.correction_mm)} · {quantity(placement.correction_deg, '°')}"),
-                    ("Allowed", f"{millimetres(placement.bound_mm)} · {quantity(placement.bound_deg, '°')}"),
-                    ("To other views ± σ", f"{millimetres(placement.sigma_mm)} · {quantity(placement.sigma_deg, '°')}"),
+                    ("Neighbours allow", f"{millimetres(placement.bound_mm)} · {quantity(placement.bound_deg, '°')}"),
+                    ("To other views ± σ", f"{millimetres(placement.sigma_mm, 4)} · {quantity(placement.sigma_deg, '°')}"),
                     ("Residual (rms)", millimetres(placement.residual_mm)),
                     ("Overlap", percent(placement.overlap, 0)),
                     ("Used", "Yes" if placement.used else "No"),
