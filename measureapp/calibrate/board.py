@@ -20,7 +20,7 @@ from measureapp.calibrate.board_quality import (
     require_plain,
     require_usable,
 )
-from measureapp.calibrate.board_refine import mark_sigmas
+from measureapp.calibrate.board_refine import mark_sigmas, off_the_grid
 from measureapp.calibrate.board_squares import find_squares, squares_in_sight
 from measureapp.calibrate.sightings import FoundBoard
 from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
@@ -57,7 +57,9 @@ def find_board(image: ImageArray, board: BoardDescription, expected_px: FloatArr
         raise missing(grey, board)
     ids, corners, spacing = found
     sigma = mark_sigmas(grey, board, ids, corners, np.full(len(ids), PRECISION_REACH * spacing))
-    return FoundBoard(ids, corners, sigma, require_usable(grey, board, ids, corners, sigma))
+    edge_px = require_usable(grey, board, ids, corners, sigma)
+    on_grid = ~off_the_grid(board, ids, corners)  # seen askance, a corner of a whole board may be refined onto the next edge
+    return FoundBoard(ids[on_grid], corners[on_grid], sigma[on_grid], edge_px)
 
 
 def _marks(grey: ImageArray, board: BoardDescription, expected_px: FloatArray | None) -> tuple[IntArray, FloatArray, float] | None:

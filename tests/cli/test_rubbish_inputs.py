@@ -29,6 +29,7 @@ INPUTS: list[tuple[str, str]] = [
     ("response IN --out OUT.json", "csv"),
     ("noise --images left=IN --out OUT.json", "png"),
     ("bracket IN --budget-s 3", "toml"),
+    ("filter IN --radius-mm 1 --least 3 --out OUT.ply", "ply"),
     ("fit plane IN", "ply"),
     ("fit sphere IN --criterion minimum-zone", "xyz"),
     ("measure IN PROGRAM", "ply"),
