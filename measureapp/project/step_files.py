@@ -16,6 +16,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray
+from measureapp.child_process import how_it_ended
 from measureapp.errors import InputError
 from measureapp.project.step_worker import EXIT_NO_SURFACE, EXIT_OUT_OF_MEMORY
 
@@ -23,7 +24,6 @@ STEP_KINDS = (".step", ".stp")
 LIBRARY = "cascadio"
 WORKER = Path(__file__).with_name("step_worker.py")
 MAGIC = b"ISO-10303-21"
-TOLD_CHARACTERS = 200
 EXPORT_AS_MESH = "Export the part as STL from the CAD program."
 
 
@@ -85,7 +85,4 @@ def _reason(code: int, told: Path, limits: StepLimits) -> str:
         return f"{limits.memory_bytes / 2**30:.1f} GiB of memory did not suffice"
     if code == EXIT_NO_SURFACE:
         return "it holds no surface, or is damaged"
-    if code < 0:
-        return f"its process was ended by signal {-code}; the memory may not have sufficed"
-    lines = told.read_text(encoding="utf-8", errors="replace").strip().splitlines()
-    return f"its process ended with code {code}" + (f" ({lines[-1][:TOLD_CHARACTERS].strip()})" if lines else "")
+    return how_it_ended(code, told)

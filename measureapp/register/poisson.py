@@ -14,13 +14,13 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray
+from measureapp.child_process import how_it_ended
 from measureapp.errors import RegistrationError
 from measureapp.progress import Progress
 from measureapp.register.poisson_worker import EXIT_OUT_OF_MEMORY
 
 WORKER = Path(__file__).with_name("poisson_worker.py")
 LOOK_EVERY_S = 0.1
-TOLD_CHARACTERS = 200
 HINT = "Merge on a coarser grid or close other programs, and look at the cloud's normals."
 
 
@@ -86,7 +86,4 @@ def _reason(code: int, told: Path) -> str:
     """Say in words how a process ended without a surface."""
     if code == EXIT_OUT_OF_MEMORY:
         return "the memory did not suffice"
-    if code < 0:
-        return f"its process was ended by signal {-code}; the memory may not have sufficed"
-    lines = told.read_text(encoding="utf-8", errors="replace").strip().splitlines()
-    return f"its process ended with code {code}" + (f" ({lines[-1][:TOLD_CHARACTERS].strip()})" if lines else "")
+    return how_it_ended(code, told)
