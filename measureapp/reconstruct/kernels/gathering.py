@@ -3,8 +3,6 @@
 A cloud is written once and is larger than the caches. So points wait on a stage until they fill whole lines of the cache in every array
 of the cloud, and these are written past the caches; what goes through them is first read from memory.
 """
-# One loop over chunks of pixels, as in the other kernels.
-# ruff: noqa: PLR0915
 
 from __future__ import annotations
 
@@ -83,6 +81,17 @@ def take_judged(s: Any, inverse: Any, sigma: Any, rays: Any, judged: Any, border
         s[ROW_X + i], s[ROW_Y + i] = ray[2 * i], ray[2 * i + 1]
 
 
+@njit(**INLINE)
+def pour_all(staged: Any, written: Any, begin: Any, first: Any, stop: Any, held: Any) -> None:
+    """Pour points, normals, standard deviations, grey levels, pixels and cameras, in this order."""
+    pour(staged[0], written[0], 3, begin, first, stop, held)
+    pour(staged[1], written[1], 3, begin, first, stop, held)
+    pour(staged[2], written[2], 1, begin, first, stop, held)
+    pour(staged[3], written[3], 1, begin, first, stop, held)
+    pour(staged[4], written[4], 2, begin, first, stop, held)
+    pour(staged[5], written[5], 1, begin, first, stop, held)
+
+
 @njit(**LOOP)
 def gather_points(
     inverse: Any,
@@ -127,6 +136,8 @@ def gather_points(
     p00, p01, p02, p03 = pose[0, 0], pose[0, 1], pose[0, 2], pose[0, 3]
     p10, p11, p12, p13 = pose[1, 0], pose[1, 1], pose[1, 2], pose[1, 3]
     p20, p21, p22, p23 = pose[2, 0], pose[2, 1], pose[2, 2], pose[2, 3]
+    staged = (staged_points, staged_normals, staged_along, staged_light, staged_pixel, staged_cameras)
+    written = (points, normals, along, light, pixel, cameras)
     first_of_band = begins[row_start] % BLOCK  # what lies before on the stage belongs to the band before
     begin, held = begins[row_start] - first_of_band, first_of_band
     for y in range(row_start, row_stop):
@@ -162,16 +173,6 @@ def gather_points(
                 held += s[INV + i] > ZERO
             stop = held - held % BLOCK
             if stop > 0:
-                pour(staged_points, points, 3, begin, first_of_band, stop, held)
-                pour(staged_normals, normals, 3, begin, first_of_band, stop, held)
-                pour(staged_along, along, 1, begin, first_of_band, stop, held)
-                pour(staged_light, light, 1, begin, first_of_band, stop, held)
-                pour(staged_pixel, pixel, 2, begin, first_of_band, stop, held)
-                pour(staged_cameras, cameras, 1, begin, first_of_band, stop, held)
+                pour_all(staged, written, begin, first_of_band, stop, held)
                 begin, held, first_of_band = begin + stop, held - stop, 0
-    pour(staged_points, points, 3, begin, first_of_band, held, held)
-    pour(staged_normals, normals, 3, begin, first_of_band, held, held)
-    pour(staged_along, along, 1, begin, first_of_band, held, held)
-    pour(staged_light, light, 1, begin, first_of_band, held, held)
-    pour(staged_pixel, pixel, 2, begin, first_of_band, held, held)
-    pour(staged_cameras, cameras, 1, begin, first_of_band, held, held)
+    pour_all(staged, written, begin, first_of_band, held, held)
