@@ -23,7 +23,8 @@ NEIGHBOURS = 2  # px: a pixel between them may lie on the jump
 ORIGINS = (0.0, -0.5)  # cycles: the patterns start with a crest, or with a trough
 LUT_LENGTH = 1024
 NORMAL_QUANTILE = 3.09  # one pixel without fringes in a thousand is taken for one with fringes
-SAMPLED_CHUNKS = 32
+SAMPLED_CHUNKS = (8, 64)  # the fewer are enough unless the part fills little of the image
+LEAST_SAMPLED = 1000  # usable pixels
 USABLE = np.isin(np.arange(len(PixelState)), (PixelState.VALID, PixelState.ORDER_CONFLICT, PixelState.OUT_OF_RANGE))  # by state
 
 Solve = Callable[[Model, Layout], Maps]  # returns the maps of a sample: whole chunks, one after the other
@@ -142,14 +143,14 @@ def plan_of(recipe: Recipe) -> HeterodynePlan | None:
     return None if recipe.gray_code else plan_heterodyne(recipe.patterns)
 
 
-def sampled_chunks(pixels: int) -> list[tuple[int, int]]:
-    """Return first pixel and end of the chunks that tell where the fringes start, evenly over the image."""
-    step = CHUNK * max(1, -(-pixels // CHUNK) // SAMPLED_CHUNKS)
+def sampled_chunks(pixels: int, number: int) -> list[tuple[int, int]]:
+    """Return first pixel and end of about so many chunks that tell where the fringes start, evenly over the image."""
+    step = CHUNK * max(1, -(-pixels // CHUNK) // number)
     return [(begin, min(begin + CHUNK, pixels)) for begin in range(0, pixels, step)]
 
 
-def with_origin(model: Model, plan: HeterodynePlan | None, layout: Layout, solve: Solve) -> Model:
-    """Return the model with the phase at which the fringes start, told from a sample of the image.
+def with_origin(model: Model, plan: HeterodynePlan | None, layout: Layout, solve: Solve) -> tuple[Model, bool]:
+    """Return the model with the phase at which the fringes start, and whether the sample of the image shows enough to tell it.
 
     Raises
     ------
@@ -162,17 +163,21 @@ def with_origin(model: Model, plan: HeterodynePlan | None, layout: Layout, solve
         maps = solve(looking._replace(complementary=False), layout._replace(planes=planes))
         chunks = range(0, len(maps.state), CHUNK)
         numbered, usable = ([every[begin : begin + CHUNK] for begin in chunks] for every in (maps.phase, USABLE[maps.state]))
-        return model._replace(origin=np.float32(_gray_origin(numbered, usable)))
-    spread = []
+        origin = _gray_origin(numbered, usable)
+        return model._replace(origin=np.float32(origin or 0.0)), origin is not None
+    spread, enough = [], True
     for origin in ORIGINS:
         maps = solve(looking._replace(origin=np.float32(origin), watched=len(plan.combinations) - 1), layout)
         left = np.abs(maps.residual[USABLE[maps.state]].astype(np.float32))
         spread.append(float(left.mean()) / RESIDUAL_SCALE if left.size else 0.0)
-    return model._replace(origin=np.float32(ORIGINS[int(np.argmin(spread))]))
+        enough &= left.size >= LEAST_SAMPLED
+    return model._replace(origin=np.float32(ORIGINS[int(np.argmin(spread))])), enough
 
 
-def _gray_origin(numbered: list[FloatArray], usable: list[BoolArray]) -> float:
-    """Return the phase in cycles at which the Gray code counts on; raises DecodeError when phase and code run against each other.
+def _gray_origin(numbered: list[FloatArray], usable: list[BoolArray]) -> float | None:
+    """Return the phase in cycles at which the Gray code counts on, None where too few periods end to tell it.
+
+    Raises DecodeError when phase and code run against each other.
 
     Where the wrapped phase jumps, rounding alone decides on which side of the jump a pixel lies, and so its period: neighbours are
     compared across such pixels, never with them. Borders that fall exactly on pixels would otherwise all be read wrongly.
@@ -182,7 +187,7 @@ def _gray_origin(numbered: list[FloatArray], usable: list[BoolArray]) -> float:
     smooth = np.abs(step) < 0.25
     border = smooth & (np.abs(count_on) == 1)
     if int(border.sum()) < LEAST_TRANSITIONS:
-        return 0.0
+        return None
     if float(np.sign(count_on[border]).mean()) * float(np.sign(step[smooth]).mean()) < -0.25:
         raise DecodeError(
             "The phase runs against the Gray code.", "Change the sign of `shift_sign`, or reverse the order of the shifted images."

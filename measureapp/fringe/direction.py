@@ -11,7 +11,17 @@ import numpy as np
 from measureapp.arrays import ImageArray, IntArray, in_bands, read_only
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.errors import DecodeError
-from measureapp.fringe.absolute import GRAY_SLACK_CYCLES, make_maps, make_model, make_work, plan_of, sampled_chunks, with_origin
+from measureapp.fringe.absolute import (
+    GRAY_SLACK_CYCLES,
+    SAMPLED_CHUNKS,
+    Solve,
+    make_maps,
+    make_model,
+    make_work,
+    plan_of,
+    sampled_chunks,
+    with_origin,
+)
 from measureapp.fringe.blooming import near_saturation
 from measureapp.fringe.kernels import decoding, solving, summing
 from measureapp.fringe.kernels.records import CHUNK, Layout, Maps, Model, Sums
@@ -24,6 +34,7 @@ LEAST_USABLE, MOST_OUTSIDE = 0.01, 0.8
 COUNTERS = len(PixelState) + 1  # of every state, and of complete pixels
 NOWHERE = np.empty(0, np.uint8)  # no pixel is kept from an exposure by its neighbours
 NOTHING_COMING = np.empty((0, 0), np.uint8)  # no images are needed after these sums
+Fill = Callable[[Sums, int, int, int], None]  # puts the sums of pixels begin … end at a place: fill(sums, place, begin, end)
 UNLIT = (PixelState.SATURATED, PixelState.WEAK_MODULATION, PixelState.SHADOW, PixelState.BLOOMING)
 
 
@@ -67,8 +78,8 @@ class DirectionDecoder:
         recipe, layout = self._recipe, self._layout
 
         def sum_sample(sample: Sums, first: int, begin: int, end: int) -> None:
-            scratch, base = recipe.scratch(self._dtype), begin - first
-            summing.add_exposures(flat, 0, NOWHERE, layout, self._rule, scratch, sample, base, begin, end, self._nothing_seen())
+            scratch, seen = recipe.scratch(self._dtype), self._nothing_seen()
+            summing.add_exposures(flat, 0, NOWHERE, layout, self._rule, scratch, sample, begin - first, begin, end, seen)
 
         model = self._model(sum_sample)
         maps = make_maps(self._dtype, self._pixels, self._memory)
@@ -132,35 +143,28 @@ class DirectionDecoder:
         """Return counters for `summing.add_exposures`."""
         return np.zeros((2, 2, len(self._recipe.exposures_us)), np.int64)
 
-    def _model(self, fill: Callable[[Sums, int, int, int], None]) -> Model:
-        """Return what turns sums into phase.
-
-        Its origin is told from some chunks; ``fill(sums, first, begin, end)`` puts the sums of pixels ``begin … end`` at ``first``.
-        """
+    def _model(self, fill: Fill) -> Model:
+        """Return what turns sums into phase, its origin told from as many chunks as that takes."""
         plan = plan_of(self._recipe)
-        model = make_model(self._recipe, plan, decides_later=self._recipe.settings.vote_radius > 0)
-        chunks = sampled_chunks(self._pixels)
-        pixels, memory = sum(end - begin for begin, end in chunks), self._memory
-        sample = self._recipe.sums(self._dtype, pixels, memory)
+        model, known = make_model(self._recipe, plan, decides_later=self._recipe.settings.vote_radius > 0), False
+        for number in SAMPLED_CHUNKS:
+            if not known:
+                model, known = with_origin(model, plan, self._layout, self._sample(fill, sampled_chunks(self._pixels, number)))
+        return model
 
-        def fill_some(start: int, stop: int) -> None:
-            for number in range(start, stop):
-                fill(sample, number * CHUNK, *chunks[number])
-
-        in_bands(fill_some, len(chunks))
+    def _sample(self, fill: Fill, chunks: list[tuple[int, int]]) -> Solve:
+        """Return what solves the sums of some chunks; these are too few to be worth sharing among processors."""
+        pixels = sum(end - begin for begin, end in chunks)
+        sums = self._recipe.sums(self._dtype, pixels, self._memory)
+        for number, (begin, end) in enumerate(chunks):
+            fill(sums, number * CHUNK, begin, end)
 
         def solve(trial: Model, layout: Layout) -> Maps:
-            maps = make_maps(self._dtype, pixels, memory)
-
-            def work(start: int, stop: int) -> None:
-                counts, blocks = np.zeros(COUNTERS, np.int64), make_work(len(layout.steps))
-                begin, end = start * CHUNK, min(stop * CHUNK, pixels)
-                solving.solve(sample, 0, NOTHING_COMING, layout, trial, blocks, begin, end, maps, counts)
-
-            in_bands(work, len(chunks))
+            maps, blocks = make_maps(self._dtype, pixels, self._memory), make_work(len(layout.steps))
+            solving.solve(sums, 0, NOTHING_COMING, layout, trial, blocks, 0, pixels, maps, np.zeros(COUNTERS, np.int64))
             return maps
 
-        return with_origin(model, plan, self._layout, solve)
+        return solve
 
     def _valid_ratios(self) -> tuple[float, ...]:
         """Return the share of pixels above zero and unsaturated in every exposure.

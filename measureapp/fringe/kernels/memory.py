@@ -13,14 +13,14 @@ from measureapp.map_memory import LINE
 
 @njit(**INLINE)
 def ask_for_part(images: Any, begin: Any, length: int, part: Any, parts: int) -> None:
-    """Ask for one of so many parts of the pixels from ``begin`` on of all images (P, N), none where images end before ``length`` pixels.
+    """Ask for one of so many parts of the images (P, N), from pixel ``begin`` on; none where images end before ``length`` pixels.
 
     All at once would make the processor wait: it keeps count of a few dozen lines that are on their way.
     """
     if begin + length > images.shape[1]:
         return
-    step = LINE // images.itemsize
-    of_image = length // step
-    lines = images.shape[0] * of_image
-    for line in range(lines * part // parts, lines * (part + 1) // parts):
-        will_read(images[line // of_image], begin + step * (line % of_image))
+    step, count = LINE // images.itemsize, images.shape[0]
+    for image in range(count * part // parts, count * (part + 1) // parts):  # no division inside: it would cost what is gained
+        row = images[image]
+        for at in range(0, length, step):
+            will_read(row, begin + at)

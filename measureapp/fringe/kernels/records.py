@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 CHUNK = 2048  # pixels whose images of all exposures pass through the processor's nearest cache together
+DIFFER, COMPLETE = -1, -2  # the pixels of a chunk took different exposures; and where one is enough, each has its one
 LOOKED_AT = 8  # of how many chunks one is counted that needs no further exposure
 BLOCK = 512  # of a chunk, for the arithmetic after the sums
 RESIDUAL_SCALE = 120.0  # a rounding residual of ±1 cycle in eight bits
@@ -30,7 +31,7 @@ class Sums(NamedTuple):
     taken: Any  # (M, W) uint16, bit e: exposure e is taken
     zero: Any  # (W,) uint8, 1: an image of the first exposure taken is 0
     bloomed: Any  # (W,) uint8, 1: an exposure was left out for a saturated neighbour only
-    alike: Any  # (chunks,) int64, the exposures that all pixels of a chunk took, as bits; -1 where they differ: see `taken`
+    alike: Any  # (chunks,) int64, the exposures that all pixels of a chunk took, as bits; DIFFER or COMPLETE: see `taken`
 
 
 class Rule(NamedTuple):

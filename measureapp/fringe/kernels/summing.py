@@ -15,7 +15,7 @@ import numpy as np
 from numba import njit
 
 from measureapp.fringe.kernels.options import INLINE, LOOP
-from measureapp.fringe.kernels.records import CHUNK, LOOKED_AT
+from measureapp.fringe.kernels.records import CHUNK, COMPLETE, DIFFER, LOOKED_AT
 
 
 @njit(**INLINE)
@@ -242,6 +242,23 @@ def take_together(images: Any, exposure: int, layout: Any, rule: Any, begin: int
 
 
 @njit(**INLINE)
+def needs_no_more(rule: Any, alike: Any) -> bool:
+    """Tell whether one exposure is enough and every pixel of a chunk has it."""
+    return rule.first_only and (alike > 0 or alike == COMPLETE)
+
+
+@njit(**INLINE)
+def all_took_one(n: int, sums: Any, off: int) -> bool:
+    """Tell whether every pixel of a chunk took an exposure, for every decision."""
+    took = np.uint16(1)
+    for m in range(sums.taken.shape[0]):
+        taken = sums.taken[m, off : off + n]
+        for j in range(n):
+            took &= np.uint16(taken[j] != 0)
+    return took != 0
+
+
+@njit(**INLINE)
 def accumulate(
     images: Any,  # (P, N) of one exposure
     exposure: int,
@@ -257,7 +274,7 @@ def accumulate(
     """Add one exposure of ``n`` pixels to their sums; returns how many of them are above zero and unsaturated in it."""
     chunk = off // CHUNK
     alike = sums.alike[chunk]
-    done = rule.first_only and alike > 0
+    done = needs_no_more(rule, alike)
     top, bottom = bounds(images, layout, begin, n)
     clean = top <= rule.limit
     together = clean and alike >= 0 and not done and blocked.shape[0] == 0 and (alike > 0 or bottom > 0)
@@ -282,9 +299,9 @@ def accumulate(
         sums.taken[:, off : off + n] = np.uint16(alike)
         sums.zero[off : off + n] = 0
         sums.bloomed[off : off + n] = 0
-        sums.alike[chunk] = -1
     for m in range(sums.total.shape[0]):
         take_some(images, exposure, blocked, layout, rule, m, begin, n, scratch, sums, off)
+    sums.alike[chunk] = COMPLETE if rule.first_only and all_took_one(n, sums, off) else DIFFER
     return good
 
 
@@ -304,14 +321,14 @@ def add_exposures(
 ) -> None:
     """Add exposures of pixels ``start … stop``, whole chunks, to their sums; the first exposure begins them anew.
 
-    Where one exposure is enough, chunks that have one are not looked at any more, but for a sample that is counted.
+    Where one exposure is enough, chunks whose pixels have it are not looked at any more, but for a sample that is counted.
     """
     for begin in range(start, stop, CHUNK):
         n, off = min(CHUNK, stop - begin), begin - base
         if exposure == 0:
             sums.alike[off // CHUNK] = 0
         for e in range(images.shape[0]):
-            sampled = np.int64(rule.first_only and sums.alike[off // CHUNK] > 0)
+            sampled = np.int64(needs_no_more(rule, sums.alike[off // CHUNK]))
             if sampled and (begin // CHUNK) % LOOKED_AT != 0:
                 continue
             good = accumulate(images[e], exposure + e, blocked, layout, rule, begin, n, scratch, sums, off)
