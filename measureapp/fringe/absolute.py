@@ -23,7 +23,7 @@ NEIGHBOURS = 2  # px: a pixel between them may lie on the jump
 ORIGINS = (0.0, -0.5)  # cycles: the patterns start with a crest, or with a trough
 LUT_LENGTH = 1024
 NORMAL_QUANTILE = 3.09  # one pixel without fringes in a thousand is taken for one with fringes
-SAMPLED_CHUNKS = (8, 64)  # the fewer are enough unless the part fills little of the image
+SAMPLED_CHUNKS = (8, 64, 512)  # the fewest are enough unless the part fills little of the image
 LEAST_SAMPLED = 1000  # usable pixels
 USABLE = np.isin(np.arange(len(PixelState)), (PixelState.VALID, PixelState.ORDER_CONFLICT, PixelState.OUT_OF_RANGE))  # by state
 

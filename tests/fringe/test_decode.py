@@ -217,6 +217,19 @@ def test_patterns_that_start_with_a_trough_are_recognised(sets: dict[str, Patter
         assert np.abs(error[decoded.valid]).max() < 0.3, name
 
 
+def test_the_start_of_the_fringes_is_told_from_a_part_that_fills_a_hundredth_of_the_image(sets: dict[str, PatternSet]) -> None:
+    for name in ("two pitches", "complementary gray"):
+        patterns = sets[name]
+        part = images_of(ramp(30, 200), patterns)
+        bits = sum(group.count for group in patterns.groups if group.kind == "phase-shift")
+        part[:, :bits] = 220 - part[:, :bits]
+        images = np.zeros((*part.shape[:2], 600, 1024), np.uint8)
+        images[..., 250:280, 100:300] = part  # between the rows that are looked at first
+        decoded = decode(stack_of(images, patterns))["left"]
+        assert decoded.details["origin_rad"] == pytest.approx(-pi), name
+        assert decoded.valid[250:280, 100:300].mean() > 0.9, name
+
+
 def test_the_wrong_shift_sign_is_recognised_against_a_gray_code(sets: dict[str, PatternSet]) -> None:
     patterns = sets["complementary gray"]
     images = images_of(ramp(), patterns)
