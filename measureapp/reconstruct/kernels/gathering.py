@@ -43,12 +43,12 @@ def pour(stage: Any, out: Any, per_point: int, begin: int, first: int, stop: int
 
 
 @njit(**INLINE)
-def none_left(inverse: Any) -> bool:
-    """Whether a chunk of a row has no point."""
-    highest = ZERO
+def count_left(inverse: Any) -> Any:
+    """Count the points of a chunk of a row."""
+    left = np.int32(0)
     for i in range(len(inverse)):
-        highest = max(highest, inverse[i])
-    return highest == ZERO
+        left += inverse[i] > ZERO
+    return left
 
 
 @njit(**INLINE)
@@ -90,6 +90,45 @@ def pour_all(staged: Any, written: Any, begin: Any, first: Any, stop: Any, held:
     pour(staged[3], written[3], 1, begin, first, stop, held)
     pour(staged[4], written[4], 2, begin, first, stop, held)
     pour(staged[5], written[5], 1, begin, first, stop, held)
+
+
+@njit(**INLINE)
+def stage_all(s: Any, d: Any, staged: Any, masks: Any, taking: Any, held: int, y: int, first: int, n: int) -> None:
+    """Put n pixels that all are points on the stage, behind the ``held`` there are, in SIMD instructions."""
+    points, normals = staged[0][3 * held : 3 * (held + n)], staged[1][3 * held : 3 * (held + n)]
+    for i in range(n):
+        points[3 * i], points[3 * i + 1], points[3 * i + 2] = d[PX + i], d[PY + i], d[PZ + i]
+    for i in range(n):
+        normals[3 * i], normals[3 * i + 1], normals[3 * i + 2] = s[NX + i], s[NY + i], s[NZ + i]
+    along, light, pixel, cameras = (
+        staged[2][held : held + n],
+        staged[3][held : held + n],
+        staged[4][2 * held : 2 * (held + n)],
+        staged[5][held : held + n],
+    )
+    for i in range(n):
+        along[i] = s[OWN + i]
+    for i in range(n):
+        light[i] = s[OFF + i]
+    for i in range(n):
+        pixel[2 * i], pixel[2 * i + 1] = y, first + i
+    for i in range(n):
+        cameras[i] = masks[taking[i]]
+
+
+@njit(**INLINE)
+def stage_some(s: Any, d: Any, staged: Any, masks: Any, taking: Any, held: int, y: int, first: int, n: int) -> int:
+    """Put those of n pixels that are points on the stage, behind the ``held`` there are; returns how many are there then."""
+    points, normals, along, light, pixel, cameras = staged
+    for i in range(n):  # a place without a point is written over by the next
+        k = np.uint32(held)
+        points[THREE * k], points[THREE * k + A], points[THREE * k + B] = d[PX + i], d[PY + i], d[PZ + i]
+        normals[THREE * k], normals[THREE * k + A], normals[THREE * k + B] = s[NX + i], s[NY + i], s[NZ + i]
+        along[k], light[k] = s[OWN + i], s[OFF + i]
+        pixel[B * k], pixel[B * k + A] = y, first + i
+        cameras[k] = masks[taking[i]]
+        held += s[INV + i] > ZERO
+    return held
 
 
 @njit(**LOOP)
@@ -143,7 +182,8 @@ def gather_points(
     for y in range(row_start, row_stop):
         for first in range(0, width, CHUNK):
             n = min(CHUNK, width - first)
-            if none_left(inverse[y + border, border + first : border + first + n]):
+            left = count_left(inverse[y + border, border + first : border + first + n])
+            if left == 0:
                 continue
             if is_touched(removed, y, first // CHUNK, border):
                 planes_of_chunk(s, inverse, sigma, rays, to_rays, to_unit, per_px, border, y, first, n)
@@ -163,14 +203,11 @@ def gather_points(
                 d[PX + i] = p00 * a + p01 * b + p02 * z + p03
                 d[PY + i] = p10 * a + p11 * b + p12 * z + p13
                 d[PZ + i] = p20 * a + p21 * b + p22 * z + p23
-            for i in range(n):  # a place without a point is written over by the next
-                k = np.uint32(held)
-                staged_points[THREE * k], staged_points[THREE * k + A], staged_points[THREE * k + B] = d[PX + i], d[PY + i], d[PZ + i]
-                staged_normals[THREE * k], staged_normals[THREE * k + A], staged_normals[THREE * k + B] = s[NX + i], s[NY + i], s[NZ + i]
-                staged_along[k], staged_light[k] = s[OWN + i], s[OFF + i]
-                staged_pixel[B * k], staged_pixel[B * k + A] = y, first + i
-                staged_cameras[k] = masks[taking[i]]
-                held += s[INV + i] > ZERO
+            if left == n:
+                stage_all(s, d, staged, masks, taking, held, y, first, n)
+                held += n
+            else:
+                held = stage_some(s, d, staged, masks, taking, held, y, first, n)
             stop = held - held % BLOCK
             if stop > 0:
                 pour_all(staged, written, begin, first_of_band, stop, held)
