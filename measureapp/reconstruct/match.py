@@ -84,7 +84,6 @@ def match_view(
         settings,
         made,
         every,
-        memory,
     )
     bands = in_bands(work.rows, shape[0], max(8, shape[0] // ROWS_PER_BAND))
     totals = np.sum(bands, axis=0)
@@ -98,27 +97,14 @@ def sight_of(name: str, other: str, views: Mapping[str, PhaseView], rectifier: R
     return (view.state, view.pixels, view.quad, *place)
 
 
-def match_rows(
-    name: str,
-    other: str,
-    views: Mapping[str, PhaseView],
-    tables: PairTables,
-    skip: IntArray,
-    rectifier: Rectifier,
-    rows: tuple[int, int],
-    out: Sequence[Any],
-) -> int:
-    """Match rows of camera ``name`` with ``other``; ``out``: depth, gain, variance, place there and reason, (rows, W) each."""
-    pair, here, there = rectifier.pair(name, other), views[name], views[other]
+def partner_of(name: str, other: str, views: Mapping[str, PhaseView], tables: PairTables, rectifier: Rectifier) -> tuple[Any, ...]:
+    """Return what `kernels.match` needs of ``other`` to match camera ``name`` with it."""
+    pair, there = rectifier.pair(name, other), views[other]
     lines = rectifier.lines(name, other, other)
-    ray_depth = tuple(np.float32(value) for value in pair.here.rectified_from_camera[2])
     numbers = (pair.here.frame[0], pair.here.frame[1] - pair.there.frame[1], pair.baseline_mm)
-    matched = kernels.match(
-        rectifier.rays(name).reshape(len(skip), -1),
-        here.phase,
-        skip,
-        rectifier.lines(name, other, name).pixels.reshape(len(skip), -1),
-        ray_depth,
+    return (
+        flat(rectifier.lines(name, other, name).pixels),
+        tuple(np.float32(value) for value in pair.here.rectified_from_camera[2]),
         there.phase.shape,
         there.phase.reshape(-1),
         there.quad.reshape(-1),
@@ -131,11 +117,12 @@ def match_rows(
         np.float32(tables.lowest_rad),
         np.float32(tables.per_rad),
         tuple(np.float32(value) for value in numbers),
-        rows[0],
-        rows[1],
-        *out,
     )
-    return int(matched)
+
+
+def flat(pairs: FloatArray) -> FloatArray:
+    """Return a map of pairs (H, W, 2) as rows of numbers (H, 2 W), as the kernels want it."""
+    return pairs.reshape(len(pairs), -1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,54 +139,30 @@ class _Work:
     settings: ReconstructSettings
     made: DepthMap
     every: int
-    memory: MapMemory
 
     def rows(self, start: int, stop: int) -> IntArray:
         """Do the rows from ``start`` to ``stop``; returns how many pixels were matched with each other camera."""
-        view, made, settings = self.views[self.name], self.made, self.settings
-        shape = (len(self.others), stop - start, view.phase.shape[1])
-        found: list[Any] = [self.memory.empty(shape, dtype) for dtype in (np.float32, np.float32, np.float32, np.int32, np.uint8)]
-        matched = [
-            match_rows(
-                self.name, other, self.views, self.tables[other], self.skip, self.rectifier, (start, stop), [part[k] for part in found]
-            )
-            for k, other in enumerate(self.others)
-        ]
-        self._fuse_both(found, start, stop)
-        own = (self.rectifier.rays(self.name), view.phase, view.sigma, self.skip)
-        limits = (settings.agreement_sigmas, settings.agreement_px, self.every)
-        out = (made.depth_mm, made.sigma_mm, made.others, made.fate, made.pair_gain, self.covered, made.shifts)
-        arguments: tuple[Any, ...] = (*own, *found, *self._seen_by_others, *limits, start, stop, *out)
-        kernels.fuse(*arguments)
-        return np.array(matched)
+        matched = np.empty(len(self.others), np.int64)
+        kernels.match_and_fuse(*self._arguments, start, stop, *self._out, matched)
+        return matched
 
     @cached_property
-    def _seen_by_others(self) -> tuple[Any, ...]:
-        """What the kernels need to look at points with every other camera, and where this one has their phases."""
+    def _arguments(self) -> tuple[Any, ...]:
+        """What is known of this camera and of every other one."""
+        rays, view = self.rectifier.rays(self.name), self.views[self.name]
+        own = (rays, flat(rays), view.phase, view.sigma, self.skip)
+        partners = tuple(partner_of(self.name, other, self.views, self.tables[other], self.rectifier) for other in self.others)
         sights = tuple(sight_of(self.name, other, self.views, self.rectifier) for other in self.others)
-        return sights, tuple(self._table_of(other) for other in self.others)
-
-    def _fuse_both(self, found: Sequence[Any], start: int, stop: int) -> None:
-        """Fuse the pixels that two other cameras match alike; all others are left to the general way."""
-        if len(self.others) != 2:
-            self.made.depth_mm[start:stop] = 0
-            self.made.sigma_mm[start:stop] = 0
-            return
-        pair = self.rectifier.pair(self.name, self.others[1])
+        tables = tuple(self._table_of(other) for other in self.others)
+        pair = self.rectifier.pair(self.name, self.others[-1])
         step = tuple(np.float32(value / (pair.there.frame[0] * pair.baseline_mm)) for value in pair.here.rectified_from_camera[2])
         limits = (np.float32(self.settings.agreement_sigmas), np.float32(self.settings.agreement_px))
-        out = (self.made.depth_mm, self.made.sigma_mm)
-        arguments: tuple[Any, ...] = (
-            self.rectifier.rays(self.name).reshape(len(self.skip), -1),
-            self.views[self.name].sigma,
-            *found[:3],
-            step,
-            limits,
-            start,
-            stop,
-            *out,
-        )
-        kernels.fuse_both(*arguments)
+        return (*own, partners, sights, tables, step, limits, self.every)
+
+    @property
+    def _out(self) -> tuple[Any, ...]:
+        made = self.made
+        return made.depth_mm, made.sigma_mm, made.others, made.fate, made.pair_gain, self.covered, made.shifts
 
     def _table_of(self, other: str) -> tuple[Any, ...]:
         tables, pair = self.tables[other], self.rectifier.pair(self.name, other)

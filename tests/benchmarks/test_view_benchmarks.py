@@ -23,8 +23,9 @@ from measureapp.data.phase import PhaseMap
 from measureapp.fringe.decode import decode_camera
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.map_memory import MapMemory
+from measureapp.reconstruct import kernels
 from measureapp.reconstruct.clean import Lens, cleaned, gathered_normals
-from measureapp.reconstruct.match import match_rows
+from measureapp.reconstruct.match import flat, partner_of
 from measureapp.reconstruct.phase_view import PhaseView
 from measureapp.reconstruct.reconstruct import reconstruct
 from measureapp.reconstruct.rectifier import Rectifier
@@ -97,14 +98,15 @@ def matching(maps: dict[str, PhaseMap], rectifier: Rectifier) -> Callable[[], li
     """Return the match of left and right, tables included; the slopes of the phase maps are made once per view and camera."""
     views = {name: PhaseView.of(maps[name], 3.0) for name in ("left", "right")}
     skip = (views["left"].state != 0).view(np.uint8)
-    width = skip.shape[1]
+    rays, phase, width = flat(rectifier.rays("left")), views["left"].phase, skip.shape[1]
 
     def work() -> list[int]:
         tables = pair_tables("left", ("right",), views, maps["left"], rectifier)["right"]
+        partner = partner_of("left", "right", views, tables, rectifier)
 
         def rows(start: int, stop: int) -> int:
             out = [np.empty((stop - start, width), dtype) for dtype in (np.float32, np.float32, np.float32, np.int32, np.uint8)]
-            return match_rows("left", "right", views, tables, skip, rectifier, (start, stop), out)
+            return int(kernels.match(rays, phase, skip, partner, start, stop, 0, width, *out))
 
         return in_bands(rows, len(skip), 40)
 

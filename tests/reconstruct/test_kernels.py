@@ -10,7 +10,7 @@ from measureapp.data.point_state import PointState
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.clean import Lens, cleaned, gathered_normals
 from measureapp.reconstruct.cubics import PixelSteps
-from measureapp.reconstruct.match import match_rows
+from measureapp.reconstruct.match import flat, partner_of
 from measureapp.reconstruct.phase_view import PhaseView
 from measureapp.reconstruct.rectifier import Rectifier
 from measureapp.reconstruct.settings import ReconstructSettings
@@ -30,7 +30,8 @@ def test_a_row_is_matched_where_phase_and_epipolar_line_are_right(head: Head) ->
     tables = pair_tables("left", ("right",), views, maps["left"], rectifier)["right"]
     row, width = 120, skip.shape[1]
     out = [np.zeros((1, width), dtype) for dtype in (np.float32, np.float32, np.float32, np.int32, np.uint8)]
-    count = match_rows("left", "right", views, tables, skip, rectifier, (row, row + 1), out)
+    partner = partner_of("left", "right", views, tables, rectifier)
+    count = kernels.match(flat(rectifier.rays("left")), views["left"].phase, skip, partner, row, row + 1, 0, width, *out)
     depth = out[0][0]
     found = np.flatnonzero(depth > 0)
     assert count == len(found) > 0.6 * (skip[row] == 0).sum()
@@ -59,7 +60,7 @@ def test_two_candidates_are_fused_by_least_squares() -> None:
     depth = (550 + random.normal(0, 0.02, (2, 1, width))).astype(np.float32)
     z, z_sigma = np.zeros((1, width), np.float32), np.zeros((1, width), np.float32)
     step, limits = tuple(np.float32(c) for c in (0, 0, 1e-6)), (np.float32(100), np.float32(0.5))
-    kernels.fuse_both(np.zeros((1, 2 * width), np.float32), sigma, depth, gain, variance, step, limits, 0, 1, z, z_sigma)
+    kernels.fuse_both(np.zeros((1, 2 * width), np.float32), sigma, depth, gain, variance, step, limits, 0, 1, 0, width, z, z_sigma)
     for x in range(width):
         # unknowns: z and the projector's phase less the pixel's; equations: phase − own = 0 ± σ and gain · (z − depth) − (phase − own) = 0 ± σ
         model = np.array([[0, 1], [gain[0, 0, x], -1], [gain[1, 0, x], -1]], float)

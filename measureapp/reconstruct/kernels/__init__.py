@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from measureapp.reconstruct.kernels.across import check_across
+from measureapp.reconstruct.kernels.band import match_and_fuse
 from measureapp.reconstruct.kernels.binning import LEAST_SINE, LINES_PER_CELL, fill_table, rectified_lines, spread_table
 from measureapp.reconstruct.kernels.both import fuse_both
 from measureapp.reconstruct.kernels.cleaning import CHUNK, invert, judge
 from measureapp.reconstruct.kernels.covered import mark_covered
-from measureapp.reconstruct.kernels.fusing import fuse, resample
+from measureapp.reconstruct.kernels.fusing import resample
 from measureapp.reconstruct.kernels.gathering import gather_points
 from measureapp.reconstruct.kernels.islands import drop_islands, find_runs
 from measureapp.reconstruct.kernels.matching import match
@@ -29,7 +30,6 @@ __all__ = [
     "drop_islands",
     "fill_table",
     "find_runs",
-    "fuse",
     "fuse_both",
     "gather_points",
     "invert",
@@ -37,6 +37,7 @@ __all__ = [
     "keep_new",
     "mark_covered",
     "match",
+    "match_and_fuse",
     "rectified_lines",
     "resample",
     "slopes",

@@ -120,23 +120,30 @@ def hidden(wanted: Any, here: Any, row: Any, repeats: Any, lines: Any, frame: An
 
 
 @njit(**INLINE)
+def cover(z: Any, there: Any, covered: Any) -> None:
+    """Note which pixels of another camera take part in the points of a row."""
+    for x in range(len(z)):
+        if z[x] > ZERO:
+            covered[np.uint32(there[x])] = 1
+
+
+@njit(**INLINE)
 def take_over(z: Any, skip: Any, there: Any, fate: Any, bits: Any, covered: Any) -> None:
     """Write fate and cameras of the pixels of a row that `fuse_both` solved, and which pixels of both other cameras take part."""
     for x in range(len(z)):
         fate[x] = skip[x]
+    solved = np.int32(0)
+    for x in range(len(z)):
+        solved += z[x] > ZERO
     for x in range(len(z)):
         bits[x] = BOTH if z[x] > ZERO else NONE
-    last = len(covered) - 1
-    first_there, last_there = there[0], there[last]
-    first_covered, last_covered = covered[0], covered[last]
-    for x in range(len(z)):
-        if z[x] > ZERO:
-            first_covered[np.uint32(first_there[x])] = 1
-            last_covered[np.uint32(last_there[x])] = 1
+    if solved > 0:
+        for k in range(len(covered)):
+            cover(z, there[k], covered[k])
 
 
 @njit(**INLINE)
-def choose_single(z: Any, z_sigma: Any, bits: Any, skip: Any, sampled: Any, every: Any, singly: Any) -> int:
+def choose_single(z: Any, z_sigma: Any, bits: Any, skip: Any, sampled: Any, every: Any, column: int, singly: Any) -> int:
     """List the pixels of a row that are fused one by one: those not solved yet, and samples of all others; returns how many."""
     left = 0
     for first in range(0, len(z), BLOCK):
@@ -147,7 +154,7 @@ def choose_single(z: Any, z_sigma: Any, bits: Any, skip: Any, sampled: Any, ever
         if not some:
             continue
         for x in range(first, min(first + BLOCK, len(z))):
-            if skip[x] == 0 and (z[x] == ZERO or (sampled and x % every == 0)):
+            if skip[x] == 0 and (z[x] == ZERO or (sampled and (column + x) % every == 0)):
                 singly[left] = x
                 left += 1
                 z[x] = 0
@@ -268,18 +275,15 @@ def fuse(
     phase: Any,
     sigma: Any,
     skip: Any,  # (H, W) uint8, 0 for pixels to fuse, else their fate
-    depth: Any,  # (M, rows, W) float32, candidates, one per other camera
-    gain: Any,  # (M, rows, W) float32
-    variance: Any,  # (M, rows, W) float32
-    there: Any,  # (M, rows, W) int32
-    reason: Any,  # (M, rows, W) uint8
+    found: Any,  # what `match` found, (M, rows, columns) each, one per other camera: depth, gain, variance, there, reason
     others: Any,  # per other camera: what `see` needs of it
     tables: Any,  # per other camera: (table of this camera, its lines, its frame, lowest, per_rad)
-    sigmas: Any,
-    tolerance_px: Any,
+    limits: Any,  # (standard deviations, px along the epipolar line) that cameras may differ
     sample: int,  # every so many pixels the shifts between the cameras are noted
     row_start: int,
     row_stop: int,
+    column_start: int,
+    column_stop: int,
     z: Any,  # in and out (H, W) float32, what `fuse_both` made, else 0
     z_sigma: Any,  # in and out (H, W) float32
     bits: Any,  # out (H, W) uint8, bit i: camera i of the others takes part
@@ -292,34 +296,36 @@ def fuse(
 
     Unknowns are z and the projector's true phase; one equation per camera.
     """
-    count, width = len(others), phase.shape[1]
-    limits = (sigmas, tolerance_px)
+    depth, gain, variance, there, reason = found
+    count, columns = len(others), column_stop - column_start
     agrees = np.zeros((count, count), np.bool_)
-    singly = np.zeros(width, np.int32)
-    sights, seen = np.zeros((count, count, width), np.uint8), np.zeros((6, count, count, width))
+    singly = np.zeros(columns, np.int32)
+    sights, seen = np.zeros((count, count, columns), np.uint8), np.zeros((6, count, count, columns))
+    part = slice(column_start, column_stop)
     for y in range(row_start, row_stop):
         row = y - row_start
-        take_over(z[y], skip[y], there[:, row], fate[y], bits[y], covered)
+        take_over(z[y, part], skip[y, part], there[:, row], fate[y, part], bits[y, part], covered)
         sampled = y % sample == 0
-        left = choose_single(z[y], z_sigma[y], bits[y], skip[y], sampled, sample, singly)
-        look_with_all(singly, left, rays[y], phase[y], depth[:, row], gain[:, row], variance[:, row], others, sights, seen)
+        left = choose_single(z[y, part], z_sigma[y, part], bits[y, part], skip[y, part], sampled, sample, column_start, singly)
+        look_with_all(singly, left, rays[y, part], phase[y, part], depth[:, row], gain[:, row], variance[:, row], others, sights, seen)
         for i in range(left):
-            x = singly[i]
+            at = singly[i]
+            x = column_start + at
             own = sigma[y, x] * sigma[y, x]
             if sampled and x % sample == 0:
                 note_shifts(i, own, sights, seen, shifts, y // sample, x // sample)
             best = best_candidate(i, phase[y, x], own, sights, seen, tables, limits, agrees)
             if best < 0:
-                fate[y, x] = why_none(i, x, sights, reason[:, row])
+                fate[y, x] = why_none(i, at, sights, reason[:, row])
                 continue
             step, deviation, taking = solve(i, own, agrees, best, seen)
             for c in range(count):
-                if agrees[best, c] and depth[c, row, x] > 0:
-                    covered[c][there[c, row, x]] = 1
+                if agrees[best, c] and depth[c, row, at] > 0:
+                    covered[c][there[c, row, at]] = 1
             if deviation <= 0:
                 fate[y, x] = AMBIGUOUS
                 continue
-            z[y, x] = depth[best, row, x] + step
+            z[y, x] = depth[best, row, at] + step
             z_sigma[y, x] = deviation
             bits[y, x] = taking
             fate[y, x] = VALID

@@ -331,27 +331,23 @@ def match(
     rays: Any,  # (H, 2 W) float32, normalised image coordinates of the camera
     phase: Any,
     skip: Any,  # (H, W) uint8, 0 for pixels to match
-    lines: Any,  # (H, 2 W)
-    turn: Any,  # (3,) float32, third row: the rectified depth of the ray
-    shape: Any,  # (H, W) of the other camera's image; what follows of it is flat
-    other_phase: Any,
-    other_quad: Any,
-    other_pixels: Any,
-    other_lines: Any,
-    cubics: Any,  # four cubic polynomials: ∂x/∂u, ∂x/∂v, ∂y/∂u, ∂y/∂v of the other camera's `other_lines`
-    to_unit: Any,  # (u0, per u, v0, per v): their variables are (u − u0) · per u, (v − v0) · per v
-    table_shape: Any,
-    table: Any,  # of the other camera, with what is repeated in this one; flat
-    lowest: Any,
-    per_rad: Any,
-    numbers: Any,  # (focal, x0 here − x0 there, baseline), float32
+    partner: Any,  # what is needed of the other camera:
+    #     (H, 2 W) float32, where the pixels of the camera that is matched lie in the rectified image
+    #     (3,) float32, third row of the turn to it: the rectified depth of a ray
+    #     (H, W) of the other camera's image, and flat: its phases, quads, records of pixels and rectified coordinates
+    #     four cubic polynomials: ∂x/∂u, ∂x/∂v, ∂y/∂u, ∂y/∂v of the latter
+    #     (u0, per u, v0, per v): their variables are (u − u0) · per u, (v − v0) · per v
+    #     shape of the other camera's table; the table with what is repeated in this one's, flat; lowest phase; bins per radian
+    #     (focal, x0 here − x0 there, baseline), float32
     row_start: int,
     row_stop: int,
-    depth: Any,  # out (rows, W) float32, z in the camera's frame, 0 for none
-    gain: Any,  # out (rows, W) float32, change of the other camera's phase with z, rad/mm
-    variance: Any,  # out (rows, W) float32, of the other camera's phase
-    there: Any,  # out (rows, W) int32, index of the other camera's pixel
-    reason: Any,  # out (rows, W) uint8, MATCHED | WITHOUT_PARTNER | REPEATS
+    column_start: int,
+    column_stop: int,
+    depth: Any,  # out (rows, columns) float32, z in the camera's frame, 0 for none
+    gain: Any,  # out (rows, columns) float32, change of the other camera's phase with z, rad/mm
+    variance: Any,  # out (rows, columns) float32, of the other camera's phase
+    there: Any,  # out (rows, columns) int32, index of the other camera's pixel
+    reason: Any,  # out (rows, columns) uint8, MATCHED | WITHOUT_PARTNER | REPEATS
 ) -> int:
     """Match pixels by their phase along the epipolar line; returns how many.
 
@@ -359,17 +355,22 @@ def match(
     are right; the phase is read there between four pixels, so that its variance is known, and the small rest follows the slope over
     several pixels. Pixels whose phase occurs at more than one place of the epipolar line, in either camera, are not matched.
     """
+    lines, turn, shape, other_phase, other_quad, other_pixels, other_lines = partner[:7]
+    cubics, to_unit, table_shape, table, lowest, per_rad, numbers = partner[7:]
     columns, width = phase.shape[1], np.int32(shape[1])
     limits = (np.float32(shape[1]) - EDGE, np.float32(shape[0]) - EDGE)
     s, g, r, at = stack_float32(SCRATCH), stack_float32(GATHERED), stack_float32(GATHERED), stack_int32(PLACES)
     matched = 0
     depth[:] = ZERO
     reason[:] = WITHOUT_PARTNER
-    for first in range(0, columns, CHUNK):  # down the columns: what a row takes from the other camera is near at hand for the next
+    for first in range(
+        column_start, column_stop, CHUNK
+    ):  # down the columns: what a row takes from the other camera is near at hand for the next
         for y in range(row_start, row_stop):
             out = y - row_start
-            n = min(CHUNK, columns - first)
+            n = min(CHUNK, column_stop - first)
             part, pairs = slice(first, first + n), slice(2 * first, 2 * (first + n))
+            into = slice(first - column_start, first - column_start + n)
             wanted = count_wanted(skip[y, part], n)
             ask_for(phase, lines, rays, skip, (y + 1) * columns + first, n)
             if wanted == 0:
@@ -387,9 +388,9 @@ def match(
                 fetch(s, g, r, at, n, width, other_phase, other_quad, other_pixels, other_lines)
                 newton(s, g, n, cubics, to_unit, limits, numbers, step == ITERATIONS - 1)
                 if step == 0 and mostly:
-                    store_all(s, at, n, depth[out, part], gain[out, part], variance[out, part], there[out, part], reason[out, part])
+                    store_all(s, at, n, depth[out, into], gain[out, into], variance[out, into], there[out, into], reason[out, into])
                 else:
-                    store_some(s, at, n, depth[out, part], gain[out, part], variance[out, part], there[out, part], reason[out, part])
+                    store_some(s, at, n, depth[out, into], gain[out, into], variance[out, into], there[out, into], reason[out, into])
                 n = keep_unsettled(s, at, n)
                 if n == 0:
                     break
