@@ -1,9 +1,8 @@
 """Compiled loop over a phase map: how the phase changes from pixel to pixel, and between which pixels it can be interpolated.
 
-Loops over arithmetic alone run on one scratch array at constant offsets: only then does the compiler know that nothing overlaps,
+Loops over arithmetic alone write to one scratch array at constant offsets: only then does the compiler know that nothing overlaps,
 and uses SIMD instructions.
 """
-# One loop over pixels, as in the other kernels.
 
 from __future__ import annotations
 
@@ -14,19 +13,20 @@ from numba import njit
 
 from measureapp.map_memory import LINE
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
-from measureapp.reconstruct.kernels.scratch import GROUP, join_4, join_4_past_caches, stack_float32
+from measureapp.reconstruct.kernels.scratch import GROUP, join_4, join_4_past_caches, stack_float32, stack_uint8
 
-CHUNK, PAD = 512, 16  # all lanes stay in the first cache of a processor
-LENGTH = CHUNK + 2 * PAD
+CHUNK = 512  # all lanes stay in the first cache of a processor
 REACH = 3  # pixels to either side over which a slope is taken
+EDGE = 16  # columns at either side of the image that are taken by themselves: they lack neighbours
+LENGTH = CHUNK + 2 * REACH
 ROWS = (-3, -1, 0, 1, 3)
-P_UP3, P_UP, P, P_DOWN, P_DOWN3 = (k * LENGTH + PAD for k in range(5))
-M_UP3, M_UP, M, M_DOWN, M_DOWN3 = (k * LENGTH + PAD for k in range(5, 10))
-OWN, GX, GY, SIGMA, QUAD = (k * LENGTH + PAD for k in range(10, 15))  # the first four make a record
-SCRATCH = 15 * LENGTH
+NEIGHBOURS = 5 * LENGTH
+(OWN, GX, GY, SIGMA, QUAD) = (k * CHUNK for k in range(5))  # the first four make a record
+SCRATCH = 5 * CHUNK
 RECORDS = 4 * CHUNK
 PHASE, SLOPE_X, SLOPE_Y, OWN_SIGMA = range(4)  # in the record of a pixel
 ZERO, HALF, ONE, TWO, THREE = np.float32(0), np.float32(0.5), np.float32(1), np.float32(2), np.float32(3)
+MISSING = np.uint8(1)
 PER_WIDE = np.float32(1 / (2 * REACH))
 BENT = np.float32(0.2)  # curvature, as a share of the rise over the window, beyond which a wide slope says nothing about its middle
 BENT_SIGMAS = np.float32(4.0)
@@ -42,11 +42,86 @@ def write_records(s: Any, records: Any, n: int, out: Any) -> None:
     if out.ctypes.data % LINE == 0:
         done = n - n % GROUP
         for i in range(0, done, GROUP):
-            join_4_past_caches(out, np.uint32(4 * i), s, np.uint32(OWN + i), np.uint32(LENGTH))
+            join_4_past_caches(out, np.uint32(4 * i), s, np.uint32(OWN + i), np.uint32(CHUNK))
     for i in range(done, n, GROUP):
-        join_4(records, np.uint32(4 * i), s, np.uint32(OWN + i), np.uint32(LENGTH))
+        join_4(records, np.uint32(4 * i), s, np.uint32(OWN + i), np.uint32(CHUNK))
     for i in range(4 * done, 4 * n):
         out[i] = records[i]
+
+
+@njit(**INLINE)
+def copy_neighbours(phase: Any, state: Any, y: int, first: int, n: int, phases: Any, states: Any) -> None:
+    """Copy what `five_rows` returns, where the image ends in between: what lies outside is missing."""
+    height, width = phase.shape
+    low, high = max(REACH - first, 0), min(width - first + REACH, n + 2 * REACH)
+    for i in range(len(states)):
+        states[i] = MISSING
+    for k in range(5):
+        v = y + ROWS[k]
+        if 0 <= v < height:
+            for i in range(low, high):
+                phases[k * LENGTH + i] = phase[v, first - REACH + i]
+                states[k * LENGTH + i] = state[v, first - REACH + i]
+
+
+@njit(**INLINE)
+def five_rows(image: Any, y: int, first: int, n: int) -> Any:
+    """Return n pixels of a row from ``first`` on with REACH more at either side, from the rows 3 and 1 above, their own, 1 and 3 below."""
+    part = slice(first - REACH, first + n + REACH)
+    return image[y - 3, part], image[y - 1, part], image[y, part], image[y + 1, part], image[y + 3, part]
+
+
+@njit(**INLINE)
+def five_parts(copied: Any) -> Any:
+    """Return the same from what `copy_neighbours` made."""
+    return (
+        copied[0:LENGTH],
+        copied[LENGTH : 2 * LENGTH],
+        copied[2 * LENGTH : 3 * LENGTH],
+        copied[3 * LENGTH : 4 * LENGTH],
+        copied[4 * LENGTH : 5 * LENGTH],
+    )
+
+
+@njit(**INLINE)
+def take_slopes(s: Any, n: int, phases: Any, states: Any, noise: Any, step: Any) -> None:
+    """Take the slopes of n pixels."""
+    up3, up, here, down, down3 = phases
+    no_up3, no_up, none, no_down, no_down3 = states
+    for i in range(n):
+        k = i + REACH
+        p, sigma = here[k], noise[i]
+        right, left, below, above = here[k + 3], here[k - 3], down3[k], up3[k]
+        rise_x, rise_y = right - left, below - above
+        limit = BENT * (abs(rise_x) + abs(rise_y)) + BENT_SIGMAS * sigma
+        all_valid = (none[k] | none[k + 3] | none[k - 3] | no_down3[k] | no_up3[k]) == 0
+        smooth = (abs(right + left - TWO * p) <= limit) & (abs(below + above - TWO * p) <= limit)
+        r, q, d, u = here[k + 1] - p, p - here[k - 1], down[k] - p, p - up[k]
+        wr = ONE if (none[k + 1] == 0) & (abs(r) < step) else ZERO
+        wq = ONE if (none[k - 1] == 0) & (abs(q) < step) else ZERO
+        wd = ONE if (no_down[k] == 0) & (abs(d) < step) else ZERO
+        wu = ONE if (no_up[k] == 0) & (abs(u) < step) else ZERO
+        narrow_x = (wr * r + wq * q) * (HALF if wr + wq > ONE else ONE)
+        narrow_y = (wd * d + wu * u) * (HALF if wd + wu > ONE else ONE)
+        wide = all_valid & smooth
+        gx, gy = rise_x * PER_WIDE if wide else narrow_x, rise_y * PER_WIDE if wide else narrow_y
+        s[OWN + i], s[SIGMA + i] = p, sigma
+        s[GX + i] = gx if none[k] == 0 else ZERO
+        s[GY + i] = gy if none[k] == 0 else ZERO
+
+
+@njit(**INLINE)
+def take_quads(s: Any, n: int, phases: Any, states: Any, step: Any) -> None:
+    """Say of n pixels what they are together with their right, lower and lower right neighbour."""
+    here, down, none, no_down = phases[2], phases[3], states[2], states[3]
+    for i in range(n):
+        k = i + REACH
+        a, b, c, d = here[k], here[k + 1], down[k], down[k + 1]
+        spread = max(max(a, b), max(c, d)) - min(min(a, b), min(c, d))  # noqa: PLW3301
+        above = (ONE if none[k] == 0 else ZERO) + (ONE if none[k + 1] == 0 else ZERO)
+        below = (ONE if no_down[k] == 0 else ZERO) + (ONE if no_down[k + 1] == 0 else ZERO)
+        beside = THREE if above + below >= TWO else ZERO
+        s[QUAD + i] = (ONE if spread <= step else TWO) if above + below > THREE else beside
 
 
 @njit(**LOOP)
@@ -66,59 +141,24 @@ def slopes(
     """
     height, width = phase.shape
     s, records = stack_float32(SCRATCH), stack_float32(RECORDS)
-    s[:] = ZERO
+    copied, missing = stack_float32(NEIGHBOURS), stack_uint8(NEIGHBOURS)
+    copied[:] = ZERO
     for y in range(row_start, row_stop):
-        for first in range(0, width, CHUNK):
-            n = min(CHUNK, width - first)
-            low = min(PAD, first)
-            high = min(PAD, width - first - n)
-            for k in range(5):
-                v = y + ROWS[k]
-                p_row = k * LENGTH + PAD
-                m_row = p_row + 5 * LENGTH
-                mask = s[m_row - PAD : m_row + n + PAD]
-                for i in range(n + 2 * PAD):
-                    mask[i] = ZERO
-                if 0 <= v < height:
-                    length = low + n + high
-                    p_in, m_in = phase[v, first - low : first + n + high], state[v, first - low : first + n + high]
-                    p_out, m_out = s[p_row - low : p_row + n + high], s[m_row - low : m_row + n + high]
-                    for i in range(length):
-                        p_out[i] = p_in[i]
-                    for i in range(length):
-                        m_out[i] = ONE if m_in[i] == 0 else ZERO
+        first = 0
+        while first < width:
+            inside = EDGE <= first < width - EDGE
+            n = min(CHUNK, width - EDGE - first) if inside else min(EDGE, width - first)
             noise = sigma[y, first : first + n]
-            for i in range(n):
-                s[SIGMA + i] = noise[i]
-            for i in range(n):
-                p = s[P + i]
-                right, left, down, up = s[P + i + 3], s[P + i - 3], s[P_DOWN3 + i], s[P_UP3 + i]
-                rise_x, rise_y = right - left, down - up
-                limit = BENT * (abs(rise_x) + abs(rise_y)) + BENT_SIGMAS * s[SIGMA + i]
-                all_valid = s[M + i] * s[M + i + 3] * s[M + i - 3] * s[M_DOWN3 + i] * s[M_UP3 + i] > ZERO
-                smooth = (abs(right + left - TWO * p) <= limit) & (abs(down + up - TWO * p) <= limit)
-                r = s[P + i + 1] - p
-                q = p - s[P + i - 1]
-                d = s[P_DOWN + i] - p
-                u = p - s[P_UP + i]
-                wr = s[M + i + 1] if abs(r) < step else ZERO
-                wq = s[M + i - 1] if abs(q) < step else ZERO
-                wd = s[M_DOWN + i] if abs(d) < step else ZERO
-                wu = s[M_UP + i] if abs(u) < step else ZERO
-                narrow_x = (wr * r + wq * q) * (HALF if wr + wq > ONE else ONE)
-                narrow_y = (wd * d + wu * u) * (HALF if wd + wu > ONE else ONE)
-                wide = all_valid & smooth
-                s[OWN + i] = p
-                s[GX + i] = s[M + i] * (rise_x * PER_WIDE if wide else narrow_x)
-                s[GY + i] = s[M + i] * (rise_y * PER_WIDE if wide else narrow_y)
-            for i in range(n):
-                a, b, c, d = s[P + i], s[P + i + 1], s[P_DOWN + i], s[P_DOWN + i + 1]
-                whole = s[M + i] * s[M + i + 1] * s[M_DOWN + i] * s[M_DOWN + i + 1]
-                spread = max(max(a, b), max(c, d)) - min(min(a, b), min(c, d))  # noqa: PLW3301
-                valid = s[M + i] + s[M + i + 1] + s[M_DOWN + i] + s[M_DOWN + i + 1]
-                beside = THREE if valid >= TWO else ZERO
-                s[QUAD + i] = (ONE if spread <= step else TWO) if whole > ZERO else beside
+            if inside and REACH <= y < height - REACH:
+                phases, states = five_rows(phase, y, first, n), five_rows(state, y, first, n)
+                take_slopes(s, n, phases, states, noise, step)
+                take_quads(s, n, phases, states, step)
+            else:
+                copy_neighbours(phase, state, y, first, n, copied, missing)
+                take_slopes(s, n, five_parts(copied), five_parts(missing), noise, step)
+                take_quads(s, n, five_parts(copied), five_parts(missing), step)
             quad_out = quad[y, first : first + n]
             for i in range(n):
                 quad_out[i] = np.uint8(np.int32(s[QUAD + i]))
             write_records(s, records, n, pixels[y, 4 * first : 4 * (first + n)])
+            first += n
