@@ -46,14 +46,16 @@ QUARTER = np.float32(0.25)
 BEYOND = np.float32(0.1)  # so far out of its four pixels a place may lie, in px
 EDGE = np.float32(1.001)
 LOST = np.float32(100.0)
+KEEPS_PX = np.float32(8.0)  # so near to a cell's pixel the match of the row above lies on the same surface
+NOWHERE = np.float32(-1000.0)
 HELD, TWICE = np.float32(MATCHED), np.float32(REPEATS)
 ROWS_AHEAD = np.uint32(4)  # so far below is asked for what rows soon need: 2 is enough where epipolar lines are level, 4 where tilted
 CELLS_APART = 8  # of so many pixels the cells lie in one line of the cache
 TWO, FOUR = np.uint32(1), np.uint32(2)  # as shifts
 NOTHING = np.uint32(0)
 
-(PHASE, X, Y, DEPTH_SCALE, U, V, QUAD, LEFT, NOISE, Z, GAIN, NEXT_U, NEXT_V, CODE) = (k * CHUNK for k in range(14))
-SCRATCH = 14 * CHUNK
+(PHASE, X, Y, DEPTH_SCALE, U, V, QUAD, LEFT, NOISE, Z, GAIN, NEXT_U, NEXT_V, CODE, KEPT_U, KEPT_V) = (k * CHUNK for k in range(16))
+SCRATCH = 16 * CHUNK
 (P00, P01, P10, P11, NEAR_X, NEAR_Y, NEAR, NEAR_GX, NEAR_GY, NEAR_SIGMA) = (k * CHUNK for k in range(10))
 GATHERED = 10 * CHUNK
 ABOVE, BELOW, LINE, RECORD = P00, P10, NEAR_X, NEAR  # where the records of two and four numbers begin
@@ -148,25 +150,57 @@ def look_up(s: Any, at: Any, n: int, table: Any, shape: Any, lowest: Any, per_ra
         v = held >> 16
         u = held & 0xFFFF
         at[PLACE + i] = v * width + u
-        s[U + i] = u
-        s[V + i] = v
+        kept_u, kept_v = s[KEPT_U + i], s[KEPT_V + i]
+        keeps = (abs(u - kept_u) <= KEEPS_PX) & (abs(v - kept_v) <= KEEPS_PX)
+        s[U + i] = kept_u if keeps else u
+        s[V + i] = kept_v if keeps else v
+        s[LEFT + i] = ONE if usable & (not keeps) else ZERO
 
 
 @njit(**INLINE)
-def fetch_start(g: Any, r: Any, at: Any, n: int, pixels: Any, lines: Any) -> None:
-    """Fetch the records of the pixels that were looked up."""
-    for i in range(n):
-        place = np.uint32(at[PLACE + i])
-        copy_4(r, np.uint32(RECORD + 4 * i), pixels, place << FOUR)
-        copy_2(r, np.uint32(LINE + 2 * i), lines, place << TWO)
+def forget(s: Any) -> None:
+    """Keep nothing of the row above."""
+    for i in range(CHUNK):
+        s[KEPT_U + i] = NOWHERE
+
+
+@njit(**INLINE)
+def keep_nearest(s: Any, n: int) -> None:
+    """Keep where the pixels nearest to the matches are, whose records stay where they are: the next row's matches lie beside them."""
+    for i in range(in_groups(n)):
+        s[KEPT_U + i] = np.float32(np.int32(s[U + i] + HALF)) if s[LEFT + i] < LOST else NOWHERE
+        s[KEPT_V + i] = np.float32(np.int32(s[V + i] + HALF))
+
+
+@njit(**INLINE)
+def list_marked(s: Any, at: Any, n: int) -> int:
+    """List those of n pixels that are marked by LEFT; returns how many they are."""
+    listed = 0
     for i in range(0, n, GROUP):
-        split_4(g, np.uint32(RECORD + i), LANE, r, np.uint32(RECORD + 4 * i))
-        split_2(g, np.uint32(LINE + i), LANE, r, np.uint32(LINE + 2 * i))
+        bits = equal_bits(s, np.uint32(LEFT + i), ONE)
+        if n - i < GROUP:
+            bits &= np.uint32((1 << (n - i)) - 1)
+        while bits != NOTHING:
+            at[SOME + listed] = i + np.int32(lowest_bit(bits))
+            listed += 1
+            bits &= bits - np.uint32(1)
+    return listed
+
+
+@njit(**INLINE)
+def fetch_start(s: Any, g: Any, at: Any, n: int, pixels: Any, lines: Any) -> None:
+    """Fetch the records of those pixels that were looked up for want of one kept from the row above."""
+    for i in range(list_marked(s, at, n)):
+        k = np.uint32(at[SOME + i])
+        place = np.uint32(at[PLACE + k])
+        record = place << FOUR
+        g[NEAR + k], g[NEAR_GX + k], g[NEAR_GY + k] = pixels[record], pixels[record + np.uint32(1)], pixels[record + np.uint32(2)]
+        g[NEAR_Y + k] = lines[(place << TWO) + np.uint32(1)]
 
 
 @njit(**INLINE)
 def jump(s: Any, g: Any, n: int, cubics: Any, to_unit: Any, u_max: Any, v_max: Any) -> None:
-    """Step from the pixels looked up to where their slopes let phase and line be right."""
+    """Step from the pixels kept or looked up to where their slopes let phase and line be right."""
     y_u, y_v = cubics[2], cubics[3]
     u0, per_u, v0, per_v = to_unit
     for i in range(n):
@@ -300,15 +334,7 @@ def store_some(s: Any, at: Any, n: int, depth: Any, gain: Any, variance: Any, th
 @njit(**INLINE)
 def keep_unsettled(s: Any, at: Any, n: int) -> int:
     """Move pixels that need another step to the front; returns how many they are."""
-    left = 0
-    for i in range(0, n, GROUP):
-        bits = equal_bits(s, np.uint32(LEFT + i), ONE)
-        if n - i < GROUP:
-            bits &= np.uint32((1 << (n - i)) - 1)
-        while bits != NOTHING:
-            at[SOME + left] = i + np.int32(lowest_bit(bits))
-            left += 1
-            bits &= bits - np.uint32(1)
+    left = list_marked(s, at, n)
     for i in range(left):
         k = np.uint32(at[SOME + i])
         at[COLUMN + i] = at[COLUMN + k]
@@ -359,13 +385,16 @@ def match(
     cubics, to_unit, table_shape, table, lowest, per_rad, numbers = partner[7:]
     columns, width = phase.shape[1], np.int32(shape[1])
     limits = (np.float32(shape[1]) - EDGE, np.float32(shape[0]) - EDGE)
-    s, g, r, at = stack_float32(SCRATCH), stack_float32(GATHERED), stack_float32(GATHERED), stack_int32(PLACES)
+    s, at = stack_float32(SCRATCH), stack_int32(PLACES)
+    r, g, later = stack_float32(GATHERED), stack_float32(GATHERED), stack_float32(GATHERED)
+    g[:] = ZERO
     matched = 0
     depth[:] = ZERO
     reason[:] = WITHOUT_PARTNER
     for first in range(
         column_start, column_stop, CHUNK
     ):  # down the columns: what a row takes from the other camera is near at hand for the next
+        forget(s)
         for y in range(row_start, row_stop):
             out = y - row_start
             n = min(CHUNK, column_stop - first)
@@ -381,19 +410,24 @@ def match(
             else:
                 n = list_wanted(at, n, skip[y, part])
                 load_listed(s, at, n, phase[y, part], lines[y, pairs], rays[y, pairs], turn)
+                forget(s)
             look_up(s, at, n, table, table_shape, lowest, per_rad, width)
-            fetch_start(g, r, at, n, other_pixels, other_lines)
+            fetch_start(s, g, at, n, other_pixels, other_lines)
             jump(s, g, n, cubics, to_unit, limits[0], limits[1])
-            for step in range(ITERATIONS):
-                fetch(s, g, r, at, n, width, other_phase, other_quad, other_pixels, other_lines)
-                newton(s, g, n, cubics, to_unit, limits, numbers, step == ITERATIONS - 1)
-                if step == 0 and mostly:
-                    store_all(s, at, n, depth[out, into], gain[out, into], variance[out, into], there[out, into], reason[out, into])
-                else:
-                    store_some(s, at, n, depth[out, into], gain[out, into], variance[out, into], there[out, into], reason[out, into])
+            fetch(s, g, r, at, n, width, other_phase, other_quad, other_pixels, other_lines)
+            newton(s, g, n, cubics, to_unit, limits, numbers, False)
+            if mostly:
+                store_all(s, at, n, depth[out, into], gain[out, into], variance[out, into], there[out, into], reason[out, into])
+                keep_nearest(s, n)
+            else:
+                store_some(s, at, n, depth[out, into], gain[out, into], variance[out, into], there[out, into], reason[out, into])
+            for step in range(1, ITERATIONS):
                 n = keep_unsettled(s, at, n)
                 if n == 0:
                     break
+                fetch(s, later, r, at, n, width, other_phase, other_quad, other_pixels, other_lines)
+                newton(s, later, n, cubics, to_unit, limits, numbers, step == ITERATIONS - 1)
+                store_some(s, at, n, depth[out, into], gain[out, into], variance[out, into], there[out, into], reason[out, into])
     for row in range(row_stop - row_start):
         matched += count_matched(reason[row])
     return matched
