@@ -12,6 +12,12 @@ from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
 
 SPARSE = 16  # one pixel of so many in each direction tells what a phase map is like
+EVERY_PIXEL_BELOW = 1_000_000  # images with fewer pixels are sorted completely, larger ones every second row and column
+
+
+def table_step(shape: tuple[int, ...]) -> int:
+    """Return of how many pixels, in both directions, one is sorted into the tables of a pair."""
+    return 1 if shape[0] * shape[1] < EVERY_PIXEL_BELOW else 2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -23,6 +29,7 @@ class PhaseView:
     state: IntArray  # (H, W) uint8
     pixels: FloatArray  # (H, W, 4) float32: phase, slope in rad/px along x and y, (0, 0) where unknown, and sigma, found at one place
     quad: IntArray  # (H, W) uint8, whether a pixel and its right, lower and lower right neighbour are one surface
+    samples: FloatArray  # (3, H', W') float32: phase and both slopes of the pixels that tables are made of, see `table_step`
     some_slopes: FloatArray  # (N, 2) the known slopes of a sparse choice of pixels
 
     @classmethod
@@ -32,8 +39,10 @@ class PhaseView:
         phase, sigma = read_only(phase_map.phase_rad, np.float32), read_only(phase_map.sigma_rad, np.float32)
         state = read_only(phase_map.state, np.uint8)
         pixels, quad = memory.empty((*phase.shape, 4), np.float32), memory.empty(phase.shape, np.uint8)
-        step, flat = np.float32(step_rad), pixels.reshape(len(pixels), -1)
-        in_bands(lambda start, stop: kernels.slopes(phase, sigma, state, step, start, stop, flat, quad), len(phase))
+        every, step = table_step(phase.shape), np.float32(step_rad)
+        samples = memory.empty((3, *(-(-length // every) for length in phase.shape)), np.float32)
+        out = (pixels.reshape(len(pixels), -1), quad, samples)
+        in_bands(lambda start, stop: kernels.slopes(phase, sigma, state, step, every, start, stop, *out), len(phase))
         some = pixels[::SPARSE, ::SPARSE, 1:3].reshape(-1, 2)
         some_slopes = some[(some[:, 0] != 0) | (some[:, 1] != 0)].astype(np.float64)
-        return cls(phase, sigma, state, read_only(pixels), read_only(quad), read_only(some_slopes))
+        return cls(phase, sigma, state, read_only(pixels), read_only(quad), read_only(samples), read_only(some_slopes))

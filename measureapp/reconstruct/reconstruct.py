@@ -209,7 +209,8 @@ class _Work:
         if number == 0:
             state = self.views[name].state
             skip = self.memory.empty(state.shape, np.bool_)
-            return np.not_equal(state, PixelState.VALID, out=skip).view(np.uint8)  # True is PointState.NO_PHASE
+            in_bands(lambda start, stop: np.not_equal(state[start:stop], PixelState.VALID, out=skip[start:stop]), len(state))
+            return skip.view(np.uint8)  # True is PointState.NO_PHASE
         return self._marked(name, 0, PointState.VALID)
 
     def _marked(self, name: str, sampled: int, uncovered: PointState) -> IntArray:
@@ -256,13 +257,13 @@ class _Work:
 
     def figures(self) -> tuple[PairFigures, ...]:
         """Judge all pairs."""
-        figures = []
-        for pair in combinations(self.names, 2):
-            if pair in self.skipped:
-                figures.append(PairFigures(pair, 0, None, skipped=self.skipped[pair]))
-            else:
-                figures.append(pair_figures(pair, self.matched.get(pair, 0), self.shifts.get(pair, []), self.across.get(pair)))
-        return tuple(figures)
+        pairs = tuple(combinations(self.names, 2))
+        return tuple(in_bands(lambda number, _: self._figures_of(pairs[number]), len(pairs), len(pairs)))
+
+    def _figures_of(self, pair: tuple[str, str]) -> PairFigures:
+        if pair in self.skipped:
+            return PairFigures(pair, 0, None, skipped=self.skipped[pair])
+        return pair_figures(pair, self.matched.get(pair, 0), self.shifts.get(pair, []), self.across.get(pair))
 
 
 def _usable_names(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibration) -> tuple[str, ...]:

@@ -10,6 +10,7 @@ from measureapp.arrays import FloatArray, in_bands, read_only
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.cubics import PixelSteps
+from measureapp.reconstruct.phase_view import table_step
 from measureapp.reconstruct.rectified_grid import RectifiedGrid, rectified_grid
 from measureapp.reconstruct.rectify import RectifiedPair, pixel_rays, rectify
 
@@ -19,6 +20,7 @@ class EpipolarLines:
     """Where every pixel of a camera lies in the rectified image of a pair."""
 
     pixels: FloatArray  # (H, W, 2) float32, rectified (x, y); pixels of equal y lie on one epipolar line
+    levels: FloatArray  # (H', W') float32, the y of the pixels that are sorted into tables
     steps: PixelSteps
     direction: tuple[float, float]  # of the lines in the middle of the image, unit, towards growing x
 
@@ -53,7 +55,7 @@ class Rectifier:
         return self._ray_steps[name]
 
     def lines(self, here: str, there: str, camera: str) -> EpipolarLines:
-        """Return the epipolar lines of the pair (``here``, ``there``) in the image of one of both; 8 bytes per pixel are kept."""
+        """Return the epipolar lines of the pair (``here``, ``there``) in the image of one of both; 10 bytes per pixel are kept."""
         key = (here, there, camera)
         if key not in self._lines:
             pair, rays = self.pair(here, there), self.rays(camera)
@@ -65,7 +67,9 @@ class Rectifier:
             steps = PixelSteps.of(pixels)
             along = np.linalg.inv(steps.at_centre())[:, 0]
             along /= np.linalg.norm(along)
-            self._lines[key] = EpipolarLines(read_only(pixels), steps, (float(along[0]), float(along[1])))
+            every = table_step(pixels.shape)
+            levels = read_only(pixels[::every, ::every, 1])
+            self._lines[key] = EpipolarLines(read_only(pixels), levels, steps, (float(along[0]), float(along[1])))
         return self._lines[key]
 
     def rectified(self, here: str, there: str) -> tuple[RectifiedGrid, Rectifier]:

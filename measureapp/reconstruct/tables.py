@@ -12,11 +12,10 @@ from measureapp.arrays import FloatArray, IntArray, in_bands, read_only
 from measureapp.data.phase import PhaseMap
 from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
-from measureapp.reconstruct.phase_view import PhaseView
+from measureapp.reconstruct.phase_view import PhaseView, table_step
 from measureapp.reconstruct.rectifier import EpipolarLines, Rectifier
 
 BIN_PX = 4.0  # width of a bin at the usual slope
-EVERY_PIXEL_BELOW = 1_000_000  # images with fewer pixels are sorted completely, larger ones every second row and column
 RANGE_MARGIN_RAD = 2 * np.pi
 MOST_BINS = 4096
 LEAST_SINE = kernels.LEAST_SINE
@@ -81,16 +80,9 @@ def _sides(name: str, other: str, views: dict[str, PhaseView], rectifier: Rectif
 
 def _fill(side: _Side, tables: PairTables, table: IntArray) -> Callable[[], None]:
     view, (along_x, along_y) = side.view, side.lines.direction
-    every = 1 if view.phase.size < EVERY_PIXEL_BELOW else 2
     numbers = [np.float32(value) for value in (along_x, along_y, tables.lowest_rad, tables.per_rad)]
-    arguments: tuple[Any, ...] = (
-        view.pixels.reshape(len(view.pixels), -1),
-        side.lines.pixels.reshape(len(view.pixels), -1),
-        *numbers,
-        every,
-        table.shape,
-        table.reshape(-1),
-    )
+    every = table_step(view.phase.shape)
+    arguments: tuple[Any, ...] = (view.samples, side.lines.levels, *numbers, every, table.shape, table.reshape(-1))
     return lambda: kernels.fill_table(*arguments)
 
 

@@ -5,7 +5,6 @@ holds one pixel with that phase on those lines as ``v << 16 | u``, with the bit 
 negative number, for none.
 """
 # One loop over chunks of pixels: cut into functions it takes a quarter longer.
-# ruff: noqa: PLR0912
 
 from __future__ import annotations
 
@@ -16,7 +15,7 @@ from numba import njit
 
 from measureapp.machine_memory import will_read
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
-from measureapp.reconstruct.kernels.scratch import GROUP, copy_4, split_4, stack_float32, stack_int32
+from measureapp.reconstruct.kernels.scratch import stack_float32, stack_int32
 
 REPEATED = np.int32(1 << 30)
 PLACE = np.int32((1 << 30) - 1)
@@ -28,15 +27,12 @@ LEAST_SINE = 0.17  # of the angle between fringes and epipolar lines; pairs belo
 # and the last line of a cell where it crosses them at the smallest angle.
 NEAR_PX = np.float32(LINES_PER_CELL / LEAST_SINE)
 CHUNK = 256
-(RECORD, LINE, NEAR) = (0, 4 * CHUNK, 5 * CHUNK)
-SCRATCH, RECORDS = 6 * CHUNK, 4 * CHUNK
+NEAR = 0
+SCRATCH = CHUNK
 (CELL, LAST, HELD, HELD_LAST, PLACES) = (k * CHUNK for k in range(5))
 INDICES = 5 * CHUNK
-LANE = np.uint32(CHUNK)
 CELLS_APART = 8  # the cells of so many pixels lie in one line of the cache
-AHEAD = np.uint32(256)  # pixels; of every second one the processor alone fetches too few in time
-TWO, FOUR = np.uint32(1), np.uint32(2)  # as shifts
-ZERO, HALF, ONE = np.float32(0), np.float32(0.5), np.uint32(1)
+ZERO, HALF = np.float32(0), np.float32(0.5)
 
 
 @njit(**INLINE)
@@ -56,13 +52,13 @@ def is_far(held: Any, place: Any, near: Any) -> Any:
 
 @njit(**LOOP)
 def fill_table(
-    pixels: Any,  # (H, 4 W) float32, see `slopes`; pixels without a slope are left out: no surface hangs together there
-    lines: Any,  # (H, 2 W) float32, rectified (x, y)
+    samples: Any,  # (3, h, w) float32, phase and slopes; samples without a slope are left out: no surface hangs together there
+    levels: Any,  # (h, w) float32, rectified y
     along_x: Any,  # float32, direction of the epipolar lines in the image
     along_y: Any,
     lowest: Any,  # float32, phase of bin 1
     per_rad: Any,  # float32, bins per radian
-    every: int,  # take one pixel of so many in both directions
+    every: int,  # samples are so many pixels apart in both directions
     shape: Any,  # of the table
     table: Any,  # out, flat
 ) -> None:
@@ -70,36 +66,29 @@ def fill_table(
 
     Neighbours mostly share a cell, so that what is written is read again at once: only that, and no check, stands between.
     """
-    height, width = lines.shape[0], lines.shape[1] // 2
+    height, width = levels.shape
     bins = np.int32(shape[1])
     last_row, last_bin = np.int32(shape[0] - 1), np.int32(shape[1] - 1)
     table[:] = EMPTY
     margin = np.float32(2.0) / per_rad
-    step = np.uint32(every)
-    s, r, at = stack_float32(SCRATCH), stack_float32(RECORDS), stack_int32(INDICES)
-    for v in range(0, height, every):
-        record_row, line_row = pixels[v], lines[v]
-        row_of = np.int32(v << PLACE_BITS)
-        for first in range(0, width, every * CHUNK):
-            n = min(CHUNK, (width - first + every - 1) // every)
-            begin = np.uint32(first)
+    step = np.int32(every)
+    s, at = stack_float32(SCRATCH), stack_int32(INDICES)
+    for v in range(height):
+        row_of = np.int32(v * every << PLACE_BITS)
+        for first in range(0, width, CHUNK):
+            n = min(CHUNK, width - first)
+            part, begin = slice(first, first + n), np.int32(first)
+            phases, slopes_x, slopes_y, ys = samples[0, v, part], samples[1, v, part], samples[2, v, part], levels[v, part]
             for i in range(n):
-                u = begin + np.uint32(i) * step
-                copy_4(r, np.uint32(4 * i), record_row, u << FOUR)
-                will_read(record_row, (u + AHEAD) << FOUR)
-                s[LINE + i] = line_row[(u << TWO) + ONE]
-            for i in range(0, n, GROUP):
-                split_4(s, np.uint32(RECORD + i), LANE, r, np.uint32(4 * i))
-            for i in range(n):
-                phase = s[RECORD + i]
-                rise = abs(s[RECORD + CHUNK + i] * along_x + s[RECORD + 2 * CHUNK + i] * along_y)
-                row = np.int32(s[LINE + i] * HALF) + np.int32(1)
+                phase = phases[i]
+                rise = abs(slopes_x[i] * along_x + slopes_y[i] * along_y)
+                row = np.int32(ys[i] * HALF) + np.int32(1)
                 low = np.int32((phase - rise - lowest) * per_rad) + np.int32(1)
                 high = np.int32((phase + rise - lowest) * per_rad) + np.int32(1)
                 inside = (row >= 1) & (row < last_row) & (low >= 1) & (high < last_bin) & (rise > ZERO)
                 at[CELL + i] = row * bins + low if inside else NOTHING
                 at[LAST + i] = row * bins + high if inside else NOTHING
-                at[PLACES + i] = row_of | np.int32(begin + np.uint32(i) * step)
+                at[PLACES + i] = row_of | ((begin + np.int32(i)) * step)
                 s[NEAR + i] = NEAR_PX + margin / rise
             for i in range(0, n, CELLS_APART):  # the next row of pixels begins a row of the table, which waits far away
                 will_read(table, np.uint32(at[CELL + i] + bins))

@@ -14,10 +14,9 @@ import numpy as np
 from numba import njit
 
 from measureapp.data.point_state import PointState
-from measureapp.machine_memory import STREAMED, write_past_caches
-from measureapp.map_memory import LINE
 from measureapp.reconstruct.kernels.cubic import cubic
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
+from measureapp.reconstruct.kernels.past_caches import write_row
 from measureapp.reconstruct.kernels.scratch import stack_float32
 
 CHUNK = 128
@@ -206,18 +205,6 @@ def planes_of_chunk(
     return True
 
 
-@njit(**INLINE)
-def write(row: Any, out: Any) -> None:
-    """Write a row past the caches, where whole lines of them can be written: it is read when all others are written."""
-    done = 0
-    if out.ctypes.data % LINE == 0:
-        done = len(row) - len(row) % STREAMED
-        for i in range(0, done, STREAMED):
-            write_past_caches(row, out, i)
-    for i in range(done, len(row)):
-        out[i] = row[i]
-
-
 @njit(**LOOP)
 def judge(
     inverse: Any,
@@ -272,4 +259,4 @@ def judge(
                 worst = max(worst, s[CODE + i])
             removed[y, first // CHUNK] = worst > ZERO
             for k in range(3):
-                write(s[NX + k * CHUNK : NX + k * CHUNK + n], normals[k, y, first : first + n])
+                write_row(s[NX + k * CHUNK : NX + k * CHUNK + n], normals[k, y, first : first + n])

@@ -13,16 +13,17 @@ from numba import njit
 
 from measureapp.map_memory import LINE
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
+from measureapp.reconstruct.kernels.past_caches import write_row
 from measureapp.reconstruct.kernels.scratch import GROUP, join_4, join_4_past_caches, stack_float32, stack_uint8
 
 CHUNK = 512  # all lanes stay in the first cache of a processor
 REACH = 3  # pixels to either side over which a slope is taken
-EDGE = 16  # columns at either side of the image that are taken by themselves: they lack neighbours
+EDGE = 32  # columns at either side of the image that are taken by themselves, since some lack neighbours: half of them fill a line of the cache
 LENGTH = CHUNK + 2 * REACH
 ROWS = (-3, -1, 0, 1, 3)
 NEIGHBOURS = 5 * LENGTH
-(OWN, GX, GY, SIGMA, QUAD) = (k * CHUNK for k in range(5))  # the first four make a record
-SCRATCH = 5 * CHUNK
+(OWN, GX, GY, SIGMA, QUAD, SAMPLE) = (k * CHUNK for k in range(6))  # the first four make a record
+SCRATCH = 6 * CHUNK
 RECORDS = 4 * CHUNK
 PHASE, SLOPE_X, SLOPE_Y, OWN_SIGMA = range(4)  # in the record of a pixel
 ZERO, HALF, ONE, TWO, THREE = np.float32(0), np.float32(0.5), np.float32(1), np.float32(2), np.float32(3)
@@ -124,16 +125,31 @@ def take_quads(s: Any, n: int, phases: Any, states: Any, step: Any) -> None:
         s[QUAD + i] = (ONE if spread <= step else TWO) if above + below > THREE else beside
 
 
+@njit(**INLINE)
+def write_samples(s: Any, n: int, every: int, out: Any) -> None:
+    """Write phase and slopes of every, or every second, of n pixels."""
+    for k in range(3):
+        if every == 1:
+            write_row(s[OWN + k * CHUNK : OWN + k * CHUNK + n], out[k])
+            continue
+        half = (n + 1) // 2
+        for i in range(half):
+            s[SAMPLE + i] = s[OWN + k * CHUNK + 2 * i]
+        write_row(s[SAMPLE : SAMPLE + half], out[k])
+
+
 @njit(**LOOP)
 def slopes(
     phase: Any,  # (H, W) float32
     sigma: Any,  # (H, W) float32
     state: Any,  # (H, W) uint8, 0 valid
     step: Any,  # float32, largest phase step between neighbours of one surface
+    every: int,  # 1 or 2
     row_start: int,
     row_stop: int,
     pixels: Any,  # out (H, 4 W) float32, records of four: phase, slope in rad/px along x and y, (0, 0) where unknown, and sigma
     quad: Any,  # out (H, W) uint8, of the pixel with its right, lower and lower right neighbour: WHOLE, TORN, BESIDE or 0
+    samples: Any,  # out (3, H / every, W / every), rounded up: phase and slopes of every so many pixels in both directions
 ) -> None:
     """Take slopes as central differences over the widest reach that is one smooth surface: three pixels, one, one to one side.
 
@@ -160,5 +176,7 @@ def slopes(
             quad_out = quad[y, first : first + n]
             for i in range(n):
                 quad_out[i] = np.uint8(np.int32(s[QUAD + i]))
+            if y % every == 0:
+                write_samples(s, n, every, samples[:, y // every, first // every : (first + n + every - 1) // every])
             write_records(s, records, n, pixels[y, 4 * first : 4 * (first + n)])
             first += n
