@@ -119,17 +119,40 @@ def test_pixels_near_covered_ones_are_not_matched_again(sampled: int) -> None:
     assert (marked == np.where(state != 0, PointState.NO_PHASE, seen)).all()
 
 
-def test_records_of_pixels_hold_phase_slopes_and_sigma() -> None:
+@pytest.mark.parametrize("every", [1, 2])
+def test_records_of_pixels_hold_phase_slopes_and_sigma(every: int) -> None:
     """In an image whose width fits no vector: a plane's phase rises alike everywhere, up to the border of a hole."""
     v, u = np.mgrid[0:9, 0:1061].astype(np.float32)
     state = np.zeros(u.shape, np.uint8)
     state[4, 500] = 1
     phase, sigma = 0.07 * u + 0.01 * v, 0.01 + 1e-5 * u
-    pixels, quad = np.empty((*u.shape, 4), np.float32), np.empty(u.shape, np.uint8)
-    kernels.slopes(phase, sigma, state, np.float32(3), 0, 9, pixels.reshape(9, -1), quad)
+    pixels, _, samples = slopes_of(phase, sigma, state, every)
     assert np.array_equal(pixels[..., 0], phase)
     assert np.array_equal(pixels[..., 3], sigma)
     valid = state == 0
     assert np.allclose(pixels[valid][:, 1], 0.07, atol=1e-5)  # rounding of a float32 near 70 rad
     assert np.allclose(pixels[valid][:, 2], 0.01, atol=1e-5)
     assert (pixels[4, 500, 1:3] == 0).all()
+    assert np.array_equal(np.moveaxis(samples, 0, -1), pixels[::every, ::every, :3])
+
+
+def slopes_of(phase: np.ndarray, sigma: np.ndarray, state: np.ndarray, every: int = 1) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    height, width = phase.shape
+    pixels, quad = np.empty((height, width, 4), np.float32), np.empty(phase.shape, np.uint8)
+    samples = np.empty((3, -(-height // every), -(-width // every)), np.float32)
+    kernels.slopes(phase, sigma, state, np.float32(3), every, 0, height, pixels.reshape(height, -1), quad, samples)
+    return pixels, quad, samples
+
+
+def test_slopes_of_a_part_of_an_image_are_those_of_the_whole_beyond_its_border() -> None:
+    random = np.random.default_rng(8)
+    v, u = np.mgrid[0:24, 0:150].astype(np.float32)
+    phase = (0.07 * u + 0.01 * v + random.normal(0, 0.01, u.shape)).astype(np.float32)
+    phase[:, 90:] += 4.0  # a depth step
+    sigma, state = np.full(u.shape, 0.01, np.float32), (random.random(u.shape) < 0.05).astype(np.uint8)
+    part = (slice(5, 19), slice(29, 140))
+    inner = (slice(3, -3), slice(3, -3))
+    whole, cut = slopes_of(phase, sigma, state), slopes_of(*(np.ascontiguousarray(each[part]) for each in (phase, sigma, state)))
+    for of_whole, of_cut in zip(whole[:2], cut[:2], strict=True):
+        assert np.array_equal(of_whole[part][inner], of_cut[inner])
+    assert set(np.unique(whole[1])) == {0, 1, 2, 3}

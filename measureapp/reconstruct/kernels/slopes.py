@@ -18,7 +18,9 @@ from measureapp.reconstruct.kernels.scratch import GROUP, join_4, join_4_past_ca
 
 CHUNK = 512  # all lanes stay in the first cache of a processor
 REACH = 3  # pixels to either side over which a slope is taken
-EDGE = 32  # columns at either side of the image that are taken by themselves, since some lack neighbours: half of them fill a line of the cache
+EDGE = (
+    32  # columns, or up to twice as many, that are taken by themselves at either border, where some lack neighbours; half fill a cache line
+)
 LENGTH = CHUNK + 2 * REACH
 ROWS = (-3, -1, 0, 1, 3)
 NEIGHBOURS = 5 * LENGTH
@@ -156,14 +158,15 @@ def slopes(
     A wide reach lowers the noise of a slope; near borders and bends a narrow one keeps it true.
     """
     height, width = phase.shape
+    last_edge = (width - EDGE) // EDGE * EDGE
     s, records = stack_float32(SCRATCH), stack_float32(RECORDS)
     copied, missing = stack_float32(NEIGHBOURS), stack_uint8(NEIGHBOURS)
     copied[:] = ZERO
     for y in range(row_start, row_stop):
         first = 0
         while first < width:
-            inside = EDGE <= first < width - EDGE
-            n = min(CHUNK, width - EDGE - first) if inside else min(EDGE, width - first)
+            inside = 0 < first < last_edge
+            n = min(CHUNK, last_edge - first) if inside else (width - first if first > 0 else min(EDGE, width))
             noise = sigma[y, first : first + n]
             if inside and REACH <= y < height - REACH:
                 phases, states = five_rows(phase, y, first, n), five_rows(state, y, first, n)
