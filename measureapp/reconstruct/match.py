@@ -143,7 +143,8 @@ class _Work:
     def rows(self, start: int, stop: int) -> IntArray:
         """Do the rows from ``start`` to ``stop``; returns how many pixels were matched with each other camera."""
         matched = np.empty(len(self.others), np.int64)
-        kernels.match_and_fuse(*self._arguments, start, stop, *self._out, matched)
+        arguments: tuple[Any, ...] = (*self._arguments, start, stop, *self._out, matched)
+        kernels.match_and_fuse(*arguments)
         return matched
 
     @cached_property

@@ -43,6 +43,6 @@ class PhaseView:
         samples = memory.empty((3, *(-(-length // every) for length in phase.shape)), np.float32)
         out = (pixels.reshape(len(pixels), -1), quad, samples)
         in_bands(lambda start, stop: kernels.slopes(phase, sigma, state, step, every, start, stop, *out), len(phase))
-        some = pixels[::SPARSE, ::SPARSE, 1:3].reshape(-1, 2)
-        some_slopes = some[(some[:, 0] != 0) | (some[:, 1] != 0)].astype(np.float64)
+        some = samples[1:, :: SPARSE // every, :: SPARSE // every].reshape(2, -1)
+        some_slopes = some[:, (some[0] != 0) | (some[1] != 0)].T.astype(np.float64)
         return cls(phase, sigma, state, read_only(pixels), read_only(quad), read_only(samples), read_only(some_slopes))

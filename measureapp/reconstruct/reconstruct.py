@@ -26,7 +26,7 @@ from measureapp.reconstruct.phase_view import PhaseView
 from measureapp.reconstruct.rectified_grid import on_rectified_grid
 from measureapp.reconstruct.rectifier import Rectifier
 from measureapp.reconstruct.settings import ReconstructSettings
-from measureapp.reconstruct.tables import LEAST_SINE, fringe_sine, pair_tables
+from measureapp.reconstruct.tables import LEAST_SINE, fringe_sine, pair_sides, pair_tables
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -158,12 +158,15 @@ class _Work:
 
     def _pairs_along_the_fringes(self) -> dict[tuple[str, str], str]:
         """Return the pairs whose epipolar lines run along the fringes, so that the phase does not tell where on a line a point is."""
-        skipped = {}
-        for pair in combinations(self.names, 2):
-            sine = fringe_sine(*pair, self.views, self.rectifier)
-            if sine < LEAST_SINE:
-                skipped[pair] = f"epipolar lines {degrees(np.arcsin(sine)):.0f}° from the direction of the fringes"
-        if skipped and len(skipped) == len(self.names) * (len(self.names) - 1) // 2:
+        pairs = tuple(combinations(self.names, 2))
+        sides = [pair_sides(*pair, self.views, self.rectifier) for pair in pairs]
+        sines = in_bands(lambda number, _: fringe_sine(sides[number]), len(pairs), len(pairs))
+        skipped = {
+            pair: f"epipolar lines {degrees(np.arcsin(sine)):.0f}° from the direction of the fringes"
+            for pair, sine in zip(pairs, sines, strict=True)
+            if sine < LEAST_SINE
+        }
+        if skipped and len(skipped) == len(pairs):
             pair, why = next(iter(skipped.items()))
             raise ReconstructError(
                 f"Fringes of this direction cannot match the cameras {' and '.join(pair)}: {why}.",

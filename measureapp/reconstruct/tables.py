@@ -32,21 +32,26 @@ class PairTables:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Side:
+class Side:
+    """One camera of a pair."""
+
     view: PhaseView
     lines: EpipolarLines
 
-    def rises(self) -> tuple[FloatArray, FloatArray]:
-        """Return |slope along the epipolar lines| and |slope| of a sparse choice of pixels."""
-        slopes = self.view.some_slopes
-        return np.abs(slopes @ np.array(self.lines.direction)), np.hypot(slopes[:, 0], slopes[:, 1])
+    def rises(self) -> FloatArray:
+        """Return |slope along the epipolar lines| of a sparse choice of pixels."""
+        return np.abs(self.view.some_slopes @ np.array(self.lines.direction))
 
 
-def fringe_sine(name: str, other: str, views: dict[str, PhaseView], rectifier: Rectifier) -> float:
+def pair_sides(name: str, other: str, views: dict[str, PhaseView], rectifier: Rectifier) -> list[Side]:
+    """Return both cameras of a pair."""
+    return [Side(views[camera], rectifier.lines(name, other, camera)) for camera in (name, other)]
+
+
+def fringe_sine(sides: Sequence[Side]) -> float:
     """Return the sine of the angle between fringes and epipolar lines, the median of both images; 1 where there are no phases."""
-    sides = _sides(name, other, views, rectifier)
-    along, steep = (np.concatenate(values) for values in zip(*(side.rises() for side in sides), strict=True))
-    return float(np.median(along / steep)) if len(along) else 1.0
+    sines = np.concatenate([side.rises() / np.hypot(*side.view.some_slopes.T) for side in sides])
+    return float(np.median(sines)) if len(sines) else 1.0
 
 
 def pair_tables(
@@ -60,8 +65,8 @@ def pair_tables(
     """Sort camera ``name`` and each of ``others`` for their common epipolar lines; one thread per table."""
     memory, made, jobs = memory or MapMemory(), {}, []
     for other in others:
-        sides = _sides(name, other, views, rectifier)
-        rise = np.concatenate([side.rises()[0] for side in sides])
+        sides = pair_sides(name, other, views, rectifier)
+        rise = np.concatenate([side.rises() for side in sides])
         range_rad = 2 * np.pi * maps.projector_px / maps.pitch_px
         usual = float(np.median(rise)) if len(rise) else 1.0
         bins = int(np.clip((range_rad + 2 * RANGE_MARGIN_RAD) / max(BIN_PX * usual, 1e-9), 16, MOST_BINS))
@@ -74,11 +79,7 @@ def pair_tables(
     return {other: _spread(tables, memory) for other, tables in made.items()}
 
 
-def _sides(name: str, other: str, views: dict[str, PhaseView], rectifier: Rectifier) -> list[_Side]:
-    return [_Side(views[camera], rectifier.lines(name, other, camera)) for camera in (name, other)]
-
-
-def _fill(side: _Side, tables: PairTables, table: IntArray) -> Callable[[], None]:
+def _fill(side: Side, tables: PairTables, table: IntArray) -> Callable[[], None]:
     view, (along_x, along_y) = side.view, side.lines.direction
     numbers = [np.float32(value) for value in (along_x, along_y, tables.lowest_rad, tables.per_rad)]
     every = table_step(view.phase.shape)
