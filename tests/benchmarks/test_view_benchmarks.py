@@ -98,14 +98,15 @@ def matching(maps: dict[str, PhaseMap], rectifier: Rectifier) -> Callable[[], li
     """Return the match of left and right, tables included; the slopes of the phase maps are made once per view and camera."""
     views = {name: PhaseView.of(maps[name], 3.0) for name in ("left", "right")}
     skip = (views["left"].state != 0).view(np.uint8)
+    memory = MapMemory()
     rays, phase, width = flat(rectifier.rays("left")), views["left"].phase, skip.shape[1]
 
     def work() -> list[int]:
-        tables = pair_tables("left", ("right",), views, maps["left"], rectifier)["right"]
+        tables = pair_tables("left", ("right",), views, maps["left"], rectifier, memory)["right"]
         partner = partner_of("left", "right", views, tables, rectifier)
 
         def rows(start: int, stop: int) -> int:
-            out = [np.empty((stop - start, width), dtype) for dtype in (np.float32, np.float32, np.float32, np.int32, np.uint8)]
+            out = [memory.empty((stop - start, width), dtype) for dtype in (np.float32, np.float32, np.float32, np.int32, np.uint8)]
             return int(kernels.match(rays, phase, skip, partner, start, stop, 0, width, *out))
 
         return in_bands(rows, len(skip), 40)

@@ -92,7 +92,7 @@ class Head:
             phase_rad=np.where(lit, phase.reshape(shape), 0).astype(np.float32),
             sigma_rad=np.where(lit, sigma_rad, 0).astype(np.float32),
             modulation=np.where(lit, 80, 0).astype(np.float32),
-            grey=np.full(shape, 102, np.float32),
+            grey=np.full(shape, 102, np.uint16),
             state=np.where(lit, PixelState.VALID, PixelState.SHADOW).astype(np.uint8),
             exposure_index=np.zeros(shape, np.int8),
             pitch_px=PITCH_PX,
