@@ -12,7 +12,8 @@ from numba import njit
 
 from measureapp.reconstruct.kernels.both import fuse_both
 from measureapp.reconstruct.kernels.fusing import fuse
-from measureapp.reconstruct.kernels.matching import CHUNK, match
+from measureapp.reconstruct.kernels.lanes import CHUNK
+from measureapp.reconstruct.kernels.matching import match
 
 ZERO = np.float32(0)
 

@@ -16,27 +16,56 @@ import numpy as np
 from numba import njit
 
 from measureapp.machine_memory import will_read
-from measureapp.map_memory import LINE as CACHE_LINE
 from measureapp.reconstruct.kernels.binning import REPEATED
 from measureapp.reconstruct.kernels.cubic import cubic
-from measureapp.reconstruct.kernels.options import INLINE, LOOP
-from measureapp.reconstruct.kernels.scratch import (
-    GROUP,
-    copy_1,
-    copy_2,
-    copy_4,
-    equal_bits,
-    lowest_bit,
-    split_2,
-    split_4,
-    stack_float32,
-    stack_int32,
+from measureapp.reconstruct.kernels.lanes import (
+    CHUNK,
+    CODE,
+    DEPTH_SCALE,
+    GAIN,
+    HALF,
+    HELD,
+    KEPT_U,
+    KEPT_V,
+    LEFT,
+    LOST,
+    NEAREST,
+    NEXT_U,
+    NEXT_V,
+    NOISE,
+    ONE,
+    PHASE,
+    PLACE,
+    PLACES,
+    QUAD,
+    SCRATCH,
+    SOME,
+    TWO,
+    ZERO,
+    U,
+    V,
+    X,
+    Y,
+    Z,
+    ask_for,
+    count_matched,
+    count_wanted,
+    forget,
+    in_groups,
+    keep_nearest,
+    keep_unsettled,
+    list_marked,
+    list_wanted,
+    load,
+    load_listed,
+    store_all,
+    store_some,
 )
-from measureapp.reconstruct.kernels.seen import MATCHED, REPEATS, WITHOUT_PARTNER
+from measureapp.reconstruct.kernels.options import INLINE, LOOP
+from measureapp.reconstruct.kernels.scratch import GROUP, copy_1, copy_2, copy_4, split_2, split_4, stack_float32, stack_int32
+from measureapp.reconstruct.kernels.seen import REPEATS, WITHOUT_PARTNER
 from measureapp.reconstruct.kernels.slopes import BESIDE, REACH
 
-CHUNK = 256  # all lanes stay in the first cache of a processor
-ZERO, ONE, HALF = np.float32(0), np.float32(1), np.float32(0.5)
 STEEP = np.float32(4.0 / (REACH * np.sqrt(2.0)))  # a slope below four of its standard deviations does not tell where the point is
 FLAT = np.float32(1e-6)
 FARTHEST_PX = np.float32(12.0)  # from a cell's pixel to the match
@@ -45,87 +74,16 @@ ON_EDGE = np.float32(BESIDE)  # there a pixel speaks for the square of half a pi
 QUARTER = np.float32(0.25)
 BEYOND = np.float32(0.1)  # so far out of its four pixels a place may lie, in px
 EDGE = np.float32(1.001)
-LOST = np.float32(100.0)
 KEEPS_PX = np.float32(8.0)  # so near to a cell's pixel the match of the row above lies on the same surface
-NOWHERE = np.float32(-1000.0)
-HELD, TWICE = np.float32(MATCHED), np.float32(REPEATS)
+TWICE = np.float32(REPEATS)
 ROWS_AHEAD = np.uint32(4)  # so far below is asked for what rows soon need: 2 is enough where epipolar lines are level, 4 where tilted
 CELLS_APART = 8  # of so many pixels the cells lie in one line of the cache
-TWO, FOUR = np.uint32(1), np.uint32(2)  # as shifts
-NOTHING = np.uint32(0)
+FOUR = np.uint32(2)  # as a shift
 
-(PHASE, X, Y, DEPTH_SCALE, U, V, QUAD, LEFT, NOISE, Z, GAIN, NEXT_U, NEXT_V, CODE, KEPT_U, KEPT_V) = (k * CHUNK for k in range(16))
-SCRATCH = 16 * CHUNK
 (P00, P01, P10, P11, NEAR_X, NEAR_Y, NEAR, NEAR_GX, NEAR_GY, NEAR_SIGMA) = (k * CHUNK for k in range(10))
 GATHERED = 10 * CHUNK
 ABOVE, BELOW, LINE, RECORD = P00, P10, NEAR_X, NEAR  # where the records of two and four numbers begin
 LANE = np.uint32(CHUNK)
-(PLACE, NEAREST, COLUMN, SOME) = (k * CHUNK for k in range(4))
-PLACES = 4 * CHUNK
-
-
-@njit(**INLINE)
-def in_groups(n: int) -> int:
-    """Return n rounded up to whole groups: arithmetic on what lies behind the n-th pixel does no harm, and leaves nothing to single steps."""
-    return (n + GROUP - 1) // GROUP * GROUP
-
-
-@njit(**INLINE)
-def count_wanted(skip: Any, n: int) -> Any:
-    """Count those of n pixels that are not skipped."""
-    wanted = np.int32(0)
-    for i in range(n):
-        wanted += skip[i] == 0
-    return wanted
-
-
-@njit(**INLINE)
-def ask_for(phase: Any, lines: Any, rays: Any, skip: Any, start: int, n: int) -> None:
-    """Ask for n pixels from ``start`` on: down the columns every row lies elsewhere, which the processor's own prediction does not follow."""
-    for i in range(0, n, CACHE_LINE // 8):
-        will_read(lines, 2 * (start + i))
-        will_read(rays, 2 * (start + i))
-    for i in range(0, n, CACHE_LINE // 4):
-        will_read(phase, start + i)
-    for i in range(0, n, CACHE_LINE):
-        will_read(skip, start + i)
-
-
-@njit(**INLINE)
-def load(s: Any, n: int, phase: Any, lines: Any, rays: Any, turn: Any, skip: Any) -> None:
-    """Take n pixels of a row into the scratch array; in CODE which of them are wanted."""
-    t0, t1, t2 = turn
-    for i in range(n):
-        s[CODE + i] = ONE if skip[i] == 0 else ZERO
-    for i in range(n):
-        s[PHASE + i] = phase[i]
-    for i in range(n):
-        s[X + i] = lines[2 * i]
-        s[Y + i] = lines[2 * i + 1]
-    for i in range(n):
-        s[DEPTH_SCALE + i] = t0 * rays[2 * i] + t1 * rays[2 * i + 1] + t2
-
-
-@njit(**INLINE)
-def list_wanted(at: Any, n: int, skip: Any) -> int:
-    """List those of n pixels that are wanted; returns how many they are."""
-    wanted = 0
-    for i in range(n):
-        at[COLUMN + wanted] = i
-        wanted += skip[i] == 0
-    return wanted
-
-
-@njit(**INLINE)
-def load_listed(s: Any, at: Any, n: int, phase: Any, lines: Any, rays: Any, turn: Any) -> None:
-    """Take the n pixels of a row that are listed into the scratch array."""
-    t0, t1, t2 = turn
-    for i in range(n):
-        k = np.uint32(at[COLUMN + i])
-        left, right = k << TWO, (k << TWO) + np.uint32(1)
-        s[PHASE + i], s[X + i], s[Y + i] = phase[k], lines[left], lines[right]
-        s[DEPTH_SCALE + i] = t0 * rays[left] + t1 * rays[right] + t2
-        s[CODE + i] = ONE
 
 
 @njit(**INLINE)
@@ -155,36 +113,6 @@ def look_up(s: Any, at: Any, n: int, table: Any, shape: Any, lowest: Any, per_ra
         s[U + i] = kept_u if keeps else u
         s[V + i] = kept_v if keeps else v
         s[LEFT + i] = ONE if usable & (not keeps) else ZERO
-
-
-@njit(**INLINE)
-def forget(s: Any) -> None:
-    """Keep nothing of the row above."""
-    for i in range(CHUNK):
-        s[KEPT_U + i] = NOWHERE
-
-
-@njit(**INLINE)
-def keep_nearest(s: Any, n: int) -> None:
-    """Keep where the pixels nearest to the matches are, whose records stay where they are: the next row's matches lie beside them."""
-    for i in range(in_groups(n)):
-        s[KEPT_U + i] = np.float32(np.int32(s[U + i] + HALF)) if s[LEFT + i] < LOST else NOWHERE
-        s[KEPT_V + i] = np.float32(np.int32(s[V + i] + HALF))
-
-
-@njit(**INLINE)
-def list_marked(s: Any, at: Any, n: int) -> int:
-    """List those of n pixels that are marked by LEFT; returns how many they are."""
-    listed = 0
-    for i in range(0, n, GROUP):
-        bits = equal_bits(s, np.uint32(LEFT + i), ONE)
-        if n - i < GROUP:
-            bits &= np.uint32((1 << (n - i)) - 1)
-        while bits != NOTHING:
-            at[SOME + listed] = i + np.int32(lowest_bit(bits))
-            listed += 1
-            bits &= bits - np.uint32(1)
-    return listed
 
 
 @njit(**INLINE)
@@ -304,54 +232,6 @@ def newton(s: Any, g: Any, n: int, cubics: Any, to_unit: Any, limits: Any, numbe
         s[CODE + i] = (HELD if steep else TWICE) if found else (ZERO if held else s[CODE + i])
 
 
-@njit(**INLINE)
-def store_all(s: Any, at: Any, n: int, depth: Any, gain: Any, variance: Any, there: Any, reason: Any) -> None:
-    """Write what the first step found of all n pixels."""
-    for i in range(n):
-        depth[i] = s[Z + i]
-    for i in range(n):
-        gain[i] = s[GAIN + i]
-    for i in range(n):
-        variance[i] = s[NOISE + i]
-    for i in range(n):
-        there[i] = at[NEAREST + i]
-    for i in range(n):
-        reason[i] = np.uint8(np.int32(s[CODE + i]))
-    for i in range(n):
-        at[COLUMN + i] = i
-
-
-@njit(**INLINE)
-def store_some(s: Any, at: Any, n: int, depth: Any, gain: Any, variance: Any, there: Any, reason: Any) -> None:
-    """Write what a later step found of those that had not settled."""
-    for i in range(n):
-        k = np.uint32(at[COLUMN + i])
-        depth[k], gain[k], variance[k] = s[Z + i], s[GAIN + i], s[NOISE + i]
-        there[k] = at[NEAREST + i]
-        reason[k] = np.uint8(np.int32(s[CODE + i]))
-
-
-@njit(**INLINE)
-def keep_unsettled(s: Any, at: Any, n: int) -> int:
-    """Move pixels that need another step to the front; returns how many they are."""
-    left = list_marked(s, at, n)
-    for i in range(left):
-        k = np.uint32(at[SOME + i])
-        at[COLUMN + i] = at[COLUMN + k]
-        s[PHASE + i], s[X + i], s[Y + i], s[DEPTH_SCALE + i] = s[PHASE + k], s[X + k], s[Y + k], s[DEPTH_SCALE + k]
-        s[U + i], s[V + i], s[CODE + i] = s[NEXT_U + k], s[NEXT_V + k], HELD
-    return left
-
-
-@njit(**INLINE)
-def count_matched(reason: Any) -> Any:
-    """Count the matched pixels of a row."""
-    found = np.int32(0)
-    for x in range(len(reason)):
-        found += reason[x] == MATCHED
-    return found
-
-
 @njit(**LOOP)
 def match(
     rays: Any,  # (H, 2 W) float32, normalised image coordinates of the camera
@@ -391,9 +271,8 @@ def match(
     matched = 0
     depth[:] = ZERO
     reason[:] = WITHOUT_PARTNER
-    for first in range(
-        column_start, column_stop, CHUNK
-    ):  # down the columns: what a row takes from the other camera is near at hand for the next
+    # Down the columns: what a row takes from the other camera is near at hand for the next.
+    for first in range(column_start, column_stop, CHUNK):
         forget(s)
         for y in range(row_start, row_stop):
             out = y - row_start
