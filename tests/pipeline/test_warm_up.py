@@ -9,13 +9,28 @@ import pytest
 from measureapp.fringe.kernels import orders, solving, summing
 from measureapp.pipeline.warm_up import warm_up
 from measureapp.progress import CallbackProgress, Cancelled
-from measureapp.reconstruct.kernels import across, binning, both, cleaning, fusing, islands, matching, sightlines, slopes
+from measureapp.reconstruct.kernels import across, band, binning, both, cleaning, fusing, islands, matching, sightlines, slopes
 from measureapp.reconstruct.reconstruct import reconstruct
 from measureapp.register import kernels as register_kernels
 from measureapp.register.prepare import prepare
 from tests.reconstruct.conftest import make_head, plane
 
-MEASURING = (summing, solving, orders, across, binning, both, cleaning, fusing, islands, matching, sightlines, slopes, register_kernels)
+MEASURING = (
+    summing,
+    solving,
+    orders,
+    across,
+    band,
+    binning,
+    both,
+    cleaning,
+    fusing,
+    islands,
+    matching,
+    sightlines,
+    slopes,
+    register_kernels,
+)
 
 
 def compiled(module: ModuleType) -> dict[str, int]:
@@ -29,7 +44,7 @@ def test_every_kernel_that_measures_is_compiled_by_the_warm_up() -> None:
     warm_up(CallbackProgress(lambda done, total, note: reports.append((done / total, note))))
     counts = {f"{module.__name__}.{name}": count for module in MEASURING for name, count in compiled(module).items()}
     assert len(counts) > 20
-    called_from_kernels = {"atan2_cycles", "root", "root_of"}
+    called_from_kernels = {"atan2_cycles", "root", "root_of", "match", "fuse", "fuse_both"}
     rare = {"check_across"}  # for sets with fringes of both directions
     assert {name for name, count in counts.items() if count == 0 and name.split(".")[-1] not in called_from_kernels | rare} == set()
     shares = [share for share, _ in reports]
