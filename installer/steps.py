@@ -7,13 +7,16 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 
 import environment
+import machine
 import system_libraries
 from trouble import SetupTrouble
 
 DEMO_FOLDER = "demo-gypsum-half"
 CANCELLED = 130
+COMPILE_KERNELS = "from measureapp.pipeline.warm_up import warm_up; warm_up()"
 
 
 def perform(step: str, arguments: Sequence[str]) -> int:
@@ -45,7 +48,7 @@ def run(arguments: Sequence[str]) -> int:
 
 
 def test(arguments: Sequence[str]) -> int:
-    """Run every check and return the worst exit code."""
+    """Run every check and return the worst exit code; pytest gets the arguments, and without any several processes."""
     system_libraries.ensure(screen=False)
     home = environment.ensure()
     checks = {
@@ -53,19 +56,36 @@ def test(arguments: Sequence[str]) -> int:
         "ruff format": [str(home.script("ruff")), "format", "--check", "."],
         "mypy": [str(home.script("mypy"))],
         "lint-imports": [str(home.script("lint-imports")), "--no-logo"],
-        "pytest": [str(home.python), "-m", "pytest", *arguments],
     }
-    results = []
-    for name, command in checks.items():
-        print(f"== {name}", flush=True)
-        started = time.monotonic()
-        code = _call(command, home)
-        results.append((name, code, time.monotonic() - started))
+    pytest = [str(home.python), "-m", "pytest"]
+    with ThreadPoolExecutor(max_workers=1) as beside:
+        # Once and early: else every process of pytest compiles what the others compile.
+        kernels = None if arguments else beside.submit(_timed, "kernels", [str(home.python), "-c", COMPILE_KERNELS], home)
+        results = [_check(name, command, home) for name, command in checks.items()]
+        results += [] if kernels is None else [kernels.result()]
+    results.append(_check("pytest", [*pytest, *(arguments or _several_processes())], home))
     print("== summary")
     for name, code, seconds in results:
         print(f"{name:<14}{'passed' if code == 0 else f'failed ({code})':<14}{seconds:7.1f} s")
     sys.stdout.flush()
     return max(abs(code) for _, code, _ in results)
+
+
+def _several_processes() -> list[str]:
+    """Return what makes pytest run file by file in several processes, in the order of the rooms: the shortest come last."""
+    count = machine.workers()
+    return ["-n", str(count), "--dist", "loadfile", "--no-loadscope-reorder"] if count > 1 else []
+
+
+def _check(name: str, command: Sequence[str], home: environment.Environment) -> tuple[str, int, float]:
+    print(f"== {name}", flush=True)
+    return _timed(name, command, home)
+
+
+def _timed(name: str, command: Sequence[str], home: environment.Environment) -> tuple[str, int, float]:
+    started = time.monotonic()
+    code = _call(command, home)
+    return name, code, time.monotonic() - started
 
 
 def _call(command: Sequence[str], home: environment.Environment) -> int:

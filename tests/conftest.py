@@ -15,6 +15,8 @@ from typing import Any
 os.environ["QT_QPA_PLATFORM"] = "offscreen"
 for name in ("DISPLAY", "WAYLAND_DISPLAY"):
     os.environ.pop(name, None)
+# Before anything imports NumPy: threads that wait for each other over small matrices cost several times what these take.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import pytest  # noqa: E402
 
@@ -36,10 +38,11 @@ def _user_settings_untouched(tmp_path_factory: pytest.TempPathFactory) -> Iterat
 
 @pytest.fixture(scope="session")
 def demo(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    """The one demo of the whole suite, a `demo_fixture.Demo`; it runs when the first test asks for it."""
-    from demo_fixture import finished_demo
+    """The one demo of the whole suite, a `demo_fixture.Demo`; it runs when the first test of any process asks for it."""
+    from demo_fixture import shared_demo
 
-    with finished_demo(tmp_path_factory.mktemp("demo") / "project") as finished:
+    worker, own = os.environ.get("PYTEST_XDIST_WORKER"), tmp_path_factory.getbasetemp()
+    with shared_demo((own.parent if worker else own) / "demo", worker or "only") as finished:
         yield finished
 
 

@@ -11,9 +11,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from filelock import FileLock
+
 from measureapp.cli import main
+from measureapp.project.claim import LOCK
 from measureapp.project.folder import ProjectFolder
 
+ANSWER = "answer.json"
 REQUEST = ("--part", "gypsum", "--resolution", "quarter", "--viewpoints", "6", "--seed", "1")
 
 
@@ -33,10 +37,30 @@ class Demo:
 
 
 @contextlib.contextmanager
-def finished_demo(folder: Path) -> Iterator[Demo]:
-    """Run it by the command line: gypsum, quarter resolution, six views; removed at the end."""
+def shared_demo(folder: Path, user: str) -> Iterator[Demo]:
+    """Share one demo between the processes of a run: the first to ask runs it while the others wait, the last to leave removes it."""
+    users = folder / "users"
+    users.mkdir(parents=True, exist_ok=True)
+    lock = FileLock(folder / "lock")
+    with lock:
+        if not (folder / ANSWER).exists():
+            _run(folder)
+        (users / user).touch()
+    answer = json.loads((folder / ANSWER).read_text(encoding="utf-8"))
+    yield Demo(folder / "project", **answer)
+    with lock:
+        (users / user).unlink()
+        if not any(users.iterdir()):
+            (folder / ANSWER).unlink()
+            shutil.rmtree(folder / "project")
+
+
+def _run(folder: Path) -> None:
+    """Run it by the command line: gypsum, quarter resolution, six views; keep what it answered."""
     out, err = io.StringIO(), io.StringIO()
+    shutil.rmtree(folder / "project", ignore_errors=True)  # of one that failed
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        code = main(["demo", *REQUEST, "--out", str(folder), "--json"])
-    yield Demo(folder, code, json.loads(out.getvalue()), err.getvalue())
-    shutil.rmtree(folder)
+        code = main(["demo", *REQUEST, "--out", str(folder / "project"), "--json"])
+    answer = {"code": code, "document": json.loads(out.getvalue()), "messages": err.getvalue()}
+    (folder / "project" / LOCK).unlink(missing_ok=True)  # copies made of links would all be claimed by one
+    (folder / ANSWER).write_text(json.dumps(answer), encoding="utf-8")

@@ -14,7 +14,7 @@ from types import ModuleType, SimpleNamespace
 import pytest
 
 INSTALLER = Path(__file__).resolve().parents[2] / "installer"
-MODULES = ("bootstrap", "steps", "environment", "system_libraries", "probe", "trouble")
+MODULES = ("bootstrap", "steps", "environment", "machine", "system_libraries", "probe", "trouble")
 
 
 @pytest.fixture
@@ -276,6 +276,49 @@ def test_test_runs_every_check_and_returns_the_worst(installer, called, capsys) 
     assert [command[0] for command in called.commands] == ["ruff", "ruff", "mypy", "lint-imports", "python"]
     assert called.commands[-1] == ["python", "-m", "pytest", "-k", "one"]
     assert "failed (2)" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(("workers", "shared"), [(1, []), (3, ["-n", "3", "--dist", "loadfile", "--no-loadscope-reorder"])])
+def test_the_whole_suite_compiles_first_and_runs_in_as_many_processes_as_there_is_room_for(
+    installer, called, monkeypatch, capsys, workers, shared
+) -> None:
+    monkeypatch.setattr(installer.machine, "workers", lambda: workers)
+    assert installer.steps.perform("test", []) == 0
+    assert called.commands[-1] == ["python", "-m", "pytest", *shared]
+    assert ["python", "-c", installer.steps.COMPILE_KERNELS] in called.commands[:-1]
+    assert "kernels       passed" in capsys.readouterr().out
+
+
+def test_kernels_that_do_not_compile_fail_the_whole_suite(installer, called, capsys) -> None:
+    called.codes.update(python=1)
+    assert installer.steps.perform("test", []) == 1
+    assert "kernels       failed (1)" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("processors", "free_gb", "limit", "workers"),
+    [
+        (2, 20, "max", 2),
+        (16, 100, "max", 4),
+        (4, 7, "max", 2),
+        (4, 1, "max", 1),
+        (1, 20, "max", 1),
+        (4, 20, "8000000000", 2),
+        (4, None, "max", 4),
+    ],
+    ids=["two processors", "many", "little memory", "very little memory", "one processor", "a container's limit", "memory unknown"],
+)
+def test_there_are_as_many_workers_as_processors_and_memory_allow(
+    installer, monkeypatch, tmp_path, processors, free_gb, limit, workers
+) -> None:
+    for name in ("MEMORY", "LIMIT", "USED"):
+        monkeypatch.setattr(installer.machine, name, tmp_path / name)
+    if free_gb is not None:
+        (tmp_path / "MEMORY").write_text(f"MemTotal: 1 kB\nMemAvailable:  {free_gb * 10**9 // 1024} kB\n")
+    (tmp_path / "LIMIT").write_text(f"{limit}\n")
+    (tmp_path / "USED").write_text("500000000\n")
+    monkeypatch.setattr(installer.machine, "processors", lambda: processors)
+    assert installer.machine.workers() == workers
 
 
 def test_trouble_is_told_in_words_with_exit_code_2(installer, called, monkeypatch, capsys) -> None:

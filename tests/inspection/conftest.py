@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.mesh import Mesh
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.measured import MeasuredPoints, sampled
+from measureapp.inspection.nominal_surface import NominalSurface
 from measureapp.project.geometry_files import read_mesh
 from measureapp.project.program_file import read_program
 from measureapp.resources import resource
@@ -23,6 +25,11 @@ class Sample:
 
     nominal: Mesh
     program: InspectionProgram
+
+    @cached_property
+    def surface(self) -> NominalSurface:
+        """Its nominal prepared for queries, which takes seconds for thousands of narrow triangles: once for all tests."""
+        return NominalSurface(self.nominal)
 
 
 ScanOf = Callable[..., MeasuredPoints]

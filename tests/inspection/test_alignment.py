@@ -29,7 +29,7 @@ def displacement_mm(found: RigidTransform, placed: RigidTransform, nominal: Mesh
 )
 def test_a_part_turned_anyhow_on_the_table_is_found(part, fold, turn_deg, samples, scan, on_table) -> None:
     nominal, placed = samples(part).nominal, on_table(turn_deg)
-    alignment = best_fit(scan(nominal, placed, NOISE_MM, count=60_000), nominal)
+    alignment = best_fit(scan(nominal, placed, NOISE_MM, count=60_000), samples(part).surface)
     assert displacement_mm(alignment.nominal_from_part, placed, nominal, fold) < PLACE_BOUND_MM
     assert alignment.rms_mm == pytest.approx(NOISE_MM, rel=0.1)
     assert alignment.undetermined == ()
@@ -50,8 +50,8 @@ def test_a_cloud_in_any_frame_is_found(samples, scan) -> None:
 
 
 def test_of_the_equal_answers_of_a_symmetric_part_the_nearest_is_taken(samples, scan, on_table) -> None:
-    nominal = samples("impeller").nominal
-    alignment = best_fit(scan(nominal, on_table(120.0), NOISE_MM, count=60_000), nominal)
+    impeller = samples("impeller")
+    alignment = best_fit(scan(impeller.nominal, on_table(120.0), NOISE_MM, count=60_000), impeller.surface)
     turn = Rotation.from_matrix(alignment.nominal_from_part.rotation).magnitude()
     assert np.degrees(turn) <= 360 / 7 / 2 + 1
 

@@ -172,9 +172,8 @@ def test_a_local_best_fit_is_not_pulled_by_bent_blades(alignment: object, sample
     blades = (bent[:, 2] > 12.5) & (np.hypot(bent[:, 0], bent[:, 1]) > 46)
     bent[blades, 0] += 0.4 * (bent[blades, 2] - 12) / 40
     points = MeasuredPoints(bent, straight.normals).seen_from(placed)
-    surface = NominalSurface(sample.nominal)
     document = {**sample.program.model_dump(exclude_unset=True), "alignment": alignment}
-    found = align(points, InspectionProgram.model_validate(document), surface, InspectionSettings(), "part")
+    found = align(points, InspectionProgram.model_validate(document), sample.surface, InspectionSettings(), "part")
     assert found.name.startswith("local best fit (")
     places = np.array([[0.0, 0, 12], [100, 0, 12], [0, 100, 12], [-100, 0, 12]])
     back = (found.nominal_from_part @ placed).apply(places)  # the bore's axis and the plate's height; nothing holds the turn about z
@@ -183,8 +182,8 @@ def test_a_local_best_fit_is_not_pulled_by_bent_blades(alignment: object, sample
 
 
 def test_the_positions_of_a_true_impeller_cannot_be_told_apart(samples, scan, on_table) -> None:
-    nominal = samples("impeller").nominal
-    found = _cyclic(scan(nominal, on_table(3.0), count=60_000), nominal)
+    impeller = samples("impeller")
+    found = _cyclic(scan(impeller.nominal, on_table(3.0), count=60_000), impeller.surface)
     assert found.undetermined == ("which of 7 positions about the axis",)
     assert "All 7 positions about the axis were tried. They cannot be told apart" in found.notes[0]
     assert found.name == "best fit, 7 positions about the axis"
@@ -195,7 +194,7 @@ def test_a_mark_on_one_blade_tells_the_positions_apart(samples, scan) -> None:
     nominal = samples("impeller").nominal
     marked = _with_a_low_blade(nominal)
     placed = RigidTransform.from_vector([0, 0, np.radians(2 * 360 / 7 + 2)], [5, -3, 1], "part", "nominal")
-    found = _cyclic(scan(marked, placed, count=60_000), marked)
+    found = _cyclic(scan(marked, placed, count=60_000), NominalSurface(marked))
     assert found.undetermined == ()
     assert "Of 7 positions about the axis one fits" in found.notes[0]
     assert np.abs((found.nominal_from_part @ placed).matrix - np.eye(4)).max() < 0.01
@@ -211,6 +210,6 @@ def _with_a_low_blade(nominal):
     return Mesh(vertices, nominal.triangles, "nominal")
 
 
-def _cyclic(points: MeasuredPoints, nominal) -> Alignment:
+def _cyclic(points: MeasuredPoints, surface: NominalSurface) -> Alignment:
     program = InspectionProgram.model_validate({"name": "p", "alignment": "cyclic:7", "features": FEATURES})
-    return align(points, program, NominalSurface(nominal), InspectionSettings(), "part")
+    return align(points, program, surface, InspectionSettings(), "part")

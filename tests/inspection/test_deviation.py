@@ -116,11 +116,10 @@ def test_closest_points_on_long_narrow_triangles_are_as_near_as_in_double_precis
 
 def test_no_place_of_the_impeller_is_nearer_along_a_ray_than_its_closest_point(samples) -> None:
     """They differ only in a corner, where the closest point may lie on the other face."""
-    nominal, rng = samples("impeller").nominal, np.random.default_rng(5)
-    points = sampled(nominal, 60_000)
+    surface, rng = samples("impeller").surface, np.random.default_rng(5)
+    points = sampled(samples("impeller").nominal, 60_000)
     assert points.normals is not None
     lifted = points.points_mm + rng.normal(0, 0.03, (len(points), 1)) * points.normals
-    surface = NominalSurface(nominal)
     by_rays = np.abs(distances_and_normals(lifted, np.array(points.normals), surface)[0])
     closest = np.abs(signed_distances(lifted, surface))
     assert (closest - by_rays).max() < 1e-4

@@ -17,7 +17,8 @@ from measureapp.data.measurement import ViewResult
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import InputError
 from measureapp.geometry.transform import RigidTransform
-from measureapp.pipeline.chosen_views import REFUSED, check_choices, chosen, restitch, with_refused
+from measureapp.pipeline.chosen_views import REFUSED, check_choices, chosen, with_refused
+from measureapp.pipeline.restitch import restitch
 from measureapp.progress import NoProgress
 from measureapp.project.folder import ProjectFolder
 

@@ -9,7 +9,7 @@ import pytest
 
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import RegistrationError
-from measureapp.pipeline import chosen_views
+from measureapp.pipeline import restitch as stitching_again
 from measureapp.project import folder as folders
 from ui.pages.view_words import LEAVE_OUT, USE, choice_for, view_verdict
 
@@ -27,7 +27,7 @@ def kept(application, window, measurement, tmp_path, monkeypatch):
         return SimpleNamespace(measurement=measurement, files={})
 
     monkeypatch.setattr(folders.ProjectFolder, "open", lambda _path: SimpleNamespace(view_choices=lambda: store.choices, nominal=None))
-    monkeypatch.setattr(chosen_views, "restitch", restitch)
+    monkeypatch.setattr(stitching_again, "restitch", restitch)
     monkeypatch.setattr(application.controllers.documents, "preview", lambda: None)
     application.session.open_project("demo", "gypsum", tmp_path)
     application.session.set_measurement(measurement, {})

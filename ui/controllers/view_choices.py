@@ -88,7 +88,7 @@ def restitched(folder: Path, viewpoint_id: str, choice: ViewChoice, job: Job) ->
 
 def restitched_with(folder: Path, choices: ViewChoices, job: Job) -> Outcome:
     """Return what stitching with these choices gives; runs on a job's thread."""
-    from measureapp.pipeline.chosen_views import restitch
+    from measureapp.pipeline.restitch import restitch
     from measureapp.project.folder import ProjectFolder
 
     return restitch(ProjectFolder.open(folder), choices, lambda _event: None, job)

@@ -1,6 +1,5 @@
 """Compiled loop that compares, at points, what their cameras see of the fringes across the epipolar lines."""
-# One loop over pixels, as in `fusing`; its parts are compiled into it.
-# ruff: noqa: PLR0912
+# One loop over pixels, as in `fusing`; its parts are compiled into it, so that it stays one loop.
 
 from __future__ import annotations
 
@@ -103,6 +102,53 @@ def release_differing(verdict: Any, places: Any, covered: Any, widths: Any, u: A
             release(covered[places[k]], widths[places[k]], u[k], v[k])
 
 
+@njit(**INLINE)
+def vote(nx: Any, ny: Any, z: Any, z_sigma: Any, own: Any, bits: Any, places: Any, sights: Any, limits: Any, votes: Any) -> Any:
+    """Ask every camera that takes part in the point at depth ``z`` whether it sees the fringe of this one there.
+
+    Leaves in ``votes`` per camera: NOTHING, AGREES or DIFFERS, the phase it sees, its variance and steepness, the image place; and
+    the difference in px across the epipolar line with its variance, 0 where it says NOTHING. Returns (agreeing with this one, differing).
+    """
+    verdict, value, noise, steep, u, v, shift, shift_variance = votes
+    phase, own_noise = own
+    sigmas, tolerance_px = limits
+    agree, differ = 1, 0
+    for k in range(len(places)):
+        verdict[k] = NOTHING
+        if (bits >> places[k]) & 1 == 0:
+            continue
+        sight, value[k], noise[k], across, steep[k], u[k], v[k] = see_across(nx, ny, z, z_sigma, sights[k])
+        if sight != SEEN or abs(across) < 1e-6:
+            continue
+        excess, spread = value[k] - phase, noise[k] + own_noise
+        shift[k], shift_variance[k] = excess / across, spread / across**2
+        if abs(excess) > sigmas * np.sqrt(spread) + tolerance_px * steep[k]:
+            verdict[k] = DIFFERS
+            differ += 1
+        else:
+            verdict[k] = AGREES
+            agree += 1
+    return agree, differ
+
+
+@njit(**INLINE)
+def note_shifts(votes: Any, shifts: Any, row: int, column: int) -> None:
+    """Note by how much the cameras that said something differ."""
+    for k in range(len(votes[0])):
+        if votes[0][k] != NOTHING:
+            shifts[k, row, column, 0] = votes[6][k]
+            shifts[k, row, column, 1] = votes[7][k]
+
+
+@njit(**INLINE)
+def without_differing(verdict: Any, places: Any, bits: Any) -> Any:
+    """Return which cameras take part without those that differ."""
+    for k in range(len(verdict)):
+        if verdict[k] == DIFFERS:
+            bits &= ~np.uint8(1 << places[k])
+    return bits
+
+
 @njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
 def check_across(
     rays: Any,
@@ -133,40 +179,23 @@ def check_across(
     there is none.
     """
     count = len(places)
-    verdict = np.zeros(count, np.int64)
-    value, noise = np.zeros(count), np.zeros(count)
-    steep, u, v = np.zeros(count), np.zeros(count), np.zeros(count)
+    verdict, u, v = np.zeros(count, np.int64), np.zeros(count), np.zeros(count)
+    value, noise, steep = np.zeros(count), np.zeros(count), np.zeros(count)
+    votes = (verdict, value, noise, steep, u, v, np.zeros(count), np.zeros(count))
     for y in range(row_start, row_stop):
         for x in range(depth.shape[1]):
             z = float(depth[y, x])
             if z <= 0 or own_across[2][y, x] != 0:
                 continue
             nx, ny = rays[y, x, 0], rays[y, x, 1]
-            seen_phase, seen_noise = own_across[0][y, x], float(own_across[1][y, x]) ** 2
-            agree, differ = 1, 0
-            for k in range(count):
-                verdict[k] = NOTHING
-                if (bits[y, x] >> places[k]) & 1 == 0:
-                    continue
-                sight, value[k], noise[k], across, steep[k], u[k], v[k] = see_across(nx, ny, z, z_sigma[y, x], sights_across[k])
-                if sight != SEEN or abs(across) < 1e-6:
-                    continue
-                excess, spread = value[k] - seen_phase, noise[k] + seen_noise
-                if y % sample == 0 and x % sample == 0:
-                    shifts[k, y // sample, x // sample, 0] = excess / across
-                    shifts[k, y // sample, x // sample, 1] = spread / across**2
-                if abs(excess) > sigmas * np.sqrt(spread) + tolerance_px * steep[k]:
-                    verdict[k] = DIFFERS
-                    differ += 1
-                else:
-                    verdict[k] = AGREES
-                    agree += 1
+            seen = (own_across[0][y, x], float(own_across[1][y, x]) ** 2)
+            agree, differ = vote(nx, ny, z, z_sigma[y, x], seen, bits[y, x], places, sights_across, (sigmas, tolerance_px), votes)
+            if y % sample == 0 and x % sample == 0:
+                note_shifts(votes, shifts, y // sample, x // sample)
             if differ == 0:
                 continue
             if agree >= 2 and agree > differ:
-                for k in range(count):
-                    if verdict[k] == DIFFERS:
-                        bits[y, x] &= ~np.uint8(1 << places[k])
+                bits[y, x] = without_differing(verdict, places, bits[y, x])
                 release_differing(verdict, places, covered, widths, u, v)
                 solved, better, sigma, gain = solve_again(own[0][y, x], own[1][y, x], nx, ny, z, bits[y, x], sights)
                 if solved:

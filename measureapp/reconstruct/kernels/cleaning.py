@@ -3,8 +3,6 @@
 Inverse depths are used, on a plane they are linear in the image; ``inverse`` (H + 2r, W + 2r) has a border of zeros, and zeros where
 there is no point. Loops over arithmetic alone run on one scratch array at constant offsets, in SIMD instructions.
 """
-# One loop over pixels cannot be cut into functions without leaving SIMD code.
-# ruff: noqa: PLR0915
 
 from __future__ import annotations
 
@@ -127,25 +125,9 @@ def sum_torn(s: Any, inverse: Any, row: int, start: int, half: int, border: int,
 
 
 @njit(**INLINE)
-def planes_of_chunk(
-    s: Any, inverse: Any, sigma: Any, rays: Any, to_rays: Any, to_unit: Any, per_px: Any, border: Any, y: int, first: int, n: int
-) -> bool:
-    """Fit planes to the windows of n pixels of a row: leaves the normal, its cosine to the ray, the distance to the plane in ``s``.
-
-    Windows that no border and no depth step crosses, most of all, have the same places: only their values are summed. False: no points.
-    """
-    half = max(1, border // 2)
+def begin_windows(s: Any, middle: Any, noise: Any, per_px: Any, half: int, border: int, n: int) -> None:
+    """Set the sums of n windows to those of whole ones, and how far from a pixel's depth its surface may lie at their places."""
     h, r = np.float32(half), np.float32(border)
-    u0, per_u, v0, per_v = to_unit
-    x_u, x_v, y_u, y_v = to_rays
-    start = border + first
-    middle = inverse[y + border, start : start + n]
-    noise = sigma[y, first : first + n]
-    highest = ZERO
-    for i in range(n):
-        highest = max(highest, middle[i])
-    if highest == ZERO:
-        return False
     whole_xx = np.float32(5) * (r * r + r * r + h * h + h * h)
     for i in range(n):
         inv = middle[i]
@@ -159,13 +141,37 @@ def planes_of_chunk(
         s[N + i], s[SX + i], s[SY + i] = WHOLE, ZERO, ZERO
         s[SXX + i], s[SXY + i], s[SYY + i] = whole_xx, ZERO, whole_xx
         s[SW + i], s[SWX + i], s[SWY + i] = ZERO, ZERO, ZERO
-    sum_whole(s, inverse, y + border, start, half, border, n)
-    worst = ZERO
+
+
+@njit(**INLINE)
+def greatest(values: Any, n: int) -> Any:
+    """Return the greatest of the first n values, at least zero."""
+    found = ZERO
     for i in range(n):
-        worst = max(worst, s[WORST + i])
-    if worst > ZERO:
+        found = max(found, values[i])
+    return found
+
+
+@njit(**INLINE)
+def planes_of_chunk(
+    s: Any, inverse: Any, sigma: Any, rays: Any, to_rays: Any, to_unit: Any, per_px: Any, border: Any, y: int, first: int, n: int
+) -> bool:
+    """Fit planes to the windows of n pixels of a row: leaves the normal, its cosine to the ray, the distance to the plane in ``s``.
+
+    Windows that no border and no depth step crosses, most of all, have the same places: only their values are summed. False: no points.
+    """
+    half = max(1, border // 2)
+    start = border + first
+    middle = inverse[y + border, start : start + n]
+    if greatest(middle, n) == ZERO:
+        return False
+    begin_windows(s, middle, sigma[y, first : first + n], per_px, half, border, n)
+    sum_whole(s, inverse, y + border, start, half, border, n)
+    if greatest(s[WORST : WORST + n], n) > ZERO:
         sum_torn(s, inverse, y + border, start, half, border, n)
     ray = rays[y, 2 * first : 2 * (first + n)]
+    u0, per_u, v0, per_v = to_unit
+    x_u, x_v, y_u, y_v = to_rays
     t = (np.float32(y) - v0) * per_v
     for i in range(n):
         z = s[Z + i]
