@@ -1,7 +1,8 @@
-"""Long, narrow triangles divided for searches in single precision.
+"""Long, narrow triangles cut across for searches in single precision.
 
 The closest point of a triangle L long and h high is off by about (L/h)²·ε·L in single precision (ε = 6e-8): 0.08 mm on
-facets of 120 mm × 1.5 mm, as CAD programs make them.
+facets of 120 mm × 1.5 mm, as CAD programs make them. Halving longest edges would never end: at the tip of a needle each half is as
+slender as the whole. Cuts across it, as far apart as its width there allows, are few.
 """
 
 from __future__ import annotations
@@ -10,10 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from measureapp.arrays import FloatArray, IntArray
+from measureapp.arrays import BoolArray, FloatArray, IntArray
 
-SLENDER = 8.0  # longest edge over height; off by (L/h)²·ε·L = 5e-5 mm where the longest edge is 12 mm
-MOST_PIECES = 4_000_000
+SLENDER = 8.0  # L/h up to which nothing is gained: coordinates themselves are not known better in single precision
+LARGEST = 768.0  # mm, (L/h)²·L of a piece: off by 5e-5 mm
+MOST_CUTS = 4000  # across one needle; what is left at its tip then is narrower than any point is known
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -29,29 +31,95 @@ class Pieces:
 
 
 def divided(corners_mm: FloatArray) -> Pieces:
-    """Halve the longest edges of triangles (T, 3, 3) until none is slender."""
-    made = Pieces(np.arange(len(corners_mm)), np.broadcast_to(np.eye(3), (len(corners_mm), 3, 3)))
-    places = corners_mm
-    while True:
-        opposite = np.stack([places[:, (k + 2) % 3] - places[:, (k + 1) % 3] for k in range(3)], axis=1)  # the edge opposite each corner
-        squares = np.einsum("mkd,mkd->mk", opposite, opposite)
-        twice = np.einsum("md,md->m", opposite[:, 0], opposite[:, 1])
-        area = np.sqrt(np.maximum(squares[:, 0] * squares[:, 1] - twice**2, 0.0))  # longest edge times height
-        slender = np.flatnonzero(squares.max(axis=1) > SLENDER * area)
-        if len(slender) == 0 or len(made.parents) + len(slender) > MOST_PIECES:
-            return made
-        made = _halved(made, slender, squares[slender].argmax(axis=1))
-        places = made.corners_mm(corners_mm)
+    """Cut triangles (T, 3, 3) until the closest points of their pieces are right to 5e-5 mm."""
+    whole = Pieces(np.arange(len(corners_mm)), np.broadcast_to(np.eye(3), (len(corners_mm), 3, 3)))
+    slender = _slender(corners_mm)
+    if not slender.any():
+        return whole
+    needles = _needles(Pieces(whole.parents[slender], whole.weights[slender]), corners_mm)
+    still = _slender(needles.corners_mm(corners_mm))
+    parts = (
+        Pieces(whole.parents[~slender], whole.weights[~slender]),
+        Pieces(needles.parents[~still], needles.weights[~still]),
+        _cut_across(Pieces(needles.parents[still], needles.weights[still]), corners_mm),
+    )
+    return _joined(parts)
 
 
-def _halved(made: Pieces, which: IntArray, corner: IntArray) -> Pieces:
-    """Cut some pieces from a corner to the middle of the edge opposite."""
-    weights = made.weights[which]
-    rows = np.arange(len(which))
-    tip, first, second = (weights[rows, (corner + turn) % 3] for turn in range(3))
-    middle = (first + second) / 2
-    new = np.concatenate([np.stack([tip, first, middle], axis=1), np.stack([tip, middle, second], axis=1)])
-    kept = np.ones(len(made.parents), bool)
-    kept[which] = False
-    parents = np.concatenate([made.parents[kept], made.parents[which], made.parents[which]])
-    return Pieces(parents, np.concatenate([made.weights[kept], new]))
+def _slender(corners_mm: FloatArray) -> BoolArray:
+    """Tell which triangles are too long for their height; those without area have no closest point that could be better."""
+    longest, height = _size(corners_mm)
+    return np.asarray((longest > SLENDER * height) & (longest**3 > LARGEST * height**2) & (height > 0))
+
+
+def _size(corners_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return the longest edge (T,) and the height above it (T,)."""
+    edges = np.roll(corners_mm, -1, axis=1) - corners_mm
+    longest = np.linalg.norm(edges, axis=2).max(axis=1)
+    twice_area = np.linalg.norm(np.cross(edges[:, 0], edges[:, 1]), axis=1)
+    return longest, np.divide(twice_area, longest, out=np.zeros(len(longest)), where=longest > 0)
+
+
+def _needles(triangles: Pieces, corners_mm: FloatArray) -> Pieces:
+    """Turn triangles so that the first corner is the tip of a needle; cut those with two tips at the foot of their height."""
+    places = triangles.corners_mm(corners_mm)
+    rows = np.arange(len(places))
+    apex = (np.linalg.norm(np.roll(places, -1, axis=1) - places, axis=2).argmax(axis=1) + 2) % 3
+    weights = triangles.weights[rows[:, None], (apex[:, None] + np.arange(3)) % 3]  # apex, then the ends of the longest edge
+    top, start, end = np.moveaxis(np.matmul(weights, corners_mm[triangles.parents]), 1, 0)
+    along = end - start
+    foot = np.einsum("td,td->t", top - start, along) / np.einsum("td,td->t", along, along)
+    _, height = _size(places)
+    margin = height / np.linalg.norm(along, axis=1)
+    two = (foot > margin) & (foot < 1 - margin)  # else the end next to the foot is the needle's base
+    middle = weights[:, 1] + foot[:, None] * (weights[:, 2] - weights[:, 1])
+    from_start = np.stack([weights[:, 1], np.where(two[:, None], middle, weights[:, 2]), weights[:, 0]], axis=1)
+    from_end = np.stack([weights[:, 2], weights[:, 0], np.where(two[:, None], middle, weights[:, 1])], axis=1)
+    one = ~two
+    return _joined(
+        (
+            Pieces(triangles.parents[two], from_start[two]),
+            Pieces(triangles.parents[two], from_end[two]),
+            Pieces(triangles.parents[one], np.where((foot > 0.5)[:, None, None], from_start, from_end)[one]),
+        )
+    )
+
+
+def _cut_across(needles: Pieces, corners_mm: FloatArray) -> Pieces:
+    """Cut needles, their tip first, from the base on as far apart as the width there allows, until the tip is short enough.
+
+    A piece ℓ long is right where the needle is w wide if ℓ³ ≤ LARGEST · w²; both shrink towards the tip.
+    """
+    length, width = _size(needles.corners_mm(corners_mm))
+    left = np.ones(len(length))  # share of the length between the tip and the last cut
+    parts = []
+    for _ in range(MOST_CUTS):
+        going = np.flatnonzero(left**3 * length**3 > LARGEST * (width * left) ** 2)
+        if len(going) == 0:
+            break
+        here = width[going] * left[going]
+        step = np.maximum(np.cbrt(LARGEST * here**2) / 2, here) / length[going]  # half: a piece is narrower at its other end
+        after = np.maximum(left[going] - step, 0.5 * left[going])
+        parts += _slices(Pieces(needles.parents[going], needles.weights[going]), left[going], after)
+        left[going] = after
+    tips = needles.weights.copy()
+    tips[:, 1:] = _toward_base(needles.weights, left)
+    return _joined((*parts, Pieces(needles.parents, tips)))
+
+
+def _toward_base(weights: FloatArray, share: FloatArray) -> FloatArray:
+    """Return the two places (N, 2, 3) at a share of the way from a needle's tip to the corners of its base."""
+    return np.asarray(weights[:, :1] + share[:, None, None] * (weights[:, 1:] - weights[:, :1]))
+
+
+def _slices(needles: Pieces, before: FloatArray, after: FloatArray) -> tuple[Pieces, Pieces]:
+    """Return the two triangles between two cuts across each needle."""
+    far, near = _toward_base(needles.weights, before), _toward_base(needles.weights, after)
+    return (
+        Pieces(needles.parents, np.stack([near[:, 0], far[:, 0], far[:, 1]], axis=1)),
+        Pieces(needles.parents, np.stack([near[:, 0], far[:, 1], near[:, 1]], axis=1)),
+    )
+
+
+def _joined(parts: tuple[Pieces, ...]) -> Pieces:
+    return Pieces(np.concatenate([part.parents for part in parts]), np.concatenate([part.weights for part in parts]))
