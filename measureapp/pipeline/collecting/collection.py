@@ -2,26 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Mapping
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 
 from measureapp.arrays import ImageArray
-from measureapp.calibrate.board import find_board
-from measureapp.calibrate.board_together import find_beside
-from measureapp.calibrate.sightings import AmbiguousPart, BoardRefused, FoundBoard
-from measureapp.data.fringe import AxisReadback
+from measureapp.calibrate.projector_sightings import PROJECTOR, called
+from measureapp.data.fringe import AxisReadback, FringeStack
 from measureapp.errors import CalibrationError, InputError
-from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback, Refusal
+from measureapp.pipeline.board_in_fringes import projector_size_px
+from measureapp.pipeline.collecting.looking import Looked, look, look_in_fringes
+from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback
 from measureapp.pipeline.collecting.setup import NEEDED, Setup
 from measureapp.pipeline.collecting.solved import Solved
 from measureapp.pipeline.collecting.solving import shortfalls_of, solve
 from measureapp.pipeline.collecting.store import Act, Action, Store
-from measureapp.progress import Progress
+from measureapp.progress import NoProgress, Progress
 
-DETECTION_THREADS = 2
+
+class ImagesThere(InputError):
+    """Images that are in the collection already."""
 
 
 class Collection:
@@ -99,7 +99,7 @@ class Collection:
 
     @property
     def usable(self) -> tuple[Observation, ...]:
-        """The observations that enter a solution: not taken out, and at least one camera found the board."""
+        """The observations that enter a solution: not taken out, and the board was found."""
         return tuple(one for one in self.observations if one.standing not in ("removed", "no board"))
 
     @property
@@ -108,7 +108,9 @@ class Collection:
         return tuple(one for one in self.usable if one.standing != "rejected")
 
     def size_px(self, camera: str) -> tuple[int, int] | None:
-        """Return width and height of a camera's images; None before the first."""
+        """Return width and height of a camera's images, or of the projector's; None before the first."""
+        if camera == PROJECTOR and self.setup.projector_px is not None:
+            return self.setup.projector_px
         if self.setup.cameras is not None:
             lens = self.setup.cameras.cameras[camera].pinhole
             return lens.width_px, lens.height_px
@@ -138,16 +140,48 @@ class Collection:
         CalibrationError
             The read-back of an axis that this calibration needs is missing.
         """
-        read = Readback.of(readback) if isinstance(readback, AxisReadback) else readback or Readback()
+        if self.setup.kind == "projector":
+            raise InputError("The projector is calibrated from fringes on the board.", "Give fringes instead of plain images.")
+        read = _as_readback(readback)
         self._check(images, read)
-        stored = {camera: self._store.keep_image(pixels, (names or {}).get(camera, "")) for camera, pixels in images.items()}
-        self._refuse_twice({camera: image.checksum for camera, image in stored.items()})
-        seen, refused = self._looked_for(images)
-        observation = Observation(self._next_id(), stored, read, seen, refused)
-        self._store.keep_observation(observation)
-        self._all[observation.id] = observation
-        self._act("add", observation.id)
-        return self.observation(observation.id)
+        return self._keep(look(images, self.setup), read, names)
+
+    def add_fringes(
+        self,
+        stack: FringeStack,
+        readback: Readback | AxisReadback | None = None,
+        names: Mapping[str, str] | None = None,
+        progress: Progress | None = None,
+    ) -> Observation:
+        """Look for the board in the fringe images of one position, look its marks up in the phases, and keep what came of it.
+
+        Kept are the board in even light as every camera sees it and, for people, as the projector would; not the fringe images.
+
+        Parameters
+        ----------
+        stack : fringes of both directions; images of all cameras or of some
+        readback : None for that of the stack
+
+        Raises
+        ------
+        InputError
+            The session is not one for the projector, or as `add`; or fringes for a projector of another size.
+        CalibrationError
+            Fringes in one direction only.
+        """
+        size = self.setup.projector_px
+        if self.setup.kind != "projector" or size is None:
+            raise InputError("Fringes calibrate a projector only.", "Give plain images of the board.")
+        read = _as_readback(stack.readback if readback is None else readback)
+        self._check({camera: images[0, 0] for camera, images in stack.images.items()}, read)
+        if projector_size_px(stack) != size:
+            width, height = projector_size_px(stack)
+            raise InputError(
+                f"The fringes of {stack.viewpoint_id} run over {width} × {height} px of the projector, those before over "
+                f"{size[0]} × {size[1]} px.",
+                "Give fringes of one projector.",
+            )
+        return self._keep(look_in_fringes(stack, self.setup, size, progress or NoProgress()), read, names)
 
     def remove(self, name: str) -> None:
         """Take an observation out; it stays in the list and `undo` brings it back. Raises InputError where it is not there."""
@@ -212,17 +246,15 @@ class Collection:
         """Judge the observations by a solution that a snapshot found; None: there is none."""
         self._solved = solved
 
-    def _looked_for(self, images: Mapping[str, ImageArray]) -> tuple[dict[str, FoundBoard], dict[str, Refusal]]:
-        """Return what each camera saw of the board, or why nothing; a part that one cannot tell is told by the others, where all are calibrated."""
-        board, cameras = self.setup.board, self.setup.cameras
-        with ThreadPoolExecutor(DETECTION_THREADS) as pool:
-            results = dict(zip(images, pool.map(lambda pixels: _look(lambda: find_board(pixels, board)), images.values()), strict=True))
-        known = {camera: one for camera, one in results.items() if isinstance(one, FoundBoard)}
-        unclear = [camera for camera, one in results.items() if isinstance(one, AmbiguousPart)]
-        if known and cameras is not None:
-            results |= {camera: _look(partial(find_beside, images[camera], camera, known, cameras, board)) for camera in unclear}
-        refused = {camera: _refusal(one) for camera, one in results.items() if isinstance(one, CalibrationError)}
-        return {camera: one for camera, one in results.items() if isinstance(one, FoundBoard)}, refused
+    def _keep(self, looked: Looked, read: Readback, names: Mapping[str, str] | None) -> Observation:
+        """Write what was looked at, and add it; images that are there already are refused."""
+        stored = {camera: self._store.keep_image(pixels, (names or {}).get(camera, "")) for camera, pixels in looked.images.items()}
+        self._refuse_twice({camera: image.checksum for camera, image in stored.items()})
+        observation = Observation(self._next_id(), stored, read, looked.seen, looked.refused)
+        self._store.keep_observation(observation)
+        self._all[observation.id] = observation
+        self._act("add", observation.id)
+        return self.observation(observation.id)
 
     def _standing(self) -> dict[str, bool]:
         """Observation -> whether it is kept, in the order they were added."""
@@ -232,19 +264,19 @@ class Collection:
         return kept
 
     def _usable_ids(self) -> tuple[str, ...]:
-        return tuple(name for name, kept in self._standing().items() if kept and self._all[name].seen)
+        return tuple(name for name, kept in self._standing().items() if kept and self.setup.is_seen(self._all[name].seen))
 
     def _judged(self, one: Observation, kept: bool) -> Observation:
         if not kept:
             return replace(one, standing="removed", reason="taken out by hand")
-        if not one.seen:
+        if not self.setup.is_seen(one.seen):
             return replace(one, standing="no board", reason=_why_refused(one))
         if self._solved is None or one.id not in self._solved.of:
             return replace(one, standing="new", reason=_why_refused(one))
         return self._solved.judged(replace(one, reason=_why_refused(one)))
 
     def _sizes(self) -> dict[str, tuple[int, int]]:
-        sizes = {camera: self.size_px(camera) for camera in self.setup.camera_names}
+        sizes = {camera: self.size_px(camera) for camera in self.setup.seeing}
         return {camera: size for camera, size in sizes.items() if size is not None}
 
     def _check(self, images: Mapping[str, ImageArray], readback: Readback) -> None:
@@ -270,7 +302,7 @@ class Collection:
         for name, kept in self._standing().items():
             same = [camera for camera, image in self._all[name].images.items() if checksums.get(camera) == image.checksum]
             if kept and same:
-                raise InputError(
+                raise ImagesThere(
                     f"The image of camera {same[0]!r} is the same as in observation {name}.", "Every observation needs images of its own."
                 )
 
@@ -286,16 +318,9 @@ class Collection:
         self._store.keep_session(self.setup, self._actions, self._done)
 
 
-def _look(find: Callable[[], FoundBoard]) -> FoundBoard | CalibrationError:
-    try:
-        return find()
-    except CalibrationError as error:
-        return error
-
-
-def _refusal(error: CalibrationError) -> Refusal:
-    return Refusal(error.cause if isinstance(error, BoardRefused) else "not found", error.message, error.hint)
+def _as_readback(readback: Readback | AxisReadback | None) -> Readback:
+    return Readback.of(readback) if isinstance(readback, AxisReadback) else readback or Readback()
 
 
 def _why_refused(one: Observation) -> str:
-    return " ".join(f"Camera {camera}: {refusal.message} {refusal.hint}" for camera, refusal in one.refused.items())
+    return " ".join(f"{called(camera)}: {refusal.message} {refusal.hint}" for camera, refusal in one.refused.items())

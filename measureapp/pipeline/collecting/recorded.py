@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from measureapp.calibrate.projector_sightings import PROJECTOR
 from measureapp.errors import InputError
 from measureapp.geometry.transform import RigidTransform
-from measureapp.pipeline.collecting.collection import Collection
+from measureapp.pipeline.collecting.collection import Collection, ImagesThere
 from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback
-from measureapp.progress import NoProgress, Progress
+from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.project.board_images import BoardImages
 from measureapp.project.board_views import load_all
 from measureapp.project.frame_store import checksum
 from measureapp.project.images import read_image
 from measureapp.project.recorded_boards import RecordedPosition
+from measureapp.project.recorded_fringes import RecordedFringes
 from measureapp.project.tables import read_angles, read_guide, read_poses, require_millimetres
 
 
@@ -117,6 +120,33 @@ def add_views(collection: Collection, folder: Path, progress: Progress | None = 
             added.append(collection.add(view.images, view.readback, dict.fromkeys(view.images, view.viewpoint_id)))
     progress.report(1, 1)
     return tuple(added)
+
+
+def add_fringes(collection: Collection, recorded: RecordedFringes, progress: Progress | None = None) -> tuple[Observation, ...]:
+    """Add every board position of recorded fringes that is not in the collection yet; return those added.
+
+    Raises
+    ------
+    InputError, DecodeError
+        A manifest or an image cannot be read, or they do not fit each other.
+    CalibrationError
+        Fringes in one direction only.
+    """
+    progress = progress or NoProgress()
+    count, added = len(recorded.manifests), []
+    for position in range(count):
+        part = PartOf(progress, position / count, (position + 1) / count)
+        part.report(0, 1, f"fringes of {recorded.name(position)}")
+        with suppress(ImagesThere):
+            added.append(add_fringe_position(collection, recorded, position, part))
+    progress.report(1, 1)
+    return tuple(added)
+
+
+def add_fringe_position(collection: Collection, recorded: RecordedFringes, position: int, progress: Progress | None = None) -> Observation:
+    """Add one board position of recorded fringes. Raises as `add_fringes`, and ImagesThere where it is in the collection already."""
+    names = dict.fromkeys((*recorded.cameras, PROJECTOR), recorded.name(position))
+    return collection.add_fringes(recorded.read(position), names=names, progress=progress)
 
 
 def _names(paths: Mapping[str, Path]) -> dict[str, str]:
