@@ -36,7 +36,7 @@ class Controllers(QObject):
         self.stored_images = StoredImagesController(session, self.background, self)
         self.holes = HolesController(session, self.explaining, self)
         self.view_choices = ViewChoicesController(session, self.jobs, self)
-        kinds: tuple[Kind, ...] = ("cameras", "axis", "hand-eye", "guide", "rig")
+        kinds: tuple[Kind, ...] = ("cameras", "projector", "axis", "hand-eye", "guide", "rig")
         self.calibrating = {kind: CalibratingController(kind, session, self.demo, self.jobs, self.solving, self) for kind in kinds}
         self.recent_calibration = RecentCalibrationController(session, self.background, self)
         self.startup = StartupController(session, self.background, self)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 from measureapp.errors import CalibrationError
 from ui.controllers import result_values as values
 from ui.controllers.collecting_nouns import Kind
-from ui.controllers.kept_sessions import RESULT, project_on_disk
+from ui.controllers.kept_sessions import CAMERAS, RESULT, project_on_disk
 from ui.controllers.seen_views import name_of
 from ui.look.wording import millimetres, quantity
 from ui.session import Session
@@ -114,8 +114,8 @@ def compared(snapshot: Collection, before: Before) -> str:
 
     rig, kind = before.rig, snapshot.setup.kind
     links = {} if rig is None else {"rig": rig, "hand-eye": rig.hand_eye, "guide": rig.guide}
-    previous = before.cameras if kind == "cameras" else links.get(kind)
-    if previous is None:
+    previous = before.cameras if kind in ("cameras", "projector") else links.get(kind)
+    if previous is None or (kind == "projector" and before.cameras is not None and before.cameras.projector is None):
         return ""
     try:
         return compare(previous, snapshot).sentence
@@ -129,6 +129,8 @@ def quantities_of(
     """Return what a calibration of this kind tells; an axis is told at the height at which it was ``found``."""
     if kind == "cameras":
         return values.camera_quantities(cameras)
+    if kind == "projector":
+        return () if cameras.projector is None else values.projector_quantities(cameras.projector)
     if rig is None or found is None:
         return ()
     height = float(found.axis.point_mm[2])
@@ -153,7 +155,7 @@ def rig_of(snapshot: Collection, before: RigCalibration | None) -> RigCalibratio
     solution = solved.solution
     if isinstance(solution, RigSolution):
         return solution.calibration
-    if snapshot.setup.kind == "cameras":
+    if snapshot.setup.kind in ("cameras", "projector"):
         same = before is not None and set(before.cameras.cameras) == set(solved.cameras.cameras)
         return replace(before, cameras=solved.cameras) if before is not None and same else None
     if before is None:
@@ -170,9 +172,17 @@ def rig_of(snapshot: Collection, before: RigCalibration | None) -> RigCalibratio
 
 def facts_of(snapshot: Collection, solved: Solved) -> tuple[tuple[str, str], ...]:
     """Return how the result was found, in a few figures."""
+    from measureapp.calibrate.projector_array import HeadSolution
+    from measureapp.calibrate.projector_sightings import PROJECTOR
+
     facts = [("Views used", f"{len(solved.used)} of {len(snapshot.observations)}")]
-    cameras = solved.camera_solution
-    if cameras is not None:
+    cameras, head = solved.camera_solution, solved.solution
+    if isinstance(head, HeadSolution):
+        facts += [
+            ("Reprojection (rms)", quantity(head.projector.rms_px, "px", 3)),
+            ("Noise of a mark (1 σ)", quantity(head.solution.sigmas_px[PROJECTOR], "px", 3)),
+        ]
+    elif cameras is not None:
         facts += [
             ("Reprojection (rms)", quantity(cameras.joint_rms_px, "px", 3)),
             ("Noise of a corner (1 σ)", quantity(cameras.sigma_px, "px", 3)),
@@ -186,7 +196,7 @@ def facts_of(snapshot: Collection, solved: Solved) -> tuple[tuple[str, str], ...
 
 def accepted(found: Result, session: Session) -> tuple[str, str]:
     """Make a result the calibration in use, on disk first; returns what to tell. Raises StorageError."""
-    from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
+    from measureapp.data.calibration import CameraArrayCalibration, ProjectorCalibration, RigCalibration
     from measureapp.pipeline.collecting import keep
 
     project = project_on_disk(session)
@@ -196,8 +206,9 @@ def accepted(found: Result, session: Session) -> tuple[str, str]:
         kept = keep(found.snapshot, place if project is None else project)
         rig = kept if isinstance(kept, RigCalibration) else rig
     else:
-        kept = keep(found.snapshot, place / f"{kind}.json")
+        kept = keep(found.snapshot, place / (CAMERAS if kind == "projector" else f"{kind}.json"))
         cameras = kept if isinstance(kept, CameraArrayCalibration) else cameras
+        cameras = replace(cameras, projector=kept) if isinstance(kept, ProjectorCalibration) else cameras
         rig = rig if rig is None else replace(rig, cameras=cameras)
         if rig is not None:
             _save_rig(rig, place, project)

@@ -13,7 +13,7 @@ from ui.controllers.collecting_nouns import Kind
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.wording import millimetres, quantity, when
-from ui.pages.calibration_rows import SolutionRow, camera_rows, contributions, solution_rows, worst_residual_mm
+from ui.pages.calibration_rows import PROJECTOR_ROW, SolutionRow, camera_rows, contributions, solution_rows, worst_residual_mm
 from ui.pages.page import Page
 from ui.session import Session
 from ui.widgets.bar_chart import Bar, BarChart
@@ -126,7 +126,8 @@ class CalibrationPage(Page):
         if cameras is None:
             self._offer_last_one()
         for kind in KINDS:
-            self.offers[kind.kind].setEnabled(calibration is not None or not kind.needs_rig)
+            there = {"": True, "cameras": cameras is not None, "rig": calibration is not None}
+            self.offers[kind.kind].setEnabled(there[kind.needs])
         for part in (self.figure, self.shares):
             part.setVisible(calibration is not None)
         if calibration is None:
@@ -157,10 +158,13 @@ class CalibrationPage(Page):
         if cameras is None or not 0 <= place < len(self._rows):
             return
         found = self._rows[place]
-        camera = cameras.cameras.get(found.name.removeprefix("Camera "))
+        camera = cameras.projector if found.name == PROJECTOR_ROW else cameras.cameras.get(found.name.removeprefix("Camera "))
         deviations = tuple((name, deviation_words(name, value)) for name, value in camera.standard_deviations.items()) if camera else ()
-        pairs = tuple((f"{pair} pair", f"{rms:.3f} px") for pair, rms in cameras.pair_rms_px.items()) if camera else ()
+        of_pairs = camera is not None and found.name != PROJECTOR_ROW
+        pairs = tuple((f"{pair} pair", f"{rms:.3f} px") for pair, rms in cameras.pair_rms_px.items()) if of_pairs else ()
         source = cameras.provenance if calibration is None else calibration.provenance
+        if found.name == PROJECTOR_ROW and cameras.projector is not None:
+            source = cameras.projector.provenance
         method = calibration.hand_eye.method if calibration is not None and found.name == "Hand–eye" else source.method
         self.show_properties(
             Properties(

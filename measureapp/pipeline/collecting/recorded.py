@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Protocol
 
 from measureapp.calibrate.projector_sightings import PROJECTOR
 from measureapp.errors import InputError
@@ -51,6 +52,54 @@ class ReadbackFiles:
             Readback(poses[index] if poses else None, along[index] if along else None, angles[index] if angles else None)
             for index in range(count)
         ]
+
+
+class RecordedView(Protocol):
+    """One position of the board as it was recorded."""
+
+    @property
+    def name(self) -> str:
+        """What it is called."""
+
+    def add_to(self, collection: Collection, progress: Progress) -> Observation:
+        """Read it and add it to a collection. Raises InputError, DecodeError where it cannot be read."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RecordedImages:
+    """One plain image of each camera."""
+
+    position: RecordedPosition
+    readback: Readback
+
+    @property
+    def name(self) -> str:
+        """What it is called."""
+        return f"image {self.position.name}"
+
+    def add_to(self, collection: Collection, progress: Progress) -> Observation:
+        """Read the images and look for the board in them."""
+        progress.report(0, 1)
+        files = self.position.files
+        return collection.add({camera: read_image(path) for camera, path in files.items()}, self.readback, _names(files))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RecordedFringeView:
+    """Fringes on the board at one position."""
+
+    recorded: RecordedFringes
+    number: int
+
+    @property
+    def name(self) -> str:
+        """What it is called: as its folder is."""
+        return self.recorded.name(self.number)
+
+    def add_to(self, collection: Collection, progress: Progress) -> Observation:
+        """Read the fringes, look for the board in them and decode them."""
+        names = dict.fromkeys((*self.recorded.cameras, PROJECTOR), self.name)
+        return collection.add_fringes(self.recorded.read(self.number), names=names, progress=progress)
 
 
 def readbacks_of(positions: Sequence[RecordedPosition], files: ReadbackFiles, needed: Sequence[str]) -> list[Readback]:
@@ -134,19 +183,14 @@ def add_fringes(collection: Collection, recorded: RecordedFringes, progress: Pro
     """
     progress = progress or NoProgress()
     count, added = len(recorded.manifests), []
-    for position in range(count):
-        part = PartOf(progress, position / count, (position + 1) / count)
-        part.report(0, 1, f"fringes of {recorded.name(position)}")
+    for number in range(count):
+        view = RecordedFringeView(recorded, number)
+        part = PartOf(progress, number / count, (number + 1) / count)
+        part.report(0, 1, f"fringes of {view.name}")
         with suppress(ImagesThere):
-            added.append(add_fringe_position(collection, recorded, position, part))
+            added.append(view.add_to(collection, part))
     progress.report(1, 1)
     return tuple(added)
-
-
-def add_fringe_position(collection: Collection, recorded: RecordedFringes, position: int, progress: Progress | None = None) -> Observation:
-    """Add one board position of recorded fringes. Raises as `add_fringes`, and ImagesThere where it is in the collection already."""
-    names = dict.fromkeys((*recorded.cameras, PROJECTOR), recorded.name(position))
-    return collection.add_fringes(recorded.read(position), names=names, progress=progress)
 
 
 def _names(paths: Mapping[str, Path]) -> dict[str, str]:
