@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtGui import QImage
 
-from measureapp.calibrate.projector_sightings import PROJECTOR
 from measureapp.errors import CalibrationError, DecodeError, InputError, MeasureError
 from measureapp.progress import PartOf, Progress
 from ui.controllers.collecting_nouns import Kind, LiveImage
@@ -159,6 +158,7 @@ def _fringe_taker(rig: Rig, collection: Collection, live: Mailboxes[LiveImage]) 
     """Fringes of both directions, which the projector gets once."""
     from measureapp.acquire.board_fringes import capture_board_fringes
     from measureapp.acquire.events import Event, ImageTaken
+    from measureapp.calibrate.projector_sightings import PROJECTOR
     from measureapp.data.pattern_sets import BOTH_DIRECTIONS, made_for
     from measureapp.fringe.patterns import pattern_images
 

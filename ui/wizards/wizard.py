@@ -119,7 +119,11 @@ class CalibrationWizard(QDialog):
         collecting, found = self.collecting, self.calibrating.result
         begun, views = bool(collecting.cameras), sum(view.verdict == "pass" for view in collecting.views)
         problem = self.setup.problem()
-        setup = Step("Set up", "done" if begun else "now", problem if not begun else several(sum(name != PROJECTOR for name in collecting.cameras), "camera"))
+        setup = Step(
+            "Set up",
+            "done" if begun else "now",
+            problem if not begun else several(sum(name != PROJECTOR for name in collecting.cameras), "camera"),
+        )
         state: StepState = "waiting" if not begun else "done" if collecting.has_enough else "now"
         words = f"{several(views, 'view')} in use" if begun else ""
         result: StepState = "waiting" if found is None else "done" if found.sign == "pass" else "problem"
