@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 Sign = Literal["pass", "fail", "not proven"]
 SIGNS: Mapping[str, Sign] = {"good": "pass", "usable": "not proven", "bad": "fail"}
+PROJECTOR_GOES = "The projector was calibrated beside the earlier cameras: calibrate it again."
 REST_STAYS = "Hand–eye, guide and table axis were found with the earlier cameras: calibrate the rig next."
 
 
@@ -200,6 +201,7 @@ def accepted(found: Result, session: Session) -> tuple[str, str]:
     from measureapp.pipeline.collecting import keep
 
     project = project_on_disk(session)
+    had_projector = session.cameras is not None and session.cameras.projector is not None
     kind, place = found.snapshot.setup.kind, found.snapshot.folder / RESULT
     cameras, rig = found.cameras, found.rig
     if kind == "rig":
@@ -219,10 +221,15 @@ def accepted(found: Result, session: Session) -> tuple[str, str]:
     else:
         known, found_names = (", ".join(one.names) for one in (session.calibration.cameras, cameras))
         return "The result is kept, but the rig goes on with its own cameras.", f"It is one of {found_names}; the rig has {known}."
-    return (
-        "The calibration is accepted.",
-        REST_STAYS if kind == "cameras" and rig is not None else f"It lies in {place if project is None else project}.",
-    )
+    return "The calibration is accepted.", _what_next(found, rig is not None, had_projector, place if project is None else project)
+
+
+def _what_next(found: Result, has_rig: bool, had_projector: bool, place: Path) -> str:
+    """What was found with earlier cameras and has to be found again; else where the result lies."""
+    kind = found.snapshot.setup.kind
+    again = [REST_STAYS] if kind == "cameras" and has_rig else []
+    again += [PROJECTOR_GOES] if had_projector and kind in ("cameras", "rig") else []
+    return " ".join(again) or f"It lies in {place}."
 
 
 def _save_rig(rig: RigCalibration, place: Path, project: Path | None) -> None:

@@ -44,8 +44,8 @@ BY_THE_ROBOT = (
 )
 NO_COVARIANCE = "What the cameras themselves leave uncertain is not known: it comes on top."
 BY_THE_CAMERAS = (
-    "{added} of it are what the calibration of the cameras leaves open, which views for the projector do not change: "
-    "calibrate the cameras from more views first."
+    "More views for the projector alone will not make it good: {added} of it come from the calibration of the cameras. "
+    "Calibrate the cameras from more views first."
 )
 STROKE_MM = 500.0  # a usual travel of the guide
 
@@ -90,10 +90,10 @@ class Verdict:
     @property
     def remedy(self) -> str:
         """What makes it good; where it is, what would make the robot's part smaller. Noise averages with the square root of the number of observations."""
-        times = (self.expanded_mm / self.limits.good_mm) ** 2
-        if times <= 1.0:
+        if self.expanded_mm <= self.limits.good_mm:
             return BY_THE_ROBOT if self.robot_adds_mm > self.limits.good_mm else ""
-        if self.cameras_add_mm > self.limits.good_mm:
+        times = max(self.expanded_mm**2 - self.cameras_add_mm**2, 0.0) / self.limits.good_mm**2
+        if times <= 1.0:
             return BY_THE_CAMERAS.format(added=millimetres(self.cameras_add_mm))
         if times <= MOST_TIMES:
             return f"About {max(times, 1.5):.1f} times as many observations, as different from each other, would make it good."
@@ -204,8 +204,8 @@ def _of_projector(head: HeadSolution, setup: Setup) -> tuple[float, str]:
     found = length_beside_projector(head, camera, volume, length_mm)
     value, worst = COVERAGE_FACTOR * found.length_sigma_mm, COVERAGE_FACTOR * found.worst_length_sigma_mm
     return value, (
-        f"Leaves a length of {found.length_mm:g} mm that camera {camera} and the projector measure uncertain by {millimetres(value)} (k = 2), "
-        f"at worst {millimetres(worst)}"
+        f"Adds {millimetres(value)} (k = 2), at worst {millimetres(worst)}, to a length of {found.length_mm:g} mm "
+        f"measured by camera {camera} and the projector"
     )
 
 
