@@ -138,6 +138,7 @@ def take(job: Job, rig: Rig, viewpoints: Sequence[Viewpoint], collection: Collec
         found = take_one(viewpoint, PartOf(job, done / len(viewpoints), (done + 1) / len(viewpoints)))
         make_changes(changes)
         job.emit_event(_added(found, viewpoint.id))
+    collection.look_again()
 
 
 def _image_taker(rig: Rig, collection: Collection, live: Mailboxes[LiveImage]) -> Taker:
@@ -191,6 +192,7 @@ def read(job: Job, recorded: Sequence[RecordedView], collection: Collection, cha
             continue
         make_changes(changes)
         job.emit_event(_added(found, view.name))
+    collection.look_again()
 
 
 def _added(found: Observation, name: str) -> Added:

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from measureapp.arrays import ImageArray
 from measureapp.calibrate.projector_sightings import PROJECTOR, called
+from measureapp.calibrate.sightings import FoundBoard
 from measureapp.data.fringe import AxisReadback, FringeStack
 from measureapp.errors import CalibrationError, InputError
 from measureapp.pipeline.board_in_fringes import projector_size_px
-from measureapp.pipeline.collecting.looking import Looked, look, look_in_fringes
+from measureapp.pipeline.collecting.looking import Before, Looked, look, look_in_fringes, tell_parts
 from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback
 from measureapp.pipeline.collecting.setup import NEEDED, Setup
 from measureapp.pipeline.collecting.solved import Solved
@@ -80,8 +81,9 @@ class Collection:
 
     @property
     def is_solved(self) -> bool:
-        """Whether the last solution holds exactly the observations collected now."""
-        return self._solved is not None and self._solved.of == self._usable_ids()
+        """Whether the last solution holds exactly the observations collected now, and all that is seen in them."""
+        solved, ids = self._solved, self._usable_ids()
+        return solved is not None and solved.of == ids and solved.sightings == self._sightings(ids)
 
     @property
     def observations(self) -> tuple[Observation, ...]:
@@ -144,7 +146,7 @@ class Collection:
             raise InputError("The projector is calibrated from fringes on the board.", "Give fringes instead of plain images.")
         read = _as_readback(readback)
         self._check(images, read)
-        return self._keep(look(images, self.setup), read, names)
+        return self._keep(look(images, read, self.setup.board, self._before()), read, names)
 
     def add_fringes(
         self,
@@ -182,6 +184,23 @@ class Collection:
                 "Give fringes of one projector.",
             )
         return self._keep(look_in_fringes(stack, self.setup, size, progress or NoProgress()), read, names)
+
+    def look_again(self) -> tuple[str, ...]:
+        """Look once more at images of parts of the board that nothing could tell, after more is known; return the observations that gained by it."""
+        gained = []
+        for one in self.observations:
+            unclear = [camera for camera, refusal in one.refused.items() if refusal.cause == "part"]
+            if one.standing == "removed" or not unclear:
+                continue
+            images = {camera: one.images[camera].pixels() for camera in unclear}
+            told = tell_parts(images, one.seen, one.readback, self.setup.board, self._before(one.id))
+            seen = {camera: found for camera, found in told.items() if isinstance(found, FoundBoard)}
+            if seen:
+                refused = {camera: refusal for camera, refusal in one.refused.items() if camera not in seen}
+                self._all[one.id] = replace(self._all[one.id], seen={**one.seen, **seen}, refused=refused)
+                self._store.keep_observation(self._all[one.id])
+                gained.append(one.id)
+        return tuple(gained)
 
     def remove(self, name: str) -> None:
         """Take an observation out; it stays in the list and `undo` brings it back. Raises InputError where it is not there."""
@@ -233,8 +252,14 @@ class Collection:
         CalibrationError
             The observations do not determine the result; says what is missing.
         """
-        self._solved = solve(self.setup, self.usable, self._sizes(), None if afresh else self._solved, progress)
+        found = solve(self.setup, self.usable, self._sizes(), None if afresh else self._solved, progress)
+        self._solved = replace(found, sightings=self._sightings(found.of))
         return self._solved
+
+    def solve_with_parts(self, progress: Progress | None = None, *, afresh: bool = False) -> Solved:
+        """Solve, and once more where cameras that are calibrated by it tell each other parts of the board. Raises as `solve`."""
+        found = self.solve(progress, afresh=afresh)
+        return self.solve(progress, afresh=afresh) if self.look_again() else found
 
     def snapshot(self) -> Collection:
         """Return a copy that another thread may solve and ask for advice while this one is added to; the copy must not be changed."""
@@ -245,6 +270,14 @@ class Collection:
     def adopt(self, solved: Solved | None) -> None:
         """Judge the observations by a solution that a snapshot found; None: there is none."""
         self._solved = solved
+
+    def _before(self, besides: str = "") -> Before:
+        """What tells parts of the board: the cameras, known or as they were solved last, and the other observations."""
+        solved = None if self._solved is None else self._solved.cameras
+        return Before(self.setup.cameras or solved, tuple(one for one in self.usable if one.id != besides))
+
+    def _sightings(self, ids: Sequence[str]) -> int:
+        return sum(len(self._all[name].seen) for name in ids)
 
     def _keep(self, looked: Looked, read: Readback, names: Mapping[str, str] | None) -> Observation:
         """Write what was looked at, and add it; images that are there already are refused."""

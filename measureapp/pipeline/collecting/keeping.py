@@ -62,7 +62,7 @@ def accept(collection: Collection, target: Path, progress: Progress | None = Non
     StorageError
         It cannot be written.
     """
-    collection.solve(progress, afresh=True)
+    collection.solve_with_parts(progress, afresh=True)
     return keep(collection, target, valid_days=valid_days)
 
 

@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 
 from measureapp.arrays import ImageArray
 from measureapp.calibrate.board import find_board
+from measureapp.calibrate.board_pose import board_pose
 from measureapp.calibrate.board_together import find_beside
+from measureapp.calibrate.board_turned import TurnedBoard, find_turned
 from measureapp.calibrate.projector_picture import projector_picture
 from measureapp.calibrate.projector_sightings import PROJECTOR
 from measureapp.calibrate.sightings import AmbiguousPart, BoardRefused, FoundBoard, Sighting
+from measureapp.data.board import BoardDescription
+from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.fringe import FringeStack
 from measureapp.errors import CalibrationError
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.pipeline.board_in_fringes import BoardInFringes, look_at_fringes
-from measureapp.pipeline.collecting.observation import Refusal
+from measureapp.pipeline.collecting.observation import Observation, Readback, Refusal
 from measureapp.pipeline.collecting.setup import Setup
 from measureapp.progress import Progress
 
@@ -34,17 +38,63 @@ class Looked:
     refused: Mapping[str, Refusal]
 
 
-def look(images: Mapping[str, ImageArray], setup: Setup) -> Looked:
-    """Look for the board in one image of each camera; a part that one cannot tell is told by the others, where all are calibrated."""
-    board, cameras = setup.board, setup.cameras
+@dataclass(frozen=True, slots=True, eq=False)
+class Before:
+    """What is known before images are looked at."""
+
+    cameras: CameraArrayCalibration | None  # calibrated before, or as the views collected so far have them
+    observations: Sequence[Observation] = ()  # other positions
+
+
+def look(images: Mapping[str, ImageArray], readback: Readback, board: BoardDescription, before: Before) -> Looked:
+    """Look for the board in one image of each camera; parts that one cannot tell are told as `tell_parts` does."""
     with ThreadPoolExecutor(DETECTION_THREADS) as pool:
         results = dict(zip(images, pool.map(lambda pixels: _look(lambda: find_board(pixels, board)), images.values()), strict=True))
     known = {camera: one for camera, one in results.items() if isinstance(one, FoundBoard)}
-    unclear = [camera for camera, one in results.items() if isinstance(one, AmbiguousPart)]
-    if known and cameras is not None:
-        results |= {camera: _look(partial(find_beside, images[camera], camera, known, cameras, board)) for camera in unclear}
+    unclear = {camera: images[camera] for camera, one in results.items() if isinstance(one, AmbiguousPart)}
+    results |= tell_parts(unclear, known, readback, board, before)
     refused = {camera: refusal(one) for camera, one in results.items() if isinstance(one, CalibrationError)}
     return Looked(images, {camera: one for camera, one in results.items() if isinstance(one, FoundBoard)}, refused)
+
+
+def tell_parts(
+    unclear: Mapping[str, ImageArray], known: Mapping[str, FoundBoard], readback: Readback, board: BoardDescription, before: Before
+) -> dict[str, FoundBoard | CalibrationError]:
+    """Tell which parts of the board these images show: by cameras that saw the same position, else by where the table turned the board from.
+
+    Parameters
+    ----------
+    unclear : camera -> image of a part that may be one of several
+    known : other cameras -> what they saw at the same position
+    readback : where the axes stood
+
+    Returns
+    -------
+    camera -> marks, or why it is still not clear; nothing where nothing can tell it
+    """
+    cameras, told = before.cameras, dict[str, FoundBoard | CalibrationError]()
+    if cameras is None or not unclear:
+        return told
+    if known:
+        return {camera: _look(partial(find_beside, image, camera, known, cameras, board)) for camera, image in unclear.items()}
+    turned, table_rad = _turned(before.observations, readback, cameras, board), readback.table_rad
+    if table_rad is None or not turned:
+        return told
+    return {camera: _look(partial(find_turned, image, camera, turned, table_rad, cameras, board)) for camera, image in unclear.items()}
+
+
+def _turned(
+    observations: Sequence[Observation], readback: Readback, cameras: CameraArrayCalibration, board: BoardDescription
+) -> list[TurnedBoard]:
+    """Other sightings from the same place of the cameras, the table's angle known."""
+    found = []
+    for one in observations:
+        angle = one.readback.table_rad
+        seen = {camera: marks for camera, marks in one.seen.items() if camera in cameras.cameras}
+        if seen and angle is not None and one.readback.holds_cameras_as(readback):
+            corners, ids = {name: marks.corners_px for name, marks in seen.items()}, {name: marks.ids for name, marks in seen.items()}
+            found.append(TurnedBoard(board_pose(corners, cameras, board, ids=ids), angle))
+    return found
 
 
 def look_in_fringes(stack: FringeStack, setup: Setup, size_px: tuple[int, int], progress: Progress) -> Looked:

@@ -33,6 +33,7 @@ class Solved:
     camera_solution: CameraArraySolution | None = None  # where cameras, or the projector as one of them, are part of the result
     residuals_px: Mapping[str, Mapping[str, float]] = field(default_factory=dict)  # observation -> camera -> rms
     residuals_mm: Mapping[str, float] = field(default_factory=dict)  # observation -> rms over the marks, where axes are calibrated
+    sightings: int = 0  # of single cameras, in all observations that entered
     reasons: Mapping[str, str] = field(default_factory=dict)  # observation -> what was left out of it, and why
 
     @property
