@@ -103,7 +103,7 @@ def _corners(
     table_rad: Sequence[float] | None,
     progress: Progress,
 ) -> tuple[dict[int, dict[str, FoundBoard]], list[dict[str, Any]]]:
-    found: dict[int, dict[str, FoundBoard]] = {}
+    found: dict[int, dict[str, FoundBoard]] = {position: {} for position in range(files.positions)}
     rejected: list[dict[str, Any]] = []
     unclear: list[tuple[str, int, ImageArray]] = []
     total = len(files.cameras) * files.positions
@@ -117,7 +117,7 @@ def _corners(
                 "Use the calibration of the camera that took the images.",
             )
         try:
-            found.setdefault(position, {})[camera] = find_board(image, board)
+            found[position][camera] = find_board(image, board)
         except AmbiguousPart:
             unclear.append((camera, position, image))
         except CalibrationError as error:
