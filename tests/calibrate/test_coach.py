@@ -155,7 +155,7 @@ def test_the_proposed_view_shrinks_the_uncertainty_more_than_most_others(shown, 
     show(shown, one_camera, flat, generator)
     before = one_camera.solve().solution
     proposed = best_view(before, 800.0, before.calibration.names)
-    gains = [gain_of(before, one, before.calibration.names) for one in candidates(before, 800.0)]
+    gains = [gain_of(before, one, before.calibration.names) for one in candidates(before, 800.0, before.calibration.names)]
     assert gain_of(before, proposed, before.calibration.names) == max(gains)
     show(shown, one_camera, [proposed], generator)
     after = one_camera.solve(afresh=True).solution
