@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import logging
+import os
 import sys
 from contextlib import suppress
 from dataclasses import dataclass
 from logging.handlers import RotatingFileHandler
 from pathlib import Path
 from types import TracebackType
+from typing import NoReturn
 
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
@@ -24,6 +26,7 @@ from ui.workers.job import LOG, unexpected
 
 _log = logging.getLogger(__name__)
 LOG_BYTES = 1_000_000
+LAST_WAIT_MS = 60_000  # for threads that go on after the window is gone: compiling the largest kernel takes half a minute
 
 
 @dataclass(frozen=True)
@@ -66,7 +69,18 @@ def run(project: Path | None = None, demo: bool = False) -> int:
         built.controllers.project.open(project)
     elif demo:
         open_demo(built)
-    return application.exec()
+    code = application.exec()
+    if not built.controllers.end(LAST_WAIT_MS):
+        _leave(code)
+    return code
+
+
+def _leave(code: int) -> NoReturn:
+    """End the process under a thread that does not end: destroying it while it runs would abort the process instead."""
+    logging.shutdown()
+    for stream in (sys.stdout, sys.stderr):
+        stream.flush()
+    os._exit(code)
 
 
 def keep_log(path: Path) -> None:

@@ -99,10 +99,8 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self._disk_timer.stop()
-        for runner in self.controllers.runners:
-            runner.queue.cancel_all()
-        for runner in self.controllers.runners:
-            runner.queue.wait(CLOSING_WAIT_MS)
+        self.hide()  # whoever closes it need not watch it wait
+        self.controllers.end(CLOSING_WAIT_MS)
         for page in self.pages.values():
             page.close_page()
         event.accept()

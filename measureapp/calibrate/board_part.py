@@ -70,7 +70,6 @@ def the_one(board: BoardDescription, parts: Sequence[tuple[IntArray, FloatArray]
     raise AmbiguousPart(
         f"Only {len(parts[0][0])} of the {board.count} marks of the {board.label} can be seen, and they may be any of {len(parts) // alike} parts of it.",
         "Show one whole side of the board with the white margin at both of its ends, or use a ChArUco board, of which any part is enough.",
-        "hidden",
     )
 
 

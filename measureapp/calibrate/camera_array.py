@@ -18,6 +18,7 @@ from measureapp.calibrate.camera_pairs import LoopCheck, contradictions, loops, 
 from measureapp.calibrate.least_squares import Minimum
 from measureapp.calibrate.poses import inverted
 from measureapp.calibrate.projection import intrinsic_names
+from measureapp.calibrate.projector_sightings import called
 from measureapp.calibrate.sightings import Rejection, Sighting, ViewResidual, rms, spreads
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, LabelledCovariance, Provenance
@@ -146,7 +147,7 @@ def _started(
             continue
         if len(own) < LEAST_VIEWS:
             raise CalibrationError(
-                f"Camera {camera!r} has {len(own)} views of the board; at least {LEAST_VIEWS} are needed.",
+                f"{called(camera)} has {len(own)} {'view' if len(own) == 1 else 'views'} of the board; at least {LEAST_VIEWS} are needed.",
                 "Add views with the board tilted in different directions.",
             )
         if before is None:

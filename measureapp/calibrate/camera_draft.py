@@ -10,6 +10,7 @@ import numpy as np
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.calibrate.camera import LEAST_VIEWS
 from measureapp.calibrate.camera_array import CameraArrayProblem
+from measureapp.calibrate.projector_sightings import called
 from measureapp.calibrate.sightings import Rejection, Sighting
 from measureapp.data.board import BoardDescription
 
@@ -65,15 +66,15 @@ class CameraArrayDraft:
         for camera in self._sizes:
             count = len(self._of(camera))
             if count < LEAST_VIEWS:
-                missing.append(f"Camera {camera}: {LEAST_VIEWS - count} more views are needed.")
+                missing.append(f"{called(camera)}: {LEAST_VIEWS - count} more views are needed.")
                 continue
             if count < ADVISED_VIEWS:
-                missing.append(f"Camera {camera}: {ADVISED_VIEWS - count} more views would make it reliable.")
+                missing.append(f"{called(camera)}: {ADVISED_VIEWS - count} more views would make it reliable.")
             if self.tilt_rad(camera) < ADVISED_TILT_RAD:
-                missing.append(f"Camera {camera}: tilt the board by 20° to 45° in several directions.")
+                missing.append(f"{called(camera)}: tilt the board by 20° to 45° in several directions.")
             if self.coverage(camera) < ADVISED_COVERAGE:
                 missing.append(
-                    f"Camera {camera}: only {self.coverage(camera):.0%} of the image was covered; bring the board to its borders."
+                    f"{called(camera)}: only {self.coverage(camera):.0%} of the image was covered; bring the board to its borders."
                 )
         return tuple(missing)
 

@@ -14,10 +14,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from measureapp.arrays import FloatArray
+from measureapp.calibrate.camera_uncertainty import POSE_NAMES
 from measureapp.calibrate.chain import Chain, ChainState
 from measureapp.calibrate.hand_eye import HandEyeSolution
 from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.linear_guide import GuideSolution
+from measureapp.calibrate.projector_array import HeadSolution
+from measureapp.calibrate.projector_sightings import PROJECTOR
 from measureapp.calibrate.rotation_axis import AxisSolution
 from measureapp.calibrate.slide_noise import with_perfect_images
 from measureapp.data.uncertainty import UncertaintyMap
@@ -26,6 +29,8 @@ DEGREES = float(np.rad2deg(1.0))
 # name -> unit and what is asked of it unless the user asks for something else
 ASKED: Mapping[str, tuple[str, float]] = {
     "shape": ("mm", 0.005),
+    "projector position": ("mm", 0.1),
+    "projector rotation": ("°", 0.02),
     "hand-eye position": ("mm", 0.05),
     "hand-eye rotation": ("°", 0.005),
     "axis direction": ("°", 0.002),
@@ -98,6 +103,17 @@ def camera_limits(uncertainty: UncertaintyMap | None, asked: Asked) -> tuple[Lim
     if uncertainty is None or uncertainty.volume is None:
         return ()
     return (_limit("shape", asked, uncertainty.volume.shape_rms_mm),)
+
+
+def projector_limits(head: HeadSolution, asked: Asked) -> tuple[Limit, ...]:
+    """Return the figures of where the projector stands before the reference camera, with what the cameras leave uncertain where that is known."""
+    solution = head.solution
+    places = {label: index for index, label in enumerate(solution.parameters)}
+    rows = [places[f"{PROJECTOR}.{name}"] for name in POSE_NAMES]
+    return (
+        _limit("projector position", asked, _worst(solution.covariance, rows[3:])),
+        _limit("projector rotation", asked, _worst(solution.covariance, rows[:3]) * DEGREES),
+    )
 
 
 def axis_limits(solution: AxisSolution, asked: Asked) -> tuple[Limit, ...]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from measureapp.calibrate.camera_array import CameraArrayProblem, CameraArraySolution, solve
 from measureapp.calibrate.projector_sightings import PROJECTOR
 from measureapp.calibrate.sightings import Rejection, Sighting
-from measureapp.data.calibration import CameraArrayCalibration, ProjectorCalibration, Provenance
+from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, ProjectorCalibration, Provenance
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Progress
@@ -20,6 +20,12 @@ class HeadSolution:
 
     calibration: CameraArrayCalibration  # with its `projector`
     solution: CameraArraySolution  # of the bundle, in which the projector is a camera called `PROJECTOR`
+
+    @property
+    def projector(self) -> ProjectorCalibration:
+        """The projector."""
+        assert self.calibration.projector is not None  # `solve_head` always gives one
+        return self.calibration.projector
 
 
 def with_projector(problem: CameraArrayProblem, read: Sequence[Sighting | Rejection], size_px: tuple[int, int]) -> CameraArrayProblem:
@@ -57,19 +63,21 @@ def solve_head(
     read: Sequence[Sighting | Rejection],
     size_px: tuple[int, int],
     progress: Progress | None = None,
+    before: HeadSolution | None = None,
 ) -> HeadSolution:
     """Calibrate cameras and projector together, or the projector alone where the problem's cameras are known.
 
     Parameters
     ----------
     read : what `projector_sighting` made of the phases in every camera and view
+    before : a solution from fewer or other views, to start from
 
     Raises
     ------
     CalibrationError
         As `camera_array.solve`; for the projector as for any camera.
     """
-    solution = solve(with_projector(problem, read, size_px), progress)
+    solution = solve(with_projector(problem, read, size_px), progress, None if before is None else before.solution)
     return HeadSolution(as_head(solution.calibration), solution)
 
 
@@ -82,10 +90,31 @@ def as_head(calibration: CameraArrayCalibration, name: str = PROJECTOR) -> Camer
         name,
         seen.standard_deviations,
         Provenance(calibration.provenance.created, "inverse camera in the bundle adjustment of all cameras", calibration.provenance.inputs),
+        seen.rms_px,
     )
     cameras = {camera: value for camera, value in calibration.cameras.items() if camera != name}
     pairs = {pair: value for pair, value in calibration.pair_rms_px.items() if not _names(pair, name, cameras)}
     return replace(calibration, cameras=cameras, pair_rms_px=pairs, projector=projector)
+
+
+def as_camera(projector: ProjectorCalibration) -> CameraCalibration:
+    """Return the projector as the inverse camera it is."""
+    place = RigidTransform(projector.reference_from_projector.matrix, "camera", projector.name)
+    return CameraCalibration(projector.name, projector.pinhole, place, projector.standard_deviations, projector.rms_px)
+
+
+def beside_projector(head: CameraArrayCalibration, camera: str) -> CameraArrayCalibration:
+    """Return one camera and the projector as a pair of cameras, in the frame of the head.
+
+    Raises
+    ------
+    CalibrationError
+        The projector of the head is not calibrated.
+    """
+    if head.projector is None:
+        raise CalibrationError("The projector is not calibrated.", "Calibrate it: `measureapp calibrate projector`.")
+    pair = {camera: head.cameras[camera], head.projector.name: as_camera(head.projector)}
+    return CameraArrayCalibration(camera, pair, covariance=head.covariance)
 
 
 def _names(pair: str, name: str, cameras: Sequence[str] | Mapping[str, object]) -> bool:

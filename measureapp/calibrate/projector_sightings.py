@@ -26,6 +26,11 @@ LEAST_CORNERS = 8
 PROJECTOR = "projector"
 
 
+def called(name: str) -> str:
+    """Return who saw something, as the start of a sentence: the projector counts as a camera, but is none."""
+    return "Projector" if name == PROJECTOR else f"Camera {name}"
+
+
 def projector_sighting(sighting: Sighting, vertical: PhaseMap, projector: str = PROJECTOR) -> Sighting | Rejection:
     """Return the projector's sighting of the marks one camera saw, or why it has none.
 

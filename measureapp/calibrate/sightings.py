@@ -11,7 +11,7 @@ import numpy as np
 from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
 from measureapp.errors import CalibrationError
 
-Cause = Literal["blurred", "over-exposed", "too dark", "hidden", "wrong board", "not found"]
+Cause = Literal["blurred", "over-exposed", "too dark", "hidden", "part", "wrong board", "not found"]
 
 
 class BoardRefused(CalibrationError):
@@ -24,6 +24,9 @@ class BoardRefused(CalibrationError):
 
 class AmbiguousPart(BoardRefused):
     """An image of a part of the board that may be one of several; where the board was expected to be tells which."""
+
+    def __init__(self, message: str, hint: str) -> None:
+        super().__init__(message, hint, "part")
 
 
 LARGEST_SPREAD = 5.0

@@ -13,12 +13,13 @@ import typer
 import typer.exceptions
 
 from measureapp import __version__
+from measureapp.cli.help_words import worded
 from measureapp.cli.reply import say
 from measureapp.errors import DeviceError, MeasureError
 from measureapp.progress import Cancelled
 
 DONE, OUT_OF_TOLERANCE, BAD_INPUT, DEVICE_FAILED, CANCELLED = 0, 1, 2, 3, 130
-NOT_COMMANDS = ("main", "outcome", "reply", "section_words")
+NOT_COMMANDS = ("help_words", "main", "outcome", "reply", "section_words")
 
 
 def build() -> typer.Typer:
@@ -41,7 +42,7 @@ def build() -> typer.Typer:
     for module in pkgutil.iter_modules(importlib.import_module("measureapp.cli").__path__):
         if module.name not in NOT_COMMANDS:
             importlib.import_module(f"measureapp.cli.{module.name}").register(app)
-    return app
+    return worded(app)
 
 
 def main(argv: Sequence[str] | None = None) -> int:

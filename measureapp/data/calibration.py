@@ -56,6 +56,7 @@ class ProjectorCalibration:
     name: str = "projector"
     standard_deviations: Mapping[str, float] = field(default_factory=dict)
     provenance: Provenance = field(default_factory=Provenance)
+    rms_px: float = 0.0  # of the marks, in projector pixels; 0 where it is not stated
 
 
 @dataclass(frozen=True, slots=True, eq=False)

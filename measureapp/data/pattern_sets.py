@@ -120,4 +120,5 @@ _BOTH = ("paper", "three-close", "complementary-gray")
 PATTERN_SETS = made_for(1024, 768)  # the projector of the paper's rig
 PAPER_PATTERNS = PATTERN_SETS["paper"]
 DEFAULT_NAME = "three-close"  # resources/docs/decisions/0005-pattern-sets.md says why
+BOTH_DIRECTIONS = f"{DEFAULT_NAME}-both"  # the same for vertical and horizontal fringes
 DEFAULT_PATTERNS = PATTERN_SETS[DEFAULT_NAME]

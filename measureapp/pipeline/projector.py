@@ -3,22 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
-import numpy as np
-
-from measureapp.arrays import ImageArray
-from measureapp.calibrate.board import find_board, require_unambiguous
+from measureapp.calibrate.board import require_unambiguous
 from measureapp.calibrate.camera_array import CameraArrayProblem
 from measureapp.calibrate.projector_array import HeadSolution, solve_head
-from measureapp.calibrate.projector_sightings import projector_sighting
 from measureapp.calibrate.sightings import Rejection, Sighting, sighting_of
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration
-from measureapp.data.fringe import FringeStack, PhaseShiftGroup
-from measureapp.errors import CalibrationError, DecodeError, InputError
-from measureapp.fringe.decode import decode
+from measureapp.data.fringe import FringeStack
+from measureapp.errors import CalibrationError, InputError
 from measureapp.fringe.settings import DecodeSettings
+from measureapp.pipeline.board_in_fringes import look_at_fringes, projector_size_px, require_both_directions
 from measureapp.progress import PartOf, Progress
 
 LEAST_POSITIONS = 3
@@ -66,9 +62,10 @@ def calibrate_projector(stacks: Iterable[FringeStack], positions: int, request: 
         view, part = f"{number + 1:02d}", PartOf(progress, 0.9 * number / positions, 0.9 * (number + 1) / positions)
         size_px = _size_of(stack, size_px, given=request.projector_px is not None)
         _require_same_cameras(stack, sizes, request.cameras)
-        found = _boards(stack, view, request.board, missed)
-        sightings += found
-        read += _readings(stack, found, request.decoding, part)
+        found = look_at_fringes(stack, view, request.board, request.decoding, part)
+        sightings += [sighting_of(camera, view, one) for camera, one in found.seen.items()]
+        missed += [Rejection(camera, view, error.message.rstrip(".")) for camera, error in found.refused.items()]
+        read += found.readings.values()
     _require_different(sightings)
     known = request.cameras
     if known is not None:
@@ -97,58 +94,11 @@ def _require_different(sightings: list[Sighting]) -> None:
             )
 
 
-def board_image(stack: FringeStack, camera: str, exposure: int) -> ImageArray:
-    """Return the mean (H, W) of the sinusoidal images of one exposure: the board in even light; full scale where one is saturated."""
-    images = stack.images[camera][exposure]
-    groups = [group for group in stack.patterns.groups for _ in range(group.count)]
-    sinusoids = [number for number, group in enumerate(groups) if isinstance(group, PhaseShiftGroup)]
-    mean = np.zeros(images.shape[1:], np.float32)
-    clipped = np.zeros(images.shape[1:], bool)
-    for number in sinusoids:
-        mean += images[number]
-        clipped |= images[number] >= stack.saturation
-    levels = np.round(mean * (255.0 / stack.saturation / len(sinusoids)))
-    return np.where(clipped, 255, levels).astype(np.uint8)
-
-
-def _boards(stack: FringeStack, view: str, board: BoardDescription, missed: list[Rejection]) -> list[Sighting]:
-    """The board in every camera, in the longest exposure that allows it."""
-    found = []
-    for camera in stack.images:
-        reason = ""
-        for exposure in range(len(stack.exposures_us)):
-            try:
-                found.append(sighting_of(camera, view, find_board(board_image(stack, camera, exposure), board)))
-                break
-            except CalibrationError as error:
-                reason = reason or error.message.rstrip(".")
-        else:
-            missed.append(Rejection(camera, view, reason))
-    return found
-
-
-def _readings(stack: FringeStack, found: list[Sighting], settings: DecodeSettings, progress: Progress) -> list[Sighting | Rejection]:
-    if not found:
-        progress.report(1, 1)
-        return []
-    seeing = replace(stack, images={one.camera: stack.images[one.camera] for one in found})
-    try:
-        phases = decode(seeing, settings, progress)
-    except DecodeError as error:
-        return [Rejection(one.camera, one.view, error.message.rstrip(".")) for one in found]
-    return [projector_sighting(one, phases[one.camera]) for one in found]
-
-
 def _size_of(stack: FringeStack, before: tuple[int, int], *, given: bool) -> tuple[int, int]:
-    patterns = stack.patterns
-    if len(patterns.directions) < 2:
-        raise CalibrationError(
-            f"{stack.viewpoint_id} has {patterns.directions[0]} fringes only; the projector needs those of both directions.",
-            "Record vertical and horizontal fringes at every position: `measureapp patterns export` writes such a set.",
-        )
+    require_both_directions(stack)
     if given:
         return before
-    size = (patterns.projector_px, patterns.projector_rows or patterns.projector_px)
+    size = projector_size_px(stack)
     if before not in (NOT_KNOWN, size):
         raise InputError(
             f"The fringes of {stack.viewpoint_id} run over {size[0]} × {size[1]} px of the projector, those before over "

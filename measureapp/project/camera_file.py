@@ -25,7 +25,7 @@ FILE_FIELDS_SINCE_2 = {"covariance"}
 COVARIANCE_FIELDS = {"parameters", "matrix"}
 LENS_FIELDS = ("width", "height", "matrix", "distortion")
 CAMERA_FIELDS = {*LENS_FIELDS, "reference_from_camera", "standard_deviations", "rms_px", "serial", "focus_mm", "f_number"}
-PROJECTOR_FIELDS = {*LENS_FIELDS, "reference_from_projector", "name", "standard_deviations", "provenance"}
+PROJECTOR_FIELDS = {*LENS_FIELDS, "reference_from_projector", "name", "standard_deviations", "rms_px", "provenance"}
 PROVENANCE_FIELDS = {"created", "method", "inputs", "temperature_c", "valid_days", "arguments", "folder"}
 
 
@@ -78,6 +78,7 @@ def _projector_document(projector: ProjectorCalibration) -> dict[str, Any]:
         "reference_from_projector": projector.reference_from_projector.matrix.tolist(),
         "name": projector.name,
         "standard_deviations": {name: float(value) for name, value in projector.standard_deviations.items()},
+        "rms_px": float(projector.rms_px),
         "provenance": _provenance_document(projector.provenance),
     }
 
@@ -192,6 +193,7 @@ def _projector(entry: Any, source: str) -> ProjectorCalibration:
         name,
         _numbers(entry.get("standard_deviations", {}), source, "projector.standard_deviations"),
         _provenance(provenance, source, "projector.provenance"),
+        _numbers({"rms_px": entry.get("rms_px", 0.0)}, source, "projector")["rms_px"],
     )
 
 

@@ -95,11 +95,8 @@ def read_manifest(path: Path) -> FringeStack:
     """
     path = Path(path)
     manifest = parse_manifest(path)
-    exposures = [_vertical_first(entry) for entry in sorted(manifest.exposure, key=lambda entry: -entry.exposure_us)]
-    _check_same(path, exposures)
-    patterns = _patterns(path, manifest, exposures[0].group)
-    check_determines_phase(patterns)
-    cameras = tuple(exposures[0].group[0].images)
+    exposures = _exposures(path, manifest)
+    patterns, cameras = _layout(path, manifest, exposures)
     images = {camera: _read_camera(path, exposures, camera) for camera in cameras}
     stack = FringeStack(
         viewpoint_id=path.parent.resolve().name,
@@ -110,6 +107,25 @@ def read_manifest(path: Path) -> FringeStack:
     )
     check_stack(stack)
     return stack
+
+
+def read_layout(path: Path) -> tuple[PatternSet, tuple[str, ...]]:
+    """Return which patterns a manifest says were projected, and the cameras, without reading an image; raises as `read_manifest`."""
+    manifest = parse_manifest(path)
+    return _layout(path, manifest, _exposures(path, manifest))
+
+
+def _exposures(path: Path, manifest: FringeManifest) -> list[ExposureEntry]:
+    """Return the exposures from long to short, after checking that all show the same."""
+    exposures = [_vertical_first(entry) for entry in sorted(manifest.exposure, key=lambda entry: -entry.exposure_us)]
+    _check_same(path, exposures)
+    return exposures
+
+
+def _layout(path: Path, manifest: FringeManifest, exposures: list[ExposureEntry]) -> tuple[PatternSet, tuple[str, ...]]:
+    patterns = _patterns(path, manifest, exposures[0].group)
+    check_determines_phase(patterns)
+    return patterns, tuple(exposures[0].group[0].images)
 
 
 def manifest_files(path: Path) -> tuple[Path, ...]:

@@ -7,7 +7,7 @@ import itertools
 import numpy as np
 
 from measureapp.calibrate.sightings import BoardRefused, FoundBoard
-from measureapp.pipeline.collecting import collection as collecting
+from measureapp.pipeline.collecting import looking
 
 SIGMA_PX = 0.05  # stated noise of the marks
 
@@ -17,7 +17,7 @@ class Shown:
 
     def __init__(self, monkeypatch, sigma_px=SIGMA_PX):
         self._marks, self._numbers, self._sigma_px = {}, itertools.count(1), sigma_px
-        monkeypatch.setattr(collecting, "find_board", self._found)
+        monkeypatch.setattr(looking, "find_board", self._found)
 
     def add(self, collection, corners, readback=None, size=(1296, 972)):
         """Add marks by camera: (N, 2) of the whole board, (ids, pixels) of a part, or a cause for which the image is refused."""

@@ -9,10 +9,10 @@ import pytest
 
 from measureapp.calibrate.board import detect, find_board
 from measureapp.calibrate.board_part import places_of
-from measureapp.calibrate.board_squares import SquaresInSight
+from measureapp.calibrate.board_squares import SquaresInSight, squares_in_sight
 from measureapp.data.board import CheckerboardDescription
 from measureapp.errors import CalibrationError
-from tests.calibrate.virtual_board import CHECKER, shot
+from tests.calibrate.virtual_board import CHECKER, middle_of, shot
 
 BOARD = CheckerboardDescription(columns=6, rows=5, square_mm=10.0)
 NOT_SEEN = (False,) * 4
@@ -114,3 +114,11 @@ def test_a_white_sheet_is_not_taken_for_the_margin():
         except CalibrationError:
             continue
         assert np.abs(found.corners_px - seen.marks_px[found.ids]).max() < 0.3, share
+
+
+def test_one_image_gives_one_answer_however_often_it_is_looked_at():
+    """The search draws lots: unseeded, one call in twenty finds a smaller grid in this image."""
+    seen = shot(CHECKER, 15, 60, 20)
+    part = middle_of(seen.image, seen.marks_px)
+    counts = {squares_in_sight(part).count for _ in range(60)}
+    assert len(counts) == 1

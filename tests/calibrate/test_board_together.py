@@ -15,7 +15,7 @@ from measureapp.data.calibration import CameraArrayCalibration, CameraCalibratio
 from measureapp.data.fringe import AxisReadback
 from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.collecting import Collection, Setup
-from tests.calibrate.virtual_board import CHECKER, CIRCLES, shot
+from tests.calibrate.virtual_board import CHECKER, CIRCLES, middle_of, photographed, shot
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,12 +37,8 @@ def sights(request):
         "left": CameraCalibration("left", whole.camera, RigidTransform.identity("camera", "left")),
         "right": CameraCalibration("right", other.camera, place),
     }
-    image = np.full_like(other.image, 70)
-    middle = other.marks_px.mean(axis=0).astype(int)
-    image[middle[1] - 180 : middle[1] + 180, middle[0] - 220 : middle[0] + 220] = other.image[
-        middle[1] - 180 : middle[1] + 180, middle[0] - 220 : middle[0] + 220
-    ]
-    return Sights(request.param, whole.image, image, other.marks_px, CameraArrayCalibration("left", cameras))
+    part = middle_of(other.image, other.marks_px)
+    return Sights(request.param, whole.image, part, other.marks_px, CameraArrayCalibration("left", cameras))
 
 
 def test_the_other_camera_tells_which_part_it_is(sights):
@@ -62,6 +58,29 @@ def test_a_collection_with_calibrated_cameras_uses_such_a_part(sights, tmp_path)
         assert len(one.seen["left"].ids) == sights.board.count
         assert ("right" in one.seen) is (known is not None)
         assert ("right" in one.refused) is (known is None)
+
+
+def test_cameras_that_are_being_calibrated_tell_each_other_parts_once_they_are_solved(tmp_path):
+    right_from_left = RigidTransform.from_vector([0.02, 0.1, 0.01], [-60.0, 3.0, 5.0], "right", "camera")
+    session = Collection.create(tmp_path / "session", Setup("cameras", CHECKER, ("left", "right")))
+    for number, towards in enumerate((70, 140, 210, 280, 0)):
+        start = shot(CHECKER, 30, towards, 10)
+        pose = RigidTransform((right_from_left @ start.camera_from_board).matrix, "camera", "board")
+        marks = start.camera.project(pose.apply(CHECKER.corners_mm))
+        right = photographed(CHECKER, start.camera, pose, number)
+        session.add({"left": start.image, "right": middle_of(right, marks) if number == 0 else right})
+    assert "right" not in session.observation("01").seen  # nothing tells it yet
+    assert session.look_again() == ()
+    before = session.solve()
+    assert session.look_again() == ("01",)
+    assert not session.is_solved  # more is seen than was solved
+    found = session.observation("01").seen["right"]
+    truth = RigidTransform((right_from_left @ shot(CHECKER, 30, 70, 10).camera_from_board).matrix, "camera", "board")
+    off = found.corners_px - shot(CHECKER, 30, 70, 10).camera.project(truth.apply(CHECKER.corners_mm[found.ids]))
+    assert np.abs(off).max() < 0.3  # a wrong identity is off by a whole square
+    after = session.solve_with_parts()
+    assert session.is_solved
+    assert after.residuals_px["01"].keys() == {"left", "right"} > before.residuals_px["01"].keys()
 
 
 def test_an_expectation_that_fits_no_part_better_than_the_next_is_not_trusted(sights):

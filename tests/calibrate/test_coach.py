@@ -154,9 +154,9 @@ def test_the_proposed_view_shrinks_the_uncertainty_more_than_most_others(shown, 
     flat = [place(board, (0.2 * k, 0.1 * k), (0.1, 0.05 * k)) for k in range(-2, 3)]
     show(shown, one_camera, flat, generator)
     before = one_camera.solve().solution
-    proposed = best_view(before, 800.0)
-    gains = [gain_of(before, one) for one in candidates(before, 800.0)]
-    assert gain_of(before, proposed) == max(gains)
+    proposed = best_view(before, 800.0, before.calibration.names)
+    gains = [gain_of(before, one, before.calibration.names) for one in candidates(before, 800.0, before.calibration.names)]
+    assert gain_of(before, proposed, before.calibration.names) == max(gains)
     show(shown, one_camera, [proposed], generator)
     after = one_camera.solve(afresh=True).solution
     lens = slice(0, 9)

@@ -194,14 +194,14 @@ def test_recorded_pairs_with_wrongly_refined_corners_are_left_out_with_the_reaso
     import cv2
 
     from measureapp.calibrate.sightings import FoundBoard
-    from measureapp.pipeline.collecting import collection as collecting
+    from measureapp.pipeline.collecting import looking
 
     def wide(image, board):
         _, corners = cv2.findChessboardCorners(image, (board.columns, board.rows))
         corners = cv2.cornerSubPix(image, corners, (11, 11), (-1, -1), (3, 30, 0.01)).reshape(-1, 2)
         return FoundBoard(np.arange(board.count), corners.astype(float), np.full(board.count, 0.1), 2.5)
 
-    monkeypatch.setattr(collecting, "find_board", wide)
+    monkeypatch.setattr(looking, "find_board", wide)
     folder = recorded("opencv_stereo")
     board = CheckerboardDescription(columns=9, rows=6, square_mm=1.0)
     session = Collection.create(tmp_path / "session", Setup("cameras", board, ("left", "right")))

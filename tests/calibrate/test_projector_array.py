@@ -156,5 +156,5 @@ def test_fringes_in_one_direction_do_not_place_the_projector(captured):
     found = projector_sighting(problem.sightings[0], one_way["left", "00"])
     assert isinstance(found, Rejection)
     assert "one direction only" in found.reason
-    with pytest.raises(CalibrationError, match="'projector' has 0 views"):
+    with pytest.raises(CalibrationError, match="Projector has 0 views"):
         solve_head(problem, readings(problem, one_way), (1024, 768))

@@ -56,7 +56,7 @@ def test_the_suggested_viewpoint_can_be_reached_is_new_and_teaches_what_it_promi
     assert found.viewpoint.id == "more01"
     assert obstacles(found.viewpoint, RIG) == ()
     place = seen_from(found.viewpoint, cell)  # with the true rig, which is not the drawn one
-    assert gain_of(solution, place) > LEAST_GAIN
+    assert gain_of(solution, place, solution.calibration.names) > LEAST_GAIN
     aparts = [place.inverse() @ known for known in solution.boards.values()]
     assert all(np.linalg.norm(apart.translation_mm) > NEAR_MM / 2 or apart.angle_rad > NEAR_RAD / 2 for apart in aparts)
     assert corners_of(cell.truth.calibration.cameras, place, 0.0, np.random.default_rng(0)), "no camera sees the board whole from there"

@@ -55,11 +55,31 @@ def shot(
     turn = rotation_about([np.cos(towards), np.sin(towards), 0], tilt) @ rotation_about([0, 0, 1], roll)
     centre = np.array([*aside_mm, 550.0])
     pose = RigidTransform.from_parts(turn, centre - turn @ board.middle_mm, "camera", "board")
-    printed = PrintedBoard(board, 0.0)
-    lamp = RigidTransform.from_parts(np.eye(3), np.array([-60.0, 0, 0]), "camera", "projector")
-    light = np.empty((height, width, 4), np.float32)
-    printed.lit(camera, pose.inverse(), Lights(camera, pose.inverse() @ lamp, 550.0), light)
-    mean = exposed(light, None, exposure_us, LightSettings())
     key = int(1000 * tilt_deg + 10 * towards_deg + roll_deg)
-    image = read_out(mean, 8, SensorSettings(noise=noise), key)
-    return Shot(read_only(image), camera.project(pose.apply(printed.corners_mm())), camera, pose)
+    image = photographed(board, camera, pose, key, exposure_us=exposure_us, noise=noise)
+    return Shot(image, camera.project(pose.apply(board.corners_mm)), camera, pose)
+
+
+def photographed(
+    board: BoardDescription,
+    camera: PinholeCamera,
+    camera_from_board: RigidTransform,
+    key: int,
+    *,
+    exposure_us: int = EXPOSURE_US,
+    noise: bool = True,
+) -> ImageArray:
+    """Photograph a board where it stands; ``key`` draws the noise."""
+    lamp = RigidTransform.from_parts(np.eye(3), np.array([-60.0, 0, 0]), "camera", "projector")
+    board_from_camera = camera_from_board.inverse()
+    light = np.empty((camera.height_px, camera.width_px, 4), np.float32)
+    PrintedBoard(board, 0.0).lit(camera, board_from_camera, Lights(camera, board_from_camera @ lamp, 550.0), light)
+    return read_only(read_out(exposed(light, None, exposure_us, LightSettings()), 8, SensorSettings(noise=noise), key))
+
+
+def middle_of(image: ImageArray, marks_px: FloatArray) -> ImageArray:
+    """Hide all but the middle of a board: no margin and no end of it can be seen."""
+    part = np.full_like(image, 70)
+    x, y = marks_px.mean(axis=0).astype(int)
+    part[y - 180 : y + 180, x - 220 : x + 220] = image[y - 180 : y + 180, x - 220 : x + 220]
+    return read_only(part)

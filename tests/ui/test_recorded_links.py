@@ -10,7 +10,7 @@ from measureapp.acquire.capture import capture_board
 from measureapp.project.rig_file import read_rig
 from tests.ui.board_pictures import BOARD, record
 from ui.controllers.collecting_work import viewpoints_of
-from ui.controllers.rig_connection import connect
+from ui.controllers.rig_connection import connect, truth_of
 from ui.wizards.kinds import HAND_EYE, RIG
 from ui.wizards.wizard import COLLECT, SETUP
 
@@ -36,7 +36,7 @@ def filmed(tmp_path_factory):
         lines.append(",".join([f"p{number:02d}", *(repr(value) for value in (*pose.position_mm, *pose.quaternion_wxyz))]))
     (folder / "poses.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
     connection.rig.close()
-    return folder, connection.truth
+    return folder, truth_of(rig, PAPER_BOARD)
 
 
 @pytest.fixture

@@ -15,7 +15,7 @@ from ui.session import Session
 if TYPE_CHECKING:
     from measureapp.data.rig import RigDescription
     from measureapp.pipeline.collecting.collection import Collection
-    from measureapp.pipeline.collecting.recorded import ReadbackFiles
+    from measureapp.pipeline.collecting.recorded import ReadbackFiles, RecordedView
 
 NEEDED = {"cameras": (), "hand-eye": ("base_from_flange",), "guide": ("base_from_flange", "guide_mm")}
 ALL = ("base_from_flange", "guide_mm", "table_rad")  # an axis is told in the rig, so it has to be known where the head stood
@@ -35,20 +35,36 @@ def begun_with_rig(kind: Kind, start: Start, session: Session) -> tuple[Collecti
     return collection, rig
 
 
-def begun_with_images(kind: Kind, start: Start, folder: Path, session: Session) -> tuple[Collection, list[work.Recorded]]:
-    """Return a new collection and the images it is to be filled with.
+def begun_with_images(kind: Kind, start: Start, folder: Path, session: Session) -> tuple[Collection, list[RecordedView]]:
+    """Return a new collection and the recorded views it is to be filled with.
 
     Raises
     ------
     InputError
         No images, a table that cannot be read or does not fit them, or axes whose positions are not told.
+    CalibrationError
+        Fringes in one direction only.
     """
-    from measureapp.pipeline.collecting.recorded import readbacks_of
+    return _with_fringes(kind, start, folder, session) if kind == "projector" else _with_plain_images(kind, start, folder, session)
+
+
+def _with_plain_images(kind: Kind, start: Start, folder: Path, session: Session) -> tuple[Collection, list[RecordedView]]:
+    from measureapp.pipeline.collecting.recorded import RecordedImages, readbacks_of
     from measureapp.project.recorded_boards import cameras_of, find_recorded
 
     positions = find_recorded(folder)
     readbacks = readbacks_of(positions, _tables(start), NEEDED.get(kind, ALL))
-    return _created(kind, start, cameras_of(positions), None, session), list(zip(positions, readbacks, strict=True))
+    collection = _created(kind, start, cameras_of(positions), None, session)
+    return collection, [RecordedImages(position, readback) for position, readback in zip(positions, readbacks, strict=True)]
+
+
+def _with_fringes(kind: Kind, start: Start, folder: Path, session: Session) -> tuple[Collection, list[RecordedView]]:
+    from measureapp.pipeline.collecting.recorded import RecordedFringeView
+    from measureapp.project.recorded_fringes import fringes_in
+
+    recorded = fringes_in(folder)
+    collection = _created(kind, start, recorded.cameras, None, session, recorded.projector_px)
+    return collection, [RecordedFringeView(recorded, number) for number in range(len(recorded.manifests))]
 
 
 def _tables(start: Start) -> ReadbackFiles:
@@ -57,12 +73,19 @@ def _tables(start: Start) -> ReadbackFiles:
     return ReadbackFiles(*(start.tables.get(name) for name in ALL))
 
 
-def _created(kind: Kind, start: Start, names: tuple[str, ...], rig: RigDescription | None, session: Session) -> Collection:
+def _created(
+    kind: Kind,
+    start: Start,
+    names: tuple[str, ...],
+    rig: RigDescription | None,
+    session: Session,
+    projector_px: tuple[int, int] | None = None,
+) -> Collection:
     """The rig's reference camera comes first, where it is among them."""
     from measureapp.pipeline.collecting.collection import Collection
 
     reference = "" if session.rig is None else session.rig.reference
-    return Collection.create(
-        next_folder(sessions_folder(project_on_disk(session)), kind),
-        work.setup_for(kind, start.board, tuple(sorted(names, key=lambda name: name != reference)), rig, session.calibration),
-    )
+    ordered = tuple(sorted(names, key=lambda name: name != reference))
+    known = work.Known(session.cameras, session.calibration)
+    setup = work.setup_for(kind, start.board, ordered, rig, known, projector_px)
+    return Collection.create(next_folder(sessions_folder(project_on_disk(session)), kind), setup)

@@ -48,7 +48,10 @@ class CalibratingController(QObject):
     @property
     def has_previous(self) -> bool:
         """Whether there is a calibration that would be replaced."""
-        return self._session.cameras is not None if self.kind == "cameras" else self._session.calibration is not None
+        cameras = self._session.cameras
+        if self.kind == "projector":
+            return cameras is not None and cameras.projector is not None
+        return cameras is not None if self.kind == "cameras" else self._session.calibration is not None
 
     def rig_setup(self) -> RigSetup | None:
         """Return which rig can take the images; None while it is not loaded."""
@@ -65,11 +68,11 @@ class CalibratingController(QObject):
         """Return the resolution at which the cameras were calibrated, where this wizard takes them as they are."""
         from measureapp.data.rig import BINNING
 
-        known = self._session.calibration
+        known = self._session.cameras
         if known is None or self.kind in ("cameras", "rig"):
             return None
-        width = known.cameras.cameras[known.cameras.reference].pinhole.width_px
-        own = next((camera for camera in rig.cameras if camera.name == known.cameras.reference), None)
+        width = known.cameras[known.reference].pinhole.width_px
+        own = next((camera for camera in rig.cameras if camera.name == known.reference), None)
         return None if own is None else next((one for one, factor in BINNING.items() if own.width_px // factor == width), None)
 
     @property

@@ -18,7 +18,7 @@ from ui.controllers.collected_images import CollectedImages
 from ui.controllers.collecting_nouns import Kept, Kind, LiveImage, SeenView, Start
 from ui.controllers.jobs import JobRunner
 from ui.controllers.kept_sessions import newest_kept, project_on_disk, sessions_folder
-from ui.controllers.rig_connection import RigConnection
+from ui.controllers.rig_connection import RigConnection, truth_of
 from ui.controllers.seen_views import seen_view
 from ui.session import Session
 from ui.workers.job import Job
@@ -64,8 +64,8 @@ class CollectingController(QObject):
 
     @property
     def cameras(self) -> tuple[str, ...]:
-        """The cameras that are being collected from."""
-        return () if self.collection is None else self.collection.setup.camera_names
+        """Who sees the board: the cameras that are being collected from, and the projector before them where it is calibrated."""
+        return () if self.collection is None else self.collection.setup.seeing
 
     @property
     def from_rig(self) -> bool:
@@ -110,7 +110,9 @@ class CollectingController(QObject):
     @property
     def truth(self) -> RigCalibration | None:
         """What the virtual rig really is; for showing beside a result, never for finding one."""
-        return None if self._connection is None else self._connection.truth
+        if self.collection is None or self._rig is None:
+            return None
+        return truth_of(self._rig, self.collection.setup.board)
 
     @property
     def rig(self) -> RigDescription | None:
@@ -276,18 +278,20 @@ class CollectingController(QObject):
 
     def _end_collecting(self) -> None:
         self._job = None
-        if not any(view.corners_px for view in self.views):
+        if self.collection is not None and not self.collection.usable:
             self._tell_nothing_found()
         self._images.forget_newest()
         work.make_changes(self._changes)
         self._after_change()
 
     def _tell_nothing_found(self) -> None:
-        """Say why no image shows the board, as the first of them puts it."""
+        """Say why no view can be used, as the first of them puts it."""
         observations = () if self.collection is None else self.collection.observations
-        refusals = [refusal for one in observations for refusal in one.refused.values()]
+        refusals = [refusal for one in observations if one.standing == "no board" for refusal in one.refused.values()]
+        seen = any(one.seen for one in observations)
         if refusals:
-            self.told.emit(f"No image shows the board. {refusals[0].message}", refusals[0].hint, "error")
+            what = "No view of the board shows the fringes" if seen else "No image shows the board"
+            self.told.emit(f"{what}. {refusals[-1 if seen else 0].message}", refusals[-1 if seen else 0].hint, "error")
 
     # changes
 

@@ -11,30 +11,32 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtGui import QImage
 
-from measureapp.errors import CalibrationError, InputError, MeasureError
+from measureapp.errors import CalibrationError, DecodeError, InputError, MeasureError
+from measureapp.progress import PartOf, Progress
 from ui.controllers.collecting_nouns import Kind, LiveImage
 from ui.workers.mailbox import Mailboxes
 
 if TYPE_CHECKING:
     from measureapp.data.board import BoardDescription
-    from measureapp.data.calibration import RigCalibration
+    from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
     from measureapp.data.plan import ScanPlan, Viewpoint
     from measureapp.data.rig import RigDescription
     from measureapp.devices.rig import Rig
     from measureapp.pipeline.collecting.coaching import Advice
     from measureapp.pipeline.collecting.collection import Collection
-    from measureapp.pipeline.collecting.observation import Readback
+    from measureapp.pipeline.collecting.observation import Observation
+    from measureapp.pipeline.collecting.recorded import RecordedView
     from measureapp.pipeline.collecting.setup import Setup
     from measureapp.pipeline.collecting.solved import Solved
     from measureapp.pipeline.collecting.suggested import Suggestion
     from measureapp.pipeline.collecting.verdict import Verdict
-    from measureapp.project.recorded_boards import RecordedPosition
     from ui.controllers.rig_connection import RigConnection
     from ui.workers.job import Job
 
 THUMBNAIL_PX = 256
 PREFIXES: Mapping[Kind, tuple[str, ...]] = {
     "cameras": ("pose",),
+    "projector": ("pose",),
     "hand-eye": ("pose",),
     "axis": ("axis",),
     "guide": ("guide",),
@@ -52,6 +54,14 @@ class Added:
     name: str
     images: Mapping[str, np.ndarray]
     thumbnails: Mapping[str, QImage]
+
+
+@dataclass(frozen=True, eq=False)
+class Known:
+    """What is calibrated already."""
+
+    cameras: CameraArrayCalibration | None
+    rig: RigCalibration | None
 
 
 @dataclass(frozen=True)
@@ -72,7 +82,7 @@ class Thought:
     suggestion: Suggestion | None  # from where the rig should look next, after the planned viewpoints
 
 
-Recorded = tuple["RecordedPosition", "Readback"]
+Taker = Callable[["Viewpoint", "Progress"], "Observation"]
 Change = Callable[[], object]
 Changes = SimpleQueue[Change]
 Work = Callable[["Job"], object]
@@ -121,35 +131,73 @@ def _without_slide(viewpoints: Iterable[Viewpoint], rig: RigDescription) -> Iter
 
 def take(job: Job, rig: Rig, viewpoints: Sequence[Viewpoint], collection: Collection, live: Mailboxes[LiveImage], changes: Changes) -> None:
     """Take the board from these viewpoints; every view is kept before the next one begins."""
-    from measureapp.acquire.capture import capture_board
-
     rig.place_on_table("board")
+    take_one = _fringe_taker(rig, collection, live) if collection.setup.kind == "projector" else _image_taker(rig, collection, live)
     for done, viewpoint in enumerate(viewpoints):
         job.report(done, len(viewpoints), f"Taking {viewpoint.id}")
+        found = take_one(viewpoint, PartOf(job, done / len(viewpoints), (done + 1) / len(viewpoints)))
+        make_changes(changes)
+        job.emit_event(_added(found, viewpoint.id))
+    collection.look_again()
+
+
+def _image_taker(rig: Rig, collection: Collection, live: Mailboxes[LiveImage]) -> Taker:
+    """One plain image of each camera."""
+    from measureapp.acquire.capture import capture_board
+
+    def take_one(viewpoint: Viewpoint, progress: Progress) -> Observation:
         view = capture_board(rig, viewpoint)
         for camera, pixels in view.images.items():
             live.put(camera, LiveImage(viewpoint.id, pixels))
-        job.report(done + 0.5, len(viewpoints), f"Looking for the board in {viewpoint.id}")
-        found = collection.add(view.images, view.readback, dict.fromkeys(view.images, viewpoint.id))
-        make_changes(changes)
-        job.emit_event(Added(found.id, viewpoint.id, view.images, {camera: thumbnail(pixels) for camera, pixels in view.images.items()}))
+        progress.report(0.5, 1, f"Looking for the board in {viewpoint.id}")
+        return collection.add(view.images, view.readback, dict.fromkeys(view.images, viewpoint.id))
+
+    return take_one
 
 
-def read(job: Job, recorded: Sequence[Recorded], collection: Collection, changes: Changes) -> None:
-    """Add recorded images; one that cannot be read is told and left out."""
-    from measureapp.project.images import read_image
+def _fringe_taker(rig: Rig, collection: Collection, live: Mailboxes[LiveImage]) -> Taker:
+    """Fringes of both directions, which the projector gets once."""
+    from measureapp.acquire.board_fringes import capture_board_fringes
+    from measureapp.acquire.events import Event, ImageTaken
+    from measureapp.calibrate.projector_sightings import PROJECTOR
+    from measureapp.data.pattern_sets import BOTH_DIRECTIONS, made_for
+    from measureapp.fringe.patterns import pattern_images
 
-    for done, (position, readback) in enumerate(recorded):
-        job.report(done, len(recorded), f"Looking for the board in image {position.name}")
+    size_px = rig.projector.width_px, rig.projector.height_px
+    patterns = made_for(*size_px)[BOTH_DIRECTIONS]
+    shown = pattern_images(patterns, *size_px)
+    rig.projector.load(shown)
+    names = dict.fromkeys(collection.setup.seeing)
+
+    def take_one(viewpoint: Viewpoint, progress: Progress) -> Observation:
+        def happened(event: Event) -> None:
+            if isinstance(event, ImageTaken):
+                live.put(event.camera, LiveImage(viewpoint.id, event.pixels))
+                live.put(PROJECTOR, LiveImage(viewpoint.id, shown[0]))
+
+        stack = capture_board_fringes(rig, viewpoint, patterns, happened, PartOf(progress, 0.0, 0.6))
+        return collection.add_fringes(stack, names=dict.fromkeys(names, viewpoint.id), progress=PartOf(progress, 0.6, 1.0))
+
+    return take_one
+
+
+def read(job: Job, recorded: Sequence[RecordedView], collection: Collection, changes: Changes) -> None:
+    """Add recorded views; one that cannot be read is told and left out."""
+    for done, view in enumerate(recorded):
+        job.report(done, len(recorded), f"Looking for the board in {view.name}")
         try:
-            images = {camera: read_image(path) for camera, path in position.files.items()}
-            names = {camera: path.name for camera, path in position.files.items()}
-            found = collection.add(images, readback, names)
-        except InputError as error:
+            found = view.add_to(collection, PartOf(job, done / len(recorded), (done + 1) / len(recorded)))
+        except (InputError, DecodeError) as error:
             job.emit_event(Skipped(error))
             continue
         make_changes(changes)
-        job.emit_event(Added(found.id, position.name, images, {camera: thumbnail(pixels) for camera, pixels in images.items()}))
+        job.emit_event(_added(found, view.name))
+    collection.look_again()
+
+
+def _added(found: Observation, name: str) -> Added:
+    images = {camera: image.pixels() for camera, image in found.images.items()}
+    return Added(found.id, name, images, {camera: thumbnail(pixels) for camera, pixels in images.items()})
 
 
 def thumbnails_of(job: Job, collection: Collection) -> dict[tuple[str, str], QImage]:
@@ -208,9 +256,20 @@ def connected(job: Job, rig: RigDescription, board: BoardDescription) -> RigConn
 
 
 def setup_for(
-    kind: Kind, board: BoardDescription, cameras: tuple[str, ...], rig: RigDescription | None, known: RigCalibration | None
+    kind: Kind,
+    board: BoardDescription,
+    names: tuple[str, ...],
+    rig: RigDescription | None,
+    known: Known,
+    projector_px: tuple[int, int] | None = None,
 ) -> Setup:
-    """Return what a collection of this kind is told beforehand. Raises InputError, CalibrationError where something is missing."""
+    """Return what a collection of this kind is told beforehand. Raises InputError, CalibrationError where something is missing.
+
+    Parameters
+    ----------
+    names : of the cameras, the reference first
+    projector_px : size of the projector's image; None for that of the rig
+    """
     from measureapp.calibrate.axis_noise import AxisNoise
     from measureapp.pipeline.calibrate import expected_noise
     from measureapp.pipeline.collecting.setup import Setup
@@ -219,10 +278,11 @@ def setup_for(
     return Setup(
         kind=kind,
         board=board,
-        camera_names=cameras,
-        cameras=known.cameras if needs_cameras and known is not None else None,
-        hand_eye=known.hand_eye if kind in {"guide", "axis"} and known is not None else None,
+        camera_names=names,
+        cameras=known.cameras if needs_cameras else None,
+        hand_eye=known.rig.hand_eye if kind in {"guide", "axis"} and known.rig is not None else None,
         noise=AxisNoise() if rig is None else expected_noise(rig),
         standoff_mm=None if rig is None else rig.standoff_mm,
         serials={} if rig is None else {camera.name: camera.serial for camera in rig.cameras},
+        projector_px=projector_px if rig is None else (rig.projector.width_px, rig.projector.height_px),
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QElapsedTimer, QObject
 
 from ui.controllers.calibrating import CalibratingController
 from ui.controllers.collecting_nouns import Kind
@@ -36,7 +36,7 @@ class Controllers(QObject):
         self.stored_images = StoredImagesController(session, self.background, self)
         self.holes = HolesController(session, self.explaining, self)
         self.view_choices = ViewChoicesController(session, self.jobs, self)
-        kinds: tuple[Kind, ...] = ("cameras", "axis", "hand-eye", "guide", "rig")
+        kinds: tuple[Kind, ...] = ("cameras", "projector", "axis", "hand-eye", "guide", "rig")
         self.calibrating = {kind: CalibratingController(kind, session, self.demo, self.jobs, self.solving, self) for kind in kinds}
         self.recent_calibration = RecentCalibrationController(session, self.background, self)
         self.startup = StartupController(session, self.background, self)
@@ -45,3 +45,11 @@ class Controllers(QObject):
     def runners(self) -> tuple[JobRunner, ...]:
         """All queues: what the user waits for, what runs beside it, pictures, views being explained, calibrations being solved."""
         return self.jobs, self.background, self.drawing, self.explaining, self.solving
+
+    def end(self, timeout_ms: int) -> bool:
+        """Ask everything to stop and wait for it; tells whether all threads have ended. A kernel that compiles cannot be stopped midway."""
+        for runner in self.runners:
+            runner.queue.cancel_all()
+        clock = QElapsedTimer()
+        clock.start()
+        return all(runner.queue.wait(max(0, timeout_ms - clock.elapsed())) for runner in self.runners)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 from measureapp.errors import CalibrationError
 from ui.controllers import result_values as values
 from ui.controllers.collecting_nouns import Kind
-from ui.controllers.kept_sessions import RESULT, project_on_disk
+from ui.controllers.kept_sessions import CAMERAS, RESULT, project_on_disk
 from ui.controllers.seen_views import name_of
 from ui.look.wording import millimetres, quantity
 from ui.session import Session
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 Sign = Literal["pass", "fail", "not proven"]
 SIGNS: Mapping[str, Sign] = {"good": "pass", "usable": "not proven", "bad": "fail"}
+PROJECTOR_GOES = "The projector was calibrated beside the earlier cameras: calibrate it again."
 REST_STAYS = "Hand–eye, guide and table axis were found with the earlier cameras: calibrate the rig next."
 
 
@@ -114,8 +115,8 @@ def compared(snapshot: Collection, before: Before) -> str:
 
     rig, kind = before.rig, snapshot.setup.kind
     links = {} if rig is None else {"rig": rig, "hand-eye": rig.hand_eye, "guide": rig.guide}
-    previous = before.cameras if kind == "cameras" else links.get(kind)
-    if previous is None:
+    previous = before.cameras if kind in ("cameras", "projector") else links.get(kind)
+    if previous is None or (kind == "projector" and before.cameras is not None and before.cameras.projector is None):
         return ""
     try:
         return compare(previous, snapshot).sentence
@@ -129,6 +130,8 @@ def quantities_of(
     """Return what a calibration of this kind tells; an axis is told at the height at which it was ``found``."""
     if kind == "cameras":
         return values.camera_quantities(cameras)
+    if kind == "projector":
+        return () if cameras.projector is None else values.projector_quantities(cameras.projector)
     if rig is None or found is None:
         return ()
     height = float(found.axis.point_mm[2])
@@ -153,7 +156,7 @@ def rig_of(snapshot: Collection, before: RigCalibration | None) -> RigCalibratio
     solution = solved.solution
     if isinstance(solution, RigSolution):
         return solution.calibration
-    if snapshot.setup.kind == "cameras":
+    if snapshot.setup.kind in ("cameras", "projector"):
         same = before is not None and set(before.cameras.cameras) == set(solved.cameras.cameras)
         return replace(before, cameras=solved.cameras) if before is not None and same else None
     if before is None:
@@ -170,9 +173,17 @@ def rig_of(snapshot: Collection, before: RigCalibration | None) -> RigCalibratio
 
 def facts_of(snapshot: Collection, solved: Solved) -> tuple[tuple[str, str], ...]:
     """Return how the result was found, in a few figures."""
+    from measureapp.calibrate.projector_array import HeadSolution
+    from measureapp.calibrate.projector_sightings import PROJECTOR
+
     facts = [("Views used", f"{len(solved.used)} of {len(snapshot.observations)}")]
-    cameras = solved.camera_solution
-    if cameras is not None:
+    cameras, head = solved.camera_solution, solved.solution
+    if isinstance(head, HeadSolution):
+        facts += [
+            ("Reprojection (rms)", quantity(head.projector.rms_px, "px", 3)),
+            ("Noise of a mark (1 σ)", quantity(head.solution.sigmas_px[PROJECTOR], "px", 3)),
+        ]
+    elif cameras is not None:
         facts += [
             ("Reprojection (rms)", quantity(cameras.joint_rms_px, "px", 3)),
             ("Noise of a corner (1 σ)", quantity(cameras.sigma_px, "px", 3)),
@@ -186,18 +197,20 @@ def facts_of(snapshot: Collection, solved: Solved) -> tuple[tuple[str, str], ...
 
 def accepted(found: Result, session: Session) -> tuple[str, str]:
     """Make a result the calibration in use, on disk first; returns what to tell. Raises StorageError."""
-    from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
+    from measureapp.data.calibration import CameraArrayCalibration, ProjectorCalibration, RigCalibration
     from measureapp.pipeline.collecting import keep
 
     project = project_on_disk(session)
+    had_projector = session.cameras is not None and session.cameras.projector is not None
     kind, place = found.snapshot.setup.kind, found.snapshot.folder / RESULT
     cameras, rig = found.cameras, found.rig
     if kind == "rig":
         kept = keep(found.snapshot, place if project is None else project)
         rig = kept if isinstance(kept, RigCalibration) else rig
     else:
-        kept = keep(found.snapshot, place / f"{kind}.json")
+        kept = keep(found.snapshot, place / (CAMERAS if kind == "projector" else f"{kind}.json"))
         cameras = kept if isinstance(kept, CameraArrayCalibration) else cameras
+        cameras = replace(cameras, projector=kept) if isinstance(kept, ProjectorCalibration) else cameras
         rig = rig if rig is None else replace(rig, cameras=cameras)
         if rig is not None:
             _save_rig(rig, place, project)
@@ -208,10 +221,15 @@ def accepted(found: Result, session: Session) -> tuple[str, str]:
     else:
         known, found_names = (", ".join(one.names) for one in (session.calibration.cameras, cameras))
         return "The result is kept, but the rig goes on with its own cameras.", f"It is one of {found_names}; the rig has {known}."
-    return (
-        "The calibration is accepted.",
-        REST_STAYS if kind == "cameras" and rig is not None else f"It lies in {place if project is None else project}.",
-    )
+    return "The calibration is accepted.", _what_next(found, rig is not None, had_projector, place if project is None else project)
+
+
+def _what_next(found: Result, has_rig: bool, had_projector: bool, place: Path) -> str:
+    """What was found with earlier cameras and has to be found again; else where the result lies."""
+    kind = found.snapshot.setup.kind
+    again = [REST_STAYS] if kind == "cameras" and has_rig else []
+    again += [PROJECTOR_GOES] if had_projector and kind in ("cameras", "rig") else []
+    return " ".join(again) or f"It lies in {place}."
 
 
 def _save_rig(rig: RigCalibration, place: Path, project: Path | None) -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from ui.look.wording import sentence_case
 
 if TYPE_CHECKING:
-    from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, RigCalibration, RotationAxis
+    from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, ProjectorCalibration, RigCalibration, RotationAxis
     from measureapp.pipeline.collecting import Estimate
 
 LENS_WORDS = {"fx": "Focal length x", "fy": "Focal length y", "cx": "Image centre x", "cy": "Image centre y"}
@@ -60,6 +60,13 @@ def camera_quantities(cameras: CameraArrayCalibration) -> tuple[Quantity, ...]:
         for one in found
         if one.name.startswith(f"{name} ")
     )
+
+
+def projector_quantities(found: ProjectorCalibration) -> tuple[Quantity, ...]:
+    """Return lens and place of the projector."""
+    from measureapp.pipeline.collecting import estimates_of
+
+    return tuple(_quantity("Projector", one, one.name.removeprefix(f"{found.name} ")) for one in estimates_of(found))
 
 
 def hand_eye_quantities(found: HandEye) -> tuple[Quantity, ...]:

@@ -1,8 +1,8 @@
-"""The rig that takes images of the board. What a virtual rig hides is kept apart from it, for the result page alone."""
+"""The rig that takes images of the board, and apart from it what a virtual rig hides: for the result page alone."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from measureapp.errors import DeviceError
@@ -19,10 +19,9 @@ PART = "flat"  # the quickest to make; it is never looked at
 
 @dataclass(frozen=True, eq=False)
 class RigConnection:
-    """A connected rig, and its true geometry where it is simulated."""
+    """A connected rig."""
 
     rig: Rig
-    truth: RigCalibration | None = None
 
 
 def connect(description: RigDescription, board: BoardDescription) -> RigConnection:
@@ -44,9 +43,33 @@ def connect(description: RigDescription, board: BoardDescription) -> RigConnecti
     from measureapp.simulate.parts import make_part
     from measureapp.simulate.world import World
 
+    world = World(description, make_part(PART), _seed(description), board)
+    return RigConnection(load_plugin(plugin_folder(), VIRTUAL).module.rig_of(world))
+
+
+def truth_of(description: RigDescription, board: BoardDescription) -> RigCalibration | None:
+    """Return what the virtual rig of this description really is, its projector included; None for a real rig.
+
+    It follows from the description and its seed, so a session that is taken up again has it before the rig is connected.
+
+    Raises
+    ------
+    DeviceError
+        The rig's seed is no whole number.
+    """
+    if description.driver != VIRTUAL:
+        return None
+    from measureapp.data.calibration import ProjectorCalibration
+    from measureapp.simulate.options import WorldOptions
+    from measureapp.simulate.truth import draw_truth
+
+    truth = draw_truth(description, board, WorldOptions().errors, _seed(description))
+    projector = ProjectorCalibration(truth.projector, truth.camera_from_projector)
+    return replace(truth.calibration, cameras=replace(truth.calibration.cameras, projector=projector))
+
+
+def _seed(description: RigDescription) -> int:
     seed = description.driver_settings.get("seed", 1)
     if not isinstance(seed, int):
         raise DeviceError(f"The virtual rig has the seed {seed!r}.", "Give a whole number as `seed` of its driver_settings.")
-    world = World(description, make_part(PART), seed, board)
-    rig = load_plugin(plugin_folder(), VIRTUAL).module.rig_of(world)
-    return RigConnection(rig, world.truth().calibration)
+    return seed

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from functools import partial
+from itertools import starmap
+from math import degrees
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
@@ -12,8 +14,8 @@ from PySide6.QtWidgets import QMenu, QWidget
 from ui.controllers.collecting_nouns import Kind
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
-from ui.look.wording import millimetres, quantity, when
-from ui.pages.calibration_rows import SolutionRow, camera_rows, contributions, solution_rows, worst_residual_mm
+from ui.look.wording import millimetres, quantity, sentence_case, when
+from ui.pages.calibration_rows import PROJECTOR_ROW, SolutionRow, camera_rows, contributions, solution_rows, worst_residual_mm
 from ui.pages.page import Page
 from ui.session import Session
 from ui.widgets.bar_chart import Bar, BarChart
@@ -126,7 +128,8 @@ class CalibrationPage(Page):
         if cameras is None:
             self._offer_last_one()
         for kind in KINDS:
-            self.offers[kind.kind].setEnabled(calibration is not None or not kind.needs_rig)
+            there = {"": True, "cameras": cameras is not None, "rig": calibration is not None}
+            self.offers[kind.kind].setEnabled(there[kind.needs])
         for part in (self.figure, self.shares):
             part.setVisible(calibration is not None)
         if calibration is None:
@@ -157,10 +160,13 @@ class CalibrationPage(Page):
         if cameras is None or not 0 <= place < len(self._rows):
             return
         found = self._rows[place]
-        camera = cameras.cameras.get(found.name.removeprefix("Camera "))
-        deviations = tuple((name, deviation_words(name, value)) for name, value in camera.standard_deviations.items()) if camera else ()
-        pairs = tuple((f"{pair} pair", f"{rms:.3f} px") for pair, rms in cameras.pair_rms_px.items()) if camera else ()
+        camera = cameras.projector if found.name == PROJECTOR_ROW else cameras.cameras.get(found.name.removeprefix("Camera "))
+        deviations = tuple(starmap(deviation_words, camera.standard_deviations.items())) if camera else ()
+        of_pairs = camera is not None and found.name != PROJECTOR_ROW
+        pairs = tuple((f"{pair} pair", f"{rms:.3f} px") for pair, rms in cameras.pair_rms_px.items()) if of_pairs else ()
         source = cameras.provenance if calibration is None else calibration.provenance
+        if found.name == PROJECTOR_ROW and cameras.projector is not None:
+            source = cameras.projector.provenance
         method = calibration.hand_eye.method if calibration is not None and found.name == "Hand–eye" else source.method
         self.show_properties(
             Properties(
@@ -170,9 +176,13 @@ class CalibrationPage(Page):
                     for group in (
                         Group(
                             "Result",
-                            (("Residual (rms)", found.residual), ("Standard deviation", found.deviation), ("Method", method or "–")),
+                            (
+                                ("Residual (rms)", found.residual),
+                                ("Standard deviation", found.deviation),
+                                ("Method", sentence_case(method) if method else "–"),
+                            ),
                         ),
-                        Group("Standard deviations", deviations[:12]),
+                        Group("Standard deviations", deviations),
                         Group("Camera pairs", pairs),
                     )
                     if group.rows
@@ -182,6 +192,10 @@ class CalibrationPage(Page):
         )
 
 
-def deviation_words(name: str, value: float) -> str:
-    """Return the standard deviation of a lens parameter: pixels for f and c, plain numbers for distortion."""
-    return f"± {quantity(value, 'px', 3)}" if name in {"fx", "fy", "cx", "cy"} else f"± {quantity(value, '', 6)}"
+def deviation_words(name: str, value: float) -> tuple[str, str]:
+    """Return name and standard deviation of a camera's parameter: pixels for f and c, plain numbers for distortion, ° and mm for its place."""
+    words, _, unit = name.rpartition("_")
+    if unit in {"mm", "rad"}:
+        in_unit = quantity(value, "mm", 4) if unit == "mm" else quantity(degrees(value), "°", 4)
+        return sentence_case(words.replace("_", " ") if unit == "rad" else f"position {words}"), f"± {in_unit}"
+    return name, f"± {quantity(value, 'px', 3)}" if name in {"fx", "fy", "cx", "cy"} else f"± {quantity(value, '', 6)}"

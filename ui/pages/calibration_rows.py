@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING
 from ui.look.wording import millimetres, quantity
 
 if TYPE_CHECKING:
-    from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, RigCalibration, RotationAxis
+    from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, ProjectorCalibration, RigCalibration, RotationAxis
     from measureapp.data.rig import RigDescription
 
 REPROJECTION_LIMIT_PX = 0.3
+PROJECTOR_ROW = "Projector"
 AXIS_LIMIT_MM = 0.1
 ROBOT_LIMIT_MM = 0.5
 STANDOFF_MM, STROKE_MM, HEIGHT_MM = 550.0, 650.0, 300.0  # where the rig does not say otherwise
@@ -72,18 +73,19 @@ def solution_rows(calibration: RigCalibration, rig: RigDescription | None) -> li
 
 
 def camera_rows(cameras: CameraArrayCalibration) -> list[SolutionRow]:
-    """Return one row per camera."""
-    return [_camera_row(cameras.cameras[name]) for name in cameras.names]
+    """Return one row per camera, and one of the projector where it is calibrated."""
+    projector = () if cameras.projector is None else (_lens_row(PROJECTOR_ROW, cameras.projector),)
+    return [*(_lens_row(f"Camera {name}", cameras.cameras[name]) for name in cameras.names), *projector]
 
 
-def _camera_row(camera: CameraCalibration) -> SolutionRow:
+def _lens_row(name: str, camera: CameraCalibration | ProjectorCalibration) -> SolutionRow:
     matrix = camera.pinhole.matrix
     sigma = max((value for key, value in camera.standard_deviations.items() if key in {"fx", "fy", "f"}), default=None)
     return SolutionRow(
-        f"Camera {camera.name}",
+        name,
         f"Focal length {matrix[0, 0]:.1f} px, centre ({matrix[0, 2]:.1f}, {matrix[1, 2]:.1f}) px",
         f"± {quantity(sigma, 'px', 2)}" if sigma is not None else "–",
-        quantity(camera.rms_px, "px", 3),
+        quantity(camera.rms_px or None, "px", 3),
         camera.rms_px <= REPROJECTION_LIMIT_PX,
         f"Reprojection up to {quantity(REPROJECTION_LIMIT_PX, 'px', 1)} rms",
     )

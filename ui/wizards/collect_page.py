@@ -8,6 +8,7 @@ import numpy as np
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QPushButton, QWidget
 
+from measureapp.calibrate.projector_sightings import PROJECTOR, called
 from ui.controllers.collecting import CollectingController
 from ui.controllers.collecting_nouns import SeenView
 from ui.look.look import Look
@@ -163,7 +164,11 @@ class CollectPage(QWidget):
         newest = collecting.newest_image(camera)
         if chosen is None and newest is not None:
             overlay = Overlay(None, None, None, self._coverage(camera))
-            self._draw(newest.pixels, overlay, f"Camera {camera}, {newest.view}: looking for the board")
+            self._draw(
+                newest.pixels,
+                overlay,
+                f"{called(camera)}, {newest.view}: {'shows fringes' if camera == PROJECTOR else 'looking for the board'}",
+            )
         elif view is not None:
             pixels = collecting.image(view.id, camera)
             overlay = Overlay(
@@ -175,7 +180,7 @@ class CollectPage(QWidget):
 
     def _draw(self, pixels: np.ndarray | None, overlay: Overlay, caption: str) -> None:
         if pixels is None:
-            self.picture.clear(f"{caption}\nThis camera has no image of this view.")
+            self.picture.clear(f"{caption}\nThere is no image of this view.")
         else:
             self.picture.show_image(grey_image(pixels), (pixels.shape[1], pixels.shape[0]), overlay, caption)
 

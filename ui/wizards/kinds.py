@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from ui.controllers.collecting_nouns import Kind
+
+Needs = Literal["", "cameras", "rig"]
 
 
 @dataclass(frozen=True)
@@ -19,7 +22,9 @@ class WizardKind:
     tables: tuple[str, ...]  # what recorded images need besides: where these axes stood
     step: str  # the name of the second step
     tips: tuple[str, ...]  # what good views are like
-    needs_rig: bool = False  # it renews one link of a rig that is calibrated
+    needs: Needs = ""  # what has to be calibrated before
+    recorded: str = "Recorded images"
+    folder: str = "A folder with images such as left01.png, right01.png: images with the same number show the same place of the board."
 
 
 VIEWS = (
@@ -37,6 +42,24 @@ CAMERAS = WizardKind(
     (),
     "Show the board",
     VIEWS,
+)
+PROJECTOR = WizardKind(
+    "projector",
+    "Calibrate the projector",
+    "Projector",
+    "Lens and place of the projector, beside cameras that are calibrated",
+    "Finds lens and place of the projector from fringes of both directions on the board, with the cameras as they are calibrated. "
+    "The phases around a corner of the board say which projector pixel lights it.",
+    (),
+    "Take the views",
+    (
+        "Bring the board to the borders of the projector's light, not only of the images.",
+        "Tilt it by 20° to 45° to all four sides, and show it nearer and farther.",
+        "Nothing moves while the fringes of one view are taken. White should be bright, but not clipped.",
+    ),
+    "cameras",
+    "Recorded fringes",
+    "A folder with one folder per place of the board, each with its fringe images of both directions and a MANIFEST.toml.",
 )
 RIG = WizardKind(
     "rig",
@@ -61,7 +84,7 @@ HAND_EYE = WizardKind(
         "Turn the head about all three axes: up and down, sideways, and about its line of sight.",
         "Take ten poses or more: the robot's own errors average out.",
     ),
-    True,
+    "rig",
 )
 GUIDE = WizardKind(
     "guide",
@@ -75,7 +98,7 @@ GUIDE = WizardKind(
         "Neither the board nor the robot's arm moves; the slide does.",
         "Slide as far as the board stays in sight: the longer the way, the better its direction.",
     ),
-    True,
+    "rig",
 )
 AXIS = WizardKind(
     "axis",
@@ -89,6 +112,6 @@ AXIS = WizardKind(
         "Fix the board on the table so that it cannot slip.",
         "Turn the table as far as the board stays in sight: short arcs leave their centre uncertain.",
     ),
-    True,
+    "rig",
 )
-KINDS = (RIG, CAMERAS, HAND_EYE, GUIDE, AXIS)
+KINDS = (RIG, CAMERAS, PROJECTOR, HAND_EYE, GUIDE, AXIS)

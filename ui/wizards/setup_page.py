@@ -16,7 +16,6 @@ from ui.widgets.segments import Segments
 from ui.wizards.kinds import WizardKind
 
 RIG, IMAGES = "rig", "images"
-FOLDER_HINT = "A folder with images such as left01.png, right01.png: images with the same number show the same place of the board."
 VIRTUAL_HINT = "A simulated rig with hidden errors. The result page shows the true values beside the estimates."
 REAL_HINT = "The robot brings the cameras to the board. Fix the board on the table first, and keep the cell clear."
 TABLES_HINT = (
@@ -41,7 +40,7 @@ class SetupPage(QWidget):
     def __init__(self, look: Look, kind: WizardKind) -> None:
         super().__init__()
         self._kind = kind
-        self.source = Segments({RIG: "From the rig", IMAGES: "Recorded images"})
+        self.source = Segments({RIG: "From the rig", IMAGES: kind.recorded})
         self.source.valueChanged.connect(self._show_source)
         self.board = BoardForm()
         self.board.edited.connect(self.changed)
@@ -73,7 +72,7 @@ class SetupPage(QWidget):
         self._rig_part = QWidget()
         self._rig_part.setLayout(column(self._rig_name, self._rig_note, 8, self._virtual_form))
         self._images_part = QWidget()
-        self._images_part.setLayout(column(self.folder, label(FOLDER_HINT, "small", wrap=True), *self._table_part()))
+        self._images_part.setLayout(column(self.folder, label(self._kind.folder, "small", wrap=True), *self._table_part()))
         source = card(label("Images", "heading"), 4, row(self.source, 0), 8, self._rig_part, self._images_part, 0, margin=20)
         board = card(label("Board", "heading"), 4, self.board, 0, margin=20)
         both = row(source, board, spacing=16)

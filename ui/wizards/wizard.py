@@ -6,6 +6,7 @@ from PySide6.QtCore import Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import QDialog, QStackedWidget, QWidget
 
+from measureapp.calibrate.projector_sightings import PROJECTOR
 from ui.controllers.calibrating import CalibratingController
 from ui.controllers.result import Result
 from ui.look.look import Look
@@ -118,7 +119,11 @@ class CalibrationWizard(QDialog):
         collecting, found = self.collecting, self.calibrating.result
         begun, views = bool(collecting.cameras), sum(view.verdict == "pass" for view in collecting.views)
         problem = self.setup.problem()
-        setup = Step("Set up", "done" if begun else "now", problem if not begun else several(len(collecting.cameras), "camera"))
+        setup = Step(
+            "Set up",
+            "done" if begun else "now",
+            problem if not begun else several(sum(name != PROJECTOR for name in collecting.cameras), "camera"),
+        )
         state: StepState = "waiting" if not begun else "done" if collecting.has_enough else "now"
         words = f"{several(views, 'view')} in use" if begun else ""
         result: StepState = "waiting" if found is None else "done" if found.sign == "pass" else "problem"

@@ -79,13 +79,9 @@ def _from_images(source: BoardSource, angles: Path | None, progress: Progress) -
     from measureapp.cli.calibrate.sightings import poses_from_images
     from measureapp.project.tables import read_angles
 
-    seen = poses_from_images(source, "the rotation axis", progress)
-    known: list[float | None] = [None] * seen.positions
-    if angles is not None:
-        given = list(read_angles(angles).values())
-        if len(given) != seen.positions:
-            raise InputError(f"{angles} has {len(given)} angles for {seen.positions} positions.", "Give one angle per position.")
-        known = list(given)
+    given = None if angles is None else list(read_angles(angles).values())
+    seen = poses_from_images(source, "the rotation axis", progress, given)
+    known: list[float] | list[None] = given or [None] * seen.positions
     problem = problem_from_poses(list(seen.poses.values()), seen.board, [known[position] for position in seen.poses])
     cameras_say = seen.uncertainty(seen.poses)
     return replace(problem, by_cameras=cameras_say.by_cameras, camera_prior=cameras_say.prior), seen.rejected

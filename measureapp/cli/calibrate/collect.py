@@ -21,7 +21,7 @@ def register(group: typer.Typer) -> None:
     @group.command()
     @with_groups
     def collect(
-        kind: Annotated[str, typer.Argument(help="cameras, axis, hand-eye, guide or rig.")],
+        kind: Annotated[str, typer.Argument(help="cameras, projector, axis, hand-eye, guide or rig.")],
         session: Annotated[Path, typer.Option(help="Folder of the session: a new one starts it, one that is there is continued.")],
         source: BoardSource,
         noise: RobotNoise,
@@ -42,7 +42,7 @@ def register(group: typer.Typer) -> None:
 
         limits = limits_of(steps.good_mm, steps.usable_mm)
         readbacks = ReadbackFiles(recorded.robot_poses, recorded.guide_positions, recorded.angles)
-        sources = Sources(tuple(source.images or ()), recorded.views, readbacks)
+        sources = Sources(tuple(source.images or ()), tuple(recorded.fringes or ()), recorded.views, readbacks)
         collection = opened(session, Given(kind, source.board, source.cameras, start, noise.axis_noise()), sources)
         with claimed(collection.folder):
             done = carry_out(steps, limits, collection, sources, TerminalProgress())

@@ -13,6 +13,10 @@ import typer
 class Recorded:
     """What goes with the images, or stands in their place."""
 
+    fringes: Annotated[
+        list[str] | None,
+        typer.Option(help="For the projector, in place of --images: manifests of fringes on the board, such as 'fringes/*/MANIFEST.toml'."),
+    ] = None
     views: Annotated[
         Path | None, typer.Option(help="Project whose stored views of the board are added; board and axis errors are then its rig's.")
     ] = None

@@ -9,11 +9,23 @@ from typing import TYPE_CHECKING, cast, get_args
 from measureapp.cli.calibrate.options import BoardChoice
 from measureapp.errors import InputError, MeasureError
 from measureapp.pipeline.calibrate import expected_noise
-from measureapp.pipeline.collecting import Collection, Kind, Limits, ReadbackFiles, Setup, add_recorded, add_views, read_result, result_of
+from measureapp.pipeline.collecting import (
+    Collection,
+    Kind,
+    Limits,
+    ReadbackFiles,
+    Setup,
+    add_fringes,
+    add_recorded,
+    add_views,
+    read_result,
+    result_of,
+)
 from measureapp.progress import Progress
 from measureapp.project.board_images import find_board_images
 from measureapp.project.camera_file import read_cameras
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.recorded_fringes import fringes_named
 
 if TYPE_CHECKING:
     from measureapp.calibrate.axis_noise import AxisNoise
@@ -29,11 +41,14 @@ class Sources:
     """Where observations come from."""
 
     images: tuple[str, ...]
+    fringes: tuple[str, ...]
     project: Path | None
     readbacks: ReadbackFiles
 
     def camera_names(self) -> tuple[str, ...]:
-        """Return the cameras that the images or the project name. Raises InputError where there are none."""
+        """Return the cameras that the images, the fringes or the project name. Raises InputError where there are none."""
+        if self.fringes:
+            return fringes_named(self.fringes).cameras
         if self.images:
             return find_board_images(self.images).cameras
         if self.project is not None:
@@ -57,6 +72,8 @@ class Given:
 
     def setup(self, sources: Sources) -> Setup:
         """Return what the session is told. Raises InputError naming the option that is wrong or missing."""
+        if self.kind == "projector" and not sources.fringes:
+            raise InputError("A new session for the projector needs fringes.", "Give --fringes 'folder/*/MANIFEST.toml'.")
         names, start = sources.camera_names(), self.start
         if start.reference is not None and start.reference not in names:
             raise InputError(f"--reference {start.reference!r} is not among the cameras.", "Name one of: " + ", ".join(names) + ".")
@@ -73,6 +90,7 @@ class Given:
             distortion_count=start.distortion,
             standoff_mm=start.standoff_mm if start.standoff_mm is not None or rig is None else rig.standoff_mm,
             serials={} if rig is None else {camera.name: camera.serial for camera in rig.cameras},
+            projector_px=fringes_named(sources.fringes).projector_px if self.kind == "projector" else None,
         )
 
 
@@ -105,6 +123,8 @@ def add_sources(collection: Collection, sources: Sources, progress: Progress) ->
 
 def _added(collection: Collection, sources: Sources, progress: Progress) -> list[str]:
     added = []
+    if sources.fringes:
+        added += [one.id for one in add_fringes(collection, fringes_named(sources.fringes), progress)]
     if sources.images:
         added += [one.id for one in add_recorded(collection, find_board_images(sources.images), sources.readbacks, progress)]
     if sources.project is not None:

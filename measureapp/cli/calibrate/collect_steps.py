@@ -47,6 +47,7 @@ def _edited(steps: Steps, collection: collecting.Collection, sources: Sources, p
     }
     for name in changes["removed"]:
         collection.remove(name)
+    collection.look_again()
     return changes
 
 
@@ -57,7 +58,7 @@ def _solved(
     if steps.accept is not None:
         collecting.accept(collection, steps.accept, PartOf(progress, 0.0, 0.5), valid_days=steps.valid_days)
     elif steps.solve or steps.validate or steps.compare is not None:
-        collection.solve(PartOf(progress, 0.0, 0.5))
+        collection.solve_with_parts(PartOf(progress, 0.0, 0.5))
     if collection.solved is None:
         return None
     held_back = collecting.check_held_back(collection, PartOf(progress, 0.5, 1.0)) if steps.validate else None

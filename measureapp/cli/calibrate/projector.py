@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.made_from import MadeFrom, made_from
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import BoardChoice, CamerasOption, OutOption
@@ -30,6 +31,7 @@ def register(group: typer.Typer) -> None:
     def projector(
         ctx: typer.Context,
         board: BoardChoice,
+        asked: AskedLimits,
         manifests: Annotated[list[Path], typer.Argument(help="MANIFEST.toml of the fringes on the board, one per board position.")],
         cameras: CamerasOption = None,
         projector_px: Annotated[
@@ -45,10 +47,12 @@ def register(group: typer.Typer) -> None:
         cameras and projector are calibrated together. The board is found in the mean of the sinusoidal images. Write to another
         file than --cameras, so that `calibrate again` finds its inputs unchanged.
         """
+        from measureapp.calibrate.limits import projector_limits
         from measureapp.pipeline.projector import ProjectorRequest, calibrate_projector
         from measureapp.project.camera_file import read_cameras, write_cameras
         from measureapp.project.fringe_manifest import manifest_files
 
+        wanted = asked.values(("projector position", "projector rotation"))
         for path in manifests:  # what is no manifest is named before the first of many images is read
             manifest_files(path)
         request = ProjectorRequest(
@@ -61,8 +65,10 @@ def register(group: typer.Typer) -> None:
         calibration = head.calibration
         if out is not None:
             write_cameras(out, _dated(calibration, made_from(ctx, out)))
-        document = projector_answer(head, manifests) | {"files": {} if out is None else {"cameras": out}}
-        reply(document, "\n".join(_lines(document)), as_json)
+        limits = projector_limits(head, wanted)
+        document = projector_answer(head, manifests) | limits_answer(limits) | {"files": {} if out is None else {"cameras": out}}
+        reply(document, "\n".join([*_lines(document), *limit_lines(limits), *_written(document)]), as_json)
+        asked.exit_unless_met(limits)
 
 
 def _stacks(manifests: Sequence[Path]) -> Iterator[FringeStack]:
@@ -105,9 +111,7 @@ def projector_answer(head: HeadSolution, manifests: Sequence[Path]) -> dict[str,
     from measureapp.calibrate.projection import intrinsic_names
     from measureapp.calibrate.projector_sightings import PROJECTOR
 
-    found, solution = head.calibration.projector, head.solution
-    if found is None:  # pragma: no cover - `solve_head` always gives one
-        return {}
+    found, solution = head.projector, head.solution
     matrix, place = found.pinhole.matrix, found.reference_from_projector
     values = [
         matrix[0, 0],
@@ -161,5 +165,8 @@ def _lines(document: dict[str, Any]) -> list[str]:
     ]
     if not document["camera_uncertainty_carried_on"]:
         lines.append("  cameras.json holds no covariance: the standard deviations are those at exactly known cameras")
-    lines += [f"  left out: {one['manifest']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
-    return lines + [f"Written: {path}" for path in document["files"].values()]
+    return lines + [f"  left out: {one['manifest']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
+
+
+def _written(document: dict[str, Any]) -> list[str]:
+    return [f"Written: {path}" for path in document["files"].values()]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -14,6 +14,7 @@ from measureapp.arrays import FloatArray, ImageArray
 from measureapp.calibrate.board import find_board, require_unambiguous
 from measureapp.calibrate.board_pose import BoardPose, board_pose, stated_pose, with_seen_noise
 from measureapp.calibrate.board_together import find_beside
+from measureapp.calibrate.board_turned import TurnedBoard, find_turned
 from measureapp.calibrate.camera_prior import pose_by_cameras
 from measureapp.calibrate.sightings import AmbiguousPart, FoundBoard
 from measureapp.cli.calibrate.options import BoardSource
@@ -62,8 +63,13 @@ class NamedBoardPoses:
     cameras: CameraUncertainty  # in the order of ``poses``
 
 
-def poses_from_images(source: BoardSource, purpose: str, progress: Progress) -> PosesFromImages:
+def poses_from_images(source: BoardSource, purpose: str, progress: Progress, table_rad: Sequence[float] | None = None) -> PosesFromImages:
     """Find the board in all images and its pose at every position; the noise of the corners is that of all residuals.
+
+    Parameters
+    ----------
+    table_rad : angle of the table at every position before cameras that stand still, where it is known: tells parts of the board that
+        no camera can tell by itself
 
     Raises
     ------
@@ -81,7 +87,9 @@ def poses_from_images(source: BoardSource, purpose: str, progress: Progress) -> 
     unknown = [name for name in files.cameras if name not in array.cameras]
     if unknown:
         raise InputError(f"{source.cameras} has no camera {unknown[0]!r}.", "It has: " + ", ".join(array.cameras) + ".")
-    found, rejected = _corners(files, array, description, progress)
+    if table_rad is not None and len(table_rad) != files.positions:
+        raise InputError(f"There are {len(table_rad)} table angles for {files.positions} positions.", "Give one angle per position.")
+    found, rejected = _corners(files, array, description, table_rad, progress)
     poses = {position: _pose(seen, array, description) for position, seen in sorted(found.items())}
     prior = array.covariance
     by_cameras = {} if prior is None else {at: _by_cameras(pose, found[at], array, description, prior) for at, pose in poses.items()}
@@ -89,9 +97,13 @@ def poses_from_images(source: BoardSource, purpose: str, progress: Progress) -> 
 
 
 def _corners(
-    files: BoardImages, array: CameraArrayCalibration, board: BoardDescription, progress: Progress
+    files: BoardImages,
+    array: CameraArrayCalibration,
+    board: BoardDescription,
+    table_rad: Sequence[float] | None,
+    progress: Progress,
 ) -> tuple[dict[int, dict[str, FoundBoard]], list[dict[str, Any]]]:
-    found: dict[int, dict[str, FoundBoard]] = {}
+    found: dict[int, dict[str, FoundBoard]] = {position: {} for position in range(files.positions)}
     rejected: list[dict[str, Any]] = []
     unclear: list[tuple[str, int, ImageArray]] = []
     total = len(files.cameras) * files.positions
@@ -105,20 +117,36 @@ def _corners(
                 "Use the calibration of the camera that took the images.",
             )
         try:
-            found.setdefault(position, {})[camera] = find_board(image, board)
+            found[position][camera] = find_board(image, board)
         except AmbiguousPart:
             unclear.append((camera, position, image))
         except CalibrationError as error:
             rejected.append({"camera": camera, "position": position, "image": path, "reason": error.message})
-    for camera, position, image in unclear:  # the cameras that know their part tell those that do not
+    for camera, position, image in sorted(unclear, key=lambda one: not found[one[1]]):  # first those that other cameras tell
         try:
-            known = found[position]
-            one = find_beside(image, camera, known, array, board) if known else find_board(image, board)
-            found[position] = {**known, camera: one}
+            found[position] = {**found[position], camera: _told(image, camera, position, found, array, board, table_rad)}
         except CalibrationError as error:
             rejected.append({"camera": camera, "position": position, "image": files.path(camera, position), "reason": error.message})
     progress.report(total, total)
     return {position: corners for position, corners in found.items() if corners}, rejected
+
+
+def _told(
+    image: ImageArray,
+    camera: str,
+    position: int,
+    found: Mapping[int, dict[str, FoundBoard]],
+    array: CameraArrayCalibration,
+    board: BoardDescription,
+    table_rad: Sequence[float] | None,
+) -> FoundBoard:
+    """The part of the board that an image shows, as other cameras tell it or the angles of the table. Raises CalibrationError."""
+    if found[position]:
+        return find_beside(image, camera, found[position], array, board)
+    if table_rad is None:
+        return find_board(image, board)
+    seen = [TurnedBoard(_pose(one, array, board), table_rad[other]) for other, one in found.items() if one]
+    return find_turned(image, camera, seen, table_rad[position], array, board)
 
 
 def _pose(seen: dict[str, FoundBoard], array: CameraArrayCalibration, board: BoardDescription) -> BoardPose:

@@ -16,7 +16,7 @@ def register(group: typer.Typer) -> None:
     @group.command()
     def compare(
         names: Annotated[
-            list[str] | None, typer.Argument(metavar="[NAME]…", help="Names of `patterns list`; default: all upright ones.")
+            list[str] | None, typer.Argument(metavar="NAME", help="Names of `patterns list`; default: all upright ones.")
         ] = None,
         part: Annotated[list[str] | None, typer.Option("--part", help="Sample part or mesh file; give several times.")] = None,
         brightness: Annotated[

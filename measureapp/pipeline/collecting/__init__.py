@@ -12,7 +12,7 @@ from measureapp.pipeline.collecting.estimates import Estimate, estimates_of, res
 from measureapp.pipeline.collecting.held_back import check_held_back
 from measureapp.pipeline.collecting.keeping import accept, keep, read_result
 from measureapp.pipeline.collecting.observation import Observation, Readback, Refusal, StoredImage
-from measureapp.pipeline.collecting.recorded import ReadbackFiles, add_recorded, add_views
+from measureapp.pipeline.collecting.recorded import ReadbackFiles, add_fringes, add_recorded, add_views
 from measureapp.pipeline.collecting.setup import KINDS, Kind, Setup
 from measureapp.pipeline.collecting.solved import Solved
 from measureapp.pipeline.collecting.verdict import LIMITS, Limits, Verdict, judge
@@ -38,6 +38,7 @@ __all__ = [
     "StoredImage",
     "Verdict",
     "accept",
+    "add_fringes",
     "add_recorded",
     "add_views",
     "check_held_back",

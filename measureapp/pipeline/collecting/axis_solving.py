@@ -65,7 +65,7 @@ def board_places(observations: Sequence[Observation], cameras: CameraArrayCalibr
     """
     poses = {
         one.id: board_pose(
-            {camera: found.corners_px for camera, found in one.seen.items()},
+            {camera: found.corners_px for camera, found in one.seen.items() if camera in cameras.cameras},
             cameras,
             board,
             ids={camera: found.ids for camera, found in one.seen.items()},

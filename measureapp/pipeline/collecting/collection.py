@@ -2,27 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 
 from measureapp.arrays import ImageArray
-from measureapp.calibrate.board import find_board
-from measureapp.calibrate.board_together import find_beside
 from measureapp.calibrate.joint import approaches_to
-from measureapp.calibrate.sightings import AmbiguousPart, BoardRefused, FoundBoard
-from measureapp.data.fringe import AxisReadback
+from measureapp.calibrate.projector_sightings import PROJECTOR, called
+from measureapp.calibrate.sightings import FoundBoard
+from measureapp.data.fringe import AxisReadback, FringeStack
 from measureapp.errors import CalibrationError, InputError
-from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback, Refusal
+from measureapp.pipeline.board_in_fringes import projector_size_px
+from measureapp.pipeline.collecting.looking import Before, Looked, look, look_in_fringes, tell_parts
+from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback
 from measureapp.pipeline.collecting.setup import NEEDED, Setup
 from measureapp.pipeline.collecting.solved import Solved
 from measureapp.pipeline.collecting.solving import shortfalls_of, solve
 from measureapp.pipeline.collecting.store import Act, Action, Store
-from measureapp.progress import Progress
+from measureapp.progress import NoProgress, Progress
 
-DETECTION_THREADS = 2
+
+class ImagesThere(InputError):
+    """Images that are in the collection already."""
 
 
 class Collection:
@@ -81,8 +82,9 @@ class Collection:
 
     @property
     def is_solved(self) -> bool:
-        """Whether the last solution holds exactly the observations collected now."""
-        return self._solved is not None and self._solved.of == self._usable_ids()
+        """Whether the last solution holds exactly the observations collected now, and all that is seen in them."""
+        solved, ids = self._solved, self._usable_ids()
+        return solved is not None and solved.of == ids and solved.sightings == self._sightings(ids)
 
     @property
     def observations(self) -> tuple[Observation, ...]:
@@ -100,7 +102,7 @@ class Collection:
 
     @property
     def usable(self) -> tuple[Observation, ...]:
-        """The observations that enter a solution: not taken out, and at least one camera found the board."""
+        """The observations that enter a solution: not taken out, and the board was found."""
         return tuple(one for one in self.observations if one.standing not in ("removed", "no board"))
 
     @property
@@ -109,7 +111,9 @@ class Collection:
         return tuple(one for one in self.usable if one.standing != "rejected")
 
     def size_px(self, camera: str) -> tuple[int, int] | None:
-        """Return width and height of a camera's images; None before the first."""
+        """Return width and height of a camera's images, or of the projector's; None before the first."""
+        if camera == PROJECTOR and self.setup.projector_px is not None:
+            return self.setup.projector_px
         if self.setup.cameras is not None:
             lens = self.setup.cameras.cameras[camera].pinhole
             return lens.width_px, lens.height_px
@@ -139,16 +143,65 @@ class Collection:
         CalibrationError
             The read-back of an axis that this calibration needs is missing.
         """
-        read = Readback.of(readback) if isinstance(readback, AxisReadback) else readback or Readback()
+        if self.setup.kind == "projector":
+            raise InputError("The projector is calibrated from fringes on the board.", "Give fringes instead of plain images.")
+        read = _as_readback(readback)
         self._check(images, read)
-        stored = {camera: self._store.keep_image(pixels, (names or {}).get(camera, "")) for camera, pixels in images.items()}
-        self._refuse_twice({camera: image.checksum for camera, image in stored.items()})
-        seen, refused = self._looked_for(images)
-        observation = Observation(self._next_id(), stored, read, seen, refused)
-        self._store.keep_observation(observation)
-        self._all[observation.id] = observation
-        self._act("add", observation.id)
-        return self.observation(observation.id)
+        return self._keep(look(images, read, self.setup.board, self._before()), read, names)
+
+    def add_fringes(
+        self,
+        stack: FringeStack,
+        readback: Readback | AxisReadback | None = None,
+        names: Mapping[str, str] | None = None,
+        progress: Progress | None = None,
+    ) -> Observation:
+        """Look for the board in the fringe images of one position, look its marks up in the phases, and keep what came of it.
+
+        Kept are the board in even light as every camera sees it and, for people, as the projector would; not the fringe images.
+
+        Parameters
+        ----------
+        stack : fringes of both directions; images of all cameras or of some
+        readback : None for that of the stack
+
+        Raises
+        ------
+        InputError
+            The session is not one for the projector, or as `add`; or fringes for a projector of another size.
+        CalibrationError
+            Fringes in one direction only.
+        """
+        size = self.setup.projector_px
+        if self.setup.kind != "projector" or size is None:
+            raise InputError("Fringes calibrate a projector only.", "Give plain images of the board.")
+        read = _as_readback(stack.readback if readback is None else readback)
+        self._check({camera: images[0, 0] for camera, images in stack.images.items()}, read)
+        if projector_size_px(stack) != size:
+            width, height = projector_size_px(stack)
+            raise InputError(
+                f"The fringes of {stack.viewpoint_id} run over {width} × {height} px of the projector, those before over "
+                f"{size[0]} × {size[1]} px.",
+                "Give fringes of one projector.",
+            )
+        return self._keep(look_in_fringes(stack, self.setup, size, progress or NoProgress()), read, names)
+
+    def look_again(self) -> tuple[str, ...]:
+        """Look once more at images of parts of the board that nothing could tell, after more is known; return the observations that gained by it."""
+        gained = []
+        for one in self.observations:
+            unclear = [camera for camera, refusal in one.refused.items() if refusal.cause == "part"]
+            if one.standing == "removed" or not unclear:
+                continue
+            images = {camera: one.images[camera].pixels() for camera in unclear}
+            told = tell_parts(images, one.seen, one.readback, self.setup.board, self._before(one.id))
+            seen = {camera: found for camera, found in told.items() if isinstance(found, FoundBoard)}
+            if seen:
+                refused = {camera: refusal for camera, refusal in one.refused.items() if camera not in seen}
+                self._all[one.id] = replace(self._all[one.id], seen={**one.seen, **seen}, refused=refused)
+                self._store.keep_observation(self._all[one.id])
+                gained.append(one.id)
+        return tuple(gained)
 
     def remove(self, name: str) -> None:
         """Take an observation out; it stays in the list and `undo` brings it back. Raises InputError where it is not there."""
@@ -200,8 +253,14 @@ class Collection:
         CalibrationError
             The observations do not determine the result; says what is missing.
         """
-        self._solved = solve(self.setup, self._approached(), self._sizes(), None if afresh else self._solved, progress)
+        found = solve(self.setup, self._approached(), self._sizes(), None if afresh else self._solved, progress)
+        self._solved = replace(found, sightings=self._sightings(found.of))
         return self._solved
+
+    def solve_with_parts(self, progress: Progress | None = None, *, afresh: bool = False) -> Solved:
+        """Solve, and once more where cameras that are calibrated by it tell each other parts of the board. Raises as `solve`."""
+        found = self.solve(progress, afresh=afresh)
+        return self.solve(progress, afresh=afresh) if self.look_again() else found
 
     def snapshot(self) -> Collection:
         """Return a copy that another thread may solve and ask for advice while this one is added to; the copy must not be changed."""
@@ -213,17 +272,23 @@ class Collection:
         """Judge the observations by a solution that a snapshot found; None: there is none."""
         self._solved = solved
 
-    def _looked_for(self, images: Mapping[str, ImageArray]) -> tuple[dict[str, FoundBoard], dict[str, Refusal]]:
-        """Return what each camera saw of the board, or why nothing; a part that one cannot tell is told by the others, where all are calibrated."""
-        board, cameras = self.setup.board, self.setup.cameras
-        with ThreadPoolExecutor(DETECTION_THREADS) as pool:
-            results = dict(zip(images, pool.map(lambda pixels: _look(lambda: find_board(pixels, board)), images.values()), strict=True))
-        known = {camera: one for camera, one in results.items() if isinstance(one, FoundBoard)}
-        unclear = [camera for camera, one in results.items() if isinstance(one, AmbiguousPart)]
-        if known and cameras is not None:
-            results |= {camera: _look(partial(find_beside, images[camera], camera, known, cameras, board)) for camera in unclear}
-        refused = {camera: _refusal(one) for camera, one in results.items() if isinstance(one, CalibrationError)}
-        return {camera: one for camera, one in results.items() if isinstance(one, FoundBoard)}, refused
+    def _before(self, besides: str = "") -> Before:
+        """What tells parts of the board: the cameras, known or as they were solved last, and the other observations."""
+        solved = None if self._solved is None else self._solved.cameras
+        return Before(self.setup.cameras or solved, tuple(one for one in self.usable if one.id != besides))
+
+    def _sightings(self, ids: Sequence[str]) -> int:
+        return sum(len(self._all[name].seen) for name in ids)
+
+    def _keep(self, looked: Looked, read: Readback, names: Mapping[str, str] | None) -> Observation:
+        """Write what was looked at, and add it; images that are there already are refused."""
+        stored = {camera: self._store.keep_image(pixels, (names or {}).get(camera, "")) for camera, pixels in looked.images.items()}
+        self._refuse_twice({camera: image.checksum for camera, image in stored.items()})
+        observation = Observation(self._next_id(), stored, read, looked.seen, looked.refused)
+        self._store.keep_observation(observation)
+        self._all[observation.id] = observation
+        self._act("add", observation.id)
+        return self.observation(observation.id)
 
     def _standing(self) -> dict[str, bool]:
         """Observation -> whether it is kept, in the order they were added."""
@@ -233,12 +298,12 @@ class Collection:
         return kept
 
     def _usable_ids(self) -> tuple[str, ...]:
-        return tuple(name for name, kept in self._standing().items() if kept and self._all[name].seen)
+        return tuple(name for name, kept in self._standing().items() if kept and self.setup.is_seen(self._all[name].seen))
 
     def _judged(self, one: Observation, kept: bool) -> Observation:
         if not kept:
             return replace(one, standing="removed", reason="taken out by hand")
-        if not one.seen:
+        if not self.setup.is_seen(one.seen):
             return replace(one, standing="no board", reason=_why_refused(one))
         if self._solved is None or one.id not in self._solved.of:
             return replace(one, standing="new", reason=_why_refused(one))
@@ -251,7 +316,7 @@ class Collection:
         return tuple(replace(one, approach=numbers.get(one.id)) for one in self.usable)
 
     def _sizes(self) -> dict[str, tuple[int, int]]:
-        sizes = {camera: self.size_px(camera) for camera in self.setup.camera_names}
+        sizes = {camera: self.size_px(camera) for camera in self.setup.seeing}
         return {camera: size for camera, size in sizes.items() if size is not None}
 
     def _check(self, images: Mapping[str, ImageArray], readback: Readback) -> None:
@@ -277,7 +342,7 @@ class Collection:
         for name, kept in self._standing().items():
             same = [camera for camera, image in self._all[name].images.items() if checksums.get(camera) == image.checksum]
             if kept and same:
-                raise InputError(
+                raise ImagesThere(
                     f"The image of camera {same[0]!r} is the same as in observation {name}.", "Every observation needs images of its own."
                 )
 
@@ -293,16 +358,9 @@ class Collection:
         self._store.keep_session(self.setup, self._actions, self._done)
 
 
-def _look(find: Callable[[], FoundBoard]) -> FoundBoard | CalibrationError:
-    try:
-        return find()
-    except CalibrationError as error:
-        return error
-
-
-def _refusal(error: CalibrationError) -> Refusal:
-    return Refusal(error.cause if isinstance(error, BoardRefused) else "not found", error.message, error.hint)
+def _as_readback(readback: Readback | AxisReadback | None) -> Readback:
+    return Readback.of(readback) if isinstance(readback, AxisReadback) else readback or Readback()
 
 
 def _why_refused(one: Observation) -> str:
-    return " ".join(f"Camera {camera}: {refusal.message} {refusal.hint}" for camera, refusal in one.refused.items())
+    return " ".join(f"{called(camera)}: {refusal.message} {refusal.hint}" for camera, refusal in one.refused.items())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -13,8 +13,17 @@ from measureapp.calibrate.hand_eye import HandEyeSolution
 from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.poses import change_between
 from measureapp.calibrate.projection import intrinsic_names
+from measureapp.calibrate.projector_array import HeadSolution, as_camera, beside_projector
 from measureapp.calibrate.sightings import rms
-from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, HandEye, LinearGuide, RigCalibration, RotationAxis
+from measureapp.data.calibration import (
+    CameraArrayCalibration,
+    CameraCalibration,
+    HandEye,
+    LinearGuide,
+    ProjectorCalibration,
+    RigCalibration,
+    RotationAxis,
+)
 from measureapp.data.uncertainty import COVERAGE_FACTOR
 from measureapp.errors import CalibrationError
 from measureapp.pipeline.collecting.collection import Collection
@@ -24,6 +33,7 @@ from measureapp.pipeline.collecting.on_part import (
     few_of,
     fitting_length_mm,
     fitting_together_sigma_mm,
+    length_beside_projector,
     length_uncertainty,
     part_points_mm,
     rim_mm,
@@ -103,6 +113,8 @@ def compare(previous: Calibrated, collection: Collection) -> Comparison:
     if solved is None:
         raise CalibrationError("There is no solution yet.", "Solve what was collected first.")
     new = result_of(solved)
+    if isinstance(new, ProjectorCalibration) and (before := _projector_of(previous)) is not None:
+        return _projector(before, solved, collection)
     if isinstance(new, CameraArrayCalibration) and isinstance(previous, CameraArrayCalibration):
         return _cameras(previous, solved, collection)
     if isinstance(new, RotationAxis) and isinstance(previous, RotationAxis):
@@ -142,6 +154,29 @@ def _cameras(previous: CameraArrayCalibration, solved: Solved, collection: Colle
     moved = shape_difference_mm(new, previous, volume)
     promised = both * COVERAGE_FACTOR * found.shape_rms_mm
     return Comparison(changes, moved, promised, "points of the volume against each other (rms)", surprise)
+
+
+def _projector_of(previous: Calibrated) -> ProjectorCalibration | None:
+    """The projector among what was calibrated before; None where there is none."""
+    if isinstance(previous, RigCalibration):
+        return previous.cameras.projector
+    if isinstance(previous, CameraArrayCalibration):
+        return previous.projector
+    return previous if isinstance(previous, ProjectorCalibration) else None
+
+
+def _projector(previous: ProjectorCalibration, solved: Solved, collection: Collection) -> Comparison:
+    head = solved.solution
+    assert isinstance(head, HeadSolution)  # the result is a projector
+    camera = head.calibration.reference
+    volume = volume_of(head.solution, collection.setup.standoff_mm)
+    found = length_beside_projector(head, camera, volume, fitting_length_mm(volume, collection.setup.length_mm))
+    before = replace(head.calibration, projector=replace(previous, name=head.projector.name))
+    moved = shape_difference_mm(beside_projector(head.calibration, camera), beside_projector(before, camera), volume)
+    alone = [CameraArrayCalibration(one.name, {one.name: as_camera(one)}) for one in (before.projector or previous, head.projector)]
+    promised = float(np.hypot(1.0, _ratio(*alone))) * COVERAGE_FACTOR * found.shape_rms_mm
+    what = f"points that camera {camera} and the projector measure against each other (rms)"
+    return Comparison(tuple(_matching(previous, head.projector)), moved, promised, what)
 
 
 def _matching(previous: Calibrated, new: Calibrated) -> list[Change]:

@@ -12,11 +12,20 @@ from measureapp.calibrate.camera_uncertainty import POSE_NAMES
 from measureapp.calibrate.hand_eye import HandEyeSolution
 from measureapp.calibrate.linear_guide import GuideSolution
 from measureapp.calibrate.projection import intrinsic_names
+from measureapp.calibrate.projector_array import HeadSolution, as_camera
 from measureapp.calibrate.rotation_axis import AxisSolution
-from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, HandEye, LinearGuide, RigCalibration, RotationAxis
+from measureapp.data.calibration import (
+    CameraArrayCalibration,
+    CameraCalibration,
+    HandEye,
+    LinearGuide,
+    ProjectorCalibration,
+    RigCalibration,
+    RotationAxis,
+)
 from measureapp.pipeline.collecting.solved import Solved
 
-Calibrated = CameraArrayCalibration | RotationAxis | HandEye | LinearGuide | RigCalibration
+Calibrated = CameraArrayCalibration | ProjectorCalibration | RotationAxis | HandEye | LinearGuide | RigCalibration
 DEGREES = float(np.rad2deg(1.0))
 
 
@@ -35,6 +44,8 @@ def result_of(solved: Solved) -> Calibrated:
     solution = solved.solution
     if isinstance(solution, AxisSolution):
         return solution.best.axis
+    if isinstance(solution, HeadSolution):
+        return solution.projector
     if isinstance(solution, HandEyeSolution):
         return solution.hand_eye
     return solution.guide if isinstance(solution, GuideSolution) else solution.calibration
@@ -44,6 +55,8 @@ def estimates_of(result: Calibrated) -> tuple[Estimate, ...]:
     """Return the estimates of a calibration in a fixed order; equal names mean equal things."""
     if isinstance(result, CameraArrayCalibration):
         return tuple(one for name in result.names for one in _camera(result.cameras[name], name == result.reference))
+    if isinstance(result, ProjectorCalibration):
+        return tuple(_camera(as_camera(result), False))
     if isinstance(result, RotationAxis):
         return (
             *_vector("axis direction", result.direction, result.direction_sigma_rad, ""),

@@ -11,7 +11,15 @@ from typing import Any
 
 from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.stitch_uncertainty import uncertainty_of
-from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, Provenance, RigCalibration, RotationAxis
+from measureapp.data.calibration import (
+    CameraArrayCalibration,
+    HandEye,
+    LinearGuide,
+    ProjectorCalibration,
+    Provenance,
+    RigCalibration,
+    RotationAxis,
+)
 from measureapp.errors import CalibrationError, FrameMismatch, InputError
 from measureapp.pipeline.collecting.collection import Collection
 from measureapp.pipeline.collecting.estimates import Calibrated, result_of
@@ -44,7 +52,7 @@ def accept(collection: Collection, target: Path, progress: Progress | None = Non
 
     Parameters
     ----------
-    target : a file for cameras, axis, hand-eye and guide; for the rig a project, or a folder for cameras.json and rig.json
+    target : a file for cameras, projector (with its cameras), axis, hand-eye and guide; for the rig a project, or a folder for cameras.json and rig.json
     valid_days : after which it expires
 
     Raises
@@ -54,7 +62,7 @@ def accept(collection: Collection, target: Path, progress: Progress | None = Non
     StorageError
         It cannot be written.
     """
-    collection.solve(progress, afresh=True)
+    collection.solve_with_parts(progress, afresh=True)
     return keep(collection, target, valid_days=valid_days)
 
 
@@ -78,6 +86,9 @@ def keep(collection: Collection, target: Path, *, valid_days: float | None = Non
     if isinstance(result, CameraArrayCalibration):
         result = replace(result, provenance=provenance)
         write_cameras(target, result)
+    elif isinstance(result, ProjectorCalibration):
+        result = replace(result, provenance=provenance)
+        write_cameras(target, replace(solved.cameras, projector=result))
     elif isinstance(result, RigCalibration):
         result = replace(result, provenance=provenance)
         _write_rig(result, solved.solution, Path(target))
@@ -112,7 +123,7 @@ def read_result(path: Path) -> Calibrated:
 
 
 def _method(result: Calibrated) -> str:
-    if isinstance(result, (CameraArrayCalibration, RigCalibration)):
+    if isinstance(result, (CameraArrayCalibration, ProjectorCalibration, RigCalibration)):
         return result.provenance.method
     if isinstance(result, HandEye):
         return result.method

@@ -7,7 +7,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
 
+import numpy as np
+
 from measureapp.arrays import ImageArray
+from measureapp.calibrate.axis_noise import SAME_POSE
 from measureapp.calibrate.sightings import Cause, FoundBoard
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError
@@ -30,6 +33,15 @@ class Readback:
     def of(cls, full: AxisReadback) -> Readback:
         """Return the read-back of a whole rig."""
         return cls(full.base_from_flange, full.guide_mm, full.table_rad)
+
+    def holds_cameras_as(self, other: Readback) -> bool:
+        """Whether the cameras stood where they stand in another one; without robot and guide they are taken to be fixed."""
+        mine, theirs = self.base_from_flange, other.base_from_flange
+        if (mine is None) != (theirs is None) or (self.guide_mm is None) != (other.guide_mm is None):
+            return False
+        slid = abs((self.guide_mm or 0.0) - (other.guide_mm or 0.0))
+        gap = np.zeros(1) if mine is None or theirs is None else mine.matrix - theirs.matrix
+        return slid <= SAME_POSE and bool(np.abs(gap).max() <= SAME_POSE)
 
     def full(self) -> AxisReadback:
         """Return it as that of a whole rig. Raises CalibrationError where an axis is missing."""

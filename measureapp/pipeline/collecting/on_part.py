@@ -21,6 +21,8 @@ from measureapp.calibrate.camera_uncertainty import (
 from measureapp.calibrate.hand_eye import HandEyeSolution
 from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.next_pose import lever_at
+from measureapp.calibrate.projector_array import HeadSolution, beside_projector
+from measureapp.calibrate.projector_sightings import PROJECTOR
 from measureapp.calibrate.sightings import rms
 from measureapp.calibrate.stitch_uncertainty import uncertainty_of, view_uncertainty
 from measureapp.data.calibration import CameraArrayCalibration, RotationAxis
@@ -51,6 +53,35 @@ def fitting_length_mm(volume: WorkingVolume, wanted_mm: float) -> float:
 def length_uncertainty(solution: CameraArraySolution, volume: WorkingVolume, length_mm: float) -> VolumeUncertainty:
     """Return what the cameras leave open of points and lengths in the volume. Raises CalibrationError for a volume nobody sees."""
     return volume_uncertainty(solution.calibration, solution.parameters, solution.covariance, volume, length_mm)
+
+
+def length_beside_projector(
+    head: HeadSolution, camera: str, volume: WorkingVolume, length_mm: float, *, own: bool = False
+) -> VolumeUncertainty:
+    """Return what is left open of points and lengths that one camera and the projector measure.
+
+    Parameters
+    ----------
+    own : only what the projector's calibration leaves open, the cameras exactly known
+
+    Raises
+    ------
+    CalibrationError
+        The two do not see the volume.
+    """
+    solution = head.solution
+    covariance = _given_cameras(solution) if own else solution.covariance
+    return volume_uncertainty(beside_projector(head.calibration, camera), solution.parameters, covariance, volume, length_mm)
+
+
+def _given_cameras(solution: CameraArraySolution) -> FloatArray:
+    """The covariance of the projector where its cameras are exactly known: C_pp − C_pc C_cc⁻¹ C_cp, and nothing of the cameras."""
+    own = np.array([label.startswith(f"{PROJECTOR}.") for label in solution.parameters])
+    mixed = solution.covariance[np.ix_(own, ~own)]
+    given = mixed @ np.linalg.pinv(solution.covariance[np.ix_(~own, ~own)], hermitian=True) @ mixed.T
+    result = np.zeros_like(solution.covariance)
+    result[np.ix_(own, own)] = solution.covariance[np.ix_(own, own)] - given
+    return result
 
 
 def sideways_sigma_mm(solution: CameraArraySolution, range_mm: float) -> float:

@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Protocol
 
+from measureapp.calibrate.projector_sightings import PROJECTOR
 from measureapp.errors import InputError
 from measureapp.geometry.transform import RigidTransform
-from measureapp.pipeline.collecting.collection import Collection
+from measureapp.pipeline.collecting.collection import Collection, ImagesThere
 from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback
-from measureapp.progress import NoProgress, Progress
+from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.project.board_images import BoardImages
 from measureapp.project.board_views import load_all
 from measureapp.project.frame_store import checksum
 from measureapp.project.images import read_image
 from measureapp.project.recorded_boards import RecordedPosition
+from measureapp.project.recorded_fringes import RecordedFringes
 from measureapp.project.tables import read_angles, read_guide, read_poses, require_millimetres
 
 
@@ -48,6 +52,54 @@ class ReadbackFiles:
             Readback(poses[index] if poses else None, along[index] if along else None, angles[index] if angles else None)
             for index in range(count)
         ]
+
+
+class RecordedView(Protocol):
+    """One position of the board as it was recorded."""
+
+    @property
+    def name(self) -> str:
+        """What it is called."""
+
+    def add_to(self, collection: Collection, progress: Progress) -> Observation:
+        """Read it and add it to a collection. Raises InputError, DecodeError where it cannot be read."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RecordedImages:
+    """One plain image of each camera."""
+
+    position: RecordedPosition
+    readback: Readback
+
+    @property
+    def name(self) -> str:
+        """What it is called."""
+        return f"image {self.position.name}"
+
+    def add_to(self, collection: Collection, progress: Progress) -> Observation:
+        """Read the images and look for the board in them."""
+        progress.report(0, 1)
+        files = self.position.files
+        return collection.add({camera: read_image(path) for camera, path in files.items()}, self.readback, _names(files))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RecordedFringeView:
+    """Fringes on the board at one position."""
+
+    recorded: RecordedFringes
+    number: int
+
+    @property
+    def name(self) -> str:
+        """What it is called: as its folder is."""
+        return self.recorded.name(self.number)
+
+    def add_to(self, collection: Collection, progress: Progress) -> Observation:
+        """Read the fringes, look for the board in them and decode them."""
+        names = dict.fromkeys((*self.recorded.cameras, PROJECTOR), self.name)
+        return collection.add_fringes(self.recorded.read(self.number), names=names, progress=progress)
 
 
 def readbacks_of(positions: Sequence[RecordedPosition], files: ReadbackFiles, needed: Sequence[str]) -> list[Readback]:
@@ -115,6 +167,28 @@ def add_views(collection: Collection, folder: Path, progress: Progress | None = 
         progress.report(number, len(views), f"board in {view.viewpoint_id}")
         if not any(checksum(image) in known for image in view.images.values()):
             added.append(collection.add(view.images, view.readback, dict.fromkeys(view.images, view.viewpoint_id)))
+    progress.report(1, 1)
+    return tuple(added)
+
+
+def add_fringes(collection: Collection, recorded: RecordedFringes, progress: Progress | None = None) -> tuple[Observation, ...]:
+    """Add every board position of recorded fringes that is not in the collection yet; return those added.
+
+    Raises
+    ------
+    InputError, DecodeError
+        A manifest or an image cannot be read, or they do not fit each other.
+    CalibrationError
+        Fringes in one direction only.
+    """
+    progress = progress or NoProgress()
+    count, added = len(recorded.manifests), []
+    for number in range(count):
+        view = RecordedFringeView(recorded, number)
+        part = PartOf(progress, number / count, (number + 1) / count)
+        part.report(0, 1, f"fringes of {view.name}")
+        with suppress(ImagesThere):
+            added.append(view.add_to(collection, part))
     progress.report(1, 1)
     return tuple(added)
 

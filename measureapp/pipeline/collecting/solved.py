@@ -9,6 +9,7 @@ from measureapp.calibrate.camera_array import CameraArraySolution
 from measureapp.calibrate.hand_eye import HandEyeSolution
 from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.linear_guide import GuideSolution
+from measureapp.calibrate.projector_array import HeadSolution
 from measureapp.calibrate.rotation_axis import AxisSolution
 from measureapp.calibrate.sightings import rms
 from measureapp.data.board import BoardDescription
@@ -16,7 +17,7 @@ from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.collecting.observation import Observation
 
-Solution = CameraArraySolution | AxisSolution | HandEyeSolution | GuideSolution | RigSolution
+Solution = CameraArraySolution | HeadSolution | AxisSolution | HandEyeSolution | GuideSolution | RigSolution
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -29,9 +30,10 @@ class Solved:
     board: BoardDescription  # with its bow, where that was estimated
     cameras: CameraArrayCalibration  # known before, or calibrated here
     places: Mapping[str, RigidTransform]  # observation -> where the board was seen, camera_from_board in the reference camera's frame
-    camera_solution: CameraArraySolution | None = None  # where the cameras are part of the result
+    camera_solution: CameraArraySolution | None = None  # where cameras, or the projector as one of them, are part of the result
     residuals_px: Mapping[str, Mapping[str, float]] = field(default_factory=dict)  # observation -> camera -> rms
     residuals_mm: Mapping[str, float] = field(default_factory=dict)  # observation -> rms over the marks, where axes are calibrated
+    sightings: int = 0  # of single cameras, in all observations that entered
     reasons: Mapping[str, str] = field(default_factory=dict)  # observation -> what was left out of it, and why
 
     @property

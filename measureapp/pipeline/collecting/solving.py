@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from measureapp.calibrate.camera_array import CameraArrayProblem, CameraArraySolution
 from measureapp.calibrate.camera_array import solve as solve_cameras
 from measureapp.calibrate.camera_draft import CameraArrayDraft
+from measureapp.calibrate.projector_array import HeadSolution, solve_head
+from measureapp.calibrate.projector_sightings import PROJECTOR, called
 from measureapp.calibrate.sightings import sighting_of
 from measureapp.errors import CalibrationError
 from measureapp.pipeline.calibrate import rig_with_cameras, with_devices
@@ -38,6 +41,8 @@ def solve(
     progress = progress or NoProgress()
     if not observations:
         raise CalibrationError(f"The {setup.board.label} was not seen yet.", "Add observations that show it.")
+    if setup.kind == "projector":
+        return _projector(setup, observations, sizes_px, before, progress)
     if not setup.calibrates_cameras:
         return solve_axes(setup, observations, progress)
     share = 0.7 if setup.kind == "rig" else 1.0
@@ -53,15 +58,17 @@ def camera_problem(setup: Setup, observations: Sequence[Observation], sizes_px: 
     missing = [name for name in setup.camera_names if name not in sizes_px]
     if missing:
         raise CalibrationError(f"Camera {missing[0]!r} has no images yet.", "Give one of every camera with an observation.")
-    return camera_draft(setup, observations, sizes_px).problem()
+    return camera_draft(setup, observations, sizes_px, setup.camera_names).problem()
 
 
-def camera_draft(setup: Setup, observations: Sequence[Observation], sizes_px: Sizes) -> CameraArrayDraft:
-    """Return the draft of the cameras with all sightings of the observations."""
-    draft = CameraArrayDraft(setup.board, setup.reference, sizes_px, setup.distortion_count)
+def camera_draft(setup: Setup, observations: Sequence[Observation], sizes_px: Sizes, names: Sequence[str]) -> CameraArrayDraft:
+    """Return the draft of the cameras of these names, of which the projector may be one, with their sightings in the observations."""
+    sizes = {name: size for name, size in sizes_px.items() if name in names}
+    draft = CameraArrayDraft(setup.board, setup.reference, sizes, setup.distortion_count)
     for one in observations:
         for camera, found in one.seen.items():
-            draft.add_sighting(sighting_of(camera, one.id, found))
+            if camera in names:
+                draft.add_sighting(sighting_of(camera, one.id, found))
     return draft
 
 
@@ -69,8 +76,23 @@ def shortfalls_of(setup: Setup, observations: Sequence[Observation], sizes_px: S
     """Say what is still missing, as the calibration's own draft puts it."""
     if not observations:
         return (f"No observation shows the {setup.board.label} yet.",)
-    missing = camera_draft(setup, observations, sizes_px).shortfalls() if setup.calibrates_cameras else ()
-    return missing if setup.kind == "cameras" else (*missing, *axis_shortfalls(setup, observations))
+    missing = camera_draft(setup, observations, sizes_px, setup.lenses).shortfalls() if setup.lenses else ()
+    return missing if setup.kind in ("cameras", "projector") else (*missing, *axis_shortfalls(setup, observations))
+
+
+def _projector(setup: Setup, observations: Sequence[Observation], sizes_px: Sizes, before: Solved | None, progress: Progress) -> Solved:
+    """Solve the projector beside its cameras, which stay as they are."""
+    known = setup.cameras
+    assert known is not None  # `Setup` sees to it
+    lenses = {name: known.cameras[name].pinhole for name in known.names}
+    sizes = {name: (lens.width_px, lens.height_px) for name, lens in lenses.items()}
+    problem = replace(camera_draft(setup, observations, sizes, known.names).problem(), known=known)
+    read = [sighting_of(PROJECTOR, one.id, one.seen[PROJECTOR]) for one in observations]
+    start = None if before is None or not isinstance(before.solution, HeadSolution) else before.solution
+    head = solve_head(problem, read, sizes_px[PROJECTOR], progress, start)
+    solved = _with_cameras(observations, head.solution)
+    used = tuple(name for name in solved.used if PROJECTOR in solved.residuals_px[name])
+    return replace(solved, solution=head, used=used, cameras=head.calibration)
 
 
 def _with_cameras(observations: Sequence[Observation], solution: CameraArraySolution) -> Solved:
@@ -79,9 +101,9 @@ def _with_cameras(observations: Sequence[Observation], solution: CameraArraySolu
         residuals.setdefault(view.view, {})[view.camera] = view.rms_px
     reasons: dict[str, list[str]] = {}
     for rejection in solution.rejected:
-        reasons.setdefault(rejection.view, []).append(f"Camera {rejection.camera}: {rejection.reason}.")
+        reasons.setdefault(rejection.view, []).append(f"{called(rejection.camera)}: {rejection.reason}.")
     for corner in solution.rejected_corners:
-        reasons.setdefault(corner.view, []).append(f"Camera {corner.camera}: corner {corner.corner} left out, it {corner.reason}.")
+        reasons.setdefault(corner.view, []).append(f"{called(corner.camera)}: corner {corner.corner} left out, it {corner.reason}.")
     return Solved(
         solution=solution,
         of=tuple(one.id for one in observations),

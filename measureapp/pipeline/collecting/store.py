@@ -32,7 +32,7 @@ from measureapp.project.camera_file import read_cameras, write_cameras
 from measureapp.project.documents import hand_eye_from, link_document, transform_document, transform_from
 from measureapp.project.frame_store import checksum
 
-SESSION_VERSION, OBSERVATION_VERSION = 2, 1
+SESSION_VERSION, OBSERVATION_VERSION = 3, 1
 SESSION, CAMERAS = "session.json", "cameras.json"
 BOARD: TypeAdapter[Any] = TypeAdapter(AnyBoard)
 Act = Literal["add", "remove"]
@@ -136,7 +136,9 @@ def _read(path: Path) -> Any:
 
 
 def migrated(document: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Return a session's document in the present form: version 1 kept the hand-eye transform without its standard deviations.
+    """Return a session's document in the present form.
+
+    Version 1 kept the hand-eye transform without its standard deviations, version 2 knew no projector.
 
     Raises
     ------
@@ -147,7 +149,9 @@ def migrated(document: Mapping[str, Any]) -> Mapping[str, Any]:
     if version == 1:
         known = document["flange_from_camera"]
         link = None if known is None else {"flange_from_camera": known}
-        return {**document, "schema_version": SESSION_VERSION, "hand_eye": link}
+        return migrated({**document, "schema_version": 2, "hand_eye": link})
+    if version == 2:
+        return {**document, "schema_version": SESSION_VERSION, "projector_px": None}
     if version != SESSION_VERSION:
         raise ValueError(f"schema_version is {version!r}, not {SESSION_VERSION}")
     return document
@@ -165,11 +169,12 @@ def _setup_document(setup: Setup) -> dict[str, Any]:
         "standoff_mm": setup.standoff_mm,
         "length_mm": setup.length_mm,
         "serials": dict(setup.serials),
+        "projector_px": setup.projector_px,
     }
 
 
 def _setup_from(document: Mapping[str, Any], folder: Path) -> Setup:
-    known = document["hand_eye"]
+    known, size_px = document["hand_eye"], document["projector_px"]
     return Setup(
         kind=document["kind"],
         board=BOARD.validate_python(document["board"]),
@@ -181,6 +186,7 @@ def _setup_from(document: Mapping[str, Any], folder: Path) -> Setup:
         standoff_mm=document["standoff_mm"],
         length_mm=float(document["length_mm"]),
         serials=dict(document["serials"]),
+        projector_px=None if size_px is None else (int(size_px[0]), int(size_px[1])),
     )
 
 

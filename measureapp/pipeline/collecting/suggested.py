@@ -49,12 +49,13 @@ def suggest_viewpoint(collection: Collection, rig: RigDescription, name: str) ->
     observation, seen = last
     distance = float(np.median([place.apply(solution.board.middle_mm)[2] for place in solution.boards.values()]))
     best: tuple[float, Suggestion] | None = None
-    for place in candidates(solution, distance):
+    lenses = collection.setup.lenses
+    for place in candidates(solution, distance, lenses):
         if any(_is_near(place, known) for known in solution.boards.values()):
             continue
         viewpoint = _viewpoint(rig, name, place, observation, seen)
         if viewpoint is not None:
-            gain = gain_of(solution, place)
+            gain = gain_of(solution, place, lenses)
             if gain > (LEAST_GAIN if best is None else best[0]):
                 best = gain, Suggestion(viewpoint, _ghost(solution, place, solution.board))
     return None if best is None else best[1]

@@ -9,10 +9,12 @@ from typing import Literal
 import numpy as np
 
 from measureapp.calibrate.camera_array import CameraArraySolution
+from measureapp.calibrate.camera_uncertainty import WorkingVolume
 from measureapp.calibrate.camera_validation import CrossValidation
 from measureapp.calibrate.hand_eye import HandEyeSolution
 from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.linear_guide import GuideSolution
+from measureapp.calibrate.projector_array import HeadSolution
 from measureapp.calibrate.rotation_axis import AxisSolution
 from measureapp.data.uncertainty import COVERAGE_FACTOR
 from measureapp.errors import CalibrationError
@@ -24,6 +26,7 @@ from measureapp.pipeline.collecting.on_part import (
     fitting_length_mm,
     fitting_together_sigma_mm,
     half_turn_sigma_mm,
+    length_beside_projector,
     length_uncertainty,
     placing_sigma_mm,
     sideways_sigma_mm,
@@ -39,6 +42,11 @@ BY_THE_ROBOT = (
     "What robot and hand–eye add does not shrink with more observations. Calibrate the whole rig: it averages over many robot poses; "
     "or let registration take it out."
 )
+NO_COVARIANCE = "What the cameras themselves leave uncertain is not known: it comes on top."
+BY_THE_CAMERAS = (
+    "More views for the projector alone will not make it good: {added} of it come from the calibration of the cameras. "
+    "Calibrate the cameras from more views first."
+)
 STROKE_MM = 500.0  # a usual travel of the guide
 
 
@@ -53,6 +61,7 @@ class Limits:
 
 LIMITS: Mapping[Kind, Limits] = {
     "cameras": Limits(0.02, 0.05, "of 0.05 mm that a measurement may be uncertain by, 0.02 mm hardly shows and 0.05 mm uses it up"),
+    "projector": Limits(0.02, 0.05, "points that the projector gives lie beside those of two cameras and should be as certain"),
     "axis": Limits(0.05, 0.2, "views that are off by less than 0.05 mm need no fine stitching, those up to 0.2 mm are stitched safely"),
     "hand-eye": Limits(0.1, 0.5, "fine stitching of overlapping views takes out 0.1 mm with ease, and starts safely up to 0.5 mm"),
     "guide": Limits(0.05, 0.2, "views that are off by less than 0.05 mm need no fine stitching, those up to 0.2 mm are stitched safely"),
@@ -69,6 +78,7 @@ class Verdict:
     expanded_mm: float  # k = 2, of what this calibration estimates; the level is judged by it
     limits: Limits
     reasons: tuple[str, ...]  # what else speaks against it; each makes a good one at most usable
+    cameras_add_mm: float = 0.0  # k = 2, part of `expanded_mm`: what cameras that were calibrated before bring with them
     robot_adds_mm: float = 0.0  # k = 2, where the result is used from other robot poses than it was seen from; no observation tells it
 
     @property
@@ -80,9 +90,11 @@ class Verdict:
     @property
     def remedy(self) -> str:
         """What makes it good; where it is, what would make the robot's part smaller. Noise averages with the square root of the number of observations."""
-        times = (self.expanded_mm / self.limits.good_mm) ** 2
-        if times <= 1.0:
+        if self.expanded_mm <= self.limits.good_mm:
             return BY_THE_ROBOT if self.robot_adds_mm > self.limits.good_mm else ""
+        times = max(self.expanded_mm**2 - self.cameras_add_mm**2, 0.0) / self.limits.good_mm**2
+        if times <= 1.0:
+            return BY_THE_CAMERAS.format(added=millimetres(self.cameras_add_mm))
         if times <= MOST_TIMES:
             return f"About {max(times, 1.5):.1f} times as many observations, as different from each other, would make it good."
         return "More observations alone will not make it good: sharper images, a larger board, or larger differences between positions are needed."
@@ -112,9 +124,9 @@ def judge(collection: Collection, limits: Limits | None = None, *, held_back: Cr
     level: Level = "good" if expanded <= limits.good_mm else "usable" if expanded <= limits.usable_mm else "bad"
     if level == "good" and reasons:
         level = "usable"
-    robot = _robot_adds_mm(collection.setup, solved)
+    robot, cameras = _robot_adds_mm(collection.setup, solved), _cameras_add_mm(collection.setup, solved)
     from_elsewhere = f" Used from other robot poses, robot and hand–eye add {millimetres(robot)} (k = 2)." if robot > 0 else ""
-    return Verdict(level, f"{what}: {level}.{from_elsewhere}", expanded, limits, tuple(reasons), robot)
+    return Verdict(level, f"{what}: {level}.{from_elsewhere}", expanded, limits, tuple(reasons), cameras, robot)
 
 
 def millimetres(value: float) -> str:
@@ -127,6 +139,8 @@ def _expanded(collection: Collection, solved: Solved) -> tuple[float, str]:
     solution, setup = solved.solution, collection.setup
     if isinstance(solution, CameraArraySolution):
         return _of_cameras(solution, setup.standoff_mm, setup.length_mm)
+    if isinstance(solution, HeadSolution):
+        return _of_projector(solution, setup)
     if isinstance(solution, AxisSolution):
         value = COVERAGE_FACTOR * half_turn_sigma_mm(solution.best.axis, solution.covariance)
         return value, f"Moves a point {RADIUS_MM:.0f} mm from the axis by {millimetres(value)} (k = 2) between views half a turn apart"
@@ -185,6 +199,33 @@ def _of_cameras(solution: CameraArraySolution, standoff_mm: float | None, length
     )
 
 
+def _of_projector(head: HeadSolution, setup: Setup) -> tuple[float, str]:
+    camera, volume, length_mm = _worst_beside(head, setup)
+    found = length_beside_projector(head, camera, volume, length_mm)
+    value, worst = COVERAGE_FACTOR * found.length_sigma_mm, COVERAGE_FACTOR * found.worst_length_sigma_mm
+    return value, (
+        f"Adds {millimetres(value)} (k = 2), at worst {millimetres(worst)}, to a length of {found.length_mm:g} mm "
+        f"measured by camera {camera} and the projector"
+    )
+
+
+def _worst_beside(head: HeadSolution, setup: Setup) -> tuple[str, WorkingVolume, float]:
+    """The camera beside which the projector measures worst, the volume, and the length for which that is told."""
+    volume = volume_of(head.solution, setup.standoff_mm)
+    length_mm = fitting_length_mm(volume, setup.length_mm)
+    sigmas = {camera: length_beside_projector(head, camera, volume, length_mm).length_sigma_mm for camera in setup.camera_names}
+    return max(sigmas, key=lambda camera: sigmas[camera]), volume, length_mm
+
+
+def _cameras_add_mm(setup: Setup, solved: Solved) -> float:
+    """Return what the cameras that were calibrated before bring into the projector's verdict, k = 2."""
+    head = solved.solution
+    if not isinstance(head, HeadSolution):
+        return 0.0
+    whole, own = (length_beside_projector(head, *_worst_beside(head, setup), own=own).length_sigma_mm for own in (False, True))
+    return COVERAGE_FACTOR * float(np.sqrt(max(whole**2 - own**2, 0.0)))
+
+
 def _reasons(collection: Collection, solved: Solved) -> list[str]:
     """Return what speaks against a solution besides its own covariance."""
     reasons = []
@@ -203,4 +244,6 @@ def _warnings(solved: Solved) -> list[str]:
         return [] if solution.degeneracy.verdict == "good" else [f"The motions are {solution.degeneracy.verdict}."]
     if isinstance(solution, RigSolution):
         return [*solution.warnings, *(f"Not seen: {what}." for what in solution.not_observable)]
+    if isinstance(solution, HeadSolution):
+        return [] if solution.calibration.covariance is not None else [NO_COVARIANCE]
     return [] if isinstance(solution, CameraArraySolution) else list(solution.warnings)

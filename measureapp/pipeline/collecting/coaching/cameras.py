@@ -1,4 +1,4 @@
-"""Advice for calibrating cameras."""
+"""Advice for calibrating cameras, and the projector as one of them."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import numpy as np
 
 from measureapp.calibrate.camera import LEAST_VIEWS
 from measureapp.calibrate.camera_draft import ADVISED_COVERAGE, ADVISED_VIEWS
+from measureapp.calibrate.projector_sightings import PROJECTOR
 from measureapp.calibrate.sightings import sighting_of
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.pipeline.collecting.coaching.advice import Gauge, Ghost, Notes, outline_px, outlines_px
@@ -26,12 +27,13 @@ from measureapp.pipeline.collecting.observation import Observation
 
 SHARED_TARGET = 5  # views that two cameras have in common
 FILLED = 0.5  # of the image's width: how large the board is asked for before anything was seen
+_IMAGES = {"camera": "image", "projector": "projector's image"}
 LEAST_FOR_INFORMATION = 4  # views, below which the covariance says little
 
 
 def advise_cameras(collection: Collection, notes: Notes) -> None:
-    """Note what the cameras still miss."""
-    cameras = collection.setup.camera_names
+    """Note what the cameras, or the projector, still miss."""
+    cameras = collection.setup.lenses
     views, fixed = views_of(collection), collection.setup.kind == "rig"  # then the board is fixed on the table, and the robot moves
     for one in views:
         notes.gauges += _gauges(one)
@@ -40,10 +42,10 @@ def advise_cameras(collection: Collection, notes: Notes) -> None:
         notes.wish(f"Show the board in {max(few)} more {'position' if max(few) == 1 else 'positions'}, sharp and whole")
     for one in views:
         if one.count and (region := one.empty_region(ADVISED_COVERAGE)) is not None:
-            notes.wish(f"Show the board {region} of the image", one.camera)
+            notes.wish(f"Show the board {region} of the {_IMAGES[one.what]}", one.camera)
     for one in views:
         if one.count and (way := one.least_tilt()) is not None:
-            notes.wish(_tilt_wish(way, fixed), one.camera)
+            notes.wish(_tilt_wish(way, one.what, fixed), one.camera)
     for one in views:
         if (change := one.next_distance()) is not None:
             notes.wish(f"{'Take poses' if fixed else 'Hold the board'} {change}", one.camera)
@@ -54,18 +56,18 @@ def advise_cameras(collection: Collection, notes: Notes) -> None:
         notes.wish(f"Take {what} another tilt and place, to average the noise")
 
 
-def _tilt_wish(way: str, fixed: bool) -> str:
+def _tilt_wish(way: str, what: str, fixed: bool) -> str:
     edge = TILTS[way][2]
     if fixed:
-        return f"Take a pose in which the board's {edge} edge is farther from the camera, the board tilted by 20° to 45°"
-    return f"Tilt the board more {way} (its {edge} edge away from the camera), by 20° to 45°"
+        return f"Take a pose in which the board's {edge} edge is farther from the {what}, the board tilted by 20° to 45°"
+    return f"Tilt the board more {way} (its {edge} edge away from the {what}), by 20° to 45°"
 
 
 def views_of(collection: Collection) -> list[LensViews]:
-    """Return what every camera saw; cameras without an image yet have none."""
+    """Return what those saw whose lenses are calibrated; one without an image yet has none."""
     sightings = [sighting_of(camera, one.id, found) for one in collection.counted for camera, found in one.seen.items()]
     views = []
-    for camera in collection.setup.camera_names:
+    for camera in collection.setup.lenses:
         pinhole = _lens(collection, camera)
         if pinhole is not None:
             views.append(lens_views(camera, pinhole, sightings, collection.setup.board))
@@ -80,7 +82,7 @@ def ghost_for_cameras(collection: Collection) -> Ghost | None:
     solution = None if solved is None else solved.camera_solution
     if solution is not None and min((one.count for one in views), default=0) >= LEAST_FOR_INFORMATION:
         middles = np.array([place.apply(board.middle_mm) for place in solution.boards.values()])
-        place = best_view(solution, float(np.median(middles[:, 2])))
+        place = best_view(solution, float(np.median(middles[:, 2])), collection.setup.lenses)
         return None if place is None else Ghost(outlines_px(solution.calibration, place, board))
     for one in seen or views:
         region, way = one.empty_region(ADVISED_COVERAGE) or "in the middle", one.least_tilt() if one.count else None
@@ -98,19 +100,22 @@ def _filling_mm(pinhole: PinholeCamera, width_mm: float) -> float:
 
 
 def _lens(collection: Collection, camera: str) -> PinholeCamera | None:
-    if collection.solved is not None:
-        return collection.solved.cameras.cameras[camera].pinhole
+    solved = collection.solved
+    if solved is not None:
+        projector = solved.cameras.projector
+        return projector.pinhole if camera == PROJECTOR and projector is not None else solved.cameras.cameras[camera].pinhole
     size = collection.size_px(camera)
     return None if size is None else rough_lens(size)
 
 
 def _gauges(one: LensViews) -> list[Gauge]:
     tilt = min(one.tilts_deg.values())
+    camera = "" if one.camera == PROJECTOR else one.camera  # there is one projector only
     return [
-        Gauge("Views", one.count, ADVISED_VIEWS, "", one.camera),
-        Gauge("Coverage of the image", 100 * one.coverage, 100 * ADVISED_COVERAGE, "%", one.camera),
-        Gauge("Tilt, all four ways", tilt, TILT_TARGET_DEG, "°", one.camera),
-        Gauge("Spread of distances", 100 * one.distance_span, 100 * SPAN_TARGET, "%", one.camera),
+        Gauge("Views", one.count, ADVISED_VIEWS, "", camera),
+        Gauge("Coverage of the image", 100 * one.coverage, 100 * ADVISED_COVERAGE, "%", camera),
+        Gauge("Tilt, all four ways", tilt, TILT_TARGET_DEG, "°", camera),
+        Gauge("Spread of distances", 100 * one.distance_span, 100 * SPAN_TARGET, "%", camera),
     ]
 
 

@@ -22,7 +22,7 @@ def coach(collection: Collection) -> Advice:
     try:
         if collection.setup.cameras is not None and collection.counted:
             board_places(collection.counted, collection.setup.cameras, collection.setup.board)
-        if collection.setup.calibrates_cameras:
+        if collection.setup.lenses:
             advise_cameras(collection, notes)
         if kind in ("hand-eye", "rig") and (kind != "rig" or _cameras_known(collection)):
             advise_turns(collection, notes)
@@ -33,7 +33,7 @@ def coach(collection: Collection) -> Advice:
         ghost = _ghost(collection)
     except CalibrationError as error:  # images that contradict each other: that comes before all else
         return Advice((str(error),), tuple(notes.gauges))
-    return Advice(notes.sentences(collection.setup.camera_names), tuple(notes.gauges), ghost)
+    return Advice(notes.sentences(collection.setup.lenses), tuple(notes.gauges), ghost)
 
 
 def _cameras_known(collection: Collection) -> bool:

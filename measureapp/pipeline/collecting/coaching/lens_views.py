@@ -10,6 +10,7 @@ import numpy as np
 from measureapp.arrays import BoolArray, FloatArray
 from measureapp.calibrate.camera import with_known_lens
 from measureapp.calibrate.camera_draft import CELLS, ROUGH_FOCAL
+from measureapp.calibrate.projector_sightings import PROJECTOR
 from measureapp.calibrate.sightings import Sighting
 from measureapp.data.board import BoardDescription
 from measureapp.geometry.pinhole import PinholeCamera
@@ -50,13 +51,18 @@ TILTS = {  # way -> (component of the board's normal, sign, which edge moves awa
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LensViews:
-    """What one camera saw, judged with its lens or, before there is one, with a rough focal length."""
+    """What one camera, or the projector, saw, judged with its lens or, before there is one, with a rough focal length."""
 
     camera: str
     pinhole: PinholeCamera
     cells: BoolArray  # (CELLS, CELLS), which parts of the image held marks: rows from the top
     normals: FloatArray  # (V, 3), the board's z axis (away from the camera) in the camera's frame
     distances_mm: FloatArray  # (V,), of the board's middle, along the line of sight
+
+    @property
+    def what(self) -> str:
+        """What it is, in a sentence."""
+        return "projector" if self.camera == PROJECTOR else "camera"
 
     @property
     def count(self) -> int:
@@ -111,8 +117,8 @@ class LensViews:
         middle, share = float(np.median(self.distances_mm)), SPAN_TARGET / 2
         near, far = 1 - self.distances_mm.min() / middle, self.distances_mm.max() / middle - 1
         if near < share / 2 and far < share / 2:
-            return f"once {SPAN_TARGET / 2:.0%} nearer to the camera and once {SPAN_TARGET / 2:.0%} farther away"
-        return "nearer to the camera" if near < far else "farther away from the camera"
+            return f"once {SPAN_TARGET / 2:.0%} nearer to the {self.what} and once {SPAN_TARGET / 2:.0%} farther away"
+        return f"nearer to the {self.what}" if near < far else f"farther away from the {self.what}"
 
 
 def rough_lens(size_px: tuple[int, int]) -> PinholeCamera:

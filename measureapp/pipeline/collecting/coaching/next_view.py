@@ -1,8 +1,8 @@
-"""Which view of the board to take next for the cameras: the one that adds most to what is known of them."""
+"""Which view of the board to take next for the cameras, or the projector: the one that adds most to what is known of them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -19,6 +19,7 @@ MARKS = 25  # of the board stand for all of them
 PLACES = (0.25, 0.5, 0.75)  # of the board's middle, over width and height of the image
 TILT_RAD = np.deg2rad(30.0)
 TILT_WAYS = ((0.0, 0.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))  # of the board's normal, in x and y of the camera
+BOARD = "board"  # owner of the labels of its bow
 NEARER, FARTHER = 0.9, 1.1  # of the median distance
 
 
@@ -38,27 +39,27 @@ def board_before(
     return RigidTransform.from_parts(turn, ray * distance_mm - turn @ board.middle_mm, "camera", "board")
 
 
-def best_view(solution: CameraArraySolution, distance_mm: float) -> RigidTransform | None:
-    """Return camera_from_board of the candidate that adds most to the Fisher information of the cameras; None where none is seen whole.
+def best_view(solution: CameraArraySolution, distance_mm: float, lenses: Sequence[str]) -> RigidTransform | None:
+    """Return camera_from_board of the candidate that adds most to the Fisher information of ``lenses``; None where none is seen whole.
 
     Candidates are a grid of places, tilts and distances before every camera. A view adds ΔI = Σ Jᵀ J / σ², the board's own pose taken
-    out by the Schur complement; the gain is ln det(I + Σ ΔI), the shrinking of the confidence ellipsoid of all parameters [1]_.
+    out by the Schur complement; cameras that are known tell only that pose. The gain is ln det(I + Σ ΔI), the shrinking of the confidence ellipsoid of all parameters [1]_.
 
     References
     ----------
     .. [1] V. V. Fedorov, Theory of Optimal Experiments, Academic Press 1972, chapter 2.
     """
     best, most = None, 0.0
-    for place in candidates(solution, distance_mm):
-        gain = gain_of(solution, place)
+    for place in candidates(solution, distance_mm, lenses):
+        gain = gain_of(solution, place, lenses)
         if gain > most:
             best, most = place, gain
     return best
 
 
-def candidates(solution: CameraArraySolution, distance_mm: float) -> Iterator[RigidTransform]:
-    """Give camera_from_board of all candidates, in the reference camera's frame."""
-    for camera in solution.calibration.cameras.values():
+def candidates(solution: CameraArraySolution, distance_mm: float, lenses: Sequence[str]) -> Iterator[RigidTransform]:
+    """Give camera_from_board of all candidates before ``lenses``, in the reference camera's frame."""
+    for camera in (solution.calibration.cameras[name] for name in lenses):
         for at in ((x, y) for x in PLACES for y in PLACES):
             for way in TILT_WAYS:
                 for share in (NEARER, FARTHER):
@@ -67,14 +68,19 @@ def candidates(solution: CameraArraySolution, distance_mm: float) -> Iterator[Ri
                     yield RigidTransform(place, "camera", "board")
 
 
-def gain_of(solution: CameraArraySolution, place: RigidTransform) -> float:
-    """Return ln det(I + Σ ΔI) of a view with the board at ``place``; 0 where no camera sees it whole."""
-    column = {label: index for index, label in enumerate(solution.parameters)}
+def gain_of(solution: CameraArraySolution, place: RigidTransform, lenses: Sequence[str]) -> float:
+    """Return ln det(I + Σ ΔI) for ``lenses`` of a view with the board at ``place``; 0 where none of them sees it whole, or nobody else where others are known."""
+    owners = (*lenses, BOARD)
+    rows = [index for index, label in enumerate(solution.parameters) if label.rpartition(".")[0] in owners]
+    column = {solution.parameters[row]: index for index, row in enumerate(rows)}
+    seen_by = outlines_px(solution.calibration, place, solution.board)
+    if len(lenses) < len(solution.calibration.cameras) and not set(seen_by) - set(lenses):
+        return 0.0
     ids = _few(solution.board)
     weight = solution.board.count / len(ids)
     by_board, own = np.zeros((6, 6)), np.zeros((len(column), len(column)))
     mixed = np.zeros((6, len(column)))
-    for name in outlines_px(solution.calibration, place, solution.board):
+    for name in seen_by:
         by_pose, by_own, labels = derivatives(BoardPose(place, np.eye(6)), solution.calibration.cameras[name], solution.board, ids)
         known = [index for index, label in enumerate(labels) if label in column]
         at, part = [column[labels[index]] for index in known], by_own[:, known]
@@ -85,7 +91,7 @@ def gain_of(solution: CameraArraySolution, place: RigidTransform) -> float:
     if not by_board.any():
         return 0.0
     added = own - mixed.T @ np.linalg.solve(by_board, mixed)
-    return float(np.linalg.slogdet(np.eye(len(column)) + solution.covariance @ added)[1])
+    return float(np.linalg.slogdet(np.eye(len(column)) + solution.covariance[np.ix_(rows, rows)] @ added)[1])
 
 
 def _few(board: BoardDescription) -> IntArray:

@@ -1,0 +1,143 @@
+"""What the images of one position show of the board, and why some of them show nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+
+from measureapp.arrays import ImageArray
+from measureapp.calibrate.board import find_board
+from measureapp.calibrate.board_pose import board_pose
+from measureapp.calibrate.board_together import find_beside
+from measureapp.calibrate.board_turned import TurnedBoard, find_turned
+from measureapp.calibrate.projector_picture import projector_picture
+from measureapp.calibrate.projector_sightings import PROJECTOR
+from measureapp.calibrate.sightings import AmbiguousPart, BoardRefused, FoundBoard, Sighting
+from measureapp.data.board import BoardDescription
+from measureapp.data.calibration import CameraArrayCalibration
+from measureapp.data.fringe import FringeStack
+from measureapp.errors import CalibrationError
+from measureapp.fringe.settings import DecodeSettings
+from measureapp.pipeline.board_in_fringes import BoardInFringes, look_at_fringes
+from measureapp.pipeline.collecting.observation import Observation, Readback, Refusal
+from measureapp.pipeline.collecting.setup import Setup
+from measureapp.progress import Progress
+
+DETECTION_THREADS = 2
+UNLIT = "Light the whole board with the fringes, neither too dark nor clipped."
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Looked:
+    """What one position gave."""
+
+    images: Mapping[str, ImageArray]  # who sees -> what is kept of its images
+    seen: Mapping[str, FoundBoard]
+    refused: Mapping[str, Refusal]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Before:
+    """What is known before images are looked at."""
+
+    cameras: CameraArrayCalibration | None  # calibrated before, or as the views collected so far have them
+    observations: Sequence[Observation] = ()  # other positions
+
+
+def look(images: Mapping[str, ImageArray], readback: Readback, board: BoardDescription, before: Before) -> Looked:
+    """Look for the board in one image of each camera; parts that one cannot tell are told as `tell_parts` does."""
+    with ThreadPoolExecutor(DETECTION_THREADS) as pool:
+        results = dict(zip(images, pool.map(lambda pixels: _look(lambda: find_board(pixels, board)), images.values()), strict=True))
+    known = {camera: one for camera, one in results.items() if isinstance(one, FoundBoard)}
+    unclear = {camera: images[camera] for camera, one in results.items() if isinstance(one, AmbiguousPart)}
+    results |= tell_parts(unclear, known, readback, board, before)
+    refused = {camera: refusal(one) for camera, one in results.items() if isinstance(one, CalibrationError)}
+    return Looked(images, {camera: one for camera, one in results.items() if isinstance(one, FoundBoard)}, refused)
+
+
+def tell_parts(
+    unclear: Mapping[str, ImageArray], known: Mapping[str, FoundBoard], readback: Readback, board: BoardDescription, before: Before
+) -> dict[str, FoundBoard | CalibrationError]:
+    """Tell which parts of the board these images show: by cameras that saw the same position, else by where the table turned the board from.
+
+    Parameters
+    ----------
+    unclear : camera -> image of a part that may be one of several
+    known : other cameras -> what they saw at the same position
+    readback : where the axes stood
+
+    Returns
+    -------
+    camera -> marks, or why it is still not clear; nothing where nothing can tell it
+    """
+    cameras, told = before.cameras, dict[str, FoundBoard | CalibrationError]()
+    if cameras is None or not unclear:
+        return told
+    if known:
+        return {camera: _look(partial(find_beside, image, camera, known, cameras, board)) for camera, image in unclear.items()}
+    turned, table_rad = _turned(before.observations, readback, cameras, board), readback.table_rad
+    if table_rad is None or not turned:
+        return told
+    return {camera: _look(partial(find_turned, image, camera, turned, table_rad, cameras, board)) for camera, image in unclear.items()}
+
+
+def _turned(
+    observations: Sequence[Observation], readback: Readback, cameras: CameraArrayCalibration, board: BoardDescription
+) -> list[TurnedBoard]:
+    """Other sightings from the same place of the cameras, the table's angle known."""
+    found = []
+    for one in observations:
+        angle = one.readback.table_rad
+        seen = {camera: marks for camera, marks in one.seen.items() if camera in cameras.cameras}
+        if seen and angle is not None and one.readback.holds_cameras_as(readback):
+            corners, ids = {name: marks.corners_px for name, marks in seen.items()}, {name: marks.ids for name, marks in seen.items()}
+            found.append(TurnedBoard(board_pose(corners, cameras, board, ids=ids), angle))
+    return found
+
+
+def look_in_fringes(stack: FringeStack, setup: Setup, size_px: tuple[int, int], progress: Progress) -> Looked:
+    """Look for the board under fringes, and look its marks up in the phases: the projector's.
+
+    Kept are the board in even light as every camera sees it and, for people, as the projector would.
+
+    Raises
+    ------
+    CalibrationError
+        The fringes run in one direction only.
+    """
+    found = look_at_fringes(stack, stack.viewpoint_id, setup.board, DecodeSettings(), progress)
+    images, seen = dict(found.images), dict(found.seen)
+    refused = {camera: refusal(error) for camera, error in found.refused.items()}
+    best = found.best
+    if best is None:
+        refused[PROJECTOR] = _unlit(found)
+    else:
+        seen[PROJECTOR] = _marks(found.readings[best])
+        images[PROJECTOR] = projector_picture(found.images[best], found.phases[best], size_px)
+    return Looked(images, seen, refused)
+
+
+def _marks(reading: object) -> FoundBoard:
+    assert isinstance(reading, Sighting) and reading.sigma_px is not None  # the projector's is one
+    return FoundBoard(reading.known_ids, reading.corners_px, reading.sigma_px, 0.0)
+
+
+def _unlit(found: BoardInFringes) -> Refusal:
+    reasons = [reading.reason for reading in found.readings.values() if not isinstance(reading, Sighting)]
+    if not reasons:
+        return Refusal("not found", "No camera found the board.", "Show it whole, sharp and evenly lit.")
+    return Refusal("too dark", f"{reasons[0][0].upper()}{reasons[0][1:]}.", UNLIT)
+
+
+def _look(find: Callable[[], FoundBoard]) -> FoundBoard | CalibrationError:
+    try:
+        return find()
+    except CalibrationError as error:
+        return error
+
+
+def refusal(error: CalibrationError) -> Refusal:
+    """Return an error as the reason why an image gives nothing."""
+    return Refusal(error.cause if isinstance(error, BoardRefused) else "not found", error.message, error.hint)

@@ -1,0 +1,116 @@
+"""The projector's wizard: fringes on the board from the virtual rig or from folders, beside calibrated cameras."""
+
+from __future__ import annotations
+
+import pytest
+
+from measureapp.simulate.world import PAPER_BOARD
+from ui.controllers.rig_connection import truth_of
+from ui.wizards.kinds import PROJECTOR
+from ui.wizards.wizard import COLLECT, RESULT, SETUP
+
+PATIENCE_MS = 240_000
+VIEWS = 4
+
+
+@pytest.fixture
+def page(application, window, rig):
+    application.session.set_rig(rig)
+    window.show_page("calibration")
+    return window.pages["calibration"]
+
+
+@pytest.fixture
+def wizard(page, application, rig):
+    """The wizard beside cameras that were calibrated at quarter resolution, without an error for once."""
+    seen = truth_of(rig.at_resolution("quarter"), PAPER_BOARD)
+    from dataclasses import replace
+
+    application.session.set_cameras(replace(seen.cameras, projector=None))
+    page.open_wizard(PROJECTOR)
+    opened = page.wizards[PROJECTOR.kind]
+    opened.setup.board.setValue(PAPER_BOARD)
+    yield opened
+    opened.close()
+
+
+def settle(qtbot, wizard):
+    collecting = wizard.collecting
+    qtbot.waitUntil(
+        lambda: not (collecting.is_collecting or collecting.is_thinking or wizard.calibrating.is_concluding), timeout=PATIENCE_MS
+    )
+
+
+def test_the_projector_is_offered_as_soon_as_the_cameras_are_calibrated(page, application, calibration):
+    assert not page.offers[PROJECTOR.kind].isEnabled()
+    application.session.set_cameras(calibration.cameras)
+    assert page.offers[PROJECTOR.kind].isEnabled()
+
+
+def test_the_virtual_rig_projects_takes_and_finds_its_projector_and_shows_the_truth_again_after_closing(qtbot, wizard, application):
+    assert wizard.setup.resolution.value() == "quarter"  # as the cameras were calibrated
+    wizard.footer.primary.click()
+    assert wizard.step == COLLECT
+    assert wizard.collecting.cameras == ("projector", "left", "right", "upper")
+    wizard.collecting.take(VIEWS)
+    settle(qtbot, wizard)
+    assert [view.verdict for view in wizard.collecting.views] == ["pass"] * VIEWS
+    assert all(0 < view.residuals_px["projector"] < 0.5 for view in wizard.collecting.views)
+    assert "corners, residual" in wizard.collect.picture.caption
+    assert not wizard.collect.picture.is_empty  # the board as the projector sees it
+    wizard.collect.cameras.setValue("left")
+    assert "corners, residual" in wizard.collect.picture.caption
+    wizard._conclude()
+    settle(qtbot, wizard)
+    check_result(wizard)
+    wizard.close()
+    wizard.begin()
+    wizard.setup.resumeClicked.emit()
+    qtbot.waitUntil(lambda: wizard.step == COLLECT, timeout=PATIENCE_MS)
+    settle(qtbot, wizard)
+    wizard._conclude()
+    settle(qtbot, wizard)
+    check_result(wizard)  # the rig was not connected again: the session knows whose it is
+    wizard._accept()
+    assert application.session.cameras.projector is not None
+    assert "Projector" in [row[0] for row in application.window.pages["calibration"].table.texts()]
+    assert wizard.calibrating.has_previous
+
+
+def check_result(wizard):
+    assert wizard.step == RESULT
+    result = wizard.calibrating.result
+    assert result.has_truth
+    assert "mm (k = 2)" in result.verdict
+    assert {row.quantity.group for row in result.rows} == {"Projector"}
+    assert all(abs(row.quantity.value - row.true) < 6 * row.quantity.sigma for row in result.rows)
+    assert wizard.result.truth_note.isVisible()
+
+
+@pytest.mark.parametrize("folder, said", [("nothing here", "There is no folder"), ("", "No MANIFEST.toml lies in")])
+def test_a_folder_without_fringes_is_refused_with_a_remedy(qtbot, wizard, tmp_path, folder, said):
+    (tmp_path / "empty").mkdir()
+    wizard.setup.source.setValue("images")
+    wizard.setup.folder.setValue(tmp_path / (folder or "empty"))
+    wizard.footer.primary.click()
+    settle(qtbot, wizard)
+    assert said in wizard.footer.message.words.text()
+    assert wizard.footer.message.words.text().count(".") >= 2
+    assert wizard.step == SETUP
+
+
+def test_recorded_fringes_are_read_from_their_folders(qtbot, wizard, application, tmp_path):
+    import numpy as np
+
+    from tests.cli.board_fringes import board_poses, true_head, write_stacks
+
+    truth = true_head(1)
+    write_stacks(tmp_path / "fringes", truth, board_poses(truth, VIEWS, np.random.default_rng(1)))
+    (tmp_path / "fringes" / "position02" / "left" / "60000" / "007.png").write_bytes(b"no image")
+    wizard.setup.source.setValue("images")
+    wizard.setup.folder.setValue(tmp_path / "fringes")
+    wizard.footer.primary.click()
+    settle(qtbot, wizard)
+    assert "007.png" in wizard.footer.message.words.text()
+    assert [view.name for view in wizard.collecting.views] == ["position00", "position01", "position03"]
+    assert [view.verdict for view in wizard.collecting.views] == ["pass"] * 3
