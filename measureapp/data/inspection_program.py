@@ -19,7 +19,7 @@ PatternIndex = re.compile(r"\{k(?:\+(\d+))?\}")
 
 MeasuredShape = Literal["plane", "cylinder", "sphere", "cone", "surface_point"]
 ConstructedShape = Literal["midpoint", "midplane", "intersection", "projection"]
-SizeKind = Literal["distance", "thickness", "step", "diameter", "radius", "angle"]
+SizeKind = Literal["distance", "thickness", "step", "diameter", "radius", "angle", "cone_angle"]
 ZoneKind = Literal[
     "flatness",
     "straightness",
@@ -205,7 +205,7 @@ class DimensionProgram(Model):
     @property
     def unit(self) -> str:
         """The unit of the value: degrees for angles, else millimetres."""
-        return "°" if self.kind in ("angle", *BLADE_ANGLES) else "mm"
+        return "°" if self.kind in ("angle", "cone_angle", *BLADE_ANGLES) else "mm"
 
     @property
     def feature_sets(self) -> tuple[tuple[str, ...], ...]:

@@ -173,4 +173,6 @@ def _words_of(found: Found) -> str:
     if len(found.points_mm) == 0:
         return f"{found.name}: constructed"
     words = f"{found.name}: {len(found.points_mm)} points, {found.feature.left_out} left out"
+    if found.draws:
+        words += f", small piece: Monte Carlo, {found.draws} draws"
     return f"{words} ({found.feature.how})" if found.feature.how else words

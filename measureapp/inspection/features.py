@@ -35,6 +35,7 @@ class Found:
     views: float = 1.0  # how many views it effectively rests on
     points_mm: FloatArray = field(default_factory=lambda: np.empty((0, 3)))  # the points it was fitted to
     nominal: Feature | None = None  # where the drawing has it
+    draws: int = 0  # fits to simulated points that its covariance comes from; 0: from the law of propagation
 
     @property
     def position_sigma(self) -> float:
@@ -50,6 +51,11 @@ class Found:
     def radius_sigma(self) -> float:
         """Standard deviation of the radius in mm, shared errors included."""
         return self._sigma("radius_mm")
+
+    @property
+    def half_angle_sigma(self) -> float:
+        """Standard deviation of a cone's half angle in rad, shared errors included."""
+        return self._sigma("half_angle_rad")
 
     def _sigma(self, key: str) -> float:
         return 0.0 if self.feature is None else self.feature.standard_deviations.get(key, 0.0) * self.error_factor
