@@ -115,6 +115,7 @@ def _chosen(plain: PlainPoints, stays: Any) -> PointCloud | StitchedCloud:
     points, normals = np.asarray(plain.points_mm)[stays], column(plain.normals, np.zeros((count, 3)))
     sigma, grey = column(plain.sigma_mm, np.zeros(count)), column(plain.grey, np.full(count, 0.5))
     if plain.view is not None:
-        return StitchedCloud(points, normals, sigma, grey, plain.view[stays], (), plain.frame or "part")
+        view, frame = plain.view[stays], plain.frame or "part"
+        return StitchedCloud(points, normals, sigma, grey, view, (), frame, view_names=plain.view_names)
     pixel, cameras = column(plain.pixel, np.full((count, 2), -1)), column(plain.cameras, np.ones(count, np.uint8))
     return PointCloud(points, normals, sigma, grey, pixel, cameras, plain.frame, plain.viewpoint_id)

@@ -35,7 +35,7 @@ class Found:
     views: float = 1.0  # how many views it effectively rests on
     points_mm: FloatArray = field(default_factory=lambda: np.empty((0, 3)))  # the points it was fitted to
     nominal: Feature | None = None  # where the drawing has it
-    draws: int = 0  # fits to simulated points that its covariance comes from; 0: from the law of propagation
+    draws: int = field(default=0, kw_only=True)  # fits to simulated points that its covariance comes from; 0: from the law of propagation
 
     @property
     def position_sigma(self) -> float:

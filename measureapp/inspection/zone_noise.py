@@ -112,7 +112,7 @@ def width_without_noise(zones: Sequence[Zone], width_mm: float, criterion: Crite
         return TrueWidth(width_mm, 0.0, 0.0)
     rng = np.random.default_rng(SEED)
     heights = _Heights.of(zones, rng)
-    form = [noise_free for noise_free in heights.noise_free([zone.distances_mm for zone in zones])]
+    form = heights.noise_free([zone.distances_mm for zone in zones])
     noise = [zone.noise_mm * rng.standard_normal((draws, *zone.distances_mm.shape)) for zone in zones]
     made = [one[None] + added for one, added in zip(form, noise, strict=True)]
     true = _greatest(zones, [one[None] for one in form], criterion)[0]

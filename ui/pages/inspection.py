@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from PySide6.QtCore import Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
@@ -66,6 +67,7 @@ class InspectionPage(ViewportPage):
         self.shape.valueChanged.connect(self.redraw)
         self._point: Label | None = None  # of the point that was clicked last
         self._cut_lines: list[LineLayer] = []
+        self._is_cutting = self._cut_again = False
         self.deviation = DeviationCard(look)
         self.summary = {verdict: label("", "strong") for verdict in ("pass", "fail", "not proven", "not measured")}
         self.table = DataTree(look, HEADERS, numeric=(1, 2, 3, 4), stretch=0)
@@ -262,13 +264,30 @@ class InspectionPage(ViewportPage):
         return None if self.session.comparison is None else self.session.comparison.sections
 
     def _cut(self) -> None:
-        """Cut the drawing and the measured points where the bar says."""
+        """Cut the drawing and the measured points where the bar says, on a thread; while one cut is made only the last wish waits."""
         comparison, plane = self.session.comparison, self.cut.value()
-        self._cut_lines = []
-        if comparison is not None and comparison.surface is not None and plane is not None:
-            self._cut_lines, words = cut_lines(comparison, plane)
+        self._cut_again = self._is_cutting
+        if comparison is None or comparison.surface is None or plane is None:
+            self._cut_lines = []
+            self._highlight()
+        elif not self._is_cutting:
+            self._is_cutting = True
+            cutting = self.controllers.drawing
+            cutting.run("Cutting", lambda _job: cut_lines(comparison, plane), self._show_cut, on_stopped=self._stop_cutting, quiet=True)
+
+    @Slot(object)
+    def _show_cut(self, found: tuple[list[LineLayer], str]) -> None:
+        if self.session.comparison is not None and self.cut.value() is not None:
+            self._cut_lines, words = found
             self.cut.say(words)
-        self._highlight()
+            self._highlight()
+        self._stop_cutting()
+
+    @Slot()
+    def _stop_cutting(self) -> None:
+        self._is_cutting = False
+        if self._cut_again:
+            self._cut()
 
     def _show_distances(self) -> None:
         """Show what is measured by clicking, and what to click next."""
