@@ -22,6 +22,7 @@ NAMES = {
     "holes": "image-square",
     "labels": "tag",
     "section": "knife",
+    "filter": "funnel",
     "eye": "eye",
     "hidden": "eye-slash",
     "light": "sun",
