@@ -88,7 +88,9 @@ class CloudsPage(ViewportPage):
         fit.clicked.connect(self.view.reset_camera)
         self.hint = label("", "soft")
         self.action_row.insertWidget(0, self.hint)
-        tools = row(self.stage, 12, label("Colour by", "soft"), self.colour_by, 8, self.scale, 0, self.filter_button, self.distance.button, fit)
+        tools = row(
+            self.stage, 12, label("Colour by", "soft"), self.colour_by, 8, self.scale, 0, self.filter_button, self.distance.button, fit
+        )
         middle = row(card(self.view, self.filters, margin=1, spacing=4), self.table, spacing=16)
         middle.setStretch(0, 1)
         layout = column(tools, middle, spacing=12)

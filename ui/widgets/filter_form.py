@@ -6,18 +6,20 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QSpinBox, QStackedWidget, QWidget
+from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QSizePolicy, QSpinBox, QStackedWidget, QWidget
 
 from ui.look.look import Look
-from ui.widgets.basic import Button, label, row
+from ui.widgets.basic import Button, column, label, row
 from ui.widgets.segments import Segments
 
 if TYPE_CHECKING:
     from measureapp.register.sieve import Filter
 
 KINDS = {"statistical": "Statistical", "radius": "Radius", "islands": "Islands", "box": "Box", "plane": "Plane"}
-SIDES = {"above x": (1, 0, 0), "below x": (-1, 0, 0), "above y": (0, 1, 0), "below y": (0, -1, 0), "above z": (0, 0, 1), "below z": (0, 0, -1)}
-LIMIT_MM, FIELD_WIDTH = 20_000.0, 96
+SIDES = {
+    f"{side} {axis}": tuple(sign * int(axis == other) for other in "xyz") for axis in "zxy" for side, sign in (("above", 1), ("below", -1))
+}
+LIMIT_MM, FIELD_WIDTH = 20_000.0, 80
 
 
 class FilterForm(QWidget):
@@ -38,12 +40,12 @@ class FilterForm(QWidget):
         self.fields = QStackedWidget()
         for line in self._lines():
             shown = QWidget()
-            shown.setLayout(row(*line, 0, spacing=8))
+            shown.setLayout(row(*line, 0, spacing=4))
             self.fields.addWidget(shown)
         self.button = Button("Filter", look, "filter", tip="Apply to the merged cloud; the stitched one is kept")
         self.button.clicked.connect(self.asked)
-        self.setLayout(row(self.kind, self.fields, self.button, margin=8, spacing=12))
-        self.layout().setStretch(1, 1)
+        self.setLayout(column(row(self.kind, 0, self.button), self.fields, margin=8))
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         self.kind.valueChanged.connect(self._show_kind)
         for field in (self.sigmas, self.neighbours, self.radius, self.least, self.area, *self.sides, self.offset):
             field.valueChanged.connect(self._change)
@@ -119,12 +121,15 @@ def _length(value: float, least: float, most: float, unit: str) -> QDoubleSpinBo
     made.setDecimals(2 if unit != "" or most < 1000 else 1)
     made.setSuffix(unit)
     made.setValue(value)
-    made.setFixedWidth(FIELD_WIDTH)
+    made.setFixedWidth(FIELD_WIDTH + (16 if unit else 0))
+    made.setProperty("plain", True)  # without arrows, which a row of six has no room for
     return made
 
 
 def _count(value: int) -> QSpinBox:
     made = QSpinBox()
     made.setRange(1, 1000)
+    made.setFixedWidth(FIELD_WIDTH)
+    made.setProperty("plain", True)  # without arrows, which a row of six has no room for
     made.setValue(value)
     return made
