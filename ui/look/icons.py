@@ -23,6 +23,7 @@ NAMES = {
     "labels": "tag",
     "section": "knife",
     "filter": "funnel",
+    "grow": "arrows-out",
     "eye": "eye",
     "hidden": "eye-slash",
     "light": "sun",
