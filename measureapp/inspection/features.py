@@ -35,6 +35,7 @@ class Found:
     views: float = 1.0  # how many views it effectively rests on
     points_mm: FloatArray = field(default_factory=lambda: np.empty((0, 3)))  # the points it was fitted to
     nominal: Feature | None = None  # where the drawing has it
+    hole: bool = field(default=False, kw_only=True)  # the material lies outside
     draws: int = field(default=0, kw_only=True)  # fits to simulated points that its covariance comes from; 0: from the law of propagation
 
     @property
@@ -89,7 +90,7 @@ def fitted(
         return Found(name, None, f"{name}: {reason}", nominal=drawn)
     used = cut.where(kept)
     factor = shared_error_factor(used.points_mm, residuals, settings.uncertainty.correlation_mm)
-    return Found(name, feature, "", factor, effective_views(used.view), used.points_mm, drawn)
+    return Found(name, feature, "", factor, effective_views(used.view), used.points_mm, drawn, hole=expected.hole)
 
 
 def _trimmed_fit(nominal: NominalFeature, cut: MeasuredPoints, settings: InspectionSettings) -> tuple[Feature, FloatArray, IntArray]:

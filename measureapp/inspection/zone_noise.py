@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from measureapp.arrays import FloatArray
+from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.inspection_program import Criterion
 from measureapp.geometry.feature import Shape
 from measureapp.geometry.fits import Scaled, fit, state_of
@@ -135,7 +135,7 @@ def _greatest(zones: Sequence[Zone], heights_mm: Sequence[FloatArray], criterion
 class _Heights:
     """The heights of all zones side by side, and the noise by which their range is shifted."""
 
-    starts: FloatArray  # (Z,), first column of each zone
+    starts: IntArray  # (Z,), first column of each zone
     noise_mm: FloatArray  # (N,)
     draws_mm: FloatArray  # (SHIFT_DRAWS, K, N)
 

@@ -258,7 +258,7 @@ def _label(ply: Ply, name: str) -> str:
 
 
 def _view_names(ply: Ply) -> tuple[str, ...]:
-    names = []
+    names: list[str] = []
     while name := _label(ply, f"view {len(names)}"):
         names.append(name)
     return tuple(names)

@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtWidgets import QHeaderView
+from PySide6.QtWidgets import QHBoxLayout, QHeaderView
 
 from measureapp.errors import InputError
 from ui.controllers.controllers import Controllers
@@ -72,25 +72,11 @@ class CloudsPage(ViewportPage):
         self.action_row.insertWidget(0, self.undo)
         controllers.view_choices.undoChanged.connect(self._show_undo)
         controllers.filtering.undoChanged.connect(self._show_undo)
-        self.filters = FilterForm(look)
-        self.filters.asked.connect(self._filter)
-        self.filters.hide()
-        self.filter_button = Button("Filter", look, "filter", "quiet", "Cut and clean the merged cloud; the stitched one is kept")
-        self.filter_button.setCheckable(True)
-        self.filter_button.toggled.connect(self._show_filters)
         self._placed, self._residuals = PlacedClouds(), Residuals()
         self._extent_of: StitchedCloud | None = None  # whose extent the filters begin with
         self._seen_filtered: StitchedCloud | None = None
         self._point: Label | None = None  # of the point that was clicked last
-        self.distance = DistanceTool(look, self)
-        self.distance.changed.connect(self._show_distances)
-        fit = Button("Show all", look, "fit", "quiet", "Look at everything from the front")
-        fit.clicked.connect(self.view.reset_camera)
-        self.hint = label("", "soft")
-        self.action_row.insertWidget(0, self.hint)
-        tools = row(
-            self.stage, 12, label("Colour by", "soft"), self.colour_by, 8, self.scale, 0, self.filter_button, self.distance.button, fit
-        )
+        tools = self._tools(look)
         middle = row(card(self.view, self.filters, margin=1, spacing=4), self.table, spacing=16)
         middle.setStretch(0, 1)
         layout = column(tools, middle, spacing=12)
@@ -107,6 +93,24 @@ class CloudsPage(ViewportPage):
         session.projectChanged.connect(self.hidden.clear)
         session.busyChanged.connect(self._show_busy)
         self._show()
+
+    def _tools(self, look: Look) -> QHBoxLayout:
+        """Return what stands above the picture."""
+        self.filters = FilterForm(look)
+        self.filters.asked.connect(self._filter)
+        self.filters.hide()
+        self.filter_button = Button("Filter", look, "filter", "quiet", "Cut and clean the merged cloud; the stitched one is kept")
+        self.filter_button.setCheckable(True)
+        self.filter_button.toggled.connect(self._show_filters)
+        self.distance = DistanceTool(look, self)
+        self.distance.changed.connect(self._show_distances)
+        fit = Button("Show all", look, "fit", "quiet", "Look at everything from the front")
+        fit.clicked.connect(self.view.reset_camera)
+        self.hint = label("", "soft")
+        self.action_row.insertWidget(0, self.hint)
+        return row(
+            self.stage, 12, label("Colour by", "soft"), self.colour_by, 8, self.scale, 0, self.filter_button, self.distance.button, fit
+        )
 
     def _show_busy(self) -> None:
         if self.session.busy_with and not self.session.views:
