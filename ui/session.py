@@ -125,6 +125,7 @@ class Session(QObject):
         self.viewpoints: dict[str, ViewpointState] = {}
         self.views: tuple[ViewResult, ...] = ()
         self.stitched: StitchedCloud | None = None
+        self.filtered: StitchedCloud | None = None  # what filters left of the stitched cloud, beside it
         self.inspection: Inspection | None = None
         self.measurement: Measurement | None = None
         self.comparison: Comparison | None = None
@@ -189,7 +190,12 @@ class Session(QObject):
 
     def set_stitched(self, stitched: StitchedCloud | None) -> None:
         """Tell the cloud of all views."""
-        self.stitched = stitched
+        self.stitched, self.filtered = stitched, None
+        self.cloudsChanged.emit()
+
+    def set_filtered(self, filtered: StitchedCloud | None) -> None:
+        """Tell what filters left of the stitched cloud; None where none was applied."""
+        self.filtered = filtered
         self.cloudsChanged.emit()
 
     def set_inspection(self, inspection: Inspection | None) -> None:
@@ -210,7 +216,7 @@ class Session(QObject):
         self.validity = measurement.validity
         self.cameras = measurement.calibration.cameras
         self.views = measurement.views
-        self.stitched = measurement.stitched
+        self.stitched, self.filtered = measurement.stitched, None
         self.inspection = measurement.inspection
         self.comparison = None
         for view in measurement.views:

@@ -8,10 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 import typer
 
-from measureapp.cli.reply import JsonOption, reply
+from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 if TYPE_CHECKING:
-    from measureapp.arrays import BoolArray, FloatArray
     from measureapp.data.cloud import PointCloud, StitchedCloud
     from measureapp.project.geometry_files import PlainPoints
 
@@ -43,64 +42,35 @@ def register(app: typer.Typer) -> None:
         """Cut and clean a cloud: box, planes, radius, statistical, islands, in this order."""
         from measureapp.errors import InputError
         from measureapp.project.geometry_files import read_points, write_cloud
-        from measureapp.register import filters
-        from measureapp.register.cloud_quality import point_spacing_mm
+        from measureapp.register.sieve import Filter, sieved
 
         if out.suffix.lower() not in (".ply", ".xyz"):
             raise InputError(f"{out}: a cloud cannot be written as this.", "Use .ply or .xyz.")
-        plain = read_points(cloud)
-        sieve = _Sieve(np.asarray(plain.points_mm))
-        if box is not None:
-            sides = _numbers("--box", box, 6)
-            low, high = sides[::2], sides[1::2]
-            if not (low <= high).all():
-                raise InputError("The box ends before it begins.", "Give each axis from the smaller to the larger coordinate.")
-            sieve.keep("box", lambda points: filters.in_box(points, low, high))
-        for side in [_numbers("--plane", words, 4) for words in plane or ()]:
-            sieve.keep("plane", lambda points, side=side: filters.above_plane(points, side[:3], side[3]))
-        if radius_mm is not None:
-            sieve.keep("radius", lambda points: filters.crowded(points, radius_mm, least))
-        if statistical is not None:
-            sieve.keep("statistical", lambda points: filters.statistical(points, neighbours, statistical))
-        if islands_mm2 is not None:
-            sieve.keep("islands", lambda points: filters.in_large_patches(points, point_spacing_mm(points), islands_mm2))
-        if not sieve.removed:
+        asked = [] if box is None else [Filter("box", _numbers("--box", box, 6))]
+        asked += [Filter("plane", _numbers("--plane", words, 4)) for words in plane or ()]
+        asked += [] if radius_mm is None else [Filter("radius", (radius_mm, least))]
+        asked += [] if statistical is None else [Filter("statistical", (statistical, neighbours))]
+        asked += [] if islands_mm2 is None else [Filter("islands", (islands_mm2,))]
+        if not asked:
             raise InputError("No filter was asked for.", "Name at least one: --box, --plane, --radius-mm, --statistical, --islands-mm2.")
-        write_cloud(out, _chosen(plain, sieve.stays))
-        document = {"points": len(sieve.stays), "before": len(plain), "removed": sieve.removed, "files": {"cloud": out}}
-        told = [f"{name}: {count} points removed" for name, count in sieve.removed.items()]
-        reply(document, "\n".join([*told, f"{len(sieve.stays)} of {len(plain)} points in {out}"]), as_json)
+        plain = read_points(cloud)
+        stays, removed = sieved(np.asarray(plain.points_mm), asked, TerminalProgress())
+        write_cloud(out, _chosen(plain, stays))
+        document = {"points": len(stays), "before": len(plain), "removed": removed, "files": {"cloud": out}}
+        told = [f"{name}: {count} points removed" for name, count in removed.items()]
+        reply(document, "\n".join([*told, f"{len(stays)} of {len(plain)} points in {out}"]), as_json)
 
 
-def _numbers(option: str, words: str, count: int) -> FloatArray:
+def _numbers(option: str, words: str, count: int) -> tuple[float, ...]:
     from measureapp.errors import InputError
 
     try:
-        numbers = np.array([float(word) for word in words.split(",")])
+        numbers = tuple(float(word) for word in words.split(","))
     except ValueError:
-        numbers = np.empty(0)
+        numbers = ()
     if len(numbers) != count or not np.isfinite(numbers).all():
         raise InputError(f"{option} {words} is not {count} numbers.", f"Give {count} numbers with commas between them.")
     return numbers
-
-
-class _Sieve:
-    """Points on their way through one filter after the other."""
-
-    def __init__(self, points_mm: FloatArray) -> None:
-        self._points = points_mm
-        self.stays = np.arange(len(points_mm))
-        self.removed: dict[str, int] = {}
-
-    def keep(self, name: str, chosen: Any) -> None:
-        """Keep what ``chosen`` says of the points that are left; raises InputError where none is."""
-        from measureapp.errors import InputError
-
-        mask: BoolArray = chosen(self._points[self.stays])
-        self.removed[name] = self.removed.get(name, 0) + int(np.count_nonzero(~mask))
-        self.stays = self.stays[mask]
-        if len(self.stays) == 0:
-            raise InputError(f"No point is left after the filter {name!r}.", "Widen it; nothing was written.")
 
 
 def _chosen(plain: PlainPoints, stays: Any) -> PointCloud | StitchedCloud:
@@ -115,6 +85,7 @@ def _chosen(plain: PlainPoints, stays: Any) -> PointCloud | StitchedCloud:
     points, normals = np.asarray(plain.points_mm)[stays], column(plain.normals, np.zeros((count, 3)))
     sigma, grey = column(plain.sigma_mm, np.zeros(count)), column(plain.grey, np.full(count, 0.5))
     if plain.view is not None:
-        return StitchedCloud(points, normals, sigma, grey, plain.view[stays], (), plain.frame or "part")
+        view, frame = plain.view[stays], plain.frame or "part"
+        return StitchedCloud(points, normals, sigma, grey, view, (), frame, view_names=plain.view_names)
     pixel, cameras = column(plain.pixel, np.full((count, 2), -1)), column(plain.cameras, np.ones(count, np.uint8))
     return PointCloud(points, normals, sigma, grey, pixel, cameras, plain.frame, plain.viewpoint_id)

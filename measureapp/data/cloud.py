@@ -140,6 +140,7 @@ class StitchedCloud:
     frame: str = "part"
     notes: Mapping[str, float] = field(default_factory=dict)
     ring: RingClosure | None = None  # the one that closes worst; None where no pairs lead around the part
+    view_names: tuple[str, ...] = ()  # what `view` counts; those of the placements where these are known
 
     def __post_init__(self) -> None:
         count = len(self.points_mm)
@@ -148,6 +149,14 @@ class StitchedCloud:
         object.__setattr__(self, "sigma_mm", read_only(self.sigma_mm, np.float32, (count,)))
         object.__setattr__(self, "grey", read_only(self.grey, np.float32, (count,)))
         object.__setattr__(self, "view", read_only(self.view, np.int16, (count,)))
+        if self.placements:
+            object.__setattr__(self, "view_names", tuple(placement.viewpoint_id for placement in self.placements))
 
     def __len__(self) -> int:
         return len(self.points_mm)
+
+    def where(self, keep: BoolArray | IntArray) -> StitchedCloud:
+        """Return the points chosen by a mask or by indices; the views keep their numbers and names."""
+        names = ("points_mm", "normals", "sigma_mm", "grey", "view")
+        arrays: dict[str, Any] = {name: getattr(self, name)[keep] for name in names}
+        return replace(self, **arrays)

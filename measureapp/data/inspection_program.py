@@ -19,7 +19,7 @@ PatternIndex = re.compile(r"\{k(?:\+(\d+))?\}")
 
 MeasuredShape = Literal["plane", "cylinder", "sphere", "cone", "surface_point"]
 ConstructedShape = Literal["midpoint", "midplane", "intersection", "projection"]
-SizeKind = Literal["distance", "thickness", "step", "diameter", "radius", "angle"]
+SizeKind = Literal["distance", "thickness", "step", "diameter", "radius", "angle", "cone_angle"]
 ZoneKind = Literal[
     "flatness",
     "straightness",
@@ -37,6 +37,7 @@ ZoneKind = Literal[
     "surface_profile",
 ]
 DimensionKind = SizeKind | ZoneKind | BladeKind
+MaterialCondition = Literal["regardless", "maximum", "least"]
 Criterion = Literal["minimum-zone", "least-squares"]
 PAIRS = ("distance", "thickness", "step", "angle", *BLADE_PAIRS)
 ZONES: tuple[str, ...] = (*get_args(ZoneKind), *BLADE_ZONES)  # the width of a zone: never negative, ideally 0
@@ -165,6 +166,10 @@ class DimensionProgram(Model):
     criterion: Criterion = Field(default="minimum-zone", description="how form is taken (ISO 1101: minimum zone)")
     along: Vector | None = Field(default=None, description="straightness of a plane: direction of its lines")
     section: Section | None = Field(default=None, description="line profile: the plane it is taken in")
+    material_condition: MaterialCondition = Field(
+        default="regardless", description="position of a hole or shaft: whether its actual size widens the zone (ISO 2692)"
+    )
+    size_limits_mm: Range | None = Field(default=None, description="limits of the diameter that a material condition starts from")
     count: int | None = Field(default=None, ge=2, description="how many copies `{k}` runs over, cyclically")
     statistic: Literal["mean", "min", "max"] = "mean"
 
@@ -181,6 +186,20 @@ class DimensionProgram(Model):
             raise ValueError(f"kind {self.kind!r} needs `nominal`")
         if self.kind in ZONES and (self.nominal != 0 or self.upper_tolerance <= 0):
             raise ValueError(f"a {self.kind} is the width of a zone: its nominal is 0, `upper_tolerance` the width allowed")
+        return self
+
+    @model_validator(mode="after")
+    def _has_what_its_material_condition_needs(self) -> DimensionProgram:
+        if (self.material_condition != "regardless") != (self.size_limits_mm is not None):
+            raise ValueError("`material_condition` and `size_limits_mm` come together")
+        if self.size_limits_mm is None:
+            return self
+        if self.kind != "position":
+            raise ValueError("a material condition is taken of a position only, and not of datums")
+        if self.size_limits_mm[0] >= self.size_limits_mm[1]:
+            raise ValueError("size_limits_mm must run from the smaller to the greater diameter")
+        if self.count is not None and self.statistic == "mean":
+            raise ValueError('with a material condition the mean of several positions says nothing: take `statistic = "max"`')
         return self
 
     @model_validator(mode="after")
@@ -205,7 +224,7 @@ class DimensionProgram(Model):
     @property
     def unit(self) -> str:
         """The unit of the value: degrees for angles, else millimetres."""
-        return "°" if self.kind in ("angle", *BLADE_ANGLES) else "mm"
+        return "°" if self.kind in ("angle", "cone_angle", *BLADE_ANGLES) else "mm"
 
     @property
     def feature_sets(self) -> tuple[tuple[str, ...], ...]:

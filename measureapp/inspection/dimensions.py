@@ -95,9 +95,10 @@ def _dimension(described: DimensionProgram, found: dict[str, Found], settings: I
     uncertainty = COVERAGE_FACTOR * value.sigma if described.unit == "°" else expanded(value.sigma, value.value, settings.uncertainty)
     if not (np.isfinite(value.value) and np.isfinite(uncertainty)):
         return _stated(described, found, None, None, Verdict.NOT_MEASURED, "the points do not determine this value")
-    lower, upper = (-np.inf if described.kind in ZONES else described.lower_tolerance), described.upper_tolerance  # no zone is too narrow
+    lower, upper = (-np.inf if described.kind in ZONES else described.lower_tolerance), described.upper_tolerance + value.bonus
+    # no zone is too narrow
     verdict = judge(value.value - described.nominal, uncertainty, lower, upper, settings.verdict_rule)
-    return _stated(described, found, value.value, uncertainty, verdict, "", value.how)
+    return _stated(described, found, value.value, uncertainty, verdict, "", value.how, value.bonus)
 
 
 def _combined(described: DimensionProgram, found: dict[str, Found], settings: InspectionSettings) -> Value:
@@ -106,11 +107,13 @@ def _combined(described: DimensionProgram, found: dict[str, Found], settings: In
         value_of(described, tuple(found[name] for name in names), tuple(found[name] for name in datums), settings)
         for names, datums in zip(described.feature_sets, described.datum_sets, strict=True)
     ]
+    if len(values) == 1:
+        return values[0]
     numbers, sigmas = np.array([v.value for v in values]), np.array([v.sigma for v in values])
     if described.statistic == "mean":
         return Value(float(numbers.mean()), float(np.linalg.norm(sigmas)) / len(values), values[0].how)
-    chosen = int(numbers.argmin() if described.statistic == "min" else numbers.argmax())
-    return Value(float(numbers[chosen]), float(sigmas[chosen]), values[chosen].how)
+    left = numbers - np.array([v.bonus for v in values])
+    return values[int(left.argmin() if described.statistic == "min" else left.argmax())]
 
 
 def _stated(
@@ -121,6 +124,7 @@ def _stated(
     verdict: Verdict,
     reason: str,
     how: str = "",
+    bonus: float = 0.0,
 ) -> Dimension:
     lower, upper = described.limits
     features = _distinct(described.feature_sets)
@@ -131,7 +135,7 @@ def _stated(
         measured=value,
         uncertainty=uncertainty,
         lower_tolerance=lower,
-        upper_tolerance=upper,
+        upper_tolerance=upper + bonus,
         verdict=verdict,
         unit=described.unit,
         reason=reason,
@@ -173,4 +177,6 @@ def _words_of(found: Found) -> str:
     if len(found.points_mm) == 0:
         return f"{found.name}: constructed"
     words = f"{found.name}: {len(found.points_mm)} points, {found.feature.left_out} left out"
+    if found.draws:
+        words += f", small piece: Monte Carlo, {found.draws} draws"
     return f"{words} ({found.feature.how})" if found.feature.how else words

@@ -35,6 +35,8 @@ class Found:
     views: float = 1.0  # how many views it effectively rests on
     points_mm: FloatArray = field(default_factory=lambda: np.empty((0, 3)))  # the points it was fitted to
     nominal: Feature | None = None  # where the drawing has it
+    hole: bool = field(default=False, kw_only=True)  # the material lies outside
+    draws: int = field(default=0, kw_only=True)  # fits to simulated points that its covariance comes from; 0: from the law of propagation
 
     @property
     def position_sigma(self) -> float:
@@ -50,6 +52,11 @@ class Found:
     def radius_sigma(self) -> float:
         """Standard deviation of the radius in mm, shared errors included."""
         return self._sigma("radius_mm")
+
+    @property
+    def half_angle_sigma(self) -> float:
+        """Standard deviation of a cone's half angle in rad, shared errors included."""
+        return self._sigma("half_angle_rad")
 
     def _sigma(self, key: str) -> float:
         return 0.0 if self.feature is None else self.feature.standard_deviations.get(key, 0.0) * self.error_factor
@@ -83,7 +90,7 @@ def fitted(
         return Found(name, None, f"{name}: {reason}", nominal=drawn)
     used = cut.where(kept)
     factor = shared_error_factor(used.points_mm, residuals, settings.uncertainty.correlation_mm)
-    return Found(name, feature, "", factor, effective_views(used.view), used.points_mm, drawn)
+    return Found(name, feature, "", factor, effective_views(used.view), used.points_mm, drawn, hole=expected.hole)
 
 
 def _trimmed_fit(nominal: NominalFeature, cut: MeasuredPoints, settings: InspectionSettings) -> tuple[Feature, FloatArray, IntArray]:

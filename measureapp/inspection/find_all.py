@@ -13,6 +13,7 @@ from measureapp.inspection.grown import find_grown
 from measureapp.inspection.measured import MeasuredPoints
 from measureapp.inspection.nominal_surface import NominalSurface
 from measureapp.inspection.settings import InspectionSettings
+from measureapp.inspection.small_arcs import with_draws
 from measureapp.progress import NoProgress, Progress
 
 
@@ -42,9 +43,9 @@ def find_all(
         elif isinstance(described, BladeSection):
             found.update(find_blades(described, points, surface, settings))
         elif described.grow is not None:
-            found.update(find_grown(described, points, settings))
+            found.update(with_draws(find_grown(described, points, settings), settings))
         else:
-            found.update(find(described, points, edges, settings))
+            found.update(with_draws(find(described, points, edges, settings), settings))
     return found
 
 

@@ -18,7 +18,7 @@ from measureapp.inspection.features import Found
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.shapes import along_and_off
 from measureapp.inspection.value import Value, direction_of, feature_of, placement_of
-from measureapp.inspection.zone_noise import LEVELS, Zone, noise_of_width
+from measureapp.inspection.zone_noise import Zone, width_without_noise
 
 LEAST_SECTIONS = 5
 LEAST_ON_LINE = 6
@@ -27,7 +27,7 @@ WORDS = {"minimum-zone": "minimum zone", "least-squares": "least squares"}
 
 
 def form_value(described: DimensionProgram, found: Found, settings: InspectionSettings) -> Value:
-    """Return the form deviation of one feature; its uncertainty is what simulated noise of the means does to it.
+    """Return the form deviation of one feature without what the noise of the means adds to it, and how sure that is.
 
     Raises
     ------
@@ -50,13 +50,18 @@ def form_value(described: DimensionProgram, found: Found, settings: InspectionSe
         _require(found, "straightness", "plane", "cylinder", "cone")
         made = _of_lines(described, found, settings) if feature.shape == "plane" else _of_axis(described.criterion, found, cells, settings)
     across_views = placement_of(found, settings) if found.views > 1 else 0.0
-    how = f"{filter_words(settings)}, {WORDS[described.criterion]}{made.how}; Monte Carlo, {len(LEVELS) * settings.form_trials} draws"
+    how = f"{filter_words(settings)}, {WORDS[described.criterion]}{made.how}; Monte Carlo, {settings.form_trials} draws"
     return Value(made.value, float(np.hypot(made.sigma, across_views)), how)
 
 
 def _zone(shape: Shape, cells: Cells, criterion: Criterion, name: str, settings: InspectionSettings) -> Value:
     width = zone_width(shape, cells.points_mm, criterion, name)
-    return Value(width, noise_of_width([Zone.of(shape, cells.points_mm, cells.noises_mm)], criterion, settings.form_trials))
+    return _without_noise([Zone.of(shape, cells.points_mm, cells.noises_mm)], width, criterion, settings, "")
+
+
+def _without_noise(zones: list[Zone], width: float, criterion: Criterion, settings: InspectionSettings, how: str) -> Value:
+    true = width_without_noise(zones, width, criterion, settings.form_trials)
+    return Value(true.value_mm, true.sigma_mm, f"{how}; {width:.4f} mm less {true.shift_mm:.4f} mm that noise adds")
 
 
 def extracted(found: Found, settings: InspectionSettings) -> Cells:
@@ -128,8 +133,7 @@ def _roundness(criterion: Criterion, found: Found, cells: Cells, settings: Inspe
     widths = [zone_width("circle", profile, criterion, found.name) for profile in profiles]
     noises = cells.noises_mm / np.cos(feature.half_angle_rad or 0.0)
     zones = [Zone.of("circle", profile, noises[section]) for profile, section in zip(profiles, whole, strict=True)]
-    sigma = noise_of_width(zones, criterion, settings.form_trials)
-    return Value(max(widths), sigma, f", the worst of {len(whole)} sections")
+    return _without_noise(zones, max(widths), criterion, settings, f", the worst of {len(whole)} sections")
 
 
 def _of_axis(criterion: Criterion, found: Found, cells: Cells, settings: InspectionSettings) -> Value:
@@ -149,8 +153,8 @@ def _of_axis(criterion: Criterion, found: Found, cells: Cells, settings: Inspect
         centres.append(feature.point_mm + height * direction_of(feature) + centre @ side)
     width = zone_width("line", np.array(centres), criterion, found.name)
     noises = cells.noise_mm / np.cos(feature.half_angle_rad or 0.0) * np.array(spreads)
-    sigma = noise_of_width([Zone.of("line", np.array(centres), noises)], criterion, settings.form_trials)
-    return Value(width, sigma, f", the axis through {len(whole)} sections")
+    zone = Zone.of("line", np.array(centres), noises)
+    return _without_noise([zone], width, criterion, settings, f", the axis through {len(whole)} sections")
 
 
 def _of_lines(described: DimensionProgram, found: Found, settings: InspectionSettings) -> Value:
@@ -174,7 +178,7 @@ def _of_lines(described: DimensionProgram, found: Found, settings: InspectionSet
     position = (cells.points_mm - feature.point_mm) @ line
     widths = [_line_width(position[mask], cells.deviations_mm[mask], described.criterion) for mask in lines]
     zones = [Zone.of_profile(position[mask], cells.deviations_mm[mask], cells.noises_mm[mask]) for mask in lines]
-    return Value(max(widths), noise_of_width(zones, described.criterion, settings.form_trials), f", the worst of {len(lines)} lines")
+    return _without_noise(zones, max(widths), described.criterion, settings, f", the worst of {len(lines)} lines")
 
 
 def _line_width(position: FloatArray, height: FloatArray, criterion: Criterion) -> float:

@@ -50,6 +50,6 @@ class InspectionSettings(Model):
         default=6_000, ge=500, description="a blade section is taken from at most this many of its points, evenly chosen"
     )
     blade_trials: int = Field(default=30, ge=10, description="repetitions with simulated noise from which the uncertainty of a blade comes")
-    form_trials: int = Field(default=80, ge=20, description="repetitions with simulated noise, at each of three levels, of a form value")
+    form_trials: int = Field(default=80, ge=20, description="simulated measurements from which the uncertainty of a form value comes")
     radius_trials: int = Field(default=400, ge=100, description="repetitions with simulated noise of the radius of a small piece")
     fit_points: int = Field(default=30_000, ge=1000, description="a feature is fitted to at most this many of its points, evenly chosen")

@@ -92,7 +92,7 @@ def _cut_across(needles: Pieces, corners_mm: FloatArray) -> Pieces:
     """
     length, width = _size(needles.corners_mm(corners_mm))
     left = np.ones(len(length))  # share of the length between the tip and the last cut
-    parts = []
+    parts: list[Pieces] = []
     for _ in range(MOST_CUTS):
         going = np.flatnonzero(left**3 * length**3 > LARGEST * (width * left) ** 2)
         if len(going) == 0:

@@ -14,6 +14,7 @@ from measureapp.inspection.cells import Cells, cell_means, surface_keys
 from measureapp.inspection.datums import DatumSystem, datum_system, nominals_of
 from measureapp.inspection.features import Found
 from measureapp.inspection.form import extracted, filter_words
+from measureapp.inspection.material import WORDS, bonus_of
 from measureapp.inspection.propagation import propagated
 from measureapp.inspection.run_out import run_out
 from measureapp.inspection.settings import InspectionSettings
@@ -37,7 +38,7 @@ def tolerance_value(described: DimensionProgram, found: Found, datums: tuple[Fou
     if kind in ("parallelism", "perpendicularity", "angularity"):
         return _orientation(kind, found, datums, settings)
     if kind == "position":
-        return _position(found, datums, settings)
+        return _position(described, found, datums, settings)
     if kind in ("concentricity", "coaxiality"):
         return _common_centre(kind, found, datums[0], settings)
     if kind in PROFILES:
@@ -101,7 +102,7 @@ def _exact_angle(kind: str, found: Found, datum: Found) -> float:
     return 0.0 if alike == (kind == "parallelism") else np.pi / 2
 
 
-def _position(found: Found, datums: tuple[Found, ...], settings: InspectionSettings) -> Value:
+def _position(described: DimensionProgram, found: Found, datums: tuple[Found, ...], settings: InspectionSettings) -> Value:
     """Width of the zone about the exact place: of a sphere for a centre, a cylinder for an axis, two planes for a plane."""
     feature, nominal, drawn = feature_of(found), nominal_of(found), nominals_of(datums)
     datum_system(drawn, [feature_of(one) for one in datums]).require_place(nominal, found.name)
@@ -120,7 +121,13 @@ def _position(found: Found, datums: tuple[Found, ...], settings: InspectionSetti
         return 2 * float(np.linalg.norm(away, axis=1).max())
 
     how = "associated centre" if feature.shape in CENTRES else f"associated axis over {float(np.ptp(ends)):.1f} mm"
-    return _placed_value(width, found, datums, settings, how)
+    if described.material_condition == "regardless":
+        return _placed_value(width, found, datums, settings, how)
+    bonus, noise = bonus_of(described, found, settings)
+    left = _placed_value(lambda features: width(features) - bonus(features[0]), found, datums, settings, how)
+    gained = bonus(feature)
+    words = f"{how}; {WORDS[described.material_condition]}: {gained:.4f} mm more than {described.upper_tolerance:g} mm"
+    return Value(left.value + gained, float(np.hypot(left.sigma, noise)), words, gained)
 
 
 def _common_centre(kind: str, found: Found, datum: Found, settings: InspectionSettings) -> Value:

@@ -21,6 +21,7 @@ class Value:
     value: float
     sigma: float
     how: str = ""
+    bonus: float = 0.0  # by how much the tolerance is wider; `sigma` is then that of the value less the bonus
 
 
 def feature_of(found: Found) -> Feature:

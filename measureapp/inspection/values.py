@@ -1,4 +1,4 @@
-"""Values between features: distance, thickness, step, diameter, radius, angle, each with its random uncertainty; the rest is sent on."""
+"""Values of sizes and between features: distance, thickness, step, diameter, radius, angles, each with its random uncertainty; the rest is sent on."""
 
 from __future__ import annotations
 
@@ -15,7 +15,6 @@ from measureapp.inspection.blades.values import blade_value
 from measureapp.inspection.features import Found
 from measureapp.inspection.form import form_value
 from measureapp.inspection.settings import InspectionSettings
-from measureapp.inspection.small_arcs import needs_draws, simulated_radius_sigma
 from measureapp.inspection.tolerances import tolerance_value
 from measureapp.inspection.value import AXES, CENTRES, Value, direction_of, feature_of, placement_of
 
@@ -37,6 +36,8 @@ def value_of(described: DimensionProgram, found: tuple[Found, ...], datums: tupl
         return blade_value(described, found, settings)
     if kind in ("diameter", "radius"):
         return _round(found[0], settings, 2.0 if kind == "diameter" else 1.0)
+    if kind == "cone_angle":
+        return _cone_angle(found[0])
     if kind in FORMS:
         return form_value(described, found[0], settings)
     if kind in ZONES:
@@ -54,11 +55,15 @@ def _round(found: Found, settings: InspectionSettings, factor: float) -> Value:
     feature = feature_of(found)
     if feature.radius_mm is None:
         raise InspectionError(f"{found.name} is a {feature.shape} and has no radius")
-    sigma, how = found.radius_sigma, ""
-    if needs_draws(found):
-        sigma = simulated_radius_sigma(found, feature, settings.radius_trials)
-        how = f"small piece: Monte Carlo, {settings.radius_trials} draws"
-    return Value(factor * feature.radius_mm, factor * float(np.hypot(sigma, placement_of(found, settings))), how)
+    return Value(factor * feature.radius_mm, factor * float(np.hypot(found.radius_sigma, placement_of(found, settings))))
+
+
+def _cone_angle(found: Found) -> Value:
+    """The angle between opposite lines of a cone (ISO 3040)."""
+    feature = feature_of(found)
+    if feature.half_angle_rad is None:
+        raise InspectionError(f"{found.name} is a {feature.shape} and has no cone angle")
+    return Value(float(np.degrees(2 * feature.half_angle_rad)), float(np.degrees(2 * found.half_angle_sigma)))
 
 
 def _distance(one: Found, other: Found, settings: InspectionSettings) -> Value:

@@ -44,6 +44,7 @@ class PlainPoints:
     dropped: int = 0  # points left out because they were not numbers
     frame: str = ""  # as our own files say
     viewpoint_id: str = ""
+    view_names: tuple[str, ...] = ()  # what `view` counts, as our own files say
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "points_mm", read_only(self.points_mm, np.float64, (None, 3)))
@@ -144,7 +145,8 @@ def read_stitched(path: Path) -> StitchedCloud:
     plain = read_points(path)
     if plain.normals is None or plain.sigma_mm is None or plain.grey is None or plain.view is None:
         raise InputError(f"{path} is not a stitched cloud written by MeasureApp.", "Read it as plain points, or stitch again.")
-    return StitchedCloud(plain.points_mm, plain.normals, plain.sigma_mm, plain.grey, plain.view, (), plain.frame or "part")
+    frame = plain.frame or "part"
+    return StitchedCloud(plain.points_mm, plain.normals, plain.sigma_mm, plain.grey, plain.view, (), frame, view_names=plain.view_names)
 
 
 def write_cloud(path: Path, cloud: PointCloud | StitchedCloud) -> None:
@@ -195,7 +197,7 @@ def _checked(path: Path, kinds: tuple[str, ...] = KINDS) -> tuple[Path, str]:
     return path, kind
 
 
-def _sound(path: Path, points_mm: FloatArray, columns: dict[str, Any], **labels: str) -> PlainPoints:
+def _sound(path: Path, points_mm: FloatArray, columns: dict[str, Any], **labels: Any) -> PlainPoints:
     """Leave out what is not a number, scale normals to unit length, and refuse a file without points."""
     points = np.asarray(points_mm, np.float64)
     good = np.all(np.abs(points) < LARGEST_MM, axis=1)  # False for NaN as well
@@ -206,7 +208,7 @@ def _sound(path: Path, points_mm: FloatArray, columns: dict[str, Any], **labels:
         kept["normals"] = unit(kept["normals"])
     if "sigma_mm" in kept:
         kept["sigma_mm"] = np.where(np.isfinite(kept["sigma_mm"]) & (kept["sigma_mm"] > 0), kept["sigma_mm"], 0).astype(np.float32)
-    return PlainPoints(points[good], dropped=int(np.count_nonzero(~good)), **kept, **labels)  # type: ignore[arg-type]
+    return PlainPoints(points[good], dropped=int(np.count_nonzero(~good)), **kept, **labels)
 
 
 def unit(normals: FloatArray) -> FloatArray:
@@ -227,7 +229,7 @@ def _ply_points(path: Path, ply: Ply) -> PlainPoints:
         "cameras": _single(ply, "cameras", np.uint8),
         "view": _single(ply, "view", np.int16),
     }
-    return _sound(path, points, columns, frame=_label(ply, "frame"), viewpoint_id=_label(ply, "viewpoint"))
+    return _sound(path, points, columns, frame=_label(ply, "frame"), viewpoint_id=_label(ply, "viewpoint"), view_names=_view_names(ply))
 
 
 def _ply_xyz(path: Path, ply: Ply) -> FloatArray:
@@ -253,6 +255,13 @@ def _single(ply: Ply, name: str, dtype: Any) -> Any:
 def _label(ply: Ply, name: str) -> str:
     start = f"{LABEL}{name} "
     return next((comment[len(start) :].strip() for comment in ply.comments if comment.startswith(start)), "")
+
+
+def _view_names(ply: Ply) -> tuple[str, ...]:
+    names: list[str] = []
+    while name := _label(ply, f"view {len(names)}"):
+        names.append(name)
+    return tuple(names)
 
 
 def _pcd_points(path: Path, fields: dict[str, FloatArray]) -> PlainPoints:
@@ -310,7 +319,7 @@ def _comments(cloud: PointCloud | StitchedCloud) -> list[str]:
     comments = [f"{LABEL}millimetres", f"{LABEL}frame {cloud.frame}"]
     if isinstance(cloud, PointCloud):
         return [*comments, f"{LABEL}viewpoint {cloud.viewpoint_id}"]
-    return comments + [f"{LABEL}view {i} {placement.viewpoint_id}" for i, placement in enumerate(cloud.placements)]
+    return comments + [f"{LABEL}view {i} {name}" for i, name in enumerate(cloud.view_names)]
 
 
 def _cloud_columns(cloud: PointCloud | StitchedCloud) -> dict[str, Any]:

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from measureapp.cli.main import main
-from measureapp.data.cloud import PointCloud
-from measureapp.project.geometry_files import read_point_cloud, read_points, write_cloud
+from measureapp.data.cloud import PointCloud, StitchedCloud
+from measureapp.project.geometry_files import read_point_cloud, read_points, read_stitched, write_cloud
 
 
 @pytest.fixture
@@ -72,3 +72,17 @@ def test_points_without_anything_else_can_be_filtered(tmp_path: Path, capsys: py
     code, answer = run(tmp_path / "plain.xyz", capsys, "--plane", "1,0,0,5")
     assert code == 0
     assert (read_points(tmp_path / "out.ply").points_mm[:, 0] >= 5).all() and answer["removed"]["plane"] > 50
+
+
+def test_a_filtered_stitched_cloud_still_names_its_views(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
+    points = np.random.default_rng(1).uniform(0, 10, (100, 3))
+    normals, view = np.tile([0.0, 0, 1], (100, 1)), np.arange(100) % 3
+    names = ("front", "the back side", "top")
+    write_cloud(
+        tmp_path / "all.ply",
+        StitchedCloud(points, normals, np.full(100, 0.02), np.full(100, 0.5), view, (), "part", view_names=names),
+    )
+    code, _ = run(tmp_path / "all.ply", capsys, "--box", "0,5,0,10,0,10")
+    kept = read_stitched(tmp_path / "out.ply")
+    assert code == 0 and kept.view_names == names and 0 < len(kept) < 100
+    assert np.array_equal(kept.view, view[points[:, 0] <= 5])

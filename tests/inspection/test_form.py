@@ -11,7 +11,9 @@ from measureapp.data.inspection_program import InspectionProgram
 from measureapp.geometry.fits import fit
 from measureapp.inspection.cells import cell_means, noise_reach, surface_keys
 from measureapp.inspection.dimensions import inspect
+from measureapp.inspection.noise_free import noise_free_heights
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
+from measureapp.inspection.zone_noise import Zone, width_without_noise
 
 ONLY_NOISE = InspectionSettings(uncertainty=UncertaintySettings(placement_mm=0, systematic_mm=0, systematic_relative=0))
 NOISE_MM = 0.02
@@ -59,12 +61,17 @@ def bent_shaft(seed, noise_mm=NOISE_MM):
     return part
 
 
-TIMES = pytest.mark.parametrize("times", [3, pytest.param(40, marks=pytest.mark.slow)])
+TIMES = pytest.mark.parametrize("times", [3, pytest.param(80, marks=pytest.mark.slow)])
 
 
 def enough(times: int) -> float:
     """How many of so many values must lie within their uncertainty: 95 of 100, less what chance may take."""
     return 0.95 * times - 2.5 * np.sqrt(0.05 * 0.95 * times)
+
+
+def range_of_noise(noise_mm: float, cells: int, points: int) -> float:
+    """The range that noise alone spans over means of so many points of a face, in 95 of 100 cases at most."""
+    return 2 * noise_reach(cells) * noise_mm / np.sqrt(points / cells)
 
 
 CELL_ANGLE = 5.0 / RADIUS_MM
@@ -83,7 +90,9 @@ CASES = {
 )
 def test_form_without_noise_is_the_known_one(make, feature, asked, truth, loss):
     found = measured(make(1, noise_mm=0.0), [feature], **asked)
-    assert found.measured == pytest.approx(truth, abs=loss + 1e-4), found.reason
+    # slopes scatter the points within a cell, whose places are random: by 0.0015·5 mm/√12 on the shaft, by 0.0005 mm of a mean of 20
+    assert found.uncertainty < 2 * noise_reach(600) * 0.0005
+    assert found.measured == pytest.approx(truth, abs=loss + found.uncertainty + 2e-4), found.reason
     assert found.kind == asked["kind"] and "cells" in found.origin and "minimum zone" in found.origin
 
 
@@ -98,15 +107,64 @@ def test_the_uncertainty_of_form_holds_in_95_of_100_cases(make, feature, asked, 
 
 
 @TIMES
-def test_a_perfect_surface_is_as_flat_as_its_noise_allows(times):
-    """Noise only ever adds: the flatness of a flat plane is no more than its uncertainty in 95 of 100 cases."""
+def test_a_perfect_surface_may_be_perfect(times):
+    """The flatness of a flat plane is no more than its uncertainty in 95 of 100 cases."""
     within = []
     for seed in range(times):
         part = Part(np.random.default_rng(seed), NOISE_MM)
         part.square([0, 0, 0], [0, 0, 1], [1, 0, 0])
         found = measured(part, [TOP], kind="flatness")
-        within.append(found.measured <= found.uncertainty)
+        within.append(found.measured <= found.uncertainty * (1 + 1e-9))
     assert sum(within) >= enough(times)
+
+
+@pytest.mark.parametrize(
+    ("make", "feature", "asked", "cells", "points"),
+    [(wavy_top, TOP, {"kind": "flatness"}, 144, 4000), (oval_shaft, SHAFT, {"kind": "cylindricity"}, 600, 12000)],
+)
+def test_intervals_of_form_are_narrower_than_what_noise_could_do_at_most(make, feature, asked, cells, points):
+    """Whatever the form is, noise adds between nothing and its own range: an interval of that width would need no estimate."""
+    found = measured(make(7), [feature], **asked)
+    assert 2 * found.uncertainty < range_of_noise(NOISE_MM, cells, points)
+    assert "that noise adds" in found.origin
+
+
+FORMS_OF_FACES = {
+    "many equal places": quadrants,
+    "few far ones": lambda u, v: 2e-4 * (u**2 + v**2),
+    "ridges": lambda u, v: 0.03 * np.cos(u / 10),
+}
+
+
+@pytest.mark.parametrize("form", FORMS_OF_FACES.values(), ids=FORMS_OF_FACES)
+@pytest.mark.parametrize(("cells", "times"), [(60, 12), pytest.param(200, 120, marks=pytest.mark.slow)])
+def test_the_shift_by_noise_is_taken_off_whatever_the_form(form, cells, times):
+    """By the regression plane, at places drawn anew each time: the widths come out as they are without noise."""
+    rng, noise_mm = np.random.default_rng(11), 0.004
+    errors, sigmas = np.empty(times), np.empty(times)
+    for number in range(times):
+        u, v = rng.uniform(-30, 30, (2, cells))
+        design = np.column_stack([u / 30, v / 30, np.ones(cells)])
+        true, noisy = (
+            Zone(np.zeros((1, cells)), design[None], np.full(cells, noise_mm)).fitted(heights[None, None])[0]
+            for heights in (form(u, v), form(u, v) + noise_mm * rng.standard_normal(cells))
+        )
+        zone = Zone(noisy, design[None], np.full(cells, noise_mm))
+        found = width_without_noise([zone], float(np.ptp(noisy)), "least-squares", 40)
+        errors[number], sigmas[number] = found.value_mm - float(np.ptp(true)), found.sigma_mm
+    assert np.count_nonzero(np.abs(errors) <= 2 * sigmas) >= enough(times)
+    # what is left of the shift is part of the standard uncertainty
+    assert abs(errors.mean()) < np.sqrt(np.mean(sigmas**2)) + 2.5 * errors.std() / np.sqrt(times)
+
+
+def test_heights_that_noise_alone_tells_apart_come_out_equal():
+    rng = np.random.default_rng(3)
+    true = np.repeat([0.0, 1.0, 4.0], 40)
+    found = noise_free_heights((true + 0.1 * rng.standard_normal(120))[None], np.full(120, 0.1))
+    # each level is the mean of 40 heights, known to 0.016; the likeliest distribution leaves some of their scatter
+    assert np.sqrt(np.mean((found[0] - true) ** 2)) < 0.05
+    flat = noise_free_heights(rng.standard_normal((2, 60)), np.ones(60))
+    assert np.sqrt(np.mean(np.sum(flat**2, axis=0))) < 0.6  # of offsets that are noise alone, √2 at first
 
 
 def test_least_squares_form_is_never_less_than_the_minimum_zone():

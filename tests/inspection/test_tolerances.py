@@ -242,3 +242,63 @@ def test_a_datum_that_was_not_found_is_the_reason(without_noise):
 def test_a_program_that_cannot_be_meant_is_refused(asked, said):
     with pytest.raises(ValueError, match=said):
         InspectionProgram.model_validate({"name": "p", "features": FEATURES, "dimensions": [{"name": "d", **asked}]})
+
+
+AT_MAXIMUM = {
+    "kind": "position",
+    "features": ["bore"],
+    "datums": ["base", "shaft", "side"],
+    "material_condition": "maximum",
+    "size_limits_mm": [2 * BORE_MM - 0.2, 2 * BORE_MM + 0.1],
+}
+OPENED_MM = 0.2  # the bore is as the drawing has it: 0.2 mm larger than at maximum material
+LOST_MM = 2 * BORE_MM * (1 - np.cos(np.pi / 24))  # at most what a mean over one of 24 cells about a bore lies inside it
+
+
+def test_a_bore_larger_than_its_maximum_material_size_may_lie_further_off():
+    plain, at_maximum, at_least = measured(
+        part(1, 0.0), CASES["position of an axis"][0], AT_MAXIMUM, {**AT_MAXIMUM, "material_condition": "least"}
+    )
+    for found, bonus in ((at_maximum, OPENED_MM), (at_least, 0.1)):
+        assert found.measured == pytest.approx(plain.measured)
+        assert bonus - LOST_MM - 1e-3 <= found.upper_tolerance - 0.5 <= bonus + 1e-3, found.origin
+    assert "maximum material" in at_maximum.origin and "least material" in at_least.origin
+
+
+def test_the_bonus_can_turn_a_fail_into_a_pass_but_not_where_the_bore_is_at_its_limit():
+    narrow = {"upper_tolerance": BORE_OFF_MM - 0.08}
+    tight = {**AT_MAXIMUM, "size_limits_mm": [2 * BORE_MM, 2 * BORE_MM + 0.3]}
+    plain, widened, at_limit = measured(
+        part(2), {**CASES["position of an axis"][0], **narrow}, {**AT_MAXIMUM, **narrow}, {**tight, **narrow}
+    )
+    assert plain.verdict is Verdict.FAIL and widened.verdict is Verdict.PASS, (plain, widened)
+    assert at_limit.verdict is not Verdict.PASS and at_limit.upper_tolerance - narrow["upper_tolerance"] < 0.02
+    assert widened.uncertainty > plain.uncertainty  # the size is uncertain too
+
+
+@pytest.mark.parametrize("times", [3, pytest.param(40, marks=pytest.mark.slow)])
+def test_what_a_bore_leaves_of_its_widened_zone_is_known_within_its_uncertainty(times):
+    made = [measured(part(seed), AT_MAXIMUM)[0] for seed in range(times)]
+    left = np.array([one.measured - (one.upper_tolerance - 0.5) for one in made])
+    held = np.abs(left - (BORE_OFF_MM - OPENED_MM)) <= np.array([one.uncertainty for one in made]) + LOST_MM
+    assert np.count_nonzero(held) >= 0.95 * times - 2.5 * np.sqrt(0.05 * 0.95 * times)
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"size_limits_mm": None}, "come together"),
+        ({"size_limits_mm": [16.2, 16.0]}, "smaller to the greater"),
+        ({"kind": "coaxiality", "datums": ["shaft"]}, "of a position only"),
+        ({"features": ["bore.{k}"], "count": 3}, "says nothing"),
+    ],
+)
+def test_material_conditions_that_mean_nothing_are_refused(change, said):
+    described = {"name": "d", "upper_tolerance": 0.1, **AT_MAXIMUM, **change}
+    with pytest.raises(ValueError, match=said):
+        InspectionProgram.model_validate({"name": "p", "alignment": "none", "features": FEATURES, "dimensions": [described]})
+
+
+def test_a_ball_has_no_material_condition():
+    (found,) = measured(part(0, 0.0), {**AT_MAXIMUM, "features": ["ball"]})
+    assert found.verdict is Verdict.NOT_MEASURED and "of a measured cylinder" in found.reason

@@ -225,7 +225,7 @@ def test_the_report_page_shows_pages_and_offers_what_can_be_exported(filled, app
     picture.save(str(tmp_path / "page.png"))
     page.show_pages(((tmp_path / "page.png").read_bytes(),) * 2)
     assert len(page.pages) == 2
-    assert [kind for kind, button in page.exports.items() if button.isVisible()] == ["ply", "stl"]
+    assert [kind for kind, button in page.exports.items() if button.isVisible()] == ["ply", "stl", "open"]
     assert not page.open_pdf.isVisible()
 
 
@@ -240,6 +240,23 @@ def test_shapes_are_exported_as_files_that_can_be_read_again(filled, application
     read = trimesh.load(target)
     assert len(read.vertices) == (len(measurement.stitched) if kind == "ply" else len(measurement.mesh.vertices_mm))
     assert application.session.messages[-1].level == "done"
+
+
+def test_an_open_patch_is_joined_without_closing_it_and_a_closed_body_is_refused(filled, application, qtbot, tmp_path, measurement):
+    import trimesh
+
+    def exported(name):
+        application.controllers.documents.export("open", tmp_path / name)
+        qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy, timeout=20_000)
+        return application.session.messages[-1]
+
+    assert exported("ball.stl").level == "error" and "no single open patch" in application.session.messages[-1].text
+    assert not (tmp_path / "ball.stl").exists()
+    cap = measurement.stitched.points_mm[:, 2] > 100.0  # what filters left is what is exported
+    application.session.set_filtered(measurement.stitched.where(cap))
+    assert exported("cap.stl").level == "done"
+    mesh = trimesh.load(tmp_path / "cap.stl")
+    assert not mesh.is_watertight and mesh.bounds[0][2] > 99.9
 
 
 def test_a_document_that_is_not_there_is_refused_in_words(filled, application, qtbot, tmp_path):

@@ -14,15 +14,17 @@ from ui.controllers.jobs import JobRunner
 from ui.session import Session
 
 if TYPE_CHECKING:
+    from measureapp.data.cloud import StitchedCloud
     from measureapp.data.measurement import Measurement
     from ui.workers.job import Job
 
-FORMATS = {
-    "pdf": ("PDF report", "report_pdf"),
-    "csv": ("Table of dimensions (CSV)", "report_csv"),
-    "json": ("Everything as JSON", "report_json"),
-    "ply": ("Stitched cloud (PLY)", "stitched_cloud"),
-    "stl": ("Surface mesh (STL)", "mesh"),
+FORMATS = {  # words, the file of the project, ending
+    "pdf": ("PDF report", "report_pdf", "pdf"),
+    "csv": ("Table of dimensions (CSV)", "report_csv", "csv"),
+    "json": ("Everything as JSON", "report_json", "json"),
+    "ply": ("Stitched cloud (PLY)", "stitched_cloud", "ply"),
+    "stl": ("Surface mesh (STL)", "mesh", "stl"),
+    "open": ("Open patch, holes kept (STL)", "", "stl"),
 }
 
 
@@ -82,7 +84,13 @@ class DocumentsController(QObject):
             self._session.tell("Nothing is measured yet.", "Run the demo or open a project.", "warning")
             return
         source = self._session.files.get(FORMATS[kind][1])
-        self._runner.run(f"Exporting {target.name}", lambda job: export(kind, source, measurement, target, job), self._exported)
+        cloud = self._session.filtered or measurement.stitched
+        work = (
+            (lambda job: export_open(cloud, target, job))
+            if kind == "open"
+            else (lambda job: export(kind, source, measurement, target, job))
+        )
+        self._runner.run(f"Exporting {target.name}", work, self._exported)
 
     @Slot(object)
     def _exported(self, target: Path) -> None:
@@ -119,6 +127,15 @@ def export(kind: str, source: Path | None, measurement: Measurement, target: Pat
         raise InputError("This measurement has no surface mesh.", "Compute the project again to make one.")
     else:
         _copy(source, target)
+    return target
+
+
+def export_open(cloud: StitchedCloud, target: Path, job: Job) -> Path:
+    """Write the points of one open patch joined by triangles; runs on a job's thread. Raises RegistrationError for other surfaces."""
+    from measureapp.project.geometry_files import write_mesh
+    from measureapp.register.open_surface import open_surface
+
+    write_mesh(target, open_surface(cloud, job))
     return target
 
 

@@ -22,6 +22,8 @@ NAMES = {
     "holes": "image-square",
     "labels": "tag",
     "section": "knife",
+    "filter": "funnel",
+    "grow": "arrows-out",
     "eye": "eye",
     "hidden": "eye-slash",
     "light": "sun",

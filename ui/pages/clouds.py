@@ -6,8 +6,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtWidgets import QHeaderView
+from PySide6.QtWidgets import QHBoxLayout, QHeaderView
 
+from measureapp.errors import InputError
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.wording import NOTHING, counted, millimetres, several
@@ -25,6 +26,7 @@ from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.colour_scale import ColourScale
 from ui.widgets.data_table import Cell, DataTable, number, verdict_cell
 from ui.widgets.empty_state import EmptyState
+from ui.widgets.filter_form import FilterForm
 from ui.widgets.properties_panel import Properties
 from ui.widgets.segments import Segments
 from ui.workers.job import Job
@@ -39,6 +41,7 @@ EMPTY = (
 )
 SCALE_NAMES = {"sigma": "Standard deviation σ", "residual": "Residual"}
 MERGED_RESIDUAL = "Residual (rms)"
+UNDO_FILTER = "Take the last filter back"
 UNDO_CHOICE, UNDO_DISTANCE = "Take the last choice of a view back", "Take the last measured point or distance back"
 ACTION = "Images and holes"
 HEADERS = ["", "View", "Points", "Correction", "Residual", "Verdict"]
@@ -51,7 +54,7 @@ class CloudsPage(ViewportPage):
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
         super().__init__(look, session, controllers, EmptyState(look, "clouds", *EMPTY, "Run the demo"))
-        self.stage = Segments({"before": "By the axes", "after": "Fine stitched", "merged": "Merged"})
+        self.stage = Segments({"before": "By the axes", "after": "Fine stitched", "merged": "Merged", "filtered": "Filtered"})
         self.colour_by = Segments({"view": "View", "sigma": "σ", "grey": "Grey", "residual": "Residual"})
         self.scale = ColourScale(look)
         self.table = DataTable(look, HEADERS, numeric=(2, 3, 4), stretch=5)
@@ -68,16 +71,13 @@ class CloudsPage(ViewportPage):
         self.undo.clicked.connect(self._undo)
         self.action_row.insertWidget(0, self.undo)
         controllers.view_choices.undoChanged.connect(self._show_undo)
+        controllers.filtering.undoChanged.connect(self._show_undo)
         self._placed, self._residuals = PlacedClouds(), Residuals()
+        self._extent_of: StitchedCloud | None = None  # whose extent the filters begin with
+        self._seen_filtered: StitchedCloud | None = None
         self._point: Label | None = None  # of the point that was clicked last
-        self.distance = DistanceTool(look, self)
-        self.distance.changed.connect(self._show_distances)
-        fit = Button("Show all", look, "fit", "quiet", "Look at everything from the front")
-        fit.clicked.connect(self.view.reset_camera)
-        self.hint = label("", "soft")
-        self.action_row.insertWidget(0, self.hint)
-        tools = row(self.stage, 12, label("Colour by", "soft"), self.colour_by, 8, self.scale, 0, self.distance.button, fit)
-        middle = row(card(self.view, margin=1), self.table, spacing=16)
+        tools = self._tools(look)
+        middle = row(card(self.view, self.filters, margin=1, spacing=4), self.table, spacing=16)
         middle.setStretch(0, 1)
         layout = column(tools, middle, spacing=12)
         layout.setStretch(1, 1)
@@ -94,24 +94,46 @@ class CloudsPage(ViewportPage):
         session.busyChanged.connect(self._show_busy)
         self._show()
 
+    def _tools(self, look: Look) -> QHBoxLayout:
+        """Return what stands above the picture."""
+        self.filters = FilterForm(look)
+        self.filters.asked.connect(self._filter)
+        self.filters.hide()
+        self.filter_button = Button("Filter", look, "filter", "quiet", "Cut and clean the merged cloud; the stitched one is kept")
+        self.filter_button.setCheckable(True)
+        self.filter_button.toggled.connect(self._show_filters)
+        self.distance = DistanceTool(look, self)
+        self.distance.changed.connect(self._show_distances)
+        fit = Button("Show all", look, "fit", "quiet", "Look at everything from the front")
+        fit.clicked.connect(self.view.reset_camera)
+        self.hint = label("", "soft")
+        self.action_row.insertWidget(0, self.hint)
+        return row(
+            self.stage, 12, label("Colour by", "soft"), self.colour_by, 8, self.scale, 0, self.filter_button, self.distance.button, fit
+        )
+
     def _show_busy(self) -> None:
         if self.session.busy_with and not self.session.views:
             self.empty.say("No clouds yet", "The first cloud appears when the first viewpoint is processed.", offer=False)
         else:
             self.empty.say(*EMPTY)
+        self.filters.button.setEnabled(not self.session.busy_with)
         self._show_undo()
         if self._asked[2] is None:  # no point is picked whose properties are being read
             self._select(max(0, self.table.currentIndex().row()))
 
     def _show_undo(self) -> None:
-        choices = self.controllers.view_choices
-        self.undo.setVisible(bool(self.session.views) and (choices.can_undo or self.distance.can_undo))
-        self.undo.setToolTip(UNDO_DISTANCE if self.distance.can_undo else UNDO_CHOICE)
+        choices, filtering = self.controllers.view_choices, self.controllers.filtering
+        can_undo = choices.can_undo or self.distance.can_undo or filtering.can_undo
+        self.undo.setVisible(bool(self.session.views) and can_undo)
+        self.undo.setToolTip(UNDO_DISTANCE if self.distance.can_undo else UNDO_FILTER if filtering.can_undo else UNDO_CHOICE)
 
     def _undo(self) -> None:
-        """Take back what was measured by clicking; when nothing of that is left, the last choice of a view."""
+        """Take back what was measured by clicking; when nothing of that is left, the last filter, then the last choice of a view."""
         if self.distance.can_undo:
             self.distance.undo()
+        elif self.controllers.filtering.can_undo:
+            self.controllers.filtering.undo()
         else:
             self.controllers.view_choices.undo()
 
@@ -124,8 +146,16 @@ class CloudsPage(ViewportPage):
         self.show_filled(bool(views))
         self.holes.setVisible(bool(views) and self.controllers.holes.can_explain)
         self._show_undo()
+        filtered = self.session.filtered
         for name in ("after", "merged"):
             self.stage.set_available(name, stitched is not None)
+        self.stage.set_available("filtered", filtered is not None)
+        self.filter_button.setEnabled(stitched is not None)
+        if stitched is not None and stitched is not self._extent_of:
+            self.filters.show_extent(stitched.points_mm)
+        if filtered is not self._seen_filtered:
+            self.stage.setValue("merged" if filtered is None and stitched is not None else "filtered" if filtered is not None else "before")
+        self._extent_of, self._seen_filtered = stitched, filtered
         self.colour_by.set_available("residual", stitched is not None)
         if stitched is None and self.colour_by.value() == "residual":
             self.colour_by.setValue("view")
@@ -136,7 +166,9 @@ class CloudsPage(ViewportPage):
         self._seen_stitched = stitched is not None
         total = sum(len(view.cloud) for view in views)
         words = f"{several(len(views), 'view')} with {counted(total)} points"
-        self.state.setText(f"{words}; {counted(len(stitched))} after merging." if stitched is not None else f"{words}, placed by the axes.")
+        merged = "" if stitched is None else f"{words}; {counted(len(stitched))} after merging"
+        left = "" if filtered is None else f", {counted(len(filtered))} after filtering"
+        self.state.setText(f"{merged}{left}." if stitched is not None else f"{words}, placed by the axes.")
         placements = self.placements()
         self.table.set_rows([self._cells(index, view, placements.get(view.viewpoint_id)) for index, view in enumerate(views)])
         self._select(max(0, self.table.currentIndex().row()))
@@ -189,6 +221,20 @@ class CloudsPage(ViewportPage):
         if name:
             self.controllers.view_choices.choose(name, choice_for(self.placements().get(name))[1])
 
+    def _show_filters(self, on: bool) -> None:
+        self.filters.setVisible(on)
+
+    def _filter(self) -> None:
+        """Apply the filter as chosen to what is left of the merged cloud."""
+        try:
+            self.controllers.filtering.apply(self.filters.value())
+        except InputError as error:
+            self.session.tell(error.message, error.hint, "warning")
+
+    def _merged(self) -> StitchedCloud | None:
+        """Return the merged cloud that is shown: whole, or what filters left; None where the views are shown."""
+        return {"merged": self.session.stitched, "filtered": self.session.filtered}.get(self.stage.value())
+
     def _visible(self) -> list[int]:
         return [index for index, view in enumerate(self.session.views) if view.viewpoint_id not in self.hidden]
 
@@ -210,8 +256,8 @@ class CloudsPage(ViewportPage):
         self.view.set_labels([*self.distance.labels(self.look.theme), *([self._point] if self._point is not None else [])])
 
     def _picked(self, layer: int, place: int) -> PickedPoint:
-        stitched = self.session.stitched
-        if self.stage.value() == "merged" and stitched is not None:
+        stitched = self._merged()
+        if stitched is not None:
             row_of = np.flatnonzero(np.isin(stitched.view, self._visible_merged(stitched)))
             return merged_point(stitched, int(row_of[place]), self.session.views)
         view = self.session.views[self._visible()[layer]]
@@ -243,16 +289,17 @@ class CloudsPage(ViewportPage):
         theme, stage, placed_clouds, residuals = self.look.theme, self.stage.value(), self._placed, self._residuals
         self._show_scale(colour_by, end)
         places = {view.viewpoint_id: index for index, view in enumerate(views)}
-        visible = self._visible() if stitched is None or stage != "merged" else self._visible_merged(stitched)
+        merged = self._merged()
+        visible = self._visible() if merged is None else self._visible_merged(merged)
 
         def compose(job: Job) -> Picture:
-            if stage == "merged" and stitched is not None:
+            if merged is not None:
                 left = None
                 if colour_by == "residual":
                     used = [view for view in views if (found := placements.get(view.viewpoint_id)) is not None and found.used]
                     fine = [placed_clouds.get(view, placements[view.viewpoint_id], fine=True) for view in used]
-                    left = residuals.merged(fine, stitched, job.check)
-                return Picture((stitched_layer(theme, stitched, colour_by, end, visible, places, left),))
+                    left = residuals.merged(fine, merged, job.check)
+                return Picture((stitched_layer(theme, merged, colour_by, end, visible, places, left),))
             layers = []
             for index in visible:
                 job.check()
@@ -265,7 +312,7 @@ class CloudsPage(ViewportPage):
 
     def _show_scale(self, colour_by: ColourBy, end_mm: float) -> None:
         self.scale.setVisible(colour_by in SCALE_NAMES)
-        if colour_by == "residual" and self.stage.value() != "merged":
+        if colour_by == "residual" and self._merged() is None:
             self.scale.show_scale(SCALE_NAMES[colour_by], DIVERGING, -end_mm, end_mm)
         else:
             name = MERGED_RESIDUAL if colour_by == "residual" else SCALE_NAMES.get(colour_by, "")

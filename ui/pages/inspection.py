@@ -6,7 +6,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtGui import QShowEvent
+from PySide6.QtCore import Slot
+from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from ui.controllers.controllers import Controllers
@@ -22,6 +23,7 @@ from ui.pages.dimension_rows import (
     other_features,
 )
 from ui.pages.feature_lines import OUTLINE, dimension_labels, feature_lines, verdict_rgb
+from ui.pages.grow_bar import GrowBar
 from ui.pages.layers import deviation_layers, filled_share, mesh_layer, points_layer, rgb
 from ui.pages.picked_point import merged_point, point_properties
 from ui.pages.section_bar import SectionBar, cut_lines
@@ -50,7 +52,7 @@ FILLED = "Filled without points, never measured on"
 UNLIMITED = 16_777_215  # Qt's largest height of a widget
 UNITS = "Lengths in mm, U for k = 2"
 TABLE_WIDTH, DEVIATION_HEIGHT = 584, 400
-SIDE_SHARES = (1000, 0, 500, 1)  # the rest stays empty only when table and histogram have what they can use
+SIDE_SHARES = (0, 1000, 0, 500, 1)  # the rest stays empty only when table and histogram have what they can use
 
 
 class InspectionPage(ViewportPage):
@@ -66,6 +68,7 @@ class InspectionPage(ViewportPage):
         self.shape.valueChanged.connect(self.redraw)
         self._point: Label | None = None  # of the point that was clicked last
         self._cut_lines: list[LineLayer] = []
+        self._is_cutting = self._cut_again = False
         self.deviation = DeviationCard(look)
         self.summary = {verdict: label("", "strong") for verdict in ("pass", "fail", "not proven", "not measured")}
         self.table = DataTree(look, HEADERS, numeric=(1, 2, 3, 4), stretch=0)
@@ -79,12 +82,13 @@ class InspectionPage(ViewportPage):
         tools = self._tools(look)
         side = QWidget()
         side.setFixedWidth(TABLE_WIDTH)
-        beside = column(self.table, self.rule, self.deviation, 0, spacing=12)
+        counts = row(*self.summary.values(), 0, label(UNITS, "small"), spacing=16)
+        beside = column(counts, self.table, self.rule, self.deviation, 0, spacing=12)
         for place, share in enumerate(SIDE_SHARES):
             beside.setStretch(place, share)
         side.setLayout(beside)
         self.deviation.setMaximumHeight(DEVIATION_HEIGHT)
-        middle = row(card(self.view, self.filled, self.cut, margin=1, spacing=4), side, spacing=16)
+        middle = row(card(self.view, self.filled, self.cut, self.grow, margin=1, spacing=4), side, spacing=16)
         middle.setStretch(0, 1)
         layout = column(tools, middle, spacing=12)
         layout.setStretch(1, 1)
@@ -108,13 +112,17 @@ class InspectionPage(ViewportPage):
         self.labels.toggled.connect(self._highlight)
         self.distance = DistanceTool(look, self)
         self.distance.changed.connect(self._show_distances)
-        self.undo = Button("Undo", look, "undo", "quiet", "Take the last measured point or distance back")
-        self.undo.clicked.connect(self.distance.undo)
+        self.undo = Button("Undo", look, "undo", "quiet", "Take the last point, distance or feature back")
+        self.undo.clicked.connect(self._undo)
         self.hint = label("", "soft")
         self.action_row.addWidget(self.hint)
         self.action_row.addWidget(self.undo)
         self.cut = SectionBar(look)
         self.cut.changed.connect(self._cut)
+        self.grow = GrowBar(look, self.controllers.growing)
+        self.grow.changed.connect(self._show_grown)
+        self.grow.button.toggled.connect(lambda on: self.distance.button.setChecked(self.distance.is_on and not on))
+        self.distance.button.toggled.connect(lambda on: self.grow.button.setChecked(self.grow.is_on and not on))
         self.view.pointPicked.connect(self._show_point)
         return row(
             self.shape,
@@ -122,9 +130,8 @@ class InspectionPage(ViewportPage):
             self.labels,
             self.distance.button,
             self.cut.button,
+            self.grow.button,
             0,
-            *self.summary.values(),
-            label(UNITS, "small"),
             spacing=16,
         )
 
@@ -163,7 +170,7 @@ class InspectionPage(ViewportPage):
     def _show(self) -> None:
         dimensions = self.dimensions()
         self.show_filled(self.session.inspection is not None)
-        self.undo.setVisible(self.distance.can_undo)
+        self._show_undo()
         if self.session.inspection is None:
             self.state.setText("No inspection program has run.")
             return
@@ -247,8 +254,9 @@ class InspectionPage(ViewportPage):
             labels = dimension_labels(theme, self.dimensions(), inspection.features, self._sections())
         elif chosen is not None:
             labels = dimension_labels(theme, (chosen,), inspection.features, self._sections())
-        self.view.set_lines([*lines, *self._cut_lines, *self.distance.lines(accent)])
-        self.view.set_labels([*labels, *self.distance.labels(theme), *([self._point] if self._point is not None else [])])
+        self.view.set_lines([*lines, *self._cut_lines, *self.distance.lines(accent), *self.grow.lines(accent)])
+        clicked = [*self.distance.labels(theme), *self.grow.labels(theme)]
+        self.view.set_labels([*labels, *clicked, *([self._point] if self._point is not None else [])])
 
     def _look_closer(self) -> None:
         """Come closer to what the selected row is about."""
@@ -262,18 +270,61 @@ class InspectionPage(ViewportPage):
         return None if self.session.comparison is None else self.session.comparison.sections
 
     def _cut(self) -> None:
-        """Cut the drawing and the measured points where the bar says."""
+        """Cut the drawing and the measured points where the bar says, on a thread; while one cut is made only the last wish waits."""
         comparison, plane = self.session.comparison, self.cut.value()
-        self._cut_lines = []
-        if comparison is not None and comparison.surface is not None and plane is not None:
-            self._cut_lines, words = cut_lines(comparison, plane)
+        self._cut_again = self._is_cutting
+        if comparison is None or comparison.surface is None or plane is None:
+            self._cut_lines = []
+            self._highlight()
+        elif not self._is_cutting:
+            self._is_cutting = True
+            cutting = self.controllers.drawing
+            cutting.run("Cutting", lambda _job: cut_lines(comparison, plane), self._show_cut, on_stopped=self._stop_cutting, quiet=True)
+
+    @Slot(object)
+    def _show_cut(self, found: tuple[list[LineLayer], str]) -> None:
+        if self.session.comparison is not None and self.cut.value() is not None:
+            self._cut_lines, words = found
             self.cut.say(words)
+            self._highlight()
+        self._stop_cutting()
+
+    @Slot()
+    def _stop_cutting(self) -> None:
+        self._is_cutting = False
+        if self._cut_again:
+            self._cut()
+
+    def _show_undo(self) -> None:
+        self.undo.setVisible(self.distance.can_undo or self.grow.last is not None)
+
+    def _undo(self) -> None:
+        """Take back what was measured by clicking; when nothing of that is left, the feature that grew last."""
+        if self.distance.can_undo:
+            self.distance.undo()
+        else:
+            self.controllers.growing.undo()
+
+    def _show_grown(self) -> None:
+        """Show the features that grew, and what to click next."""
+        self._show_undo()
+        if self.grow.is_on and self.shape.value() == "surface":
+            self.shape.setValue("points")  # the surface has no measured points to click
+        if self.grow.is_on:
+            self._point = None
+            self.show_properties(self.grow.properties())
         self._highlight()
+
+    def act(self) -> None:
+        """Copy the lines that measure the feature that grew last in an inspection program."""
+        if self.grow.last is not None:
+            QGuiApplication.clipboard().setText(self.grow.last.entry)
+            self.session.tell(f"The lines for {self.grow.last.feature.name} are copied.", "Paste them into the inspection program.", "done")
 
     def _show_distances(self) -> None:
         """Show what is measured by clicking, and what to click next."""
         self.hint.setText(self.distance.hint)
-        self.undo.setVisible(self.distance.can_undo)
+        self._show_undo()
         if self.distance.is_on and self.shape.value() == "surface":
             self.shape.setValue("points")  # the surface has no measured points to click
         if self.distance.is_on or self.distance.distances:
@@ -290,6 +341,9 @@ class InspectionPage(ViewportPage):
         position = inspection.alignment.nominal_from_part.apply(point.position_mm[None])[0]
         if self.distance.is_on:
             self.distance.click(ClickedPoint(position, point.sigma_mm, point.viewpoint_id))
+            return
+        if self.grow.is_on:
+            self.grow.click(position)
             return
         off = float(comparison.deviation.distances_mm[place]) if comparison is not None and self.shape.value() == "deviation" else None
         self.show_properties(point_properties(replace(point, position_mm=position, deviation_mm=off)))

@@ -82,7 +82,7 @@ class ReportPage(Page):
             return
         files = self.session.files
         for kind, made in self.exports.items():
-            made.setVisible(kind == "ply" or (kind == "stl" and measurement.mesh is not None) or FORMATS[kind][1] in files)
+            made.setVisible(kind in ("ply", "open") or (kind == "stl" and measurement.mesh is not None) or FORMATS[kind][1] in files)
         self.open_pdf.setVisible("report_pdf" in files)
         self.state.setText(f"{part_words(measurement.part)}, measured {when(measurement.measured_at) or measurement.measured_at}.")
         rows = (("Project", measurement.project), ("Part", part_words(measurement.part)), ("Rig", measurement.rig))
@@ -135,7 +135,8 @@ class ReportPage(Page):
             shown.setPixmap(QPixmap.fromImage(scaled))
 
     def _export(self, kind: str) -> None:
-        start = str(Path.home() / f"{self.session.project_name or 'measurement'}.{kind}")
-        chosen, _ = QFileDialog.getSaveFileName(self, FORMATS[kind][0], start, f"*.{kind}")
+        words, _, ending = FORMATS[kind]
+        start = str(Path.home() / f"{self.session.project_name or 'measurement'}.{ending}")
+        chosen, _ = QFileDialog.getSaveFileName(self, words, start, f"*.{ending}")
         if chosen:
-            self.controllers.documents.export(kind, Path(chosen).with_suffix(f".{kind}"))
+            self.controllers.documents.export(kind, Path(chosen).with_suffix(f".{ending}"))

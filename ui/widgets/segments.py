@@ -5,6 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QWidget
 
+BESIDE = 24
+
 
 class Segments(QWidget):
     """Chooses one of a few named options: value(), setValue(name), valueChanged."""
@@ -23,6 +25,7 @@ class Segments(QWidget):
             made = QPushButton(text)
             made.setCheckable(True)
             made.setAutoDefault(False)
+            made.setMinimumWidth(made.fontMetrics().horizontalAdvance(text) + BESIDE)  # words are never cut, however narrow the window
             made.setProperty("role", "segment")
             made.setProperty("place", "first" if place == 0 else "last" if place == last else "middle")
             made.setCursor(Qt.CursorShape.PointingHandCursor)

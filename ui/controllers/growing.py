@@ -1,0 +1,103 @@
+"""Growing features from places that were clicked: a look at what is there, and an entry for the inspection program."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal, Slot
+
+from measureapp.errors import InspectionError
+from ui.controllers.jobs import JobRunner
+from ui.session import Session
+
+if TYPE_CHECKING:
+    from measureapp.data.cloud import StitchedCloud
+    from measureapp.data.feature import Feature
+    from measureapp.data.measurement import Alignment
+    from ui.workers.job import Job
+
+GrownShape = Literal["plane", "cylinder", "sphere", "cone"]
+
+
+@dataclass(frozen=True, eq=False)
+class GrownFeature:
+    """A feature that grew from a clicked place, in the nominal's frame."""
+
+    feature: Feature
+    seed_mm: tuple[float, float, float]
+
+    @property
+    def entry(self) -> str:
+        """The lines that measure it in an inspection program."""
+        x, y, z = (f"{value:.3f}" for value in self.seed_mm)
+        lines = (
+            "[[features]]",
+            f'name = "{self.feature.name}"',
+            f'shape = "{self.feature.shape}"',
+            f"grow = {{ seed_mm = [{x}, {y}, {z}] }}",
+        )
+        return "\n".join((*lines, ""))
+
+
+class GrowingController(QObject):
+    """Grows one feature after the other on the measured points; what grew stays until it is taken back or the clouds change."""
+
+    changed = Signal()
+
+    def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session, self._runner = session, runner
+        self.grown: list[GrownFeature] = []
+        self._of: StitchedCloud | None = None
+        session.cloudsChanged.connect(self._forget)
+
+    @Slot(object, str)
+    def grow(self, place_mm: np.ndarray, shape: GrownShape) -> None:
+        """Grow a feature of this shape from a place in the nominal's frame."""
+        stitched, inspection = self._session.stitched, self._session.inspection
+        if stitched is None or inspection is None:
+            return
+        self._of = stitched
+        taken = {one.name for one in inspection.features} | {one.feature.name for one in self.grown}
+        name = next(f"{shape} {number}" for number in range(1, len(taken) + 2) if f"{shape} {number}" not in taken)
+        seed, alignment = (float(place_mm[0]), float(place_mm[1]), float(place_mm[2])), inspection.alignment
+        self._runner.run("Growing a feature", lambda job: grown_feature(stitched, alignment, name, shape, seed, job), self._keep)
+
+    @Slot()
+    def undo(self) -> None:
+        """Forget the feature that grew last."""
+        if self.grown:
+            self.grown.pop()
+            self.changed.emit()
+
+    @Slot(object)
+    def _keep(self, found: GrownFeature) -> None:
+        if self._session.stitched is self._of:
+            self.grown.append(found)
+            self.changed.emit()
+
+    @Slot()
+    def _forget(self) -> None:
+        if self.grown and self._session.stitched is not self._of:
+            self.grown.clear()
+            self.changed.emit()
+
+
+def grown_feature(
+    stitched: StitchedCloud, alignment: Alignment, name: str, shape: GrownShape, seed_mm: tuple[float, float, float], job: Job
+) -> GrownFeature:
+    """Grow one feature; runs on a job's thread. Raises InspectionError with the reason where none grows."""
+    from measureapp.data.inspection_program import InspectionProgram
+    from measureapp.inspection.find_all import find_all
+    from measureapp.inspection.measured import MeasuredPoints
+    from measureapp.inspection.settings import InspectionSettings
+
+    entry = {"name": name, "shape": shape, "grow": {"seed_mm": seed_mm}}
+    program = InspectionProgram.model_validate({"name": "clicked", "alignment": "none", "features": [entry]})
+    points = MeasuredPoints.of(stitched).seen_from(alignment.nominal_from_part)
+    found = find_all(points, program, None, InspectionSettings(), job)[name]
+    if found.feature is None:
+        raise InspectionError(f"{found.reason}.", "Click another place, or choose another shape.")
+    return GrownFeature(found.feature, seed_mm)

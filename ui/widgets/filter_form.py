@@ -1,0 +1,135 @@
+"""Chooses a filter of points and its numbers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QSizePolicy, QSpinBox, QStackedWidget, QWidget
+
+from ui.look.look import Look
+from ui.widgets.basic import Button, column, label, row
+from ui.widgets.segments import Segments
+
+if TYPE_CHECKING:
+    from measureapp.register.sieve import Filter
+
+KINDS = {"statistical": "Statistical", "radius": "Radius", "islands": "Islands", "box": "Box", "plane": "Plane"}
+SIDES = {
+    f"{side} {axis}": tuple(sign * int(axis == other) for other in "xyz") for axis in "zxy" for side, sign in (("above", 1), ("below", -1))
+}
+LIMIT_MM, FIELD_WIDTH = 20_000.0, 80
+
+
+class FilterForm(QWidget):
+    """One kind of filter with its numbers: `value()` is a `Filter`; asked when the button is pressed."""
+
+    valueChanged = Signal(object)
+    asked = Signal()
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self.kind = Segments(KINDS)
+        self.sigmas, self.neighbours = _length(2.0, 0.0, 100.0, ""), _count(20)
+        self.radius, self.least = _length(2.0, 0.01, LIMIT_MM, " mm"), _count(5)
+        self.area = _length(25.0, 0.0, 1e6, " mm²")
+        self.sides = [_length(sign * 1000.0, -LIMIT_MM, LIMIT_MM, "") for _ in "xyz" for sign in (-1, 1)]
+        self.side, self.offset = QComboBox(), _length(0.0, -LIMIT_MM, LIMIT_MM, " mm")
+        self.side.addItems(list(SIDES))
+        self.fields = QStackedWidget()
+        for line in self._lines():
+            shown = QWidget()
+            shown.setLayout(row(*line, 0, spacing=4))
+            self.fields.addWidget(shown)
+        self.button = Button("Filter", look, "filter", tip="Apply to the merged cloud; the stitched one is kept")
+        self.button.clicked.connect(self.asked)
+        self.setLayout(column(row(self.kind, 0, self.button), self.fields, margin=8))
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
+        self.kind.valueChanged.connect(self._show_kind)
+        for field in (self.sigmas, self.neighbours, self.radius, self.least, self.area, *self.sides, self.offset):
+            field.valueChanged.connect(self._change)
+        self.side.currentIndexChanged.connect(self._change)
+
+    def _lines(self) -> list[list[QWidget]]:
+        """The editors of each kind, with words about them."""
+        box: list[QWidget] = []
+        for axis, (low, high) in zip("xyz", (self.sides[0:2], self.sides[2:4], self.sides[4:6]), strict=True):
+            box += [label(axis, "soft"), low, high]
+        return [
+            [label("Drop beyond", "soft"), self.sigmas, label("σ of the mean distance to", "soft"), self.neighbours, label("neighbours", "soft")],
+            [label("Drop with fewer than", "soft"), self.least, label("others within", "soft"), self.radius],
+            [label("Drop connected patches below", "soft"), self.area],
+            [*box, label("mm", "soft")],
+            [label("Keep what lies", "soft"), self.side, label("=", "soft"), self.offset],
+        ]  # fmt: skip
+
+    def value(self) -> Filter:
+        """Return the filter as chosen. Raises InputError for a box that ends before it begins."""
+        from measureapp.register.sieve import Filter
+
+        kind = self.kind.value()
+        if kind == "statistical":
+            return Filter("statistical", (self.sigmas.value(), self.neighbours.value()))
+        if kind == "radius":
+            return Filter("radius", (self.radius.value(), self.least.value()))
+        if kind == "islands":
+            return Filter("islands", (self.area.value(),))
+        if kind == "box":
+            return Filter("box", tuple(side.value() for side in self.sides))
+        normal = SIDES[self.side.currentText()]
+        return Filter("plane", (*normal, sum(normal) * self.offset.value()))
+
+    def setValue(self, wanted: Filter) -> None:
+        """Show a filter; a plane along an axis."""
+        numbers = wanted.numbers
+        if wanted.kind == "statistical":
+            self.sigmas.setValue(numbers[0])
+            self.neighbours.setValue(int(numbers[1]))
+        elif wanted.kind == "radius":
+            self.radius.setValue(numbers[0])
+            self.least.setValue(int(numbers[1]))
+        elif wanted.kind == "islands":
+            self.area.setValue(numbers[0])
+        elif wanted.kind == "box":
+            for side, number in zip(self.sides, numbers, strict=True):
+                side.setValue(number)
+        else:
+            self.side.setCurrentText(next(words for words, normal in SIDES.items() if normal == tuple(numbers[:3])))
+            self.offset.setValue(sum(numbers[:3]) * numbers[3])
+        self.kind.setValue(wanted.kind)
+
+    def show_extent(self, points_mm: np.ndarray) -> None:
+        """Begin with a box about these points, and a plane through their middle."""
+        low, high = points_mm.min(axis=0), points_mm.max(axis=0)
+        for axis in range(3):
+            self.sides[2 * axis].setValue(float(np.floor(low[axis])))
+            self.sides[2 * axis + 1].setValue(float(np.ceil(high[axis])))
+        self.offset.setValue(float(np.round((low[2] + high[2]) / 2)))
+
+    def _show_kind(self) -> None:
+        self.fields.setCurrentIndex(list(KINDS).index(self.kind.value()))
+        self._change()
+
+    def _change(self) -> None:
+        self.valueChanged.emit(self.kind.value())
+
+
+def _length(value: float, least: float, most: float, unit: str) -> QDoubleSpinBox:
+    made = QDoubleSpinBox()
+    made.setRange(least, most)
+    made.setDecimals(2 if unit != "" or most < 1000 else 1)
+    made.setSuffix(unit)
+    made.setValue(value)
+    made.setFixedWidth(FIELD_WIDTH + (16 if unit else 0))
+    made.setProperty("plain", True)  # without arrows, which a row of six has no room for
+    return made
+
+
+def _count(value: int) -> QSpinBox:
+    made = QSpinBox()
+    made.setRange(1, 1000)
+    made.setFixedWidth(FIELD_WIDTH)
+    made.setProperty("plain", True)  # without arrows, which a row of six has no room for
+    made.setValue(value)
+    return made
