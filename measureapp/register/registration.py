@@ -148,14 +148,14 @@ class Registration:
         refused = self._refused(contradictions)
         kept = [pair for pair in pairs if not refused & set(pair)]
         used = [edge for edge in edges if not refused & {edge.target, edge.source}]
-        ring = largest_gap(self.kinematic, used, self.centres, self.radii, self.by_axes, [view.cloud.viewpoint_id for view in self.views])
         poses = list(self._solve(self.kinematic, used).part_from_camera)
         for step in range(self.settings.rounds):
             self.progress.report(0.6 + 0.4 * step / self.settings.rounds, 1, "joint registration")
             before, poses = poses, list(self._solve(poses, self._measured(poses, kept)).part_from_camera)
             if max(_distance_mm(a, b, centre) for a, b, centre in zip(before, poses, self.centres, strict=True)) < STILL_MM:
                 break
-        return poses, contradictions, ring
+        names = [view.cloud.viewpoint_id for view in self.views]
+        return poses, contradictions, largest_gap(poses, used, self.centres, self.radii, self.by_axes, names)
 
     def _contradictions(self, edges: Sequence[PairMeasurement]) -> dict[int, Contradiction]:
         """Set every view free alone and take away the one that exceeds its bound most, until none does."""
