@@ -31,7 +31,9 @@ STILL_MM, STILL_RAD = 2e-3, 2e-5  # a smaller step is the last; where little hol
 SMALLEST_BLOCK_MM = 2.0  # patches of the surface within which residuals may be alike …
 BLOCK_SIZES = 5  # … and so many times twice as large ones
 LEAST_FACTOR, LEAST_STEEPNESS = 1e-9, 0.2
-LEAST_KEPT = 0.5  # share of the weight of the points that see a direction; where fewer agree they do not measure it
+LEAST_KEPT = (
+    0.4  # of the weight of the points that see a direction; as little is left of points that scatter `ROBUST_SIGMAS` times as far as usual
+)
 WELL_HELD = 0.05  # share of the strongest direction's information from which directions scatter alike
 LEAST_BLOCKS = 24  # fewer say too little about how much they scatter
 GICP_ITERATIONS = 30
@@ -99,7 +101,7 @@ def register_pair(
         common = _common_surface(target, source, pose, search_mm, COARSE_MATCHES)
         if len(common.own) < LEAST_MATCHES:
             break
-        change = _solved(common).change
+        change = _solved(common, settled=False).change
         pose = stepped(pose, change, common.centre_mm)
         if np.linalg.norm(change[:3]) < STILL_MM and np.linalg.norm(change[3:]) < STILL_RAD:
             break
@@ -126,7 +128,7 @@ def measure_pair(
     if len(common.own) < LEAST_MATCHES:
         none = np.empty(0, np.int64)
         return PairMeasurement(*indices, pose, target.centroid_mm, np.zeros(6), np.zeros((6, 6)), 0.0, none, none, 0.0)
-    solved = _solved(common)
+    solved = _solved(common, settled=True)
     kept = solved.weight > 0
     smooth_mm, shared = _shared(common, solved)
     information = _with_shared_errors(_information(common, solved), shared)
@@ -200,8 +202,8 @@ class _Solved:
     steepness: float  # of the weighted distances against the distances, over the weights: below one, as outliers' weights fall
 
 
-def _solved(common: _Common) -> _Solved:
-    """Solve robustly (Tukey weights about the median)."""
+def _solved(common: _Common, *, settled: bool) -> _Solved:
+    """Solve robustly (Tukey weights about the median); once views are ``settled``, only in directions that most of the points agree in."""
     from measureapp.register.pair_kernels import normal_equations
 
     jacobian = np.column_stack([common.normal, np.cross(common.arm_mm, common.normal)])
@@ -215,7 +217,7 @@ def _solved(common: _Common) -> _Solved:
         away = np.minimum(((left - middle) / (ROBUST_SIGMAS * scale)) ** 2, 1.0)
         weight = (1 - away) ** 2 / common.variance_mm2
         matrix, right = normal_equations(common.arm_mm, common.normal, common.distance_mm, weight, common.tilt_rad)
-        if last:  # before that, a surface that the start puts too far away would be rejected for good
+        if last and settled:  # before that, a surface that the start puts too far away would be rejected for good
             matrix, right = _without(_disputed(jacobian, weight, 1 / common.variance_mm2), matrix, right)
         change, matrix = _observable(matrix, right)
         left = common.distance_mm + jacobian @ change
@@ -270,7 +272,7 @@ def _sizes(matrix: FloatArray) -> FloatArray:
 
 
 def _disputed(jacobian: FloatArray, weight: FloatArray, stated: FloatArray) -> FloatArray:
-    """Return the directions (6, K) that most of the points which see them were rejected in.
+    """Return the directions (6, K) that too few of the points which see them agree in, in units that keep them apart.
 
     A wall of which two views share no more than stray points along an edge would otherwise be measured by those of them that happen
     to lie as far off as the poses do: they agree with each other because the others were rejected.
