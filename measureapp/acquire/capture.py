@@ -76,10 +76,11 @@ def capture_stack(
     on_event: Callable[[Event], None],
     progress: Progress,
     on_exposure: Callable[[ExposureTaken], None],
+    approach: str | None = None,
 ) -> FringeStack:
     """Take all patterns at all exposures with all cameras; the patterns are already loaded into the projector.
 
-    ``on_exposure`` is called as soon as the images of one exposure are complete.
+    ``on_exposure`` is called as soon as the images of one exposure are complete; ``approach`` names how the robot came there.
 
     Raises
     ------
@@ -121,6 +122,7 @@ def capture_stack(
         saturation=saturation,
         readback=readback,
         conditions=conditions_now(rig),
+        approach=approach,
     )
 
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Collection
+from datetime import UTC, datetime
 from typing import Protocol
 
 from measureapp.acquire.capture import ExposureTaken, capture_stack
 from measureapp.acquire.events import Event, RunEnded, RunStarted, ViewpointFailed, ViewpointStarted, ViewpointStored
 from measureapp.arrays import ImageArray
 from measureapp.data.fringe import FringeStack
-from measureapp.data.plan import ScanPlan, Viewpoint
+from measureapp.data.plan import FlangePose, ScanPlan, Viewpoint
 from measureapp.devices.rig import Rig
 from measureapp.errors import DeviceError, DeviceTimeout, MeasureError
 from measureapp.progress import Cancelled, PartOf, Progress
@@ -39,6 +40,7 @@ class Engine:
     def __init__(self, rig: Rig, sink: Sink) -> None:
         self._rig = rig
         self._sink = sink
+        self._approached: tuple[FlangePose, float, str] | None = None  # goals of robot and guide, and when they were given
 
     def run(
         self,
@@ -64,6 +66,7 @@ class Engine:
             After `RunEnded` was sent and all devices were stopped.
         """
         waiting = [viewpoint for viewpoint in plan if viewpoint.id not in stored]
+        self._approached = None  # between runs anything may move it
         on_event(RunStarted(plan.name, tuple(viewpoint.id for viewpoint in waiting)))
         try:
             self._rig.projector.load(pattern_images)
@@ -82,16 +85,24 @@ class Engine:
         start = time.monotonic()
         on_event(ViewpointStarted(viewpoint.id))
         try:
-            stack = capture_stack(self._rig, viewpoint, plan, on_event, progress, self._sink.exposure_taken)
+            stack = capture_stack(self._rig, viewpoint, plan, on_event, progress, self._sink.exposure_taken, self._approach(viewpoint))
         except (DeviceTimeout, Cancelled):
             self._sink.drop(viewpoint.id)
             raise
         except DeviceError as error:
+            self._approached = None  # it may have moved
             self._sink.drop(viewpoint.id)
             on_event(ViewpointFailed(viewpoint.id, str(error)))
             return
         self._sink.store(stack)
         on_event(ViewpointStored(viewpoint.id, time.monotonic() - start))
+
+    def _approach(self, viewpoint: Viewpoint) -> str:
+        """Return when robot and guide were sent to where they stand at ``viewpoint``: goals that they have already move nothing."""
+        goals = (viewpoint.flange, viewpoint.guide_mm)
+        if self._approached is None or self._approached[:2] != goals:
+            self._approached = (*goals, datetime.now(UTC).isoformat())
+        return self._approached[2]
 
     def _stop(self, on_event: Callable[[Event], None], ended: RunEnded) -> None:
         try:

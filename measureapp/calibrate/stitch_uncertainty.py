@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import block_diag
 from scipy.spatial.transform import Rotation
 
-from measureapp.arrays import FloatArray
+from measureapp.arrays import BoolArray, FloatArray
 from measureapp.calibrate.axis_noise import SAME_POSE, approaches_of
 from measureapp.calibrate.chain import LENGTH_STEP, POSE, POSE_STEPS, SCALE_STEP, TURN_STEP, Chain, ChainState, groups_of
 from measureapp.calibrate.joint import SAME_ANGLE_RAD
@@ -107,21 +107,27 @@ def point_sigma_mm(rig: RigUncertainty, readback: AxisReadback, points_in_part_m
     return np.sqrt(np.linalg.eigvalsh(covariance)[:, -1])
 
 
-def view_uncertainty(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> ViewUncertainty:
+def view_uncertainty(
+    rig: RigUncertainty, readbacks: Sequence[AxisReadback], approaches: Sequence[Hashable] | None = None
+) -> ViewUncertainty:
     """Return the covariance of ``part_from_camera`` of all views together, by linear propagation of the joint covariance.
 
     Parameters shared by the views (hand-eye, guide, axis) make their errors alike; the robot's repeatable error enters as
     the calibration's sightings tell it (`repeatable_errors`), the scatter of its approach and the table's error of its own.
-    Neighbouring views with equal robot poses are one approach.
+
+    Parameters
+    ----------
+    approaches : one label per view, equal for views between which robot and guide stood still: these share its scatter.
+        None: neighbouring views with equal robot poses are one approach.
     """
     placed = tuple(rig.calibration.part_from_camera(readback) for readback in readbacks)
     by_named, by_own = zip(*(_derivatives(rig, readback) for readback in readbacks), strict=True)
     gain = np.hstack([np.vstack(by_named), block_diag(*by_own)])
-    total = gain @ _sources(rig, readbacks) @ gain.T
+    total = gain @ _sources(rig, readbacks, approaches) @ gain.T
     return ViewUncertainty(placed, total.reshape(len(placed), POSE, len(placed), POSE))
 
 
-def _sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> FloatArray:
+def _sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback], approaches: Sequence[Hashable] | None) -> FloatArray:
     """Covariance of the named parameters (without the board), then of robot and table errors of every view; estimated minus true."""
     chain, joint = rig.chain, rig.covariance
     named = len(chain.labels) - POSE
@@ -132,25 +138,25 @@ def _sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> FloatArr
     rest = np.zeros((len(gain), len(gain)))
     mean = np.zeros(len(gain))
     turn, shift = repeatable_errors(chain, poses)
+    approach = approaches_of(groups_of(poses[:, :3].reshape(-1, 12), SAME_POSE)) if approaches is None else approaches
+    together = np.array([[a == b for b in approach] for a in approach])
     at_station = np.array([rig.calibration.station(readback) is not None for readback in readbacks])
     for part in range(POSE):
         rows, columns = named + part + OWN * np.arange(len(poses)), robot[part::POSE]
         follows = turn if part < 3 else shift
         gain[np.ix_(rows, columns)] = follows
-        rest[np.ix_(rows, rows)] = _unexplained(chain, poses, follows, rotation=part < 3)
+        rest[np.ix_(rows, rows)] = _unexplained(chain, poses, follows, together, rotation=part < 3)
         mean[rows] = -np.where(at_station, 0.0, follows @ rig.state.robot_changes[:, part])  # known, but not undone
     _table_sources(rig, readbacks, gain, rest, mean)
     return np.asarray(gain @ joint @ gain.T + rest + np.outer(mean, mean))
 
 
-def _unexplained(chain: Chain, poses: FloatArray, follows: FloatArray, rotation: bool) -> FloatArray:
-    """What the approaches of the calibration do not tell of the robot's errors at ``poses``, and their scatter, (V, V)."""
+def _unexplained(chain: Chain, poses: FloatArray, follows: FloatArray, together: BoolArray, rotation: bool) -> FloatArray:
+    """What the approaches of the calibration do not tell of the robot's errors at ``poses``, and the scatter of approaches ``together``, (V, V)."""
     noise = chain.noise
     large, small = (noise.robot_rad, noise.robot_repeat_rad) if rotation else (noise.robot_mm, noise.robot_repeat_mm)
     known = noise.alike(poses, chain.approached)
     left = noise.alike(poses, poses) - follows @ known.T
-    approach = approaches_of(groups_of(poses[:, :3].reshape(-1, 12), SAME_POSE))
-    together = approach[:, None] == approach[None]
     return np.asarray(large**2 * (left + left.T) / 2 + small**2 * together)
 
 

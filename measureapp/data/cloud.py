@@ -94,13 +94,13 @@ class ViewPlacement:
     viewpoint_id: str
     part_from_camera: RigidTransform  # after fine stitching
     kinematic: RigidTransform  # by the axes alone
-    correction_mm: float  # how far the fine stitching moved the view's centroid
+    correction_mm: float  # how far the fine stitching moved the view's centroid beside the other views, not together with them
     correction_deg: float
     residual_mm: float  # rms point-to-surface distance to its neighbours after fine stitching
     overlap: float  # share of its points that neighbours have too
     verdict: str  # "good", or the reason why not
     used: bool
-    bound_mm: float = 0.0  # furthest correction the axes allow; 0 where nothing was corrected
+    bound_mm: float = 0.0  # furthest correction beside the other views that the axes allow; 0 where nothing was corrected
     bound_deg: float = 0.0
     sigma_mm: float = (
         0.0  # standard deviation of where the view's centroid lies beside the others', in its worst direction; 0 where unknown
@@ -111,7 +111,7 @@ class ViewPlacement:
 
 @dataclass(frozen=True, slots=True)
 class RingClosure:
-    """How well pairs of views close around the part: where the first view comes to lie once it was taken around by pairs alone."""
+    """How well pairs of views close around the part: where the first view comes to lie once it was taken around by pairs."""
 
     viewpoints: tuple[str, ...]  # in the order around
     gap_mm: float  # rms distance of the first view's points from where they were

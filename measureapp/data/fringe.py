@@ -130,3 +130,4 @@ class FringeStack:
     saturation: int  # grey level from which a pixel counts as saturated
     readback: AxisReadback | None = None  # None for recorded images without a rig
     conditions: Conditions | None = None  # None where they were not recorded
+    approach: str | None = None  # alike for stacks between which robot and guide stood still; None where that was not watched

@@ -128,7 +128,16 @@ def _stitched(
 def _placed_by_axes(project: ProjectFolder, views: Sequence[ViewResult]) -> FloatArray | None:
     """Return the covariance of where the calibrated axes place the views, all together; None where the calibration did not keep it."""
     rig = project.rig_uncertainty()
-    return None if rig is None else view_uncertainty(rig, [view.readback for view in views]).pose_covariance
+    if rig is None:
+        return None
+    return view_uncertainty(rig, [view.readback for view in views], _approaches(project, views)).pose_covariance
+
+
+def _approaches(project: ProjectFolder, views: Sequence[ViewResult]) -> list[str] | None:
+    """Return by which approach of the robot each view was taken; None where that is not known of all of them."""
+    stored = set(project.stored_viewpoints())
+    known = [approach for view in views if view.viewpoint_id in stored and (approach := project.frames.approach(view.viewpoint_id))]
+    return known if len(known) == len(views) else None
 
 
 def stitch_settings(calibration: RigCalibration, views: Sequence[ViewResult]) -> StitchSettings:

@@ -60,8 +60,9 @@ def plan_around_part(
 ) -> ScanPlan:
     """Plan ``count`` viewpoints in rings around a part that stands on the table's centre.
 
-    A ring is one station of the robot: between its views only the table turns. The rings alternate along the table's
-    angle, so that the robot comes to each station anew and its repeatability averages out instead of swelling the part.
+    A ring is one station of the robot: between its views only the table turns, and the robot comes to it once. Its error
+    is then the same in all views of the ring, so that they lie to each other as well as the table turns, and stitching can tell
+    it from their common surface; drawn anew for every view it could not (decision 11).
 
     Parameters
     ----------
@@ -83,14 +84,14 @@ def plan_around_part(
         raise PlanError(f"There is no pattern set {patterns!r}.", f"Choose one of {', '.join(sets)}.")
     rings = 1 if count < 5 else 2 if count < 16 else 3
     heights = _target_heights(height_mm)
-    places: list[tuple[float, int, FloatArray]] = []
-    for ring, share in enumerate(_shares(count, rings)):
-        for index in range(share):
-            table_deg = _wrapped(360.0 * (index + ring / rings) / share)
-            places.append((table_deg, ring, _target(rig, radius_mm, heights[index % len(heights)], RINGS_DEG[ring][0])))
+    places = [
+        (ring, heights[index % len(heights)], _wrapped(360.0 * (index + ring / rings) / share))
+        for ring, share in enumerate(_shares(count, rings))
+        for index in range(share)
+    ]
     viewpoints = [
-        _reachable(rig, f"view{number:02d}", target, *RINGS_DEG[ring], table_deg)
-        for number, (table_deg, ring, target) in enumerate(sorted(places, key=lambda place: place[:2]), start=1)
+        _reachable(rig, f"view{number:02d}", _target(rig, radius_mm, height, RINGS_DEG[ring][0]), *RINGS_DEG[ring], table_deg)
+        for number, (ring, height, table_deg) in enumerate(sorted(places), start=1)
     ]
     return ScanPlan(name=name, viewpoints=tuple(viewpoints), patterns=sets[patterns])
 

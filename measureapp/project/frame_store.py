@@ -67,6 +67,7 @@ class FrameStore:
             "saturation": stack.saturation,
             "readback": readback_document(stack.readback),
             "conditions": conditions_document(stack.conditions),
+            "approach": stack.approach,
             "checksums": checksums,
         }
         write_json(folder / DESCRIPTION, document)
@@ -85,6 +86,7 @@ class FrameStore:
                 saturation=int(document["saturation"]),
                 readback=readback_from(document["readback"]),
                 conditions=conditions_from(document.get("conditions")),
+                approach=document.get("approach"),
             )
         except (KeyError, TypeError, ValueError) as error:
             raise StorageError(f"{folder / DESCRIPTION} does not describe a stack: {error}.", "Take this viewpoint again.") from error
@@ -92,6 +94,11 @@ class FrameStore:
     def conditions(self, viewpoint_id: str) -> Conditions | None:
         """Return under which conditions a stored stack was taken, without its images; None where that was not recorded."""
         return conditions_from(self._document(self._folder / viewpoint_id).get("conditions"))
+
+    def approach(self, viewpoint_id: str) -> str | None:
+        """Return by which approach of the robot a stored stack was taken, without its images; None where that was not recorded."""
+        approach: str | None = self._document(self._folder / viewpoint_id).get("approach")
+        return approach
 
     def damaged(self, viewpoint_id: str) -> tuple[str, ...]:
         """Compare every stored byte of a viewpoint with its checksum; return what is wrong, in words."""

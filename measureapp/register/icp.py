@@ -31,6 +31,9 @@ STILL_MM, STILL_RAD = 2e-3, 2e-5  # a smaller step is the last; where little hol
 SMALLEST_BLOCK_MM = 2.0  # patches of the surface within which residuals may be alike …
 BLOCK_SIZES = 5  # … and so many times twice as large ones
 LEAST_FACTOR, LEAST_STEEPNESS = 1e-9, 0.2
+LEAST_KEPT = (
+    0.4  # of the weight of the points that see a direction; as little is left of points that scatter `ROBUST_SIGMAS` times as far as usual
+)
 WELL_HELD = 0.05  # share of the strongest direction's information from which directions scatter alike
 LEAST_BLOCKS = 24  # fewer say too little about how much they scatter
 GICP_ITERATIONS = 30
@@ -98,7 +101,7 @@ def register_pair(
         common = _common_surface(target, source, pose, search_mm, COARSE_MATCHES)
         if len(common.own) < LEAST_MATCHES:
             break
-        change = _solved(common).change
+        change = _solved(common, settled=False).change
         pose = stepped(pose, change, common.centre_mm)
         if np.linalg.norm(change[:3]) < STILL_MM and np.linalg.norm(change[3:]) < STILL_RAD:
             break
@@ -125,7 +128,7 @@ def measure_pair(
     if len(common.own) < LEAST_MATCHES:
         none = np.empty(0, np.int64)
         return PairMeasurement(*indices, pose, target.centroid_mm, np.zeros(6), np.zeros((6, 6)), 0.0, none, none, 0.0)
-    solved = _solved(common)
+    solved = _solved(common, settled=True)
     kept = solved.weight > 0
     smooth_mm, shared = _shared(common, solved)
     information = _with_shared_errors(_information(common, solved), shared)
@@ -199,8 +202,8 @@ class _Solved:
     steepness: float  # of the weighted distances against the distances, over the weights: below one, as outliers' weights fall
 
 
-def _solved(common: _Common) -> _Solved:
-    """Solve robustly (Tukey weights about the median)."""
+def _solved(common: _Common, *, settled: bool) -> _Solved:
+    """Solve robustly (Tukey weights about the median); once views are ``settled``, only in directions that most of the points agree in."""
     from measureapp.register.pair_kernels import normal_equations
 
     jacobian = np.column_stack([common.normal, np.cross(common.arm_mm, common.normal)])
@@ -209,11 +212,14 @@ def _solved(common: _Common) -> _Solved:
     weight: FloatArray = 1 / common.variance_mm2
     change: FloatArray = np.zeros(6)
     matrix: FloatArray = np.eye(6)
-    for _ in range(3):
+    for last in (False, False, True):
         scale = max(MAD_TO_SIGMA * float(np.median(np.abs(left - np.median(left)))), FLOOR_MM)
         away = np.minimum(((left - middle) / (ROBUST_SIGMAS * scale)) ** 2, 1.0)
         weight = (1 - away) ** 2 / common.variance_mm2
-        change, matrix = _observable(*normal_equations(common.arm_mm, common.normal, common.distance_mm, weight, common.tilt_rad))
+        matrix, right = normal_equations(common.arm_mm, common.normal, common.distance_mm, weight, common.tilt_rad)
+        if last and settled:  # before that, a surface that the start puts too far away would be rejected for good
+            matrix, right = _without(_disputed(jacobian, weight, 1 / common.variance_mm2), matrix, right)
+        change, matrix = _observable(matrix, right)
         left = common.distance_mm + jacobian @ change
         middle = 0.0
     slope = (1 - away) * (1 - 5 * away) / common.variance_mm2
@@ -263,6 +269,36 @@ def _sizes(matrix: FloatArray) -> FloatArray:
     """Return the scales (6,) that make the parameters of a normal matrix comparable."""
     diagonal = np.diag(matrix)
     return np.sqrt(np.maximum(diagonal, 1e-9 * np.array([diagonal[:3].max()] * 3 + [diagonal[3:].max()] * 3)))
+
+
+def _disputed(jacobian: FloatArray, weight: FloatArray, stated: FloatArray) -> FloatArray:
+    """Return the directions (6, K) that too few of the points which see them agree in, in units that keep them apart.
+
+    A wall of which two views share no more than stray points along an edge would otherwise be measured by those of them that happen
+    to lie as far off as the poses do: they agree with each other because the others were rejected.
+
+    Parameters
+    ----------
+    jacobian : (M, 6), of the distances
+    weight, stated : (M,), of the points with and without what rejects outliers
+    """
+    whole = (jacobian * stated[:, None]).T @ jacobian
+    size = _sizes(whole)
+    values, vectors = np.linalg.eigh(whole / np.outer(size, size))
+    whitened = vectors / np.sqrt(np.maximum(values, LEAST_FACTOR * values[-1])) / size[:, None]
+    seen = jacobian @ whitened
+    kept, directions = np.linalg.eigh((seen * weight[:, None]).T @ seen)
+    return np.asarray(whitened @ directions[:, kept < LEAST_KEPT])
+
+
+def _without(directions: FloatArray, matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return normal equations that know nothing of ``directions`` (6, K): as if those were unknowns of their own."""
+    if not directions.shape[1]:
+        return matrix, right
+    along = matrix @ directions
+    gain = along @ np.linalg.pinv(directions.T @ along)
+    left = matrix - gain @ along.T
+    return (left + left.T) / 2, right - gain @ directions.T @ right
 
 
 def _observable(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, FloatArray]:

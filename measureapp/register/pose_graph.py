@@ -54,24 +54,25 @@ def solve(
         if np.abs(steps[:, :3]).max() < CONVERGED_MM:
             break
     matrix, _, sigmas, surface = _normal_equations(poses, kinematic, prior_information, pairs, centres_mm)
-    inverse = _beside_each_other(np.linalg.inv(matrix), centres_mm)
+    apart = beside_each_other(centres_mm)
+    inverse = apart @ np.linalg.inv(matrix) @ apart.T
     covariances = np.stack([inverse[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] for i in range(len(poses))])
     return PoseGraphSolution(tuple(poses), covariances, sigmas, surface)
 
 
-def _beside_each_other(covariance: FloatArray, centres_mm: FloatArray) -> FloatArray:
-    """Return the covariance (6N, 6N) of all views' motions without the motion that they have in common; of a single view all of it.
+def beside_each_other(centres_mm: FloatArray) -> FloatArray:
+    """Return the matrix (6N, 6N) that takes from all views' motions about their centres the motion that they have in common.
 
-    Where the part as a whole lies is known far worse than how its views lie to each other, and no dimension depends on it.
+    Of a single view it leaves all. Where the part as a whole lies is known far worse than how its views lie to each other, and no
+    dimension depends on it.
     """
     if len(centres_mm) == 1:
-        return covariance
+        return np.eye(6)
     middle = centres_mm.mean(axis=0)
     radius = max(1.0, float(np.sqrt(np.mean(np.sum((centres_mm - middle) ** 2, axis=1)))))
     together = np.vstack([moved_to(centre, middle) for centre in centres_mm])
     weighted = together * np.tile([1.0] * 3 + [radius**2] * 3, len(centres_mm))[:, None]
-    apart = np.eye(len(together)) - together @ np.linalg.solve(weighted.T @ together, weighted.T)
-    return np.asarray(apart @ covariance @ apart.T)
+    return np.asarray(np.eye(len(together)) - together @ np.linalg.solve(weighted.T @ together, weighted.T))
 
 
 def _normal_equations(

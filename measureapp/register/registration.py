@@ -16,7 +16,7 @@ from measureapp.register.contradiction import free_correction, quantile
 from measureapp.register.groundwork import Groundwork, PlacedCloud, in_parallel
 from measureapp.register.icp import LEAST_MATCHES, PairMeasurement, gicp, gicp_model, measure_pair, register_pair
 from measureapp.register.observability import unheld
-from measureapp.register.pose_graph import PoseGraphSolution, solve
+from measureapp.register.pose_graph import PoseGraphSolution, beside_each_other, solve
 from measureapp.register.pose_prior import KinematicPrior, about_centres, largest_sigmas, with_cloud_errors
 from measureapp.register.prepare import PreparedCloud
 from measureapp.register.ring import largest_gap
@@ -117,15 +117,16 @@ class Registration:
         pairs = self._overlapping()
         poses = list(self.kinematic)
         contradictions: dict[int, Contradiction] = {}
-        ring: RingClosure | None = None
         if self.settings.fine and pairs:
-            poses, contradictions, ring = self._registered(pairs)
+            poses, contradictions = self._registered(pairs)
         refused = self._refused(contradictions)
         measured = self._measured(poses, pairs)
         fitted = [edge for edge in measured if self.settings.fine and not refused & {edge.target, edge.source}]
         # where the views lie now, not where one more step would take them: what is left is far below their uncertainty
         known = self._solve(poses, fitted)
-        return [self._judged(i, poses[i], contradictions.get(i), measured, known) for i in range(len(self.views))], ring
+        ring = largest_gap(poses, fitted, self.centres, self.radii, self.by_axes, [view.cloud.viewpoint_id for view in self.views])
+        moved = self._corrections(poses, fitted)
+        return [self._judged(i, poses[i], moved[i], contradictions.get(i), measured, known) for i in range(len(self.views))], ring
 
     def _overlapping(self) -> list[tuple[int, int]]:
         """Return the pairs that share enough surface by the axes alone, the best of every view."""
@@ -140,22 +141,21 @@ class Registration:
             best.update(own[: self.settings.neighbours])
         return sorted(best)
 
-    def _registered(self, pairs: list[tuple[int, int]]) -> tuple[list[RigidTransform], dict[int, Contradiction], RingClosure | None]:
-        """Return the joint poses, the views that would move too far (they stay where the axes say, unless they are accepted), the closure."""
+    def _registered(self, pairs: list[tuple[int, int]]) -> tuple[list[RigidTransform], dict[int, Contradiction]]:
+        """Return the joint poses, and the views that would move too far (they stay where the axes say, unless they are accepted)."""
         edges = self._pairwise(pairs)
         self._expect(self._errors_of_clouds(edges))
         contradictions = self._contradictions(edges)
         refused = self._refused(contradictions)
         kept = [pair for pair in pairs if not refused & set(pair)]
         used = [edge for edge in edges if not refused & {edge.target, edge.source}]
-        ring = largest_gap(self.kinematic, used, self.centres, self.radii, self.by_axes, [view.cloud.viewpoint_id for view in self.views])
         poses = list(self._solve(self.kinematic, used).part_from_camera)
         for step in range(self.settings.rounds):
             self.progress.report(0.6 + 0.4 * step / self.settings.rounds, 1, "joint registration")
             before, poses = poses, list(self._solve(poses, self._measured(poses, kept)).part_from_camera)
             if max(_distance_mm(a, b, centre) for a, b, centre in zip(before, poses, self.centres, strict=True)) < STILL_MM:
                 break
-        return poses, contradictions, ring
+        return poses, contradictions
 
     def _contradictions(self, edges: Sequence[PairMeasurement]) -> dict[int, Contradiction]:
         """Set every view free alone and take away the one that exceeds its bound most, until none does."""
@@ -225,15 +225,22 @@ class Registration:
     def _solve(self, start: Sequence[RigidTransform], edges: Sequence[PairMeasurement]) -> PoseGraphSolution:
         return solve(start, self.kinematic, self.prior, edges, self.centres)
 
-    def _correction(self, i: int, pose: RigidTransform) -> tuple[float, float]:
-        """Return how far the view's centre moved (mm) and how far the view turned (degrees)."""
-        change = pose @ self.kinematic[i].inverse()
-        return float(np.linalg.norm(change.apply(self.centres[i]) - self.centres[i])), float(np.degrees(change.angle_rad))
+    def _corrections(self, poses: Sequence[RigidTransform], edges: Sequence[PairMeasurement]) -> FloatArray:
+        """Return how each view moved (N, 6) about its centre beside the others: without what all that hold each other have in common."""
+        changes = [pose @ axes.inverse() for pose, axes in zip(poses, self.kinematic, strict=True)]
+        moved = np.stack(
+            [np.concatenate([change.apply(c) - c, change.rotation_vector]) for change, c in zip(changes, self.centres, strict=True)]
+        )
+        held = np.unique([i for edge in edges for i in (edge.target, edge.source)]).astype(int)
+        if len(held):
+            moved[held] = (beside_each_other(self.centres[held]) @ moved[held].ravel()).reshape(-1, 6)
+        return moved
 
     def _judged(
         self,
         i: int,
         pose: RigidTransform,
+        moved: FloatArray,
         contradiction: Contradiction | None,
         edges: Sequence[PairMeasurement],
         known: PoseGraphSolution,
@@ -246,7 +253,6 @@ class Registration:
             seen[edge.matched_target if edge.target == i else edge.matched_source] = True
         counts = np.array([len(edge.matched_source) for edge in own], float)
         residual = float(np.sqrt(np.average([edge.residual_mm**2 for edge in own], weights=counts))) if own else 0.0
-        moved, turned = self._correction(i, pose)
         free = contradiction or self._freed(i, own)
         sigma_mm, sigma_rad = largest_sigmas(known.covariances[i])
         held = self.settings.fine and own and not refused
@@ -254,8 +260,8 @@ class Registration:
             viewpoint_id=view.cloud.viewpoint_id,
             part_from_camera=pose,
             kinematic=view.kinematic,
-            correction_mm=moved,
-            correction_deg=turned,
+            correction_mm=float(np.linalg.norm(moved[:3])),
+            correction_deg=float(np.degrees(np.linalg.norm(moved[3:]))),
             residual_mm=residual,
             overlap=float(seen.mean()) if len(seen) else 0.0,
             verdict=self._verdict(contradiction, refused, bool(own)),

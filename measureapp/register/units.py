@@ -12,10 +12,11 @@ from measureapp.errors import RegistrationError
 from measureapp.geometry.transform import RigidTransform
 
 APART, TOGETHER = 3.0, 1.0  # spread of the placed views, in their own size
+CLOSER = 0.5  # times as far apart as in millimetres: views side by side stay as far apart, however large they are taken to be
 
 
 def check_unit(clouds: Sequence[PointCloud], poses: Sequence[RigidTransform]) -> None:
-    """Ask about the unit of clouds (frame camera) that lie apart in millimetres and together in another unit.
+    """Ask about the unit of clouds (frame camera) that lie apart in millimetres and come together in another unit.
 
     Raises
     ------
@@ -25,15 +26,17 @@ def check_unit(clouds: Sequence[PointCloud], poses: Sequence[RigidTransform]) ->
     middles = np.stack([np.median(cloud.points_mm, axis=0) for cloud in clouds])
     sizes = np.array([np.linalg.norm(np.subtract(*np.percentile(cloud.points_mm, [95, 5], axis=0))) for cloud in clouds])
 
-    def spread(factor: float) -> float:
+    def apart_mm(factor: float) -> float:
         placed = np.stack([pose.apply(factor * middle[None])[0] for pose, middle in zip(poses, middles, strict=True)])
-        off = np.linalg.norm(placed - np.median(placed, axis=0), axis=1)
-        return float(np.median(off)) / max(factor * float(np.median(sizes)), 1e-9)
+        return float(np.median(np.linalg.norm(placed - np.median(placed, axis=0), axis=1)))
+
+    def spread(factor: float) -> float:
+        return apart_mm(factor) / max(factor * float(np.median(sizes)), 1e-9)
 
     if spread(1.0) < APART:
         return
     unit = min(OTHER_UNITS, key=lambda one: spread(one.in_mm))
-    if spread(unit.in_mm) < TOGETHER:
+    if spread(unit.in_mm) < TOGETHER and apart_mm(unit.in_mm) < CLOSER * apart_mm(1.0):
         raise RegistrationError(
             f"Placed by their poses the clouds lie {spread(1.0):.0f} times their own size apart; taken as {unit.words} they lie together.",
             f"Say so with `--unit {unit}`, or export the clouds in millimetres.",

@@ -190,6 +190,35 @@ def test_the_sink_is_told_to_drop_a_viewpoint_that_failed_on_the_way(rig, plan):
     assert sink.heard == [(f"v{i}", "dropped") for i in range(3)]
 
 
+def test_stacks_between_which_only_the_table_turned_say_so(rig, plan):
+    here, there = plan.viewpoints[0].flange, FlangePose(position_mm=(400, 0, 505), quaternion_wxyz=(1, 0, 0, 0))
+    places = [(here, 0.0), (here, 0.0), (there, 0.0), (here, 0.0), (here, 5.0), (here, 5.0)]
+    viewpoints = tuple(Viewpoint(id=f"v{i}", flange=pose, guide_mm=slide, table_deg=30.0 * i) for i, (pose, slide) in enumerate(places))
+    sink = Memory()
+    engine = Engine(rig, sink)
+    again = plan.model_copy(update={"viewpoints": viewpoints})
+    engine.run(again, PATTERNS, lambda event: None, NoProgress())
+    engine.run(again, PATTERNS, lambda event: None, NoProgress(), stored=[f"v{i}" for i in range(5)])
+    approaches = [stack.approach for stack in sink.stacks]
+    assert [approaches.index(approach) for approach in approaches] == [0, 0, 2, 3, 4, 4, 6]
+
+
+def test_a_device_that_failed_may_have_let_the_robot_move(rig, plan):
+    same = tuple(viewpoint.model_copy(update={"guide_mm": 0.0}) for viewpoint in plan)
+    sink = Memory()
+    genuine = rig.cameras["left"].grab
+
+    def grab(*, timeout_s):
+        if rig.table.at == pytest.approx(np.radians(30.0)):
+            raise DeviceError("left is away.", "Check its cable.")
+        return genuine(timeout_s=timeout_s)
+
+    rig.cameras["left"].grab = grab
+    Engine(rig, sink).run(plan.model_copy(update={"viewpoints": same}), PATTERNS, lambda event: None, NoProgress())
+    assert [stack.viewpoint_id for stack in sink.stacks] == ["v0", "v2"]
+    assert sink.stacks[0].approach != sink.stacks[1].approach
+
+
 def test_viewpoints_on_disk_are_not_taken_again(rig, plan):
     _, sink = run(rig, plan, stored=("v0", "v1"))
     assert [stack.viewpoint_id for stack in sink.stacks] == ["v2"]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -88,3 +90,15 @@ def test_the_relative_covariance_places_the_parts_origin(runs):
     uncertainty = view_uncertainty(uncertainty_of(runs[0].solution), [readback_of(one) for one in views()])
     origin = np.zeros((1, 3))
     np.testing.assert_allclose(uncertainty.relative(0, 2)[3:, 3:], uncertainty.between(0, 2, origin)[0], rtol=1e-6, atol=1e-12)
+
+
+def test_views_of_one_approach_share_its_scatter_and_views_of_several_do_not(runs):
+    rig = uncertainty_of(runs[0].solution)
+    rig = replace(rig, chain=replace(rig.chain, noise=replace(rig.chain.noise, robot_repeat_rad=0.0)))
+    turned = [readback_of(view) for view in views()[:2]]  # by 90°
+    once, told, twice = (view_uncertainty(rig, turned, approaches) for approaches in (None, ["a", "a"], ["a", "b"]))
+    np.testing.assert_array_equal(once.covariance, told.covariance)
+    np.testing.assert_allclose(once.view(0), twice.view(0), rtol=1e-9)
+    more = np.trace(twice.between(0, 1, POINTS_MM)[0] - once.between(0, 1, POINTS_MM)[0])
+    # of the variance of one coordinate: 2 · 3 for shifts of their own, 2 · (1 - cos 90°) · 2 for one that turns with the table
+    assert more == pytest.approx((6 - 4) * rig.chain.noise.robot_repeat_mm**2, rel=1e-6)

@@ -31,6 +31,16 @@ def test_a_plan_around_a_part_has_as_many_viewpoints_as_asked_and_stays_in_reach
     check_reach(plan, rig)
 
 
+@pytest.mark.parametrize(("count", "height_mm"), [(8, 90.0), (26, 60.0), (26, 600.0)])
+def test_the_robot_comes_to_every_station_once(rig, count, height_mm):
+    places = [
+        (viewpoint.flange, viewpoint.guide_mm)
+        for viewpoint in plan_around_part(rig, "part", radius_mm=100.0, height_mm=height_mm, count=count)
+    ]
+    moves = 1 + sum(one != other for one, other in pairwise(places))
+    assert moves == len(set(places)) < count
+
+
 def test_a_plan_outside_the_axes_limits_is_refused_naming_viewpoint_and_axis(rig):
     far = Viewpoint(id="far", flange=FlangePose(position_mm=(400, 0, 400), quaternion_wxyz=(1, 0, 0, 0)), guide_mm=9000.0, table_deg=0.0)
     with pytest.raises(PlanError, match=r"far: guide at 9000.0 mm is outside"):

@@ -13,7 +13,9 @@ from measureapp.project.frame_store import FrameStore
 def stack():
     images = np.random.default_rng(3).integers(0, 255, (2, 8, 12, 16), np.uint8)
     readback = AxisReadback(RigidTransform.from_vector([0.1, 0.2, 0.3], [400, 0, 500], "base", "flange"), 12.5, 0.25)
-    return FringeStack("view01", PAPER_PATTERNS, (100_000, 50_000), {"left": read_only(images)}, 255, readback)
+    return FringeStack(
+        "view01", PAPER_PATTERNS, (100_000, 50_000), {"left": read_only(images)}, 255, readback, approach="2026-05-04T10:00:00+00:00"
+    )
 
 
 def test_a_stack_comes_back_as_it_was_stored(tmp_path, stack):
@@ -26,6 +28,7 @@ def test_a_stack_comes_back_as_it_was_stored(tmp_path, stack):
     assert loaded.exposures_us == stack.exposures_us
     assert np.allclose(loaded.readback.base_from_flange.matrix, stack.readback.base_from_flange.matrix)
     assert (loaded.readback.guide_mm, loaded.readback.table_rad) == (12.5, 0.25)
+    assert loaded.approach == store.approach(stack.viewpoint_id) == stack.approach
 
 
 def test_one_changed_byte_is_named(tmp_path, stack):

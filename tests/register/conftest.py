@@ -73,7 +73,7 @@ def _look_at(elevation: float, distance_mm: float) -> RigidTransform:
     return RigidTransform.from_parts(np.column_stack([x, np.cross(z, x), z]), position, "guide", "camera")
 
 
-def _seen(scene: Any, part_from_camera: RigidTransform, step_mm: float, noise_mm: float, rng: np.random.Generator, name: str) -> PointCloud:
+def seen(scene: Any, part_from_camera: RigidTransform, step_mm: float, noise_mm: float, rng: np.random.Generator, name: str) -> PointCloud:
     """Cast one ray per pixel; what turns away by more than 75° is not seen, and normals err by 2°."""
     import open3d as o3d
 
@@ -122,7 +122,7 @@ def scanned() -> Callable[..., Scan]:
             for angle in angles_deg:
                 part_from_guide = RigidTransform.from_parts(rotation_about([0, 0, 1], -np.radians(angle)), np.zeros(3), "part", "guide")
                 truth = part_from_guide @ guide_from_camera
-                made.clouds.append(_seen(scene, truth, step_mm, noise_mm, rng, f"v{len(made.clouds):02d}"))
+                made.clouds.append(seen(scene, truth, step_mm, noise_mm, rng, f"v{len(made.clouds):02d}"))
                 made.truth.append(truth)
                 made.kinematic.append(truth @ wrong @ _small(rng, table_mm, 0.002))
                 made.stations.append(station)

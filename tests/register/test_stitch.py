@@ -58,6 +58,19 @@ def test_an_impeller_is_stitched_to_below_the_noise_of_its_points(impeller_scan,
     assert all(placement.verdict == "good" for placement in stitched_impeller.placements)
 
 
+def test_corrections_are_told_beside_the_other_views(impeller_scan, stitched_impeller):
+    samples = [np.asarray(cloud.points_mm)[::300] for cloud in impeller_scan.clouds]
+    before = [placement.kinematic.apply(sample) for placement, sample in zip(stitched_impeller.placements, samples, strict=True)]
+    after = [placement.part_from_camera.apply(sample) for placement, sample in zip(stitched_impeller.placements, samples, strict=True)]
+    whole = best_fit(np.vstack(before), np.vstack(after))
+    beside = [np.linalg.norm((b - whole.apply(a)).mean(axis=0)) for a, b in zip(before, after, strict=True)]
+    in_all = [np.linalg.norm((b - a).mean(axis=0)) for a, b in zip(before, after, strict=True)]
+    told = [placement.correction_mm for placement in stitched_impeller.placements]
+    least, alone, most = (float(np.sqrt(np.mean(np.square(lengths)))) for lengths in (told, beside, in_all))
+    assert least < most
+    assert alone == pytest.approx(least, rel=0.25)  # views weigh by their centres there, by their points here
+
+
 def test_a_cross_of_planes_is_stitched_within_eight_hundredths(scanned, cross_mesh):
     scan = scanned(cross_mesh, SIXTHS, [25.0, 60.0], step_mm=0.7, seed=4)
     stitched = stitch(scan.clouds, scan.kinematic, stations=scan.stations)
