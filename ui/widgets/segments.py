@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QWidget
 
-BESIDE = 24
+BESIDE = 26  # px: both margins and borders
 
 
 class Segments(QWidget):
@@ -25,7 +26,6 @@ class Segments(QWidget):
             made = QPushButton(text)
             made.setCheckable(True)
             made.setAutoDefault(False)
-            made.setMinimumWidth(made.fontMetrics().horizontalAdvance(text) + BESIDE)  # words are never cut, however narrow the window
             made.setProperty("role", "segment")
             made.setProperty("place", "first" if place == 0 else "last" if place == last else "middle")
             made.setCursor(Qt.CursorShape.PointingHandCursor)
@@ -50,6 +50,12 @@ class Segments(QWidget):
     def set_available(self, name: str, available: bool) -> None:
         """Offer an option or not."""
         self._buttons[name].setEnabled(available)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Never cut the words, however narrow the window; only now the look has given the buttons their letters."""
+        for made in self._buttons.values():
+            made.setMinimumWidth(made.fontMetrics().horizontalAdvance(made.text()) + BESIDE)
+        super().showEvent(event)
 
     def _keep_focus_on_chosen(self) -> None:
         """Tab stops at the chosen option; the arrow keys go on from there."""
