@@ -135,7 +135,7 @@ def capture_board(rig: Rig, viewpoint: Viewpoint) -> BoardView:
 
 def conditions_now(rig: Rig) -> Conditions:
     """Return under which conditions the rig takes images now."""
-    return rig.conditions(datetime.now(UTC).isoformat(timespec="seconds"))
+    return rig.conditions(datetime.now(UTC).isoformat(timespec="milliseconds"))
 
 
 def _well_exposed(camera: Camera, rig: Rig) -> ImageArray:

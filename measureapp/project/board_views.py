@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
+from datetime import datetime
+from math import inf
 from pathlib import Path
 
 import cv2
@@ -48,14 +50,13 @@ def stored(folder: Path) -> tuple[str, ...]:
 
 
 def load_all(folder: Path) -> tuple[BoardView, ...]:
-    """Return all finished sightings below ``folder``, sorted by id. Raises StorageError naming a damaged file."""
-    return tuple(_load(folder / viewpoint_id) for viewpoint_id in stored(folder))
+    """Return all finished sightings below ``folder``, as they were taken. Raises StorageError naming a damaged file."""
+    return tuple(_load(folder / one.viewpoint_id, one) for one in _as_taken(folder))
 
 
 def readbacks(folder: Path) -> dict[str, tuple[tuple[str, ...], AxisReadback]]:
-    """Return cameras and read-back of all finished sightings below ``folder`` without reading images. Raises StorageError."""
-    described = {viewpoint_id: _described(folder / viewpoint_id) for viewpoint_id in stored(folder)}
-    return {viewpoint_id: (one.cameras, one.readback) for viewpoint_id, one in described.items()}
+    """Return cameras and read-back of all finished sightings, as they were taken, without reading images. Raises StorageError."""
+    return {one.viewpoint_id: (one.cameras, one.readback) for one in _as_taken(folder)}
 
 
 def damaged(folder: Path) -> dict[str, tuple[str, ...]]:
@@ -71,6 +72,7 @@ class _Description:
     readback: AxisReadback
     checksums: dict[str, str]  # camera -> of its pixels
     conditions: Conditions | None
+    taken_s: float  # when, on the clock of the computer; -inf where it is not known
 
 
 def _problems(place: Path) -> tuple[str, ...]:
@@ -85,8 +87,16 @@ def _problems(place: Path) -> tuple[str, ...]:
     return tuple(wrong)
 
 
-def _load(place: Path) -> BoardView:
-    described = _described(place)
+def _as_taken(folder: Path) -> list[_Description]:
+    """Return the descriptions in the order of their images, those without a time first and by id.
+
+    The order says when the robot came to a pose anew, and with another error, and when it stood still meanwhile.
+    """
+    described = [_described(folder / viewpoint_id) for viewpoint_id in stored(folder)]
+    return sorted(described, key=lambda one: one.taken_s)
+
+
+def _load(place: Path, described: _Description) -> BoardView:
     images = {camera: _image(place, camera) for camera in described.cameras}
     return BoardView(described.viewpoint_id, images, described.readback, described.conditions)
 
@@ -97,7 +107,8 @@ def _described(place: Path) -> _Description:
         document = json.loads(path.read_text(encoding="utf-8"))
         cameras, checksums = tuple(document["cameras"]), dict(document.get("checksums", {}))
         readback, conditions = readback_from(document["readback"]), conditions_from(document.get("conditions"))
-        return _Description(document["viewpoint_id"], cameras, readback, checksums, conditions)
+        taken_s = datetime.fromisoformat(conditions.taken_at).timestamp() if conditions is not None else -inf
+        return _Description(document["viewpoint_id"], cameras, readback, checksums, conditions, taken_s)
     except (OSError, ValueError, KeyError, TypeError, FrameMismatch) as error:
         raise StorageError(f"{path} cannot be read: {error}.", "Take the view again.") from error
 

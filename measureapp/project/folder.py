@@ -134,7 +134,7 @@ class ProjectFolder:
         return checked, damaged | board_views.damaged(views)
 
     def board_views(self) -> tuple[BoardView, ...]:
-        """Return every stored sighting of the board, sorted by id."""
+        """Return every stored sighting of the board, as they were taken."""
         return board_views.load_all(self.path / "calibration" / "views")
 
     def save_calibration(self, calibration: RigCalibration, uncertainty: RigUncertainty | None = None) -> None:

@@ -30,7 +30,7 @@ class RecordedPosition:
 def find_recorded(folder: Path) -> tuple[RecordedPosition, ...]:
     """Return the positions of the board recorded in ``folder``, in the natural order of their names.
 
-    Understood are: sightings as a project keeps them (with their read-backs), one folder for each camera, and images named by
+    Understood are: sightings as a project keeps them (with their read-backs, in the order they were taken), one folder for each camera, and images named by
     camera and number, such as ``left01.png``; images of one number show the same position.
 
     Raises

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from measureapp.data.board import BoardView
+from measureapp.data.conditions import Conditions
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import InputError
 from measureapp.geometry.transform import RigidTransform
@@ -55,6 +56,16 @@ def test_what_a_project_keeps_comes_with_its_read_backs(tmp_path):
     (position,) = find_recorded(tmp_path)
     assert (position.name, position.readback.guide_mm, position.readback.table_rad) == ("pose01", 12.5, 0.25)
     assert position.files["left"].is_file()
+
+
+def test_what_a_project_keeps_comes_in_the_order_it_was_taken(tmp_path):
+    """A robot that went to and fro came to each pose anew, with another error: by name its two visits of "station1" would look like one."""
+    for second, name in enumerate(("station1-1", "station2-1", "station1-2")):
+        readback = AxisReadback(RigidTransform.identity("base", "flange"), float(second), 0.0)
+        taken = Conditions(f"2031-05-01T10:00:00.{second}50+02:00")
+        board_views.save(tmp_path, BoardView(name, {"left": np.zeros((4, 6), np.uint8)}, readback, taken))
+    assert [one.name for one in find_recorded(tmp_path)] == ["station1-1", "station2-1", "station1-2"]
+    assert [one.viewpoint_id for one in board_views.load_all(tmp_path)] == ["station1-1", "station2-1", "station1-2"]
 
 
 @pytest.mark.parametrize("names, said", [((), "No images lie in"), (("left01.png", "left_01.png"), "are both image 01 of camera left")])
