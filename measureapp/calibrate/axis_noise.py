@@ -29,7 +29,8 @@ class AxisNoise:
     robot_repeat_rad: float = 0.0
     robot_alike_mm: float = 0.0
     robot_alike_turn: float = 0.0
-    guide_mm: float = 0.0  # departure of the slide from its straight line and scale, at every approach, per coordinate
+    guide_mm: float = 0.0  # departure of the slide from its straight line, at every approach, per coordinate
+    guide_along_mm: float = 0.0  # the same along it: how far the slide misses its displayed position
 
     def alike(self, first: FloatArray, second: FloatArray) -> FloatArray:
         """Return the correlation (A, B) of the repeatable errors at poses base_from_flange (A, 4, 4) and (B, 4, 4)."""
@@ -48,19 +49,17 @@ class AxisNoise:
         return turn, shift
 
 
-def articulated_robot(accuracy_mm: float, accuracy_rad: float, repeatability_mm: float, table_rad: float, guide_mm: float) -> AxisNoise:
+def articulated_robot(accuracy_mm: float, accuracy_rad: float, repeatability_mm: float) -> AxisNoise:
     """Return the noise of a six-axis robot whose data sheet states the rms length of its absolute error and its repeatability."""
     share = repeatability_mm / accuracy_mm if accuracy_mm > 0 else 0.0
     per_coordinate = 1 / np.sqrt(3.0)
     return AxisNoise(
         robot_mm=accuracy_mm * per_coordinate,
         robot_rad=accuracy_rad * per_coordinate,
-        table_rad=table_rad,
         robot_repeat_mm=repeatability_mm * per_coordinate,
         robot_repeat_rad=accuracy_rad * share * per_coordinate,
         robot_alike_mm=ALIKE_MM,
         robot_alike_turn=ALIKE_TURN,
-        guide_mm=guide_mm,
     )
 
 

@@ -110,7 +110,7 @@ def solve_rig(
     rejected: dict[str, str] = {}
     while True:
         progress.report(len(rejected), len(observations), "joint solution of the rig")
-        chain = _chain(kept, noise, Free(guide=free_guide), camera_prior if free_cameras else None)
+        chain = _chain(kept, noise, stages, Free(guide=free_guide), camera_prior if free_cameras else None)
         minimum = chain.adjusted(_start(stages, chain))
         outlier = _worst_outlier(chain, minimum.state, None if free_cameras else camera_prior)
         if outlier is None:
@@ -154,7 +154,9 @@ def _spans(readbacks: Sequence[AxisReadback]) -> tuple[float, float]:
     return float(np.ptp([one.table_rad for one in readbacks])), float(np.ptp([one.guide_mm for one in readbacks]))
 
 
-def _chain(observations: Sequence[RigObservation], noise: AxisNoise, free: Free, freed: LabelledCovariance | None) -> Chain:
+def _chain(
+    observations: Sequence[RigObservation], noise: AxisNoise, stages: RigStages, free: Free, freed: LabelledCovariance | None
+) -> Chain:
     robot = np.array([observation.readback.base_from_flange.matrix for observation in observations])
     table = np.array([observation.readback.table_rad for observation in observations])
     slide = np.array([observation.readback.guide_mm for observation in observations])
@@ -165,7 +167,7 @@ def _chain(observations: Sequence[RigObservation], noise: AxisNoise, free: Free,
         guide_mm=slide,
         table_rad=table,
         camera_from_board=poses_of(boards),
-        roots=_loosened(roots_of(boards), noise.guide_mm, _slid(approaches, slide)),
+        roots=_loosened(roots_of(boards), noise, _slid(approaches, slide), _travel(robot, stages)),
         robot_group=approaches,
         table_group=groups_of(table[:, None], SAME_ANGLE_RAD),
         noise=noise,
@@ -186,12 +188,18 @@ def _slid(approaches: IntArray, slide_mm: FloatArray) -> BoolArray:
     return np.array([np.ptp(slide_mm[approaches == approach]) > 0 for approach in approaches])
 
 
-def _loosened(roots: FloatArray, guide_mm: float, slid: BoolArray) -> FloatArray:
+def _travel(robot: FloatArray, stages: RigStages) -> FloatArray:
+    """Return the guide's direction in the reference camera's frame (N, 3) at poses base_from_flange (N, 4, 4)."""
+    return np.asarray(stages.guide.direction @ robot[:, :3, :3] @ stages.hand_eye.flange_from_camera.rotation)
+
+
+def _loosened(roots: FloatArray, noise: AxisNoise, slid: BoolArray, travel: FloatArray) -> FloatArray:
     """Return the roots of the poses' information with the slide's own errors added to the covariance of those that ``slid``."""
-    if guide_mm <= 0 or not slid.any():
+    if max(noise.guide_mm, noise.guide_along_mm) <= 0 or not slid.any():
         return roots
     covariance = np.linalg.inv(np.swapaxes(roots[slid], 1, 2) @ roots[slid])
-    covariance[:, 3:, 3:] += guide_mm**2 * np.eye(3)
+    along = travel[slid, :, None] * travel[slid, None, :]
+    covariance[:, 3:, 3:] += noise.guide_mm**2 * (np.eye(3) - along) + noise.guide_along_mm**2 * along
     result = np.array(roots)
     result[slid] = np.swapaxes(np.linalg.cholesky(np.linalg.inv(covariance)), 1, 2)
     return result

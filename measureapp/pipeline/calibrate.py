@@ -111,13 +111,19 @@ def checksums_of(views: Sequence[BoardView]) -> dict[str, str]:
 
 
 def expected_noise(rig: RigDescription) -> AxisNoise:
-    """Return what the data sheets of the rig's axes let expect; a table's accuracy is the span of its error over a turn."""
-    return articulated_robot(
-        rig.robot.absolute_accuracy_mm,
-        float(np.deg2rad(rig.robot.absolute_accuracy_deg)),
-        rig.robot.repeatability_mm,
-        float(np.deg2rad(rig.table.accuracy_arcsec / 3600.0)) / SPAN_OVER_RMS,
-        float(np.hypot(STRAIGHTNESS_MM, rig.guide.repeatability_mm)),
+    """Return what the data sheets of the rig's axes let expect.
+
+    A table's accuracy is the span of its error over a turn; a guide's repeatability (±) is two standard deviations.
+    """
+    along_mm = rig.guide.repeatability_mm / 2
+    robot = articulated_robot(
+        rig.robot.absolute_accuracy_mm, float(np.deg2rad(rig.robot.absolute_accuracy_deg)), rig.robot.repeatability_mm
+    )
+    return replace(
+        robot,
+        table_rad=float(np.deg2rad(rig.table.accuracy_arcsec / 3600.0)) / SPAN_OVER_RMS,
+        guide_mm=float(np.hypot(STRAIGHTNESS_MM, along_mm)),
+        guide_along_mm=along_mm,
     )
 
 
