@@ -71,13 +71,14 @@ class Chain:
     guide_mm: FloatArray  # (N,)
     table_rad: FloatArray  # (N,)
     camera_from_board: FloatArray  # (N, 4, 4)
-    roots: FloatArray  # (N, 6, 6), upper triangular roots of the poses' information
+    roots: FloatArray  # (N, 6, 6), upper triangular roots of the poses' information, the slide's own errors counted
     robot_group: IntArray  # (N,), which approach of the robot; sightings of one approach share its error
     table_group: IntArray  # (N,), which table angle
     noise: AxisNoise
     free: Free
     by_cameras: FloatArray | None = None  # (N, 6, C), change of the observed poses with the parameters of the cameras
     camera_covariance: FloatArray | None = None  # (C, C), where the cameras are freed: what their calibration says of them
+    slide: FloatArray | None = None  # (N, 3, 3), the slide's part of the covariance of the poses' places
 
     @property
     def labels(self) -> tuple[str, ...]:

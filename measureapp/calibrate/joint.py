@@ -7,15 +7,17 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.arrays import FloatArray, IntArray
 from measureapp.calibrate.axis_noise import SAME_POSE, AxisNoise, approaches_of
 from measureapp.calibrate.board_pose import BoardPose
 from measureapp.calibrate.chain import Chain, ChainState, Free, groups_of, poses_of, roots_of
 from measureapp.calibrate.joint_solution import RigSolution, solution_of
 from measureapp.calibrate.rig import RigStages, stages_of
+from measureapp.calibrate.slide_noise import slide_covariance, travel_in_camera, with_slide
 from measureapp.data.calibration import CameraArrayCalibration, LabelledCovariance
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError
+from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import NoProgress, Progress
 
 LEAST_OBSERVATIONS = 6
@@ -35,6 +37,7 @@ class RigObservation:
     readback: AxisReadback
     board: BoardPose
     by_cameras: FloatArray | None = None  # (6, C), change of the board pose with the parameters of a `LabelledCovariance`
+    approach: int | None = None  # of the robot, see `approaches_to`; None: equal poses that follow one another are one
 
 
 class RigDraft:
@@ -60,6 +63,18 @@ class RigDraft:
     def solve(self, progress: Progress | None = None) -> RigSolution:
         """Solve what was collected."""
         return solve_rig(self._observations, self._cameras, noise=self._noise, progress=progress)
+
+
+def approaches_to(poses: Sequence[RigidTransform]) -> tuple[int, ...]:
+    """Number the approaches of the robot to poses base_from_flange in the order it went to them.
+
+    To be told with every sighting where places are left out from which the board was not seen: a robot that went there and came back has
+    another error.
+    """
+    if not poses:
+        return ()
+    matrices = np.array([pose.matrix for pose in poses])
+    return tuple(int(number) for number in approaches_of(groups_of(matrices[:, :3].reshape(-1, 12), SAME_POSE)))
 
 
 def shortfalls(readbacks: Sequence[AxisReadback]) -> tuple[str, ...]:
@@ -106,7 +121,7 @@ def solve_rig(
     _check_determined(observations, camera_prior)
     free_guide = _spans([observation.readback for observation in observations])[1] >= LEAST_STROKE_MM
     stages = stages_of(observations, free_guide)
-    kept = list(observations)
+    kept = _numbered(observations)
     rejected: dict[str, str] = {}
     while True:
         progress.report(len(rejected), len(observations), "joint solution of the rig")
@@ -161,48 +176,38 @@ def _chain(
     table = np.array([observation.readback.table_rad for observation in observations])
     slide = np.array([observation.readback.guide_mm for observation in observations])
     boards = [observation.board for observation in observations]
-    approaches = _approaches(robot, noise)
+    approaches = _approaches(observations, robot, noise)
+    travel = travel_in_camera(robot, np.asarray(stages.hand_eye.flange_from_camera.matrix), stages.guide.direction)
+    added = slide_covariance(noise, approaches, slide, travel)
     return Chain(
         base_from_flange=robot,
         guide_mm=slide,
         table_rad=table,
         camera_from_board=poses_of(boards),
-        roots=_loosened(roots_of(boards), noise, _slid(approaches, slide), _travel(robot, stages)),
+        roots=with_slide(roots_of(boards), added),
         robot_group=approaches,
         table_group=groups_of(table[:, None], SAME_ANGLE_RAD),
         noise=noise,
         free=free,
         by_cameras=_by_cameras(observations),
         camera_covariance=None if freed is None else freed.covariance,
+        slide=added,
     )
 
 
-def _approaches(robot: FloatArray, noise: AxisNoise) -> IntArray:
-    """Number the approaches of the robot; one that repeats its poses exactly approaches each of them only once."""
-    poses = groups_of(robot[:, :3].reshape(-1, 12), SAME_POSE)
-    return approaches_of(poses) if noise.robot_repeat_mm > 0 else poses
+def _numbered(observations: Sequence[RigObservation]) -> list[RigObservation]:
+    """Number the approaches before sightings are rejected, where they are not told."""
+    if all(observation.approach is not None for observation in observations):
+        return list(observations)
+    numbers = approaches_to([observation.readback.base_from_flange for observation in observations])
+    return [replace(observation, approach=number) for observation, number in zip(observations, numbers, strict=True)]
 
 
-def _slid(approaches: IntArray, slide_mm: FloatArray) -> BoolArray:
-    """Return which sightings (N,) were taken while the guide carried the robot past the board; elsewhere its error is one with the robot's."""
-    return np.array([np.ptp(slide_mm[approaches == approach]) > 0 for approach in approaches])
-
-
-def _travel(robot: FloatArray, stages: RigStages) -> FloatArray:
-    """Return the guide's direction in the reference camera's frame (N, 3) at poses base_from_flange (N, 4, 4)."""
-    return np.asarray(stages.guide.direction @ robot[:, :3, :3] @ stages.hand_eye.flange_from_camera.rotation)
-
-
-def _loosened(roots: FloatArray, noise: AxisNoise, slid: BoolArray, travel: FloatArray) -> FloatArray:
-    """Return the roots of the poses' information with the slide's own errors added to the covariance of those that ``slid``."""
-    if max(noise.guide_mm, noise.guide_along_mm) <= 0 or not slid.any():
-        return roots
-    covariance = np.linalg.inv(np.swapaxes(roots[slid], 1, 2) @ roots[slid])
-    along = travel[slid, :, None] * travel[slid, None, :]
-    covariance[:, 3:, 3:] += noise.guide_mm**2 * (np.eye(3) - along) + noise.guide_along_mm**2 * along
-    result = np.array(roots)
-    result[slid] = np.swapaxes(np.linalg.cholesky(np.linalg.inv(covariance)), 1, 2)
-    return result
+def _approaches(observations: Sequence[RigObservation], robot: FloatArray, noise: AxisNoise) -> IntArray:
+    """Return the approach of every sighting, without gaps; a robot that repeats its poses exactly approaches each of them only once."""
+    if noise.robot_repeat_mm <= 0:
+        return groups_of(robot[:, :3].reshape(-1, 12), SAME_POSE)
+    return np.unique([observation.approach or 0 for observation in observations], return_inverse=True)[1].astype(np.intp)
 
 
 def _by_cameras(observations: Sequence[RigObservation]) -> FloatArray | None:

@@ -2,7 +2,8 @@
 
 A robot whose poses are uncertain by tenths of a millimetre limits the hand-eye transform however good the images are. So where axes take
 part, each figure is stated twice: as it is, and as perfect images and exactly known cameras would leave it; what lies between both is ours.
-The slide's own straightness counts with the images, in whose covariance the joint calibration has it.
+What the noise of the images alone adds stands beside it: where the reference camera's axis points is known only together with its lens, and
+that moves board and part alike.
 """
 
 from __future__ import annotations
@@ -18,9 +19,9 @@ from measureapp.calibrate.hand_eye import HandEyeSolution
 from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.linear_guide import GuideSolution
 from measureapp.calibrate.rotation_axis import AxisSolution
+from measureapp.calibrate.slide_noise import with_perfect_images
 from measureapp.data.uncertainty import UncertaintyMap
 
-PERFECT = 100.0  # times the information of the images; their part of the covariance falls by its square
 DEGREES = float(np.rad2deg(1.0))
 # name -> unit and what is asked of it unless the user asks for something else
 ASKED: Mapping[str, tuple[str, float]] = {
@@ -53,11 +54,19 @@ class Limit:
     asked: float
     sigma: float
     axes_allow: float | None = None  # with perfect images and cameras; None where no axis takes part, or its part is in no figure
+    given_cameras: float | None = None  # with exactly known cameras, where it makes a difference that is told
 
     @property
     def beyond(self) -> float:
         """What images and cameras add."""
         return self.sigma if self.axes_allow is None else float(np.sqrt(max(self.sigma**2 - self.axes_allow**2, 0.0)))
+
+    @property
+    def by_images(self) -> float | None:
+        """What the noise of the images alone adds."""
+        if self.given_cameras is None or self.axes_allow is None:
+            return None
+        return float(np.sqrt(max(self.given_cameras**2 - self.axes_allow**2, 0.0)))
 
     @property
     def met(self) -> bool:
@@ -77,8 +86,10 @@ class Limit:
         start = f"{self.name} ± {self.sigma:.2g}{unit}, asked {self.asked:.2g}{unit}"
         if self.axes_allow is None:
             return f"{start}: {verdict}"
+        alone = "" if self.by_images is None else f" (the images alone {self.by_images:.2g}{unit})"
         return (
-            f"{start}; the rig's axes alone allow ± {self.axes_allow:.2g}{unit}, images and cameras add {self.beyond:.2g}{unit}: {verdict}"
+            f"{start}; the rig's axes alone allow ± {self.axes_allow:.2g}{unit}, "
+            f"images and cameras add {self.beyond:.2g}{unit}{alone}: {verdict}"
         )
 
 
@@ -119,23 +130,30 @@ def hand_eye_limits(solution: HandEyeSolution, asked: Asked) -> tuple[Limit, ...
 def rig_limits(solution: RigSolution, asked: Asked) -> tuple[Limit, ...]:
     """Return every figure of the rig that was estimated: as it is, and as its own axes allow."""
     allowed = _axes_alone(solution.chain, solution.state)
+    given = solution.joint_given_cameras
     places = {label: index for index, label in enumerate(solution.parameters)}
     return tuple(
-        _limit(name, asked, _worst(solution.covariance, own) * factor, _worst(allowed, own) * factor)
+        _limit(
+            name,
+            asked,
+            _worst(solution.covariance, own) * factor,
+            _worst(allowed, own) * factor,
+            _worst(given, own) * factor,
+        )
         for name, (labels, factor) in IN_RIG.items()
         if (own := [places[label] for label in labels if label in places])
     )
 
 
 def _axes_alone(chain: Chain, state: ChainState) -> FloatArray:
-    """Return the covariance that perfect images and exactly known cameras would leave."""
-    perfect = replace(chain, roots=chain.roots * PERFECT, by_cameras=None, camera_covariance=None)
+    """Return the covariance that perfect images and exactly known cameras would leave; the slide is no straighter for them."""
+    perfect = replace(chain, roots=with_perfect_images(chain.roots, chain.slide), by_cameras=None, camera_covariance=None)
     return perfect.curvature(replace(state, camera_changes=np.zeros(0))).covariance()
 
 
-def _limit(name: str, asked: Asked, sigma: float, axes_allow: float | None = None) -> Limit:
+def _limit(name: str, asked: Asked, sigma: float, axes_allow: float | None = None, given_cameras: float | None = None) -> Limit:
     unit, usual = ASKED[name]
-    return Limit(name, unit, asked.get(name, usual), sigma, axes_allow)
+    return Limit(name, unit, asked.get(name, usual), sigma, axes_allow, given_cameras)
 
 
 def _worst(covariance: FloatArray, rows: list[int]) -> float:

@@ -16,7 +16,7 @@ from measureapp.calibrate.board_pose import board_pose
 from measureapp.calibrate.camera_array import CameraArrayProblem, CameraArraySolution
 from measureapp.calibrate.camera_array import solve as solve_cameras
 from measureapp.calibrate.camera_prior import pose_by_cameras
-from measureapp.calibrate.joint import RigObservation, solve_rig
+from measureapp.calibrate.joint import RigObservation, approaches_to, solve_rig
 from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.sightings import FoundBoard, Rejection, sighting_of
 from measureapp.data.board import BoardDescription, BoardView
@@ -74,13 +74,15 @@ def rig_with_cameras(
     readbacks: Mapping[str, AxisReadback],
     noise: AxisNoise,
     progress: Progress,
+    approaches: Mapping[str, int] | None = None,
 ) -> CalibratedRig:
     """Solve hand-eye, guide and axis with cameras that were calibrated from the same sightings.
 
     Parameters
     ----------
     found : view -> camera -> marks
-    readbacks : view -> where the axes stood
+    readbacks : view -> where the axes stood, in the order the views were taken
+    approaches : view -> which approach of the robot; default: as ``readbacks`` follow one another
 
     Raises
     ------
@@ -88,7 +90,9 @@ def rig_with_cameras(
         The sightings do not determine the rig.
     """
     prior = LabelledCovariance(solved.parameters, solved.covariance)
-    observations = _observations(readbacks, found, solved)
+    if approaches is None:
+        approaches = dict(zip(readbacks, approaches_to([one.base_from_flange for one in readbacks.values()]), strict=True))
+    observations = _observations(readbacks, found, solved, approaches)
     return CalibratedRig(solved, solve_rig(observations, solved.calibration, noise=noise, camera_prior=prior, progress=progress))
 
 
@@ -150,7 +154,10 @@ def _detected(
 
 
 def _observations(
-    readbacks: Mapping[str, AxisReadback], found: Mapping[str, Mapping[str, FoundBoard]], solved: CameraArraySolution
+    readbacks: Mapping[str, AxisReadback],
+    found: Mapping[str, Mapping[str, FoundBoard]],
+    solved: CameraArraySolution,
+    approaches: Mapping[str, int],
 ) -> list[RigObservation]:
     """Board poses from the sightings that the camera calibration kept."""
     used = {(residual.camera, residual.view) for residual in solved.views}
@@ -161,7 +168,7 @@ def _observations(
             corners, ids = {camera: one.corners_px for camera, one in seen.items()}, {camera: one.ids for camera, one in seen.items()}
             pose = board_pose(corners, solved.calibration, solved.board, solved.sigma_px, ids)
             by_cameras = pose_by_cameras(pose, ids, solved.calibration, solved.board, solved.parameters)
-            observations.append(RigObservation(view, readback, pose, by_cameras))
+            observations.append(RigObservation(view, readback, pose, by_cameras, approaches[view]))
     return observations
 
 

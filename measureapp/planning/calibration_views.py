@@ -25,12 +25,15 @@ ASIDE_ON_EDGE = (0.215, 0.07)  # the same where the board stands on its short si
 ASIDE_STRONG = 0.9  # of that for a strong lean, by which the board's nearer side grows
 SLIDE_SHARE = 0.7  # of the way sideways that the slide goes, the arm the rest
 STATION_ANGLES_DEG = (-50.0, -25.0, 0.0, 25.0, 50.0)
+# past the board along the guide: tilt, lean, to which side (up: -1) of the image the board goes, distance beyond the standoff
+PASSES = {"guide": (5.0, 90.0, 0, 80.0), "below": (25.0, 0.0, 1, 60.0), "above": (25.0, 180.0, -1, 60.0)}
+SLIDES_MM = tuple(28.0 * step for step in range(-5, 6))
 CHECK_ANGLES_DEG = (-12.0, 0.0, 12.0, 0.0)
 CHECK_SLIDES_MM = (-30.0, -10.0, 10.0, 30.0)  # beside where the slide follows the head; the arm reaches back
 
 
 def calibration_viewpoints(rig: RigDescription, plan: ScanPlan | None = None) -> tuple[Viewpoint, ...]:
-    """Return the viewpoints of an automatic rig calibration: `pose…` for cameras and hand-eye, `axis…`, `guide…`, `station…`.
+    """Return the viewpoints of an automatic rig calibration: `pose…` for cameras and hand-eye, `axis…`, the `PASSES`, `station…`.
 
     The poses bring the board into the corners of the images, for distortion is known only where there were marks, and let it lean to
     all four sides. Turning it in the image meanwhile also gives hand-eye what Tsai and Lenz ask for (IEEE Trans. Robotics and
@@ -114,7 +117,7 @@ def _viewpoint(rig: RigDescription, name: str, centre: FloatArray, look: _Look, 
 def _axis(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
     """One pose of the robot, the table turned as far as the board stays in sight to both sides."""
     gaze = Gaze(0.0, BOARD_ELEVATION_DEG + 10.0, rig.standoff_mm + 60.0)
-    angles = np.arange(-60.0, 60.1, 20.0)
+    angles = np.arange(-60.0, 60.1, 10.0)
     return [
         viewpoint_looking_at(rig, f"axis{index + 1:02d}", centre, gaze, table_deg=round(float(angle), 3))
         for index, angle in enumerate(angles)
@@ -122,14 +125,17 @@ def _axis(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
 
 
 def _guide(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
-    """One pose of the robot, slid along the guide as far as the board stays in sight."""
-    gaze = Gaze(0.0, BOARD_ELEVATION_DEG + 5.0, rig.standoff_mm + 80.0)
-    still = viewpoint_looking_at(rig, "still", centre, gaze)
-    slides = np.arange(-60.0, 60.1, 20.0)
-    return [
-        Viewpoint(id=f"guide{index + 1:02d}", flange=still.flange, guide_mm=float(slide), table_deg=0.0)
-        for index, slide in enumerate(slides)
-    ]
+    """A few poses of the robot, each slid along the guide as far as one camera at least still sees the board.
+
+    Only a robot that stands still carries none of its error into the guide's direction and scale. A longer travel tells them better, but ends
+    with the image; so the board passes several times, higher and lower in the image and turned to either side, which shows the cameras too.
+    """
+    views = []
+    for name, (tilt_deg, lean_deg, side, beyond_mm) in PASSES.items():
+        still = _viewpoint(rig, name, centre, _Look(tilt_deg, lean_deg, 0.0, rig.standoff_mm + beyond_mm, (0, side)))
+        places = [round(still.guide_mm + slide_mm, 1) for slide_mm in SLIDES_MM]
+        views += [still.model_copy(update={"id": f"{name}{number:02d}", "guide_mm": at}) for number, at in enumerate(places, start=1)]
+    return views
 
 
 def _stations(plan: ScanPlan | None) -> list[Viewpoint]:

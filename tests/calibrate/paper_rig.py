@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
+from measureapp.calibrate.axis_motion import rigid_motion
 from measureapp.calibrate.axis_noise import AxisNoise
-from measureapp.calibrate.board_pose import board_pose, stated_pose
+from measureapp.calibrate.board_pose import board_pose, stated_pose, triangulated
 from measureapp.calibrate.camera_prior import POSE_NAMES, cameras_moved, derivatives, pose_by_cameras
-from measureapp.calibrate.joint import RigObservation, solve_rig
+from measureapp.calibrate.joint import RigObservation, approaches_to, solve_rig
 from measureapp.calibrate.joint_solution import RigSolution
 from measureapp.calibrate.poses import change_between
 from measureapp.data.board import CheckerboardDescription
@@ -26,7 +27,9 @@ from measureapp.simulate.options import RigErrors
 from measureapp.simulate.truth import Truth, draw_truth
 
 BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
-CORNER_SIGMA_PX = 0.1  # of one coordinate, at full resolution
+CORNER_SIGMA_PX = 0.1  # of one coordinate, at full resolution: what real boards and lenses usually leave
+IMAGE_SIGMA_PX = 0.03  # of the virtual rig's images of this board, see test_rig_figures
+GUIDED = "guide06"  # the middle of the first pass along the guide
 RIG = read_rig("paper")
 NOISE = expected_noise(RIG)
 
@@ -42,6 +45,7 @@ class Cell:
 
     truth: Truth
     moves: np.random.Generator
+    turned_rad: dict[str, float] = field(default_factory=dict)  # viewpoint -> how far the table truly stood
 
     @classmethod
     def of(cls, seed: int) -> Cell:
@@ -61,6 +65,7 @@ class Cell:
             if goals[2] != last[2]:
                 reached[2] = truth.table.true_angle_rad(read.table_rad, self.moves)
             last = goals
+            self.turned_rad[viewpoint.id] = reached[2]
             rig = truth.calibration
             camera = reached[1] @ reached[0] @ rig.hand_eye.flange_from_camera
             table = rig.table_from_guide.inverse()
@@ -118,27 +123,29 @@ def calibrated(
     seed: int,
     *,
     corner_sigma_px: float = CORNER_SIGMA_PX,
+    corner_errors: bool = True,
     camera_errors: bool = True,
     stations: bool = True,
     camera_prior_used: bool = True,
     noise: AxisNoise = NOISE,
     **options: Any,
 ) -> Run:
+    """Calibrate rig ``seed`` from corners with that noise and cameras drawn from their covariance; each may be without error all the same."""
     cell = Cell.of(seed)
     true_cameras = cell.truth.calibration.cameras
     placed = cell.placed(planned(stations))
-    prior = camera_prior_of(true_cameras, [pose for _, _, pose in placed], CORNER_SIGMA_PX)
+    prior = camera_prior_of(true_cameras, [pose for _, _, pose in placed], corner_sigma_px)
     generator = np.random.default_rng([seed, 7])
     error = np.linalg.cholesky(prior.covariance) @ generator.normal(size=len(prior.parameters)) * camera_errors
     cameras = cameras_moved(true_cameras, prior.parameters, error)
     observations = []
-    for name, read, pose in placed:
-        corners = corners_of(true_cameras, pose, corner_sigma_px, generator)
+    approaches = approaches_to([read.base_from_flange for _, read, _ in placed])
+    for approach, (name, read, pose) in zip(approaches, placed, strict=True):
+        corners = corners_of(true_cameras, pose, corner_sigma_px * corner_errors, generator)
         if corners:
-            seen = board_pose(corners, cameras, BOARD, CORNER_SIGMA_PX)
-            observations.append(
-                RigObservation(name, read, seen, pose_by_cameras(seen, dict.fromkeys(corners), cameras, BOARD, prior.parameters))
-            )
+            seen = board_pose(corners, cameras, BOARD, corner_sigma_px)
+            by_cameras = pose_by_cameras(seen, dict.fromkeys(corners), cameras, BOARD, prior.parameters)
+            observations.append(RigObservation(name, read, seen, by_cameras, approach))
     solution = solve_rig(observations, cameras, noise=noise, camera_prior=prior if camera_prior_used else None, **options)
     return Run(cell, solution, prior, observations, cameras)
 
@@ -166,16 +173,36 @@ def angle_deg(first: np.ndarray, second: np.ndarray) -> float:
     return float(np.rad2deg(np.linalg.norm(np.cross(first, second))))
 
 
+def guide_off_deg(run: Run) -> float:
+    """Return the error of the guide's direction against the board as it stood on the table, at its true angle, while the guide moved."""
+    truth, found = run.cell.truth.calibration, run.solution
+    table = run.solution.chain.table_group[[one.name for one in found.residuals].index(GUIDED)]
+    stood = found.calibration.axis.turned(float(found.state.table_changes[table])) @ found.guide_from_board
+    turned = RigidTransform.from_vector([0, 0, run.cell.turned_rad[GUIDED]], np.zeros(3), "table", "table")
+    stood_truly = truth.table_from_guide.inverse() @ turned @ run.cell.truth.table_from_board
+    return angle_deg(stood.inverse().rotate(found.calibration.guide.direction), stood_truly.inverse().rotate(truth.guide.direction))
+
+
+def shift_of_points(true: CameraArrayCalibration, found: CameraArrayCalibration) -> np.ndarray:
+    """Return true_camera_from_found_camera (4, 4) that carries points of the common field, as measured, best onto where they are."""
+    points = np.array([[x, y, 550.0 + z] for x in (-140, 0, 140) for y in (-100, 0, 100) for z in (-50, 0, 50)], float)
+    points = RIG.camera(RIG.reference).head_from_camera.transform("head", "camera").inverse().apply(points)
+    pixels = {name: one.pinhole.project(one.reference_from_camera.inverse().apply(points)) for name, one in true.cameras.items()}
+    return rigid_motion(triangulated(pixels, found), points)
+
+
 def figures_of(run: Run, without_image_errors: Run) -> dict[str, float]:
     """Return the errors the figures are about.
 
     Axis and guide are compared in the guide frame, which only the robot reaches, and against the board, as points measured with the
     same cameras stand to them: that is what stitching needs, and neither the robot's errors nor a turn common to all that the
-    cameras see are in it. Of the hand-eye error, what stays with perfect images is what the robot's error allows; the rest is beyond.
+    cameras see are in it. Of the errors of hand-eye and guide, what stays with perfect images is what robot and rail allow; the rest is
+    beyond. The lens' centre is known only together with where the camera's axis points, and then points lie right all the same: "at the
+    points" is the rest without the motion that the cameras' errors make of all points before the head.
     """
     truth, found = run.cell.truth.calibration, run.solution.calibration
-    board_from_guide = (truth.table_from_guide.inverse() @ run.cell.truth.table_from_board).inverse()
-    seen_from_guide = run.solution.guide_from_board.inverse()
+    true_board, seen_board = run.cell.truth.table_from_board, run.solution.guide_from_board
+    board_from_guide, seen_from_guide = (truth.table_from_guide.inverse() @ true_board).inverse(), seen_board.inverse()
     true_axis, axis = board_from_guide.rotate(truth.axis.direction), seen_from_guide.rotate(found.axis.direction)
     middle = BOARD.corners_mm.mean(axis=0)
     feet = [
@@ -185,9 +212,12 @@ def figures_of(run: Run, without_image_errors: Run) -> dict[str, float]:
             (seen_from_guide.apply(found.axis.point_mm), axis),
         )
     ]
-    allowed = without_image_errors.solution.calibration.hand_eye.flange_from_camera
+    perfect = without_image_errors.solution.calibration
+    allowed = perfect.hand_eye.flange_from_camera
+    seen = shift_of_points(truth.cameras, found.cameras)
     own = change_between(truth.hand_eye.flange_from_camera.matrix[None], allowed.matrix[None])[0]
     beyond = change_between(allowed.matrix[None], found.hand_eye.flange_from_camera.matrix[None])[0]
+    at_points = change_between((allowed.matrix @ seen)[None], found.hand_eye.flange_from_camera.matrix[None])[0]
     return {
         "axis direction against the board, deg": angle_deg(axis, true_axis),
         "axis place against the board, mm": float(np.linalg.norm(feet[1] - feet[0])),
@@ -196,9 +226,12 @@ def figures_of(run: Run, without_image_errors: Run) -> dict[str, float]:
         "hand-eye the robot allows, deg": float(np.rad2deg(np.linalg.norm(own[:3]))),
         "hand-eye beyond, mm": float(np.linalg.norm(beyond[3:])),
         "hand-eye beyond, deg": float(np.rad2deg(np.linalg.norm(beyond[:3]))),
-        "guide direction against the board, deg": angle_deg(
-            seen_from_guide.rotate(found.guide.direction), board_from_guide.rotate(truth.guide.direction)
-        ),
+        "hand-eye beyond at the points, mm": float(np.linalg.norm(at_points[3:])),
+        "hand-eye beyond at the points, deg": float(np.rad2deg(np.linalg.norm(at_points[:3]))),
+        "guide direction against the board, deg": guide_off_deg(run),
+        "guide direction the rail allows, deg": guide_off_deg(without_image_errors),
         "guide direction in the base, deg": angle_deg(found.guide.direction, truth.guide.direction),
+        "guide direction in the base the robot allows, deg": angle_deg(perfect.guide.direction, truth.guide.direction),
         "guide scale": abs(found.guide.scale - truth.guide.scale),
+        "guide scale the slide allows": abs(perfect.guide.scale - truth.guide.scale),
     }

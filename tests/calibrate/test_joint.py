@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from measureapp.calibrate.joint import RigDraft, solve_rig
+from measureapp.calibrate.axis_noise import AxisNoise
+from measureapp.calibrate.joint import RigDraft, approaches_to, solve_rig
 from measureapp.calibrate.poses import change_between, moved
 from measureapp.calibrate.rig import carry_axis
 from measureapp.data.calibration import RotationAxis
@@ -69,6 +70,25 @@ def test_a_sighting_whose_board_moved_is_left_out_with_its_reason(rig, simulate,
     solution = solve_rig(observations, rig.head)
     assert set(solution.rejected) == {"axis3"}
     assert max(map(abs, errors_over_sigma(solution, rig))) < 4.5
+
+
+def test_a_sighting_that_is_left_out_does_not_make_one_approach_of_its_neighbours(rig, simulate, generator):
+    """The robot stood at one pose, went away and came back; from where it was meanwhile the board was not seen, or is rejected."""
+    observations = simulate.observations(rig, generator)
+    pose = observations[0].readback.base_from_flange
+    away = pose @ RigidTransform.from_vector([0.1, 0, 0], [30, 20, 10], "flange", "flange")
+    assert approaches_to([pose, pose, away, pose]) == (0, 0, 1, 2)
+    gone = replace(observations[-1], name="gone", readback=replace(observations[-1].readback, base_from_flange=away))
+    index = next(index for index, one in enumerate(observations) if one.name == "axis3")
+    shifted = moved(observations[index].board.camera_from_board.matrix, np.array([0, 0, 0, 30.0, 0, 0]))
+    gone = replace(gone, board=replace(gone.board, camera_from_board=RigidTransform(shifted, "camera", "board")))
+    told = [*observations[: index + 1], gone, *observations[index + 1 :]]
+    noise = AxisNoise(robot_mm=simulate.robot_sigma_mm, robot_rad=simulate.robot_sigma_rad, robot_repeat_mm=0.01, robot_repeat_rad=1e-5)
+    solution = solve_rig(told, rig.head, noise=noise)
+    assert set(solution.rejected) == {"gone"}
+    names = [one.name for one in solution.residuals]
+    before, after = solution.chain.robot_group[[names.index("axis3"), names.index("axis3") + 1]]
+    assert before != after
 
 
 def test_a_guide_that_did_not_move_is_said_to_be_unobservable(rig, simulate, generator):

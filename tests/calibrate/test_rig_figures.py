@@ -7,15 +7,29 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from measureapp.calibrate.board import find_board
 from measureapp.calibrate.camera_prior import cameras_moved
 from measureapp.calibrate.limits import rig_limits
 from measureapp.errors import CalibrationError
-from tests.calibrate.paper_rig import NOISE, Run, calibrated, errors_of, figures_of
+from tests.calibrate.paper_rig import CORNER_SIGMA_PX, IMAGE_SIGMA_PX, NOISE, Run, calibrated, errors_of, figures_of
+from tests.calibrate.virtual_board import CHECKER, FULL, shot
+
+# What is asked. Rail and slide are in the guide's figures as they are, the table in those of the axis.
+ASKED = {
+    "axis direction against the board, deg": 0.002,
+    "axis place against the board, mm": 0.005,
+    "hand-eye beyond, mm": 0.05,
+    "hand-eye beyond, deg": 0.005,
+    "guide direction against the board, deg": 0.002,
+    "guide scale": 1e-5,
+}
+SEEDS = range(1, 21)
 
 
-def pair(seed: int) -> tuple[Run, Run]:
+def pair(seed: int, corner_sigma_px: float) -> tuple[Run, Run]:
     """Return a run, and one of the same robot with perfect images."""
-    return calibrated(seed), calibrated(seed, corner_sigma_px=0.0, camera_errors=False)
+    perfect = calibrated(seed, corner_sigma_px=corner_sigma_px, corner_errors=False, camera_errors=False)
+    return calibrated(seed, corner_sigma_px=corner_sigma_px), perfect
 
 
 def inside(runs: list[Run]) -> np.ndarray:
@@ -31,7 +45,7 @@ def test_most_parameters_lie_in_their_predicted_intervals():
 
 @pytest.mark.slow
 def test_the_predicted_95_percent_intervals_hold(record_property):
-    runs = [calibrated(seed) for seed in range(1, 21)]
+    runs = [calibrated(seed) for seed in SEEDS]
     share = float(np.mean(inside(runs)))
     ratios = [[error / run.solution.standard_deviations[name] for name, error in errors_of(run).items()] for run in runs]
     size = float(np.sqrt(np.mean(np.square(ratios))))
@@ -43,14 +57,37 @@ def test_the_predicted_95_percent_intervals_hold(record_property):
 
 
 @pytest.mark.slow
-def test_figures_of_twenty_seeds(record_property):
-    rows = [figures_of(*pair(seed)) for seed in range(1, 21)]
+def test_corners_of_full_images_are_as_good_as_the_figures_take_them_to_be():
+    off = []
+    for tilt_deg, towards, roll in ((0, 10, 5), (24, 100, 40), (42, 10, 5), (55, 250, 130)):
+        seen = shot(CHECKER, tilt_deg, towards, roll, FULL)
+        found = find_board(seen.image, CHECKER)
+        off.append(found.corners_px - seen.marks_px[found.ids])
+    assert np.sqrt(np.mean(np.concatenate(off) ** 2)) < IMAGE_SIGMA_PX
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("corner_sigma_px", [IMAGE_SIGMA_PX, CORNER_SIGMA_PX])
+def test_figures_of_twenty_seeds(record_property, corner_sigma_px):
+    """With the corners of the virtual rig's images every rig stays within all that is asked.
+
+    With those of real boards 95 % are predicted to, so that nine of ten must, but for the rotation of the hand-eye transform: the lens'
+    centre is known to 0.25 px from so many views, which is 0.004°, and 0.0083° in 95 %. It moves board and part alike.
+    """
+    rows = [figures_of(*pair(seed, corner_sigma_px)) for seed in SEEDS]
     middle = {name: float(np.median([row[name] for row in rows])) for name in rows[0]}
     worst = {name: float(np.max([row[name] for row in rows])) for name in rows[0]}
     for number, row in enumerate(rows, 1):
         record_property(f"seed {number}", row)
     record_property("median", middle)
     record_property("worst", worst)
+    least = 1.0 if corner_sigma_px == IMAGE_SIGMA_PX else 0.9
+    short = {} if corner_sigma_px == IMAGE_SIGMA_PX else {"hand-eye beyond, deg": 0.0083}
+    for name, asked in (ASKED | short).items():
+        assert np.mean([row[name] <= asked for row in rows]) >= least, name
+        assert middle[name] <= ASKED[name], name
+    assert worst["hand-eye beyond at the points, mm"] < ASKED["hand-eye beyond, mm"]
+    assert worst["hand-eye beyond at the points, deg"] < ASKED["hand-eye beyond, deg"]
     assert middle["hand-eye beyond, mm"] < middle["hand-eye the robot allows, mm"]
 
 

@@ -1,9 +1,11 @@
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
 from measureapp.data.plan import FlangePose, Viewpoint
 from measureapp.errors import PlanError
-from measureapp.planning.calibration_views import calibration_viewpoints
+from measureapp.planning.calibration_views import PASSES, calibration_viewpoints
 from measureapp.planning.reach import check_reach
 from measureapp.planning.viewpoints import Gaze, guide_from_head, plan_around_part
 from measureapp.project.rig_file import read_rig
@@ -49,7 +51,24 @@ def test_the_calibration_run_turns_the_head_about_axes_that_are_not_parallel(rig
     assert spread[-1] / spread[0] > 0.15
 
 
-def test_the_calibration_run_turns_the_table_and_moves_the_guide_far_enough(rig):
-    views = calibration_viewpoints(rig)
-    assert np.ptp([v.table_deg for v in views if v.id.startswith("axis")]) >= 90.0
-    assert np.ptp([v.guide_mm for v in views if v.id.startswith("guide")]) >= 100.0
+def test_the_calibration_run_turns_the_table_far_enough(rig):
+    assert np.ptp([v.table_deg for v in calibration_viewpoints(rig) if v.id.startswith("axis")]) >= 90.0
+
+
+@pytest.mark.parametrize("name", list(PASSES))
+def test_the_guide_passes_the_board_with_a_robot_that_stands_still(rig, name):
+    """For 1e-5 of scale a slide that misses its positions by 1 µm needs Σ (s - s̄)² of (300 mm)² and more over all passes together."""
+    views = [v for v in calibration_viewpoints(rig) if v.id.startswith(name)]
+    slides = np.array([v.guide_mm for v in views])
+    assert len({v.flange for v in views}) == 1
+    assert np.ptp(slides) >= 250.0
+    assert np.sum((slides - slides.mean()) ** 2) * len(PASSES) > 300.0**2
+
+
+def test_the_calibration_run_stays_within_twice_the_views_that_determine_the_rig(rig):
+    """A view costs a move of 2 to 10 s: the run shall end while the rig is as warm as it began."""
+    plan = plan_around_part(rig, "gypsum", radius_mm=60.0, height_mm=80.0, count=8)
+    views = calibration_viewpoints(rig, plan)
+    approaches = 1 + sum(first.flange != second.flange for first, second in pairwise(views))
+    assert len(views) <= 80
+    assert approaches <= 40

@@ -38,7 +38,7 @@ PREFIXES: Mapping[Kind, tuple[str, ...]] = {
     "hand-eye": ("pose",),
     "axis": ("axis",),
     "guide": ("guide",),
-    "rig": ("pose", "axis", "guide", "station"),
+    "rig": ("",),
 }
 BEYOND_PLAN = "more"  # names of viewpoints begin so
 RIG_FILE = "rig.json"  # beside a session whose images a rig takes

@@ -69,6 +69,7 @@ def limits_answer(limits: Sequence[Limit]) -> dict[str, Any]:
                 "sigma": one.sigma,
                 "axes_allow": one.axes_allow,
                 "images_and_cameras_add": one.beyond,
+                "images_alone_add": one.by_images,
                 "met": one.met,
                 "met_beyond_axes": one.met_beyond,
                 "sentence": one.sentence,

@@ -27,7 +27,14 @@ RobotSigmaMm = Annotated[
     float, typer.Option("--robot-sigma-mm", min=1e-6, help="Standard deviation of robot positions, per coordinate, mm.")
 ]
 RobotSigmaDeg = Annotated[float, typer.Option("--robot-sigma-deg", min=1e-6, help="The same of robot rotations, degrees.")]
-RobotRepeatMm = Annotated[float, typer.Option("--robot-repeat-mm", min=0.0, help="Scatter of the robot at every approach of a pose, mm.")]
+RobotRepeatMm = Annotated[
+    float,
+    typer.Option(
+        "--robot-repeat-mm",
+        min=0.0,
+        help="Scatter of the robot at every approach of a pose, mm; equal poses that follow one another by name are one approach.",
+    ),
+]
 RobotAlikeMm = Annotated[
     float,
     typer.Option("--robot-alike-mm", min=0.0, help="Distance over which the robot's errors are alike, mm; 0: each pose has its own."),

@@ -216,7 +216,7 @@ def _guide(setup: Setup, kept: Sequence[Observation], poses: Poses, progress: Pr
 
 def _rig(setup: Setup, kept: Sequence[Observation], poses: Poses, progress: Progress) -> _Answer:
     assert setup.cameras is not None  # only then this way is taken
-    sightings = [RigObservation(one.id, one.readback.full(), poses[one.id]) for one in kept]
+    sightings = [RigObservation(one.id, one.readback.full(), poses[one.id], approach=one.approach) for one in kept]
     solution = solve_rig(sightings, setup.cameras, noise=setup.noise, progress=progress)
     return _Answer(solution, _rig_places(solution))
 

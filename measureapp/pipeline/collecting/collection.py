@@ -11,6 +11,7 @@ from pathlib import Path
 from measureapp.arrays import ImageArray
 from measureapp.calibrate.board import find_board
 from measureapp.calibrate.board_together import find_beside
+from measureapp.calibrate.joint import approaches_to
 from measureapp.calibrate.sightings import AmbiguousPart, BoardRefused, FoundBoard
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError, InputError
@@ -199,7 +200,7 @@ class Collection:
         CalibrationError
             The observations do not determine the result; says what is missing.
         """
-        self._solved = solve(self.setup, self.usable, self._sizes(), None if afresh else self._solved, progress)
+        self._solved = solve(self.setup, self._approached(), self._sizes(), None if afresh else self._solved, progress)
         return self._solved
 
     def snapshot(self) -> Collection:
@@ -242,6 +243,12 @@ class Collection:
         if self._solved is None or one.id not in self._solved.of:
             return replace(one, standing="new", reason=_why_refused(one))
         return self._solved.judged(replace(one, reason=_why_refused(one)))
+
+    def _approached(self) -> tuple[Observation, ...]:
+        """The usable observations with the approaches of the robot, those counted that led to no observation that is used."""
+        poses = {one.id: pose for one in self.observations if (pose := one.readback.base_from_flange) is not None}
+        numbers = dict(zip(poses, approaches_to(tuple(poses.values())), strict=True))
+        return tuple(replace(one, approach=numbers.get(one.id)) for one in self.usable)
 
     def _sizes(self) -> dict[str, tuple[int, int]]:
         sizes = {camera: self.size_px(camera) for camera in self.setup.camera_names}

@@ -77,3 +77,4 @@ class Observation:
     reason: str = ""  # in words, where it is not used or only in part
     residuals_px: Mapping[str, float] = field(default_factory=dict)  # camera -> rms distance of its marks from where they should be
     residual_mm: float | None = None  # the same on the board, where axes are calibrated
+    approach: int | None = None  # of the robot, counted over all that was collected

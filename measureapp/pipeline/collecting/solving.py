@@ -98,5 +98,6 @@ def _with_cameras(observations: Sequence[Observation], solution: CameraArraySolu
 def _rig(setup: Setup, observations: Sequence[Observation], cameras: Solved, solution: CameraArraySolution, progress: Progress) -> Solved:
     found = {one.id: one.seen for one in observations}
     readbacks = {one.id: one.readback.full() for one in observations}
-    rig = rig_with_cameras(solution, found, readbacks, setup.noise, progress).rig
+    approaches = {one.id: one.approach for one in observations if one.approach is not None}
+    rig = rig_with_cameras(solution, found, readbacks, setup.noise, progress, approaches or None).rig
     return with_rig(rig, observations, cameras)
