@@ -82,6 +82,20 @@ def test_known_cameras_stay_as_they_are_and_their_uncertainty_is_carried_on(caps
         assert conditional.projector.standard_deviations[name] < added.projector.standard_deviations[name]
 
 
+def test_figures_are_told_beside_what_is_asked_and_missing_one_is_exit_code_1(capsys, manifests):
+    code, answer = run(capsys, *manifests[:5], *BOARD, "--limit", "projector position=0.000001")
+    assert code == 1
+    told = {one["name"]: one for one in answer["limits"]}
+    assert set(told) == {"projector position", "projector rotation"}
+    assert (told["projector position"]["asked"], told["projector position"]["met"]) == (1e-6, False)
+    parameters = answer["projector"]["parameters"]
+    largest = max(parameters[name]["standard_deviation"] for name in ("x_mm", "y_mm", "z_mm"))
+    assert largest <= told["projector position"]["sigma"] <= 3**0.5 * largest  # in the direction that is least certain
+    code, answer = run(capsys, *manifests[:5], *BOARD, "--limit", "axis position=0.1")
+    assert code == 2
+    assert "projector position" in answer["error"]["hint"]
+
+
 def test_too_few_positions_are_refused(capsys, manifests):
     code, answer = run(capsys, *manifests[:2], *BOARD)
     assert code == 2
