@@ -282,12 +282,11 @@ def _disputed(jacobian: FloatArray, weight: FloatArray, stated: FloatArray) -> F
     jacobian : (M, 6), of the distances
     weight, stated : (M,), of the points with and without what rejects outliers
     """
-    whole = (jacobian * stated[:, None]).T @ jacobian
+    whole, left = ((jacobian * each[:, None]).T @ jacobian for each in (stated, weight))
     size = _sizes(whole)
     values, vectors = np.linalg.eigh(whole / np.outer(size, size))
     whitened = vectors / np.sqrt(np.maximum(values, LEAST_FACTOR * values[-1])) / size[:, None]
-    seen = jacobian @ whitened
-    kept, directions = np.linalg.eigh((seen * weight[:, None]).T @ seen)
+    kept, directions = np.linalg.eigh(whitened.T @ left @ whitened)
     return np.asarray(whitened @ directions[:, kept < LEAST_KEPT])
 
 
