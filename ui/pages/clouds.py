@@ -108,9 +108,8 @@ class CloudsPage(ViewportPage):
         fit.clicked.connect(self.view.reset_camera)
         self.hint = label("", "soft")
         self.action_row.insertWidget(0, self.hint)
-        return row(
-            self.stage, 12, label("Colour by", "soft"), self.colour_by, 8, self.scale, 0, self.filter_button, self.distance.button, fit
-        )
+        self.action_row.insertWidget(1, self.scale)
+        return row(self.stage, 12, label("Colour by", "soft"), self.colour_by, 0, self.filter_button, self.distance.button, fit)
 
     def _show_busy(self) -> None:
         if self.session.busy_with and not self.session.views:

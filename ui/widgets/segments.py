@@ -6,8 +6,6 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QWidget
 
-BESIDE = 26  # px: both margins and borders
-
 
 class Segments(QWidget):
     """Chooses one of a few named options: value(), setValue(name), valueChanged."""
@@ -54,7 +52,8 @@ class Segments(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         """Never cut the words, however narrow the window; only now the look has given the buttons their letters."""
         for made in self._buttons.values():
-            made.setMinimumWidth(made.fontMetrics().horizontalAdvance(made.text()) + BESIDE)
+            made.ensurePolished()
+            made.setMinimumWidth(made.sizeHint().width())
         super().showEvent(event)
 
     def _keep_focus_on_chosen(self) -> None:
