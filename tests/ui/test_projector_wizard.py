@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from measureapp.simulate.world import PAPER_BOARD
@@ -24,8 +26,6 @@ def page(application, window, rig):
 def wizard(page, application, rig):
     """The wizard beside cameras that were calibrated at quarter resolution, without an error for once."""
     seen = truth_of(rig.at_resolution("quarter"), PAPER_BOARD)
-    from dataclasses import replace
-
     application.session.set_cameras(replace(seen.cameras, projector=None))
     page.open_wizard(PROJECTOR)
     opened = page.wizards[PROJECTOR.kind]
