@@ -19,11 +19,11 @@ from measureapp.data.pattern_sets import DEFAULT_NAME
 from measureapp.data.rig import Resolution
 from measureapp.devices.plugin_loader import load_plugin
 from measureapp.geometry.transform import RigidTransform, orthonormalised
-from measureapp.inspection.deviation import signed_distances
+from measureapp.inspection.alignment.point_to_plane import register
 from measureapp.inspection.measured import MeasuredPoints
-from measureapp.inspection.nominal_surface import NominalSurface
-from measureapp.inspection.point_to_plane import register
 from measureapp.inspection.settings import AlignmentSettings
+from measureapp.inspection.surface.deviation import signed_distances
+from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.measure import check_space, scan
 from measureapp.pipeline.run import Outcome, calibrate_rig, finished

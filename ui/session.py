@@ -22,9 +22,9 @@ if TYPE_CHECKING:
     from measureapp.data.plan import ScanPlan
     from measureapp.data.rig import RigDescription
     from measureapp.data.validity import Validity
-    from measureapp.inspection.deviation import Deviation
     from measureapp.inspection.drawn_sections import DrawnSections
-    from measureapp.inspection.nominal_surface import NominalSurface
+    from measureapp.inspection.surface.deviation import Deviation
+    from measureapp.inspection.surface.nominal import NominalSurface
 
 Level = Literal["info", "done", "warning", "error"]
 ViewpointStatus = Literal["waiting", "moving", "capturing", "stored", "processed", "failed"]

@@ -15,8 +15,8 @@ from measureapp.errors import InputError
 if TYPE_CHECKING:
     from measureapp.data.measurement import Alignment
     from measureapp.data.mesh import Mesh
-    from measureapp.inspection.deviation import Deviation
-    from measureapp.inspection.histogram import Histogram
+    from measureapp.inspection.surface.deviation import Deviation
+    from measureapp.inspection.surface.histogram import Histogram
     from measureapp.project.geometry_files import PlainPoints
 
 SECTION_FILE = Path("sections.csv")
@@ -50,8 +50,8 @@ def register(app: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """Compare a cloud with its nominal; deviations are positive outside."""
-        from measureapp.inspection.deviation import deviation
-        from measureapp.inspection.histogram import histogram
+        from measureapp.inspection.surface.deviation import deviation
+        from measureapp.inspection.surface.histogram import histogram
         from measureapp.project.geometry_files import read_cloud_or_mesh, read_mesh
         from measureapp.report.json_document import alignment_document
 
@@ -85,7 +85,7 @@ def register(app: typer.Typer) -> None:
 
 
 def _alignment(align: str, measured: PlainPoints | Mesh, nominal: Mesh) -> Alignment:
-    from measureapp.inspection.alignment import best_fit, given_alignment, no_alignment
+    from measureapp.inspection.alignment.best_fit import best_fit, given_alignment, no_alignment
     from measureapp.project.matrix_file import read_transform
 
     if align == "best-fit":
@@ -99,10 +99,10 @@ def _alignment(align: str, measured: PlainPoints | Mesh, nominal: Mesh) -> Align
 
 def _cyclic(align: str, measured: PlainPoints | Mesh, nominal: Mesh) -> Alignment:
     from measureapp.data.alignment_program import BestFit
-    from measureapp.inspection.cyclic_fit import cyclic_fit
+    from measureapp.inspection.alignment.cyclic_fit import cyclic_fit
     from measureapp.inspection.measured import MeasuredPoints
-    from measureapp.inspection.nominal_surface import NominalSurface
     from measureapp.inspection.settings import InspectionSettings
+    from measureapp.inspection.surface.nominal import NominalSurface
 
     count = align.removeprefix("cyclic:")
     if not count.isdigit() or not 2 <= int(count) <= 1000:
@@ -117,8 +117,8 @@ def _bands_document(bands: Histogram) -> dict[str, Any]:
 
 def _write_sections(found: Deviation, nominal: Mesh, named: list[str], width_mm: float, path: Path) -> None:
     from measureapp.cli.section_words import cutting_surface
-    from measureapp.inspection.nominal_surface import NominalSurface
-    from measureapp.inspection.section import section
+    from measureapp.inspection.surface.nominal import NominalSurface
+    from measureapp.inspection.surface.section import section
     from measureapp.project.deviation_files import write_sections
 
     surface = NominalSurface(nominal)
@@ -127,7 +127,7 @@ def _write_sections(found: Deviation, nominal: Mesh, named: list[str], width_mm:
 
 
 def _write_map(found: Deviation, nominal: Mesh, reach_mm: float, path: Path) -> None:
-    from measureapp.inspection.deviation_map import deviation_map
+    from measureapp.inspection.surface.deviation_map import deviation_map
     from measureapp.project.deviation_files import write_deviation_map
     from measureapp.report.part_pictures import NOT_MEASURED, diverging, nice_limit
 

@@ -86,8 +86,8 @@ def _validity(maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration)
     """Return whether the calibration has expired and whether a camera moved since, also said aloud; images in files have no date."""
     from datetime import UTC, datetime
 
-    from measureapp.calibrate.camera_validity import shortfalls
-    from measureapp.calibrate.drift import camera_drift
+    from measureapp.calibrate.cameras.drift import camera_drift
+    from measureapp.calibrate.cameras.validity import shortfalls
     from measureapp.data.validity import Validity
     from measureapp.reconstruct.camera_shift import camera_shift
     from measureapp.report.json_document import validity_document

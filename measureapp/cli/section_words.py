@@ -10,14 +10,14 @@ import numpy as np
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
-    from measureapp.inspection.cutting_surface import CuttingSurface
+    from measureapp.inspection.surface.cutting_surface import CuttingSurface
 
 WORDS = re.compile(r"\s*([xyzr])\s*=\s*([-+]?\d+(?:\.\d*)?)\s*")
 
 
 def cutting_surface(words: str) -> CuttingSurface:
     """Return the plane at a coordinate (`z=20`), or the cylinder about the z axis of the nominal (`r=100`). Raises InputError."""
-    from measureapp.inspection.cutting_surface import CuttingCylinder, CuttingPlane
+    from measureapp.inspection.surface.cutting_surface import CuttingCylinder, CuttingPlane
 
     match = WORDS.fullmatch(words)
     if match is None or (match[1] == "r" and float(match[2]) <= 0):

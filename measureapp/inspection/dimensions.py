@@ -12,14 +12,14 @@ from measureapp.data.inspection_program import ZONES, DimensionProgram, Inspecti
 from measureapp.data.measurement import Alignment, Inspection
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
-from measureapp.inspection.align import align
-from measureapp.inspection.features import Found
+from measureapp.inspection.alignment.align import align
+from measureapp.inspection.features.found import Found
 from measureapp.inspection.find_all import find_all
 from measureapp.inspection.measured import HasPoints, MeasuredPoints
-from measureapp.inspection.nominal_surface import NominalSurface
 from measureapp.inspection.settings import InspectionSettings
+from measureapp.inspection.surface.nominal import NominalSurface
+from measureapp.inspection.surface.units import check_unit, check_unit_on
 from measureapp.inspection.uncertainty import COVERAGE_FACTOR, expanded
-from measureapp.inspection.units import check_unit, check_unit_on
 from measureapp.inspection.value import Value
 from measureapp.inspection.values import value_of
 from measureapp.inspection.verdict import judge

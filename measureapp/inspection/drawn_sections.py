@@ -14,11 +14,11 @@ from measureapp.errors import FitError, InspectionError
 from measureapp.inspection.blades.curves import BladeCurves, blade_curves
 from measureapp.inspection.blades.cut import SectionFrame
 from measureapp.inspection.blades.profile import profile
-from measureapp.inspection.cutting_surface import CuttingPlane
-from measureapp.inspection.deviation import Deviation
-from measureapp.inspection.nominal_surface import NominalSurface
-from measureapp.inspection.section import Section, cut_curves, section
 from measureapp.inspection.settings import InspectionSettings
+from measureapp.inspection.surface.cutting_surface import CuttingPlane
+from measureapp.inspection.surface.deviation import Deviation
+from measureapp.inspection.surface.nominal import NominalSurface
+from measureapp.inspection.surface.section import Section, cut_curves, section
 from measureapp.progress import NoProgress, Progress
 
 LEAST_RUN = 2  # points of a curve

@@ -7,13 +7,13 @@ from collections.abc import Collection
 from measureapp.data.blade_section import BladeSection
 from measureapp.data.inspection_program import ConstructedFeature, InspectionProgram, copy_names, needed_names
 from measureapp.inspection.blades.find import find_blades
-from measureapp.inspection.constructed import construct
-from measureapp.inspection.features import Found, find
-from measureapp.inspection.grown import find_grown
+from measureapp.inspection.features.constructed import construct
+from measureapp.inspection.features.found import Found, find
+from measureapp.inspection.features.grown import find_grown
+from measureapp.inspection.features.small_arcs import with_draws
 from measureapp.inspection.measured import MeasuredPoints
-from measureapp.inspection.nominal_surface import NominalSurface
 from measureapp.inspection.settings import InspectionSettings
-from measureapp.inspection.small_arcs import with_draws
+from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.progress import NoProgress, Progress
 
 

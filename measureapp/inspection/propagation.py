@@ -9,7 +9,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
-from measureapp.inspection.features import Found
+from measureapp.inspection.features.found import Found
 from measureapp.inspection.value import feature_of
 
 NEGLIGIBLE = 1e-12  # of the largest variance

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
 from measureapp.errors import InspectionError
-from measureapp.inspection.features import Found
+from measureapp.inspection.features.found import Found
 from measureapp.inspection.settings import InspectionSettings
 
 AXES = ("cylinder", "cone", "line")

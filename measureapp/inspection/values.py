@@ -12,10 +12,10 @@ from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import FORMS, ZONES, DimensionProgram
 from measureapp.errors import InspectionError
 from measureapp.inspection.blades.values import blade_value
-from measureapp.inspection.features import Found
-from measureapp.inspection.form import form_value
+from measureapp.inspection.features.found import Found
 from measureapp.inspection.settings import InspectionSettings
-from measureapp.inspection.tolerances import tolerance_value
+from measureapp.inspection.tolerances.form import form_value
+from measureapp.inspection.tolerances.zones import tolerance_value
 from measureapp.inspection.value import AXES, CENTRES, Value, direction_of, feature_of, placement_of
 
 OPPOSED_WITHIN_DEG = 15.0

@@ -10,7 +10,7 @@ import numpy as np
 
 from measureapp.acquire.events import Event, InspectionReady, StitchReady, ValidityKnown
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.stitch_uncertainty import view_uncertainty
+from measureapp.calibrate.rig.stitch_uncertainty import view_uncertainty
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
 from measureapp.data.measurement import Inspection, Measurement, ViewResult

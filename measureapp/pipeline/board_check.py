@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from measureapp.acquire.capture import capture_board
-from measureapp.calibrate.board import find_board
-from measureapp.calibrate.board_pose import board_pose
-from measureapp.calibrate.joint import RigObservation
-from measureapp.calibrate.quick_check import LEAST_VIEWS, QuickCheck, quick_check
+from measureapp.calibrate.boards.find import find_board
+from measureapp.calibrate.boards.pose import board_pose
+from measureapp.calibrate.rig.joint import RigObservation
+from measureapp.calibrate.rig.quick_check import LEAST_VIEWS, QuickCheck, quick_check
 from measureapp.data.board import BoardDescription, BoardView
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.validity import CheckRecord, Standing

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from measureapp.arrays import ImageArray
-from measureapp.calibrate.board import find_board
-from measureapp.calibrate.projector_sightings import PROJECTOR, projector_sighting
+from measureapp.calibrate.boards.find import find_board
+from measureapp.calibrate.cameras.projector_sightings import PROJECTOR, projector_sighting
 from measureapp.calibrate.sightings import FoundBoard, Rejection, Sighting, sighting_of
 from measureapp.data.board import BoardDescription
 from measureapp.data.fringe import FringeStack, PhaseShiftGroup

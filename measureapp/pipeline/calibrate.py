@@ -10,14 +10,14 @@ from statistics import median
 
 import numpy as np
 
-from measureapp.calibrate.axis_noise import AxisNoise, articulated_robot
-from measureapp.calibrate.board import find_board
-from measureapp.calibrate.board_pose import board_pose
-from measureapp.calibrate.camera_array import CameraArrayProblem, CameraArraySolution
-from measureapp.calibrate.camera_array import solve as solve_cameras
-from measureapp.calibrate.camera_prior import pose_by_cameras
-from measureapp.calibrate.joint import RigObservation, approaches_to, solve_rig
-from measureapp.calibrate.joint_solution import RigSolution
+from measureapp.calibrate.boards.find import find_board
+from measureapp.calibrate.boards.pose import board_pose
+from measureapp.calibrate.cameras.array import CameraArrayProblem, CameraArraySolution
+from measureapp.calibrate.cameras.array import solve as solve_cameras
+from measureapp.calibrate.cameras.prior import pose_by_cameras
+from measureapp.calibrate.motions.axis_noise import AxisNoise, articulated_robot
+from measureapp.calibrate.rig.joint import RigObservation, approaches_to, solve_rig
+from measureapp.calibrate.rig.joint_solution import RigSolution
 from measureapp.calibrate.sightings import FoundBoard, Rejection, sighting_of
 from measureapp.data.board import BoardDescription, BoardView
 from measureapp.data.calibration import LabelledCovariance, Provenance

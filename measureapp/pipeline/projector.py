@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from measureapp.calibrate.board import require_unambiguous
-from measureapp.calibrate.camera_array import CameraArrayProblem
-from measureapp.calibrate.projector_array import HeadSolution, solve_head
+from measureapp.calibrate.boards.find import require_unambiguous
+from measureapp.calibrate.cameras.array import CameraArrayProblem
+from measureapp.calibrate.cameras.projector import HeadSolution, solve_head
 from measureapp.calibrate.sightings import Rejection, Sighting, sighting_of
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration

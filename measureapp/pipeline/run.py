@@ -10,7 +10,7 @@ from typing import Any
 
 from measureapp.acquire.capture import capture_board
 from measureapp.acquire.events import CalibrationReady, Event
-from measureapp.calibrate.stitch_uncertainty import uncertainty_of
+from measureapp.calibrate.rig.stitch_uncertainty import uncertainty_of
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
 from measureapp.data.plan import ScanPlan

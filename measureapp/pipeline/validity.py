@@ -8,8 +8,8 @@ from datetime import UTC, datetime
 from statistics import median
 
 from measureapp.acquire.capture import conditions_now
-from measureapp.calibrate.camera_validity import check_fits, shortfalls
-from measureapp.calibrate.drift import camera_drift
+from measureapp.calibrate.cameras.drift import camera_drift
+from measureapp.calibrate.cameras.validity import check_fits, shortfalls
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.conditions import Conditions
 from measureapp.data.measurement import ViewResult

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from pydantic import TypeAdapter
 
-from measureapp.calibrate.camera_array import CameraArrayProblem
+from measureapp.calibrate.cameras.array import CameraArrayProblem
 from measureapp.calibrate.sightings import Rejection, Sighting
 from measureapp.data.board import AnyBoard
 from measureapp.errors import InputError

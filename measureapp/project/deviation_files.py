@@ -12,8 +12,8 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.errors import InputError
-from measureapp.inspection.deviation_map import DeviationMap
-from measureapp.inspection.section import Section
+from measureapp.inspection.surface.deviation_map import DeviationMap
+from measureapp.inspection.surface.section import Section
 from measureapp.project.atomic import replacing, write_json, write_text
 from measureapp.project.ply import write_ply
 

@@ -37,7 +37,7 @@ from measureapp.project.claim import claimed
 from measureapp.project.frame_store import FrameStore
 
 if TYPE_CHECKING:
-    from measureapp.calibrate.stitch_uncertainty import RigUncertainty
+    from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty
 
 FORMAT = 1  # of the project's own files
 DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)

@@ -9,9 +9,9 @@ from zipfile import BadZipFile
 
 import numpy as np
 
-from measureapp.calibrate.axis_noise import AxisNoise
-from measureapp.calibrate.chain import Chain, ChainState, Free
-from measureapp.calibrate.stitch_uncertainty import RigUncertainty
+from measureapp.calibrate.motions.axis_noise import AxisNoise
+from measureapp.calibrate.motions.chain import Chain, ChainState, Free
+from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty
 from measureapp.data.calibration import RigCalibration
 from measureapp.errors import StorageError
 from measureapp.project.atomic import replacing

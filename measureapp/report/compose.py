@@ -14,10 +14,10 @@ from measureapp.data.measurement import Alignment, Measurement
 from measureapp.data.mesh import Mesh
 from measureapp.data.validity import Validity
 from measureapp.errors import InspectionError
-from measureapp.inspection.alignment import best_fit
-from measureapp.inspection.deviation import Deviation
-from measureapp.inspection.deviation import deviation as deviation_from
+from measureapp.inspection.alignment.best_fit import best_fit
 from measureapp.inspection.settings import VerdictRule
+from measureapp.inspection.surface.deviation import Deviation
+from measureapp.inspection.surface.deviation import deviation as deviation_from
 from measureapp.inspection.verdict import RULES
 from measureapp.progress import NoProgress, Progress
 from measureapp.report.model import Fact, ReportModel, Section, ViewLine

@@ -8,8 +8,8 @@ from measureapp.arrays import FloatArray, ImageArray
 from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
 from measureapp.geometry.transform import RigidTransform
-from measureapp.inspection.deviation import Deviation, signed_distances
-from measureapp.inspection.nominal_surface import NominalSurface
+from measureapp.inspection.surface.deviation import Deviation, signed_distances
+from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.report.model import DeviationSummary, Picture
 from measureapp.report.picture import SURFACE_COLOUR, ViewDirection, cloud_picture, png, surface_picture
 

@@ -11,7 +11,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from measureapp.calibrate.board import find_board
+from measureapp.calibrate.boards.find import find_board
 from measureapp.errors import CalibrationError
 from tests.calibrate.virtual_board import BOARDS, FULL, shot
 

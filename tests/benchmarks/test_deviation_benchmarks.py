@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from measureapp.data.mesh import Mesh
-from measureapp.inspection.alignment import no_alignment
-from measureapp.inspection.deviation import deviation
+from measureapp.inspection.alignment.best_fit import no_alignment
 from measureapp.inspection.measured import MeasuredPoints, sampled
+from measureapp.inspection.surface.deviation import deviation
 
 Benchmark = Callable[..., Any]
 pytestmark = pytest.mark.slow

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from measureapp.calibrate.board_pose import board_pose
-from measureapp.calibrate.joint import RigObservation
+from measureapp.calibrate.boards.pose import board_pose
 from measureapp.calibrate.poses import moved
+from measureapp.calibrate.rig.joint import RigObservation
 from measureapp.calibrate.sightings import Sighting
 from measureapp.data.board import CheckerboardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, LinearGuide, RotationAxis

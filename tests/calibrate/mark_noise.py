@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from measureapp.arrays import FloatArray, ImageArray
-from measureapp.calibrate.board_refine import homography, local_axes, window_of
+from measureapp.calibrate.boards.refine import homography, local_axes, window_of
 from measureapp.data.board import BoardDescription, CharucoDescription, CirclesDescription
 from measureapp.simulate.kernels import SUPERSAMPLES
 from measureapp.simulate.options import LightSettings

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.board_pose import triangulated
-from measureapp.calibrate.camera_array import CameraArrayProblem
-from measureapp.calibrate.camera_uncertainty import WorkingVolume
+from measureapp.calibrate.boards.pose import triangulated
+from measureapp.calibrate.cameras.array import CameraArrayProblem
+from measureapp.calibrate.cameras.uncertainty import WorkingVolume
 from measureapp.calibrate.sightings import Sighting
 from measureapp.data.board import CheckerboardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration

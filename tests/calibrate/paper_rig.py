@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from measureapp.calibrate.axis_motion import rigid_motion
-from measureapp.calibrate.axis_noise import AxisNoise
-from measureapp.calibrate.board_pose import board_pose, stated_pose, triangulated
-from measureapp.calibrate.camera_prior import POSE_NAMES, cameras_moved, derivatives, pose_by_cameras
-from measureapp.calibrate.joint import RigObservation, approaches_to, solve_rig
-from measureapp.calibrate.joint_solution import RigSolution
+from measureapp.calibrate.boards.pose import board_pose, stated_pose, triangulated
+from measureapp.calibrate.cameras.prior import POSE_NAMES, cameras_moved, derivatives, pose_by_cameras
+from measureapp.calibrate.motions.axis_motion import rigid_motion
+from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.poses import change_between
+from measureapp.calibrate.rig.joint import RigObservation, approaches_to, solve_rig
+from measureapp.calibrate.rig.joint_solution import RigSolution
 from measureapp.data.board import CheckerboardDescription
 from measureapp.data.calibration import CameraArrayCalibration, LabelledCovariance
 from measureapp.data.fringe import AxisReadback
@@ -152,7 +152,7 @@ def calibrated(
 
 def errors_of(run: Run) -> dict[str, float]:
     """Return the error of every labelled parameter (board and hand-eye as small changes, directions across the true ones)."""
-    from measureapp.calibrate.axis_motion import across
+    from measureapp.calibrate.motions.axis_motion import across
 
     truth, found = run.cell.truth.calibration, run.solution
     x = change_between(truth.hand_eye.flange_from_camera.matrix[None], found.calibration.hand_eye.flange_from_camera.matrix[None])[0]

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
-from measureapp.calibrate.board import find_board
+from measureapp.calibrate.boards.find import find_board
 from measureapp.cli import main
 from measureapp.cli.calibrate.options import BoardChoice
 

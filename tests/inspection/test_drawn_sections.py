@@ -7,16 +7,27 @@ import pytest
 from scipy.spatial import cKDTree
 
 from measureapp.data.inspection_program import InspectionProgram
-from measureapp.inspection.alignment import no_alignment
+from measureapp.inspection.alignment.best_fit import no_alignment
 from measureapp.inspection.blades.cut import SectionFrame
-from measureapp.inspection.cutting_surface import CuttingCylinder, CuttingPlane
-from measureapp.inspection.deviation import deviation
 from measureapp.inspection.drawn_sections import drawn_sections
 from measureapp.inspection.measured import MeasuredPoints, sampled
-from measureapp.inspection.nominal_surface import NominalSurface
+from measureapp.inspection.surface.cutting_surface import CuttingCylinder, CuttingPlane
+from measureapp.inspection.surface.deviation import deviation
+from measureapp.inspection.surface.nominal import NominalSurface
 from tests.inspection.blade_shapes import RoundBlade
-from tests.inspection.test_blades import COUNT, HEIGHTS, INNER_MM, NOISE_MM, PITCH_OFF_DEG, QUICK, STAGGER_DEG, turned, wheel, wheel_section
-from tests.inspection.test_deviation import box
+from tests.inspection.blades.test_blades import (
+    COUNT,
+    HEIGHTS,
+    INNER_MM,
+    NOISE_MM,
+    PITCH_OFF_DEG,
+    QUICK,
+    STAGGER_DEG,
+    turned,
+    wheel,
+    wheel_section,
+)
+from tests.inspection.surface.test_deviation import box
 
 HALF = np.array([50.0, 30.0, 20.0])
 FIT_MM = 3 * NOISE_MM / np.sqrt(10)  # a side of some 1700 points has 9 unknowns: its curve is at least ten times better than a point

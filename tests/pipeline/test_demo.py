@@ -12,8 +12,8 @@ import pytest
 from demo_fixture import Demo
 
 from measureapp.data.dimension import Verdict
-from measureapp.inspection.deviation import signed_distances
-from measureapp.inspection.nominal_surface import NominalSurface
+from measureapp.inspection.surface.deviation import signed_distances
+from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.project.geometry_files import read_mesh, read_stitched
 
 DIMENSION_LIMIT_MM = 0.1

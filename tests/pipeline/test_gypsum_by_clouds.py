@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.stitch_uncertainty import uncertainty_of, view_uncertainty
+from measureapp.calibrate.rig.stitch_uncertainty import uncertainty_of, view_uncertainty
 from measureapp.data.cloud import StitchedCloud
 from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.viewpoints import plan_around_part

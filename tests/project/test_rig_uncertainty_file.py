@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from measureapp.calibrate.stitch_uncertainty import RigUncertainty, uncertainty_of, view_uncertainty
+from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty, uncertainty_of, view_uncertainty
 from measureapp.errors import StorageError
 from measureapp.project.rig_uncertainty_file import read_rig_uncertainty, write_rig_uncertainty
 from tests.calibrate.paper_rig import calibrated
-from tests.calibrate.test_stitch_uncertainty import readback_of, views
+from tests.calibrate.rig.test_stitch_uncertainty import readback_of, views
 
 
 @pytest.fixture(scope="module")

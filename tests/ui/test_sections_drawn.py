@@ -9,7 +9,7 @@ from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.feature import Feature
 from measureapp.inspection.blades.curves import BladeCurves
 from measureapp.inspection.drawn_sections import DrawnSections
-from measureapp.inspection.section import Section
+from measureapp.inspection.surface.section import Section
 from ui.look.look import Look
 from ui.pages.dimension_rows import feature_words
 from ui.pages.feature_lines import OUTLINE, dimension_labels, feature_lines

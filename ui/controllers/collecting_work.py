@@ -159,7 +159,7 @@ def _fringe_taker(rig: Rig, collection: Collection, live: Mailboxes[LiveImage]) 
     """Fringes of both directions, which the projector gets once."""
     from measureapp.acquire.board_fringes import capture_board_fringes
     from measureapp.acquire.events import Event, ImageTaken
-    from measureapp.calibrate.projector_sightings import PROJECTOR
+    from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
     from measureapp.data.pattern_sets import BOTH_DIRECTIONS, made_for
     from measureapp.fringe.patterns import pattern_images
 
@@ -270,7 +270,7 @@ def setup_for(
     names : of the cameras, the reference first
     projector_px : size of the projector's image; None for that of the rig
     """
-    from measureapp.calibrate.axis_noise import AxisNoise
+    from measureapp.calibrate.motions.axis_noise import AxisNoise
     from measureapp.pipeline.calibrate import expected_noise
     from measureapp.pipeline.collecting.setup import Setup
 

@@ -56,10 +56,10 @@ def compared(stitched: StitchedCloud, alignment: Alignment, folder: Path, job: J
     """Return the deviations, or None where the project has no nominal; runs on a job's thread."""
     from scipy.spatial import cKDTree
 
-    from measureapp.inspection.deviation import deviation
     from measureapp.inspection.drawn_sections import drawn_sections
     from measureapp.inspection.measured import sampled
-    from measureapp.inspection.nominal_surface import NominalSurface
+    from measureapp.inspection.surface.deviation import deviation
+    from measureapp.inspection.surface.nominal import NominalSurface
     from measureapp.project.folder import ProjectFolder
     from measureapp.project.geometry_files import read_mesh
     from measureapp.project.program_file import read_program

@@ -144,11 +144,11 @@ def quantities_of(
 
 def rig_of(snapshot: Collection, before: RigCalibration | None) -> RigCalibration | None:
     """Return the rig with what was solved in it; None where only the cameras are known."""
-    from measureapp.calibrate.hand_eye import HandEyeSolution
-    from measureapp.calibrate.joint_solution import RigSolution
-    from measureapp.calibrate.linear_guide import GuideSolution
-    from measureapp.calibrate.rig import carry_axis
-    from measureapp.calibrate.rotation_axis import AxisSolution
+    from measureapp.calibrate.motions.hand_eye import HandEyeSolution
+    from measureapp.calibrate.motions.linear_guide import GuideSolution
+    from measureapp.calibrate.motions.rotation_axis import AxisSolution
+    from measureapp.calibrate.rig.joint_solution import RigSolution
+    from measureapp.calibrate.rig.stages import carry_axis
     from measureapp.pipeline.collecting.carried import axis_carried
 
     solved = snapshot.solved
@@ -173,8 +173,8 @@ def rig_of(snapshot: Collection, before: RigCalibration | None) -> RigCalibratio
 
 def facts_of(snapshot: Collection, solved: Solved) -> tuple[tuple[str, str], ...]:
     """Return how the result was found, in a few figures."""
-    from measureapp.calibrate.projector_array import HeadSolution
-    from measureapp.calibrate.projector_sightings import PROJECTOR
+    from measureapp.calibrate.cameras.projector import HeadSolution
+    from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
 
     facts = [("Views used", f"{len(solved.used)} of {len(snapshot.observations)}")]
     cameras, head = solved.camera_solution, solved.solution

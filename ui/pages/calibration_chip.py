@@ -50,7 +50,7 @@ def calibration_state(
 
 def _reasons(calibration: RigCalibration, rig: RigDescription | None, validity: Validity | None, now: datetime | None) -> tuple[str, ...]:
     """What the last scan said, and whether the calibration expired since."""
-    from measureapp.calibrate.camera_validity import shortfalls
+    from measureapp.calibrate.cameras.validity import shortfalls
 
     told = () if validity is None else validity.told
     moment = now or datetime.now(UTC)

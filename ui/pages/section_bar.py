@@ -17,7 +17,7 @@ from ui.widgets.basic import Button, label, row
 from ui.widgets.segments import Segments
 
 if TYPE_CHECKING:
-    from measureapp.inspection.nominal_surface import NominalSurface
+    from measureapp.inspection.surface.nominal import NominalSurface
     from ui.session import Comparison
 
 STEPS = 400
@@ -94,8 +94,8 @@ class SectionBar(QWidget):
 def cut_lines(comparison: Comparison, plane: CutPlane) -> tuple[list[LineLayer], str]:
     """Return the curve of the drawing in a plane with the deviations of the points beside it, and what that is in words."""
     from measureapp.errors import InspectionError
-    from measureapp.inspection.cutting_surface import CuttingPlane
-    from measureapp.inspection.section import section
+    from measureapp.inspection.surface.cutting_surface import CuttingPlane
+    from measureapp.inspection.surface.section import section
 
     assert comparison.surface is not None
     axis = np.eye(3)[AXES[plane.axis]]

@@ -13,7 +13,7 @@ from ui.viewport.layers import LineLayer
 
 if TYPE_CHECKING:
     from measureapp.inspection.blades.curves import BladeCurves
-    from measureapp.inspection.section import Section
+    from measureapp.inspection.surface.section import Section
 
 MOST_WHISKERS = 240
 WHISKER_SHARE = 0.05  # of the section's extent: how long the longest usual whisker is drawn

@@ -8,7 +8,7 @@ import numpy as np
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from measureapp.calibrate.projector_sightings import PROJECTOR, called
+from measureapp.calibrate.cameras.projector_sightings import PROJECTOR, called
 from ui.controllers.collecting import CollectingController
 from ui.controllers.collecting_nouns import SeenView
 from ui.look.look import Look

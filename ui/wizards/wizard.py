@@ -6,7 +6,7 @@ from PySide6.QtCore import Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import QDialog, QStackedWidget, QWidget
 
-from measureapp.calibrate.projector_sightings import PROJECTOR
+from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
 from ui.controllers.calibrating import CalibratingController
 from ui.controllers.result import Result
 from ui.look.look import Look

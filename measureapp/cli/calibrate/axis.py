@@ -15,8 +15,8 @@ from measureapp.cli.reply import TerminalProgress
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
-    from measureapp.calibrate.axis_diagnostics import AxisDiagnostics
-    from measureapp.calibrate.rotation_axis import AxisEstimate, AxisProblem, AxisSolution
+    from measureapp.calibrate.motions.axis_diagnostics import AxisDiagnostics
+    from measureapp.calibrate.motions.rotation_axis import AxisEstimate, AxisProblem, AxisSolution
     from measureapp.progress import Progress
 
 
@@ -39,8 +39,8 @@ def register(group: typer.Typer) -> None:
         """Find the rotation axis by least squares, distance weighting and maximum likelihood."""
         from dataclasses import replace
 
-        from measureapp.calibrate.limits import axis_limits
-        from measureapp.calibrate.rotation_axis import solve
+        from measureapp.calibrate.motions.rotation_axis import solve
+        from measureapp.calibrate.rig.limits import axis_limits
 
         if not 1 < power < 100:
             raise InputError(f"--power {power:g} is not above 1.", "The paper's weighting needs p > 1; 2 is usual.")
@@ -59,7 +59,7 @@ def register(group: typer.Typer) -> None:
 def _from_corners(corners: Path, angles: Path | None) -> AxisProblem:
     import numpy as np
 
-    from measureapp.calibrate.rotation_axis import AxisProblem
+    from measureapp.calibrate.motions.rotation_axis import AxisProblem
     from measureapp.project.tables import read_angles, read_corners
 
     table = read_corners(corners)
@@ -75,7 +75,7 @@ def _from_corners(corners: Path, angles: Path | None) -> AxisProblem:
 def _from_images(source: BoardSource, angles: Path | None, progress: Progress) -> tuple[AxisProblem, list[dict[str, Any]]]:
     from dataclasses import replace
 
-    from measureapp.calibrate.rotation_axis import problem_from_poses
+    from measureapp.calibrate.motions.rotation_axis import problem_from_poses
     from measureapp.cli.calibrate.sightings import poses_from_images
     from measureapp.project.tables import read_angles
 

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 from measureapp.errors import CalibrationError, InputError
 
 if TYPE_CHECKING:
-    from measureapp.calibrate.camera_array import CameraArrayProblem, CameraArraySolution
-    from measureapp.calibrate.camera_validation import CrossValidation
+    from measureapp.calibrate.cameras.array import CameraArrayProblem, CameraArraySolution
+    from measureapp.calibrate.cameras.validation import CrossValidation
     from measureapp.data.uncertainty import UncertaintyMap
     from measureapp.progress import Progress
 
@@ -31,8 +31,8 @@ def quality_of(problem: CameraArrayProblem, solution: CameraArraySolution, stand
     """Return how far a solution can be trusted; what cannot be computed is named, the calibration itself stands."""
     import numpy as np
 
-    from measureapp.calibrate.camera_uncertainty import uncertainty_map, volume_seen
-    from measureapp.calibrate.camera_validation import cross_validate
+    from measureapp.calibrate.cameras.uncertainty import uncertainty_map, volume_seen
+    from measureapp.calibrate.cameras.validation import cross_validate
 
     places = np.array([pose.apply(solution.board.middle_mm) for pose in solution.boards.values()])
     reasons, uncertainty, validation = [], None, None

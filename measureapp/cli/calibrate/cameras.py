@@ -17,7 +17,7 @@ from measureapp.cli.calibrate.options import BoardChoice, ImagesOption, OutOptio
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 if TYPE_CHECKING:
-    from measureapp.calibrate.camera_array import CameraArrayProblem, CameraArraySolution
+    from measureapp.calibrate.cameras.array import CameraArrayProblem, CameraArraySolution
     from measureapp.data.board import BoardDescription
     from measureapp.data.calibration import CameraArrayCalibration
     from measureapp.progress import Progress
@@ -46,8 +46,8 @@ def register(group: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """Calibrate the lenses of all cameras and their places to each other, and say how far the result can be trusted."""
-        from measureapp.calibrate.camera_array import solve
-        from measureapp.calibrate.limits import camera_limits
+        from measureapp.calibrate.cameras.array import solve
+        from measureapp.calibrate.rig.limits import camera_limits
         from measureapp.progress import PartOf
         from measureapp.project.board_images import find_board_images
         from measureapp.project.camera_file import write_cameras
@@ -81,8 +81,8 @@ def _written(files: Mapping[str, Path]) -> list[str]:
 
 
 def _problem(files: BoardImages, board: BoardDescription, reference: str, distortion: int, progress: Progress) -> CameraArrayProblem:
-    from measureapp.calibrate.board import find_board
-    from measureapp.calibrate.camera_draft import CameraArrayDraft
+    from measureapp.calibrate.boards.find import find_board
+    from measureapp.calibrate.cameras.draft import CameraArrayDraft
     from measureapp.errors import CalibrationError
 
     draft = CameraArrayDraft(board, reference, {camera: files.size_px(camera) for camera in files.cameras}, distortion)
@@ -191,7 +191,7 @@ def _parameters(solution: CameraArraySolution, name: str) -> dict[str, Any]:
 def _pairs(solution: CameraArraySolution) -> dict[str, Any]:
     import numpy as np
 
-    from measureapp.calibrate.camera_array import left_from_right
+    from measureapp.calibrate.cameras.array import left_from_right
 
     pairs = {}
     for pair, rms_px in solution.calibration.pair_rms_px.items():

@@ -17,7 +17,7 @@ from measureapp.cli.reply import TerminalProgress
 from measureapp.errors import InputError, MeasureError
 
 if TYPE_CHECKING:
-    from measureapp.calibrate.quick_check import QuickCheck
+    from measureapp.calibrate.rig.quick_check import QuickCheck
     from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
 
 
@@ -91,7 +91,7 @@ def _checked_on_rig(folder: Path, rig: str | None, limit_mm: float) -> QuickChec
 
 
 def _checked_files(files: RigFiles, source: BoardSource, limit_mm: float) -> dict[str, Any]:
-    from measureapp.calibrate.quick_check import quick_check
+    from measureapp.calibrate.rig.quick_check import quick_check
 
     calibration, tables = files.needed()
     observations, seen = rig_sightings(tables, source, "the check of the rig", TerminalProgress())

@@ -28,7 +28,7 @@ from measureapp.project.folder import ProjectFolder
 from measureapp.project.recorded_fringes import fringes_named
 
 if TYPE_CHECKING:
-    from measureapp.calibrate.axis_noise import AxisNoise
+    from measureapp.calibrate.motions.axis_noise import AxisNoise
     from measureapp.cli.calibrate.collect_options import SessionStart
     from measureapp.data.calibration import HandEye
     from measureapp.pipeline.collecting.estimates import Calibrated

@@ -17,7 +17,7 @@ from measureapp.cli.reply import TerminalProgress
 from measureapp.errors import InputError, MeasureError
 
 if TYPE_CHECKING:
-    from measureapp.calibrate.linear_guide import GuideSolution
+    from measureapp.calibrate.motions.linear_guide import GuideSolution
     from measureapp.data.calibration import HandEye
 
 
@@ -37,8 +37,8 @@ def register(group: typer.Typer) -> None:
         board_poses: BoardPosesOption = None,
     ) -> None:
         """Find the guide's direction and scale from a board that stands still."""
-        from measureapp.calibrate.limits import guide_limits
-        from measureapp.calibrate.linear_guide import GuideObservation, GuideProblem, solve
+        from measureapp.calibrate.motions.linear_guide import GuideObservation, GuideProblem, solve
+        from measureapp.calibrate.rig.limits import guide_limits
         from measureapp.cli.calibrate.sightings import named_board_poses, read_robot_poses, same_names
         from measureapp.project.tables import read_guide
 

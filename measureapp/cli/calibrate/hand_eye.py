@@ -15,7 +15,7 @@ from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.cli.reply import TerminalProgress
 
 if TYPE_CHECKING:
-    from measureapp.calibrate.hand_eye import HandEyeEstimate, HandEyeSolution
+    from measureapp.calibrate.motions.hand_eye import HandEyeEstimate, HandEyeSolution
 
 
 def register(group: typer.Typer) -> None:
@@ -35,8 +35,8 @@ def register(group: typer.Typer) -> None:
         board_sigma_deg: Annotated[float, typer.Option(min=1e-6, help="The same of the board poses of a table, degrees.")] = 0.01,
     ) -> None:
         """Find flange_from_camera by seven methods, then refine it jointly."""
-        from measureapp.calibrate.hand_eye import HandEyeProblem, solve
-        from measureapp.calibrate.limits import hand_eye_limits
+        from measureapp.calibrate.motions.hand_eye import HandEyeProblem, solve
+        from measureapp.calibrate.rig.limits import hand_eye_limits
         from measureapp.cli.calibrate.sightings import named_board_poses, read_robot_poses
 
         wanted = asked.values(("hand-eye position", "hand-eye rotation"))

@@ -13,7 +13,7 @@ from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
-    from measureapp.calibrate.limits import Limit
+    from measureapp.calibrate.rig.limits import Limit
 
 LimitOption = Annotated[
     list[str] | None,

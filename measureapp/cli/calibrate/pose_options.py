@@ -13,8 +13,8 @@ from measureapp.cli.calibrate.options import RobotPosesOption
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
-    from measureapp.calibrate.axis_noise import AxisNoise
-    from measureapp.calibrate.joint import RigObservation
+    from measureapp.calibrate.motions.axis_noise import AxisNoise
+    from measureapp.calibrate.rig.joint import RigObservation
     from measureapp.cli.calibrate.options import BoardSource
     from measureapp.cli.calibrate.sightings import PosesFromImages
     from measureapp.progress import Progress
@@ -52,7 +52,7 @@ class RobotNoise:
 
     def axis_noise(self, table_arcsec: float = 10.0) -> AxisNoise:
         """Return the noise of all axes."""
-        from measureapp.calibrate.axis_noise import ALIKE_MM, ALIKE_TURN, AxisNoise
+        from measureapp.calibrate.motions.axis_noise import ALIKE_MM, ALIKE_TURN, AxisNoise
 
         return AxisNoise(
             robot_mm=self.robot_sigma_mm,
@@ -82,7 +82,7 @@ def rig_sightings(tables: RigTables, source: BoardSource, purpose: str, progress
     InputError
         A file cannot be used, or files do not belong together.
     """
-    from measureapp.calibrate.joint import RigObservation
+    from measureapp.calibrate.rig.joint import RigObservation
     from measureapp.cli.calibrate.sightings import poses_from_images, read_robot_poses, same_names
     from measureapp.data.fringe import AxisReadback
     from measureapp.project.tables import read_angles, read_guide

@@ -18,7 +18,7 @@ from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
-    from measureapp.calibrate.projector_array import HeadSolution
+    from measureapp.calibrate.cameras.projector import HeadSolution
     from measureapp.data.calibration import CameraArrayCalibration
     from measureapp.data.fringe import FringeStack
 
@@ -47,7 +47,7 @@ def register(group: typer.Typer) -> None:
         cameras and projector are calibrated together. The board is found in the mean of the sinusoidal images. Write to another
         file than --cameras, so that `calibrate again` finds its inputs unchanged.
         """
-        from measureapp.calibrate.limits import projector_limits
+        from measureapp.calibrate.rig.limits import projector_limits
         from measureapp.pipeline.projector import ProjectorRequest, calibrate_projector
         from measureapp.project.camera_file import read_cameras, write_cameras
         from measureapp.project.fringe_manifest import manifest_files
@@ -108,8 +108,8 @@ def _dated(calibration: CameraArrayCalibration, made: MadeFrom) -> CameraArrayCa
 
 def projector_answer(head: HeadSolution, manifests: Sequence[Path]) -> dict[str, Any]:
     """Return the JSON answer of a solution."""
+    from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
     from measureapp.calibrate.projection import intrinsic_names
-    from measureapp.calibrate.projector_sightings import PROJECTOR
 
     found, solution = head.projector, head.solution
     matrix, place = found.pinhole.matrix, found.reference_from_projector

@@ -13,8 +13,8 @@ from measureapp.cli.calibrate.pose_options import RigTables, RobotNoise, rig_sig
 from measureapp.cli.reply import TerminalProgress
 
 if TYPE_CHECKING:
-    from measureapp.calibrate.joint_solution import RigSolution
-    from measureapp.calibrate.rig import RigStages
+    from measureapp.calibrate.rig.joint_solution import RigSolution
+    from measureapp.calibrate.rig.stages import RigStages
 
 
 def register(group: typer.Typer) -> None:
@@ -32,8 +32,8 @@ def register(group: typer.Typer) -> None:
         table_sigma_arcsec: Annotated[float, typer.Option(min=1e-6, help="Standard deviation of table angles, seconds of arc.")] = 10.0,
     ) -> None:
         """Find hand-eye transform, guide and rotation axis together from images of one board fixed on the table."""
-        from measureapp.calibrate.joint import solve_rig
-        from measureapp.calibrate.limits import IN_RIG, rig_limits
+        from measureapp.calibrate.rig.joint import solve_rig
+        from measureapp.calibrate.rig.limits import IN_RIG, rig_limits
 
         wanted = asked.values(tuple(IN_RIG))
         observations, seen = rig_sightings(tables, source, "the calibration of the rig", TerminalProgress())

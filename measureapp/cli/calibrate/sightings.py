@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 
 from measureapp.arrays import FloatArray, ImageArray
-from measureapp.calibrate.board import find_board, require_unambiguous
-from measureapp.calibrate.board_pose import BoardPose, board_pose, stated_pose, with_seen_noise
-from measureapp.calibrate.board_together import find_beside
-from measureapp.calibrate.board_turned import TurnedBoard, find_turned
-from measureapp.calibrate.camera_prior import pose_by_cameras
+from measureapp.calibrate.boards.find import find_board, require_unambiguous
+from measureapp.calibrate.boards.pose import BoardPose, board_pose, stated_pose, with_seen_noise
+from measureapp.calibrate.boards.together import find_beside
+from measureapp.calibrate.boards.turned import TurnedBoard, find_turned
+from measureapp.calibrate.cameras.prior import pose_by_cameras
 from measureapp.calibrate.sightings import AmbiguousPart, FoundBoard
 from measureapp.cli.calibrate.options import BoardSource
 from measureapp.data.board import BoardDescription

@@ -10,7 +10,7 @@ from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.blade_section import BladeSection
 from measureapp.geometry.transform import rotation_about
 from measureapp.inspection.blades.profile import Shape
-from measureapp.inspection.cutting_surface import CuttingCylinder, CuttingPlane, CuttingSurface
+from measureapp.inspection.surface.cutting_surface import CuttingCylinder, CuttingPlane, CuttingSurface
 
 TURN = 1e-5  # rad, over which the effect of a turn is taken
 BEYOND = 0.1  # of the chord: how far beyond the edges of the drawing points still count

@@ -15,11 +15,11 @@ from measureapp.errors import FitError
 from measureapp.inspection.blades.average import Against, against_average
 from measureapp.inspection.blades.cut import SectionFrame
 from measureapp.inspection.blades.profile import Profile, profile
-from measureapp.inspection.deviation import distances_and_normals
-from measureapp.inspection.features import Found
+from measureapp.inspection.features.found import Found
 from measureapp.inspection.measured import MeasuredPoints
-from measureapp.inspection.nominal_surface import NominalSurface
 from measureapp.inspection.settings import InspectionSettings
+from measureapp.inspection.surface.deviation import distances_and_normals
+from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.inspection.uncertainty import effective_views, shared_error_factor
 
 SEED = 6

@@ -8,8 +8,8 @@ from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.inspection_program import DimensionProgram
 from measureapp.errors import InspectionError
 from measureapp.inspection.blades.find import FoundBlade, numbers
-from measureapp.inspection.cells import LEAST_IN_CELL, noise_reach
-from measureapp.inspection.features import Found
+from measureapp.inspection.features.cells import LEAST_IN_CELL, noise_reach
+from measureapp.inspection.features.found import Found
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.value import Value, placement_of
 

@@ -8,19 +8,19 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.axis_circles import LEAST_POSITIONS as LEAST_TABLE_POSITIONS
-from measureapp.calibrate.board_pose import BoardPose, board_pose, with_seen_noise
-from measureapp.calibrate.hand_eye import LEAST_POSES, HandEyeDraft, HandEyeProblem
-from measureapp.calibrate.hand_eye import solve as solve_hand_eye
-from measureapp.calibrate.joint import RigObservation, solve_rig
-from measureapp.calibrate.joint import shortfalls as rig_shortfalls
-from measureapp.calibrate.joint_solution import RigSolution
-from measureapp.calibrate.linear_guide import LEAST_POSITIONS as LEAST_SLIDE_POSITIONS
-from measureapp.calibrate.linear_guide import GuideDraft, GuideObservation, GuideProblem
-from measureapp.calibrate.linear_guide import solve as solve_guide
+from measureapp.calibrate.boards.pose import BoardPose, board_pose, with_seen_noise
+from measureapp.calibrate.motions.axis_circles import LEAST_POSITIONS as LEAST_TABLE_POSITIONS
+from measureapp.calibrate.motions.hand_eye import LEAST_POSES, HandEyeDraft, HandEyeProblem
+from measureapp.calibrate.motions.hand_eye import solve as solve_hand_eye
+from measureapp.calibrate.motions.linear_guide import LEAST_POSITIONS as LEAST_SLIDE_POSITIONS
+from measureapp.calibrate.motions.linear_guide import GuideDraft, GuideObservation, GuideProblem
+from measureapp.calibrate.motions.linear_guide import solve as solve_guide
+from measureapp.calibrate.motions.rotation_axis import AxisDraft, problem_from_poses
+from measureapp.calibrate.motions.rotation_axis import solve as solve_axis
 from measureapp.calibrate.poses import inverted, mean_pose
-from measureapp.calibrate.rotation_axis import AxisDraft, problem_from_poses
-from measureapp.calibrate.rotation_axis import solve as solve_axis
+from measureapp.calibrate.rig.joint import RigObservation, solve_rig
+from measureapp.calibrate.rig.joint import shortfalls as rig_shortfalls
+from measureapp.calibrate.rig.joint_solution import RigSolution
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.errors import CalibrationError

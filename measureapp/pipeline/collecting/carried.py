@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 from math import hypot
 
-from measureapp.calibrate.axis_noise import AxisNoise
+from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.data.calibration import HandEye, LinearGuide, RotationAxis
 
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from measureapp.arrays import ImageArray
-from measureapp.calibrate.joint import approaches_to
-from measureapp.calibrate.projector_sightings import PROJECTOR, called
+from measureapp.calibrate.cameras.projector_sightings import PROJECTOR, called
+from measureapp.calibrate.rig.joint import approaches_to
 from measureapp.calibrate.sightings import FoundBoard
 from measureapp.data.fringe import AxisReadback, FringeStack
 from measureapp.errors import CalibrationError, InputError

@@ -6,14 +6,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from measureapp.calibrate.axis_motion import rigid_motion
-from measureapp.calibrate.camera_array import CameraArraySolution
-from measureapp.calibrate.camera_uncertainty import POSE_NAMES
-from measureapp.calibrate.hand_eye import HandEyeSolution
-from measureapp.calibrate.joint_solution import RigSolution
+from measureapp.calibrate.cameras.array import CameraArraySolution
+from measureapp.calibrate.cameras.projector import HeadSolution, as_camera, beside_projector
+from measureapp.calibrate.cameras.uncertainty import POSE_NAMES
+from measureapp.calibrate.motions.axis_motion import rigid_motion
+from measureapp.calibrate.motions.hand_eye import HandEyeSolution
 from measureapp.calibrate.poses import change_between
 from measureapp.calibrate.projection import intrinsic_names
-from measureapp.calibrate.projector_array import HeadSolution, as_camera, beside_projector
+from measureapp.calibrate.rig.joint_solution import RigSolution
 from measureapp.calibrate.sightings import rms
 from measureapp.data.calibration import (
     CameraArrayCalibration,

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.camera_uncertainty import POSE_NAMES
-from measureapp.calibrate.hand_eye import HandEyeSolution
-from measureapp.calibrate.linear_guide import GuideSolution
+from measureapp.calibrate.cameras.projector import HeadSolution, as_camera
+from measureapp.calibrate.cameras.uncertainty import POSE_NAMES
+from measureapp.calibrate.motions.hand_eye import HandEyeSolution
+from measureapp.calibrate.motions.linear_guide import GuideSolution
+from measureapp.calibrate.motions.rotation_axis import AxisSolution
 from measureapp.calibrate.projection import intrinsic_names
-from measureapp.calibrate.projector_array import HeadSolution, as_camera
-from measureapp.calibrate.rotation_axis import AxisSolution
 from measureapp.data.calibration import (
     CameraArrayCalibration,
     CameraCalibration,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from measureapp.calibrate.camera_validation import CrossValidation, cross_validate
+from measureapp.calibrate.cameras.validation import CrossValidation, cross_validate
 from measureapp.errors import CalibrationError
 from measureapp.pipeline.collecting.collection import Collection
 from measureapp.pipeline.collecting.solving import camera_problem

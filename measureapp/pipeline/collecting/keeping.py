@@ -9,8 +9,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from measureapp.calibrate.joint_solution import RigSolution
-from measureapp.calibrate.stitch_uncertainty import uncertainty_of
+from measureapp.calibrate.rig.joint_solution import RigSolution
+from measureapp.calibrate.rig.stitch_uncertainty import uncertainty_of
 from measureapp.data.calibration import (
     CameraArrayCalibration,
     HandEye,

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from functools import partial
 
 from measureapp.arrays import ImageArray
-from measureapp.calibrate.board import find_board
-from measureapp.calibrate.board_pose import board_pose
-from measureapp.calibrate.board_together import find_beside
-from measureapp.calibrate.board_turned import TurnedBoard, find_turned
-from measureapp.calibrate.projector_picture import projector_picture
-from measureapp.calibrate.projector_sightings import PROJECTOR
+from measureapp.calibrate.boards.find import find_board
+from measureapp.calibrate.boards.pose import board_pose
+from measureapp.calibrate.boards.together import find_beside
+from measureapp.calibrate.boards.turned import TurnedBoard, find_turned
+from measureapp.calibrate.cameras.projector_picture import projector_picture
+from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
 from measureapp.calibrate.sightings import AmbiguousPart, BoardRefused, FoundBoard, Sighting
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration

@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 
 from measureapp.arrays import ImageArray
-from measureapp.calibrate.axis_noise import SAME_POSE
+from measureapp.calibrate.motions.axis_noise import SAME_POSE
 from measureapp.calibrate.sightings import Cause, FoundBoard
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError

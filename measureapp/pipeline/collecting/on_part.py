@@ -7,10 +7,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.axis_motion import across, rigid_motion
-from measureapp.calibrate.board_pose import triangulated
-from measureapp.calibrate.camera_array import CameraArraySolution
-from measureapp.calibrate.camera_uncertainty import (
+from measureapp.calibrate.boards.pose import triangulated
+from measureapp.calibrate.cameras.array import CameraArraySolution
+from measureapp.calibrate.cameras.projector import HeadSolution, beside_projector
+from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
+from measureapp.calibrate.cameras.uncertainty import (
     WorkingVolume,
     projection_difference,
     projection_uncertainty,
@@ -18,13 +19,12 @@ from measureapp.calibrate.camera_uncertainty import (
     volume_seen,
     volume_uncertainty,
 )
-from measureapp.calibrate.hand_eye import HandEyeSolution
-from measureapp.calibrate.joint_solution import RigSolution
-from measureapp.calibrate.next_pose import lever_at
-from measureapp.calibrate.projector_array import HeadSolution, beside_projector
-from measureapp.calibrate.projector_sightings import PROJECTOR
+from measureapp.calibrate.motions.axis_motion import across, rigid_motion
+from measureapp.calibrate.motions.hand_eye import HandEyeSolution
+from measureapp.calibrate.motions.next_pose import lever_at
+from measureapp.calibrate.rig.joint_solution import RigSolution
+from measureapp.calibrate.rig.stitch_uncertainty import uncertainty_of, view_uncertainty
 from measureapp.calibrate.sightings import rms
-from measureapp.calibrate.stitch_uncertainty import uncertainty_of, view_uncertainty
 from measureapp.data.calibration import CameraArrayCalibration, RotationAxis
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.uncertainty import VolumeUncertainty

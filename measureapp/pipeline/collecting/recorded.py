@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
-from measureapp.calibrate.projector_sightings import PROJECTOR
+from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
 from measureapp.errors import InputError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.collecting.collection import Collection, ImagesThere

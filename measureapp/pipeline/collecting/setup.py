@@ -6,10 +6,10 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-from measureapp.calibrate.axis_noise import AxisNoise
-from measureapp.calibrate.board import require_unambiguous
-from measureapp.calibrate.camera import FIXED_COEFFICIENTS
-from measureapp.calibrate.projector_sightings import PROJECTOR
+from measureapp.calibrate.boards.find import require_unambiguous
+from measureapp.calibrate.cameras.camera import FIXED_COEFFICIENTS
+from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
+from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, HandEye
 from measureapp.errors import InputError

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from measureapp.calibrate.camera_array import CameraArraySolution
-from measureapp.calibrate.hand_eye import HandEyeSolution
-from measureapp.calibrate.joint_solution import RigSolution
-from measureapp.calibrate.linear_guide import GuideSolution
-from measureapp.calibrate.projector_array import HeadSolution
-from measureapp.calibrate.rotation_axis import AxisSolution
+from measureapp.calibrate.cameras.array import CameraArraySolution
+from measureapp.calibrate.cameras.projector import HeadSolution
+from measureapp.calibrate.motions.hand_eye import HandEyeSolution
+from measureapp.calibrate.motions.linear_guide import GuideSolution
+from measureapp.calibrate.motions.rotation_axis import AxisSolution
+from measureapp.calibrate.rig.joint_solution import RigSolution
 from measureapp.calibrate.sightings import rms
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration

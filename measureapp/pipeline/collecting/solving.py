@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from measureapp.calibrate.camera_array import CameraArrayProblem, CameraArraySolution
-from measureapp.calibrate.camera_array import solve as solve_cameras
-from measureapp.calibrate.camera_draft import CameraArrayDraft
-from measureapp.calibrate.projector_array import HeadSolution, solve_head
-from measureapp.calibrate.projector_sightings import PROJECTOR, called
+from measureapp.calibrate.cameras.array import CameraArrayProblem, CameraArraySolution
+from measureapp.calibrate.cameras.array import solve as solve_cameras
+from measureapp.calibrate.cameras.draft import CameraArrayDraft
+from measureapp.calibrate.cameras.projector import HeadSolution, solve_head
+from measureapp.calibrate.cameras.projector_sightings import PROJECTOR, called
 from measureapp.calibrate.sightings import sighting_of
 from measureapp.errors import CalibrationError
 from measureapp.pipeline.calibrate import rig_with_cameras, with_devices

@@ -20,7 +20,7 @@ import numpy as np
 from pydantic import TypeAdapter
 
 from measureapp.arrays import ImageArray
-from measureapp.calibrate.axis_noise import AxisNoise
+from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.sightings import FoundBoard
 from measureapp.data.board import AnyBoard
 from measureapp.errors import FrameMismatch, InputError, StorageError

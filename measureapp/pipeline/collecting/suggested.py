@@ -8,7 +8,7 @@ from math import degrees
 
 import numpy as np
 
-from measureapp.calibrate.camera_array import CameraArraySolution
+from measureapp.calibrate.cameras.array import CameraArraySolution
 from measureapp.data.board import BoardDescription
 from measureapp.data.plan import FlangePose, Viewpoint
 from measureapp.data.rig import RigDescription

@@ -8,14 +8,14 @@ from typing import Literal
 
 import numpy as np
 
-from measureapp.calibrate.camera_array import CameraArraySolution
-from measureapp.calibrate.camera_uncertainty import WorkingVolume
-from measureapp.calibrate.camera_validation import CrossValidation
-from measureapp.calibrate.hand_eye import HandEyeSolution
-from measureapp.calibrate.joint_solution import RigSolution
-from measureapp.calibrate.linear_guide import GuideSolution
-from measureapp.calibrate.projector_array import HeadSolution
-from measureapp.calibrate.rotation_axis import AxisSolution
+from measureapp.calibrate.cameras.array import CameraArraySolution
+from measureapp.calibrate.cameras.projector import HeadSolution
+from measureapp.calibrate.cameras.uncertainty import WorkingVolume
+from measureapp.calibrate.cameras.validation import CrossValidation
+from measureapp.calibrate.motions.hand_eye import HandEyeSolution
+from measureapp.calibrate.motions.linear_guide import GuideSolution
+from measureapp.calibrate.motions.rotation_axis import AxisSolution
+from measureapp.calibrate.rig.joint_solution import RigSolution
 from measureapp.data.uncertainty import COVERAGE_FACTOR
 from measureapp.errors import CalibrationError
 from measureapp.pipeline.collecting.carried import axis_sigmas, turn_sigma_rad

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.axis_circles import LEAST_POSITIONS as LEAST_TABLE_POSITIONS
-from measureapp.calibrate.axis_noise import SAME_POSE
-from measureapp.calibrate.chain import groups_of
-from measureapp.calibrate.linear_guide import ADVISED_STROKE_MM, GuideSolution
-from measureapp.calibrate.linear_guide import LEAST_POSITIONS as LEAST_SLIDE_POSITIONS
-from measureapp.calibrate.rotation_axis import AxisSolution
+from measureapp.calibrate.motions.axis_circles import LEAST_POSITIONS as LEAST_TABLE_POSITIONS
+from measureapp.calibrate.motions.axis_noise import SAME_POSE
+from measureapp.calibrate.motions.chain import groups_of
+from measureapp.calibrate.motions.linear_guide import ADVISED_STROKE_MM, GuideSolution
+from measureapp.calibrate.motions.linear_guide import LEAST_POSITIONS as LEAST_SLIDE_POSITIONS
+from measureapp.calibrate.motions.rotation_axis import AxisSolution
 from measureapp.data.calibration import RotationAxis
 from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.collecting.coaching.advice import Gauge, Ghost, Notes, outlines_px

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from measureapp.calibrate.camera import LEAST_VIEWS
-from measureapp.calibrate.camera_draft import ADVISED_COVERAGE, ADVISED_VIEWS
-from measureapp.calibrate.projector_sightings import PROJECTOR
+from measureapp.calibrate.cameras.camera import LEAST_VIEWS
+from measureapp.calibrate.cameras.draft import ADVISED_COVERAGE, ADVISED_VIEWS
+from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
 from measureapp.calibrate.sightings import sighting_of
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.pipeline.collecting.coaching.advice import Gauge, Ghost, Notes, outline_px, outlines_px

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray
-from measureapp.calibrate.camera import with_known_lens
-from measureapp.calibrate.camera_draft import CELLS, ROUGH_FOCAL
-from measureapp.calibrate.projector_sightings import PROJECTOR
+from measureapp.calibrate.cameras.camera import with_known_lens
+from measureapp.calibrate.cameras.draft import CELLS, ROUGH_FOCAL
+from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
 from measureapp.calibrate.sightings import Sighting
 from measureapp.data.board import BoardDescription
 from measureapp.geometry.pinhole import PinholeCamera

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from measureapp.arrays import IntArray
-from measureapp.calibrate.board_pose import BoardPose
-from measureapp.calibrate.camera_array import CameraArraySolution
-from measureapp.calibrate.camera_prior import derivatives
+from measureapp.calibrate.boards.pose import BoardPose
+from measureapp.calibrate.cameras.array import CameraArraySolution
+from measureapp.calibrate.cameras.prior import derivatives
 from measureapp.data.board import BoardDescription
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, rotation_about

@@ -8,8 +8,8 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.hand_eye import ADVISED_POSES, HandEyeSolution
-from measureapp.calibrate.next_pose import propose
+from measureapp.calibrate.motions.hand_eye import ADVISED_POSES, HandEyeSolution
+from measureapp.calibrate.motions.next_pose import propose
 from measureapp.calibrate.poses import mean_pose, stacked
 from measureapp.data.board import BoardDescription
 from measureapp.geometry.transform import RigidTransform, rotation_about

@@ -1,0 +1,1 @@
+"""Boards in images: their marks, which part of the board they are, and the pose of the board."""

@@ -1,0 +1,255 @@
+"""Whether an image is good enough to take a board's marks from, and what is wrong with one in which there is no board."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from measureapp.arrays import FloatArray, ImageArray, IntArray
+from measureapp.calibrate.boards.charuco import charuco_instead
+from measureapp.calibrate.boards.circle_grid import is_whole
+from measureapp.calibrate.boards.circle_lattice import circles_in_sight
+from measureapp.calibrate.boards.refine import homography, local_axes, mapped
+from measureapp.calibrate.boards.squares import SquaresInSight, blurred, levels_at
+from measureapp.calibrate.sightings import BoardRefused
+from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
+
+FULL_SCALE = 255
+CLIPPED_MARK = 0.35  # share of saturated pixels round a mark, half of which is white
+CLIPPED_MARKS = 0.5  # share of marks
+CLIPPED_IMAGE = 0.08  # share of an image in which no board was found
+DARK_LEVEL = 30  # of 255: what is bright stays below
+WIDEST_EDGE_PX = 6.0  # from 10 to 90 %; a sharp lens and chip give 2 to 3
+WIDEST_EDGE_SHARE = 0.10  # of the distance of marks, where that allows more
+WORST_SIGMA_PX = 0.5
+WORST_FIT_SHARE = 0.25  # a mark may leave the homography of all by this share of the distance of marks; lenses distort by less
+STEP_PX = 0.25
+GAUSSIAN_RISE = 2.563  # from 10 to 90 % of an edge, over the standard deviation of its blur
+STRIPS, STRIP_SHARE = 12, 4
+TELLING_SHARE = 0.15  # of a board's marks: fewer in a grid may be anything
+SIDE_SHARE = 0.4  # of a side from the middle of a square: between the marker of a ChArUco board and the edge
+PRINTED_SQUARE = 0.35  # of the contrast: what the middles of white squares may differ by
+BLURRED = "Focus the camera, and keep board and camera still while the image is taken."
+EXPOSED_LESS = "Shorten the exposure or dim the light until the board's white is no longer clipped."
+EXPOSED_MORE = "Lengthen the exposure or add light until the board's white reaches half of full scale."
+
+
+def require_usable(grey: ImageArray, board: BoardDescription, ids: IntArray, corners_px: FloatArray, sigma_px: FloatArray) -> float:
+    """Return the width of the edges at the marks, px (10 to 90 %); refuse an image whose marks cannot be trusted.
+
+    Raises
+    ------
+    CalibrationError
+        The marks do not lie as on this board, its white is clipped, it is too dark, blurred, or the marks scatter.
+    """
+    matrix = homography(board, ids, corners_px)
+    axes = local_axes(matrix, board.flat_corners_mm[ids, :2])
+    spacing = board.neighbour_mm * float(np.median(np.linalg.norm(axes, axis=2)))
+    off = np.linalg.norm(corners_px - mapped(matrix, board.flat_corners_mm[ids, :2]), axis=1).max()
+    if off > WORST_FIT_SHARE * spacing:
+        raise BoardRefused(
+            f"The marks in the image do not lie as on a {board.label}.",
+            "Check the board's size, its dictionary and that nothing mirrors the image.",
+            "wrong board",
+        )
+    _require_levels(grey, corners_px, _half_white(board) * spacing)
+    if isinstance(board, CheckerboardDescription) and len(ids) == board.count:
+        require_plain(grey, corners_px.reshape(board.rows, board.columns, 2))
+    width = edge_width(grey, board, corners_px, axes)
+    widest = max(WIDEST_EDGE_PX, WIDEST_EDGE_SHARE * spacing)
+    if width > widest:
+        raise BoardRefused(f"The board is blurred: its edges are {width:.1f} px wide, {widest:.1f} px is the most.", BLURRED, "blurred")
+    if np.median(sigma_px) > WORST_SIGMA_PX:
+        raise BoardRefused(
+            f"The marks scatter by {np.median(sigma_px):.2f} px about a smooth grid, {WORST_SIGMA_PX} px is the most.",
+            "Take a sharper and brighter image of the flat board.",
+            "blurred",
+        )
+    return width
+
+
+def edge_width(grey: ImageArray, board: BoardDescription, corners_px: FloatArray, axes: FloatArray) -> float:
+    """Return the distance over which edges at the marks rise from 10 to 90 %, px, in the more blurred direction.
+
+    Profiles across the edges of all marks are averaged, as for the edge spread function of ISO 12233.
+
+    Parameters
+    ----------
+    corners_px : (N, 2)
+    axes : (N, 2 axes, 2), 1 mm along x and y of the board in the image
+    """
+    return max(_profile_width(_profiles(grey, *places)) for places in _edges(board, corners_px, axes))
+
+
+def missing(grey: ImageArray, board: BoardDescription, squares: SquaresInSight | None = None) -> BoardRefused:
+    """Return what is to be said of an image in which ``board`` was not found; ``squares`` is what was found of a checkerboard instead."""
+    return (
+        poor_image(grey, board)
+        or _seen_instead(grey, board, squares)
+        or BoardRefused(
+            f"The {board.label} was not found.",
+            "The whole board must be visible, sharp and not over-exposed; check the kind of board and its size.",
+            "not found",
+        )
+    )
+
+
+def poor_image(grey: ImageArray, board: BoardDescription) -> BoardRefused | None:
+    """Return what is wrong with the image as a whole, if anything is."""
+    sample = grey[::4, ::4]
+    bright = float(np.percentile(sample, 99))
+    if bright < DARK_LEVEL:
+        return BoardRefused(f"The {board.label} was not found: the image is too dark ({bright:.0f} of 255).", EXPOSED_MORE, "too dark")
+    clipped = float(np.mean(sample >= FULL_SCALE))
+    if clipped > CLIPPED_IMAGE:
+        return BoardRefused(
+            f"The {board.label} was not found: the image is over-exposed ({clipped:.0%} clipped).", EXPOSED_LESS, "over-exposed"
+        )
+    if nothing_sharp(grey):
+        return BoardRefused(f"The {board.label} was not found: nothing in the image is sharp, it is blurred.", BLURRED, "blurred")
+    return None
+
+
+def partly_hidden(board: BoardDescription, count: int) -> BoardRefused:
+    """Return what is to be said of a board of which only ``count`` marks can be seen."""
+    return BoardRefused(
+        f"The {board.label} was not found: only {count} of its {board.count} marks can be seen, the rest is hidden or outside the image.",
+        "Show the whole board, or use a ChArUco board, of which a part is enough.",
+        "hidden",
+    )
+
+
+def _half_white(board: BoardDescription) -> float:
+    """Half the side, over the distance of marks, of a square about a mark of which half is white."""
+    return float(np.sqrt(np.pi / 2)) * board.diameter_mm / 2 / board.neighbour_mm if isinstance(board, CirclesDescription) else 0.3
+
+
+def _require_levels(grey: ImageArray, corners_px: FloatArray, reach_px: float) -> None:
+    half = max(2, round(reach_px))
+    clipped, bright = [], []
+    for column, row in np.round(corners_px).astype(int):
+        patch = grey[max(row - half, 0) : row + half + 1, max(column - half, 0) : column + half + 1]
+        clipped.append(np.mean(patch >= FULL_SCALE) > CLIPPED_MARK)
+        bright.append(np.percentile(patch, 90))
+    if np.mean(clipped) > CLIPPED_MARKS:
+        raise BoardRefused(
+            f"The board is over-exposed: its white is clipped at {np.mean(clipped):.0%} of the marks, which makes them scatter.",
+            EXPOSED_LESS,
+            "over-exposed",
+        )
+    if np.median(bright) < DARK_LEVEL:
+        raise BoardRefused(f"The board is too dark: its white is {np.median(bright):.0f} of 255.", EXPOSED_MORE, "too dark")
+
+
+def are_squares(grey: ImageArray, grid: FloatArray) -> bool:
+    """Whether the cells of a grid of corners are squares of a board, plain along their sides; other rows of the same corners cut across."""
+    right, down = grid[:-1, 1:] - grid[:-1, :-1], grid[1:, :-1] - grid[:-1, :-1]
+    middles, smooth = grid[:-1, :-1] + 0.5 * right + 0.5 * down, blurred(grey)
+    sides = [(a, b) for a in (-1.0, -0.5, 0.0, 0.5, 1.0) for b in (-1.0, -0.5, 0.0, 0.5, 1.0) if max(abs(a), abs(b)) == 1.0]
+    levels = np.array([levels_at(smooth, middles + SIDE_SHARE * (a * right + b * down)) for a, b in sides])
+    contrast = np.percentile(levels, 95) - np.percentile(levels, 5)
+    return bool(np.median(np.ptp(levels, axis=0)) <= PRINTED_SQUARE * contrast)
+
+
+def printed_squares() -> BoardRefused:
+    """Return what is to be said of a board with markers in its squares, described as one without."""
+    return BoardRefused(
+        "The squares of the board are not plain: markers are printed in them.",
+        "Describe it as a ChArUco board with its dictionary.",
+        "wrong board",
+    )
+
+
+def require_plain(grey: ImageArray, grid: FloatArray) -> None:
+    """Refuse squares with something printed in them, which draws the corners to itself. Raises BoardRefused."""
+    right, down = grid[:-1, 1:] - grid[:-1, :-1], grid[1:, :-1] - grid[:-1, :-1]
+    middles = grid[:-1, :-1] + 0.5 * right + 0.5 * down
+    smooth = blurred(grey)
+    places = [middles + 0.12 * (a * right + b * down) for a in (-2, -1, 0, 1, 2) for b in (-2, -1, 0, 1, 2)]
+    levels = np.array([levels_at(smooth, place) for place in places])
+    level = np.median(levels, axis=0)
+    contrast = np.percentile(levels, 95) - np.percentile(levels, 5)
+    if np.median(np.ptp(levels, axis=0)[level > np.median(level)]) > PRINTED_SQUARE * contrast:
+        raise printed_squares()
+
+
+def _edges(board: BoardDescription, corners_px: FloatArray, axes: FloatArray) -> list[tuple[FloatArray, FloatArray, float]]:
+    """Places on edges of both directions, their normals and how far the profile may reach."""
+    found = []
+    for along in (0, 1):
+        run = axes[:, along]
+        if isinstance(board, CirclesDescription):  # the outline where the axis `along` leaves the circle; its tangent is the other axis
+            radius, gap = board.diameter_mm / 2.0, (board.neighbour_mm - board.diameter_mm) / 2.0
+            places, tangent, free = corners_px + radius * run, axes[:, 1 - along], min(radius, gap)
+        else:
+            side = board.neighbour_mm
+            free = (side - board.marker_mm) / 2.0 if isinstance(board, CharucoDescription) else 0.4 * side
+            places, tangent = corners_px + 0.5 * side * run, run
+        normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
+        scale = np.linalg.norm(normal, axis=1)
+        found.append((places, normal / scale[:, None], free * float(np.linalg.norm(axes, axis=2).min())))
+    return found
+
+
+def _profiles(grey: ImageArray, places: FloatArray, normals: FloatArray, reach_px: float) -> FloatArray:
+    steps = np.arange(-max(reach_px, 1.5), max(reach_px, 1.5) + STEP_PX / 2, STEP_PX)
+    at = (places[:, None, :] + steps[:, None] * normals[:, None, :]).astype(np.float32)
+    inside = np.all((at > 0) & (at < np.array(grey.shape[::-1]) - 1), axis=(1, 2))
+    if not inside.any():
+        return np.empty((0, len(steps)))
+    at = at[inside]
+    seen = cv2.remap(grey, at[..., 0], at[..., 1], cv2.INTER_LINEAR).astype(float)
+    return np.where((seen[:, -1] > seen[:, 0])[:, None], seen, seen[:, ::-1])
+
+
+def _profile_width(profiles: FloatArray) -> float:
+    if not len(profiles):
+        return 0.0
+    profile = np.median(profiles, axis=0)
+    end = max(1, len(profile) // 10)
+    low, high = profile[:end].mean(), profile[-end:].mean()
+    rise = np.maximum.accumulate((profile - low) / max(high - low, 1e-9))
+    start, stop = np.searchsorted(rise, [0.1, 0.9])
+    return float((stop - start) * STEP_PX)
+
+
+def nothing_sharp(grey: ImageArray) -> bool:
+    """Whether the steepest edges of the image, taken as blurred by a Gaussian, are too wide; a quarter of its rows is looked at."""
+    rows = max(len(grey) // (STRIPS * STRIP_SHARE), 8)
+    strips = [blurred(grey[at : at + rows]) for at in np.linspace(0, max(len(grey) - rows, 0), STRIPS).astype(int)]
+    slope = np.concatenate(
+        [np.hypot(cv2.Sobel(one, cv2.CV_32F, 1, 0, scale=0.125), cv2.Sobel(one, cv2.CV_32F, 0, 1, scale=0.125)) for one in strips]
+    )
+    low, high = np.percentile(np.concatenate(strips)[:, ::4], (1, 99))
+    steepest = max(float(np.percentile(slope, 99.9)), 1e-3)
+    return bool(high - low > DARK_LEVEL and GAUSSIAN_RISE * (high - low) / (np.sqrt(2 * np.pi) * steepest) > WIDEST_EDGE_PX)
+
+
+def _seen_instead(grey: ImageArray, board: BoardDescription, squares: SquaresInSight | None) -> BoardRefused | None:
+    """Say what kind of grid there is instead of ``board``."""
+    if isinstance(board, CharucoDescription):
+        return charuco_instead(grey, board)
+    if isinstance(board, CirclesDescription):
+        circles = circles_in_sight(grey)
+        if circles is None or circles.count < TELLING_SHARE * board.count:
+            return None
+        columns, rows = circles.size
+        spans, own = sorted((2 * columns, rows)), sorted((2 * board.columns, board.rows))
+        larger = spans[0] > own[0] or spans[1] > own[1]
+        whole = columns > 1 and is_whole(grey, board.model_copy(update={"columns": columns, "rows": rows}))
+        return _another(board, f"{columns} × {rows} circles", circles.count, whole=whole, larger=larger)
+    if squares is None:
+        return None
+    longer, shorter = squares.size
+    larger = longer > max(board.columns, board.rows) or shorter > min(board.columns, board.rows)
+    return _another(board, f"{longer} × {shorter} corners", squares.count, whole=squares.is_whole, larger=larger)
+
+
+def _another(board: BoardDescription, looks_like: str, count: int, *, whole: bool, larger: bool) -> BoardRefused:
+    if whole or larger:
+        return BoardRefused(
+            f"The {board.label} was not found: the board in the image looks like one of {looks_like}.",
+            f"Give the size of the board that was used, or use the {board.label}.",
+            "wrong board",
+        )
+    return partly_hidden(board, count)

@@ -1,0 +1,221 @@
+"""The corners of a checkerboard: found, ordered, and what else a grid of squares in the image may be."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from measureapp.arrays import BoolArray, FloatArray, ImageArray
+from measureapp.calibrate.boards.refine import refined, window_of
+from measureapp.data.board import BoardDescription
+
+SEARCH_PX = 1000  # longer side of the image the board is searched in
+SEARCH_SEED = 1  # of this thread: the search draws lots, and one image must give one answer
+SEED = (3, 3)  # corners of the smallest grid that tells of another or a hidden board
+PROBE_SHARE = 0.28  # of a square: where the four squares round a corner are sampled
+LEAST_CONTRAST = 0.35  # of the seed's corners
+LEAST_ROW_SHARE = 0.5  # of the corners of a further row must be there
+RING_SHARES = (0.5, 0.88)  # of a square behind the last row of corners: within the outermost squares
+MARGIN_SHARES = (1.12, 1.5)  # beyond them
+LEAST_RUN, LEAST_RUN_SHARE = 4, 0.4  # neighbouring squares of a side, and share of the side, that must look like the end of a board
+GROW_UNTIL = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 20, 1e-2)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SquaresInSight:
+    """A grid of squares of unknown size; its rows and columns turn as x and y of the image do."""
+
+    corners_px: FloatArray  # (R, C, 2), full-size pixels, to a pixel or so
+    there: BoolArray  # (R, C), which of them were found, not only expected
+    even_dark: bool  # whether the square between the first two corners of the first two rows is dark
+    ends_in_white: tuple[bool, ...]  # behind the last row of the grid turned by 0 to 3 quarters (`numpy.rot90`): the board ends there
+
+    @property
+    def count(self) -> int:
+        """How many corners were found."""
+        return int(self.there.sum())
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Corners along the longer and the shorter side."""
+        return max(self.there.shape), min(self.there.shape)
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether it ends in white all round and has every corner."""
+        return all(self.ends_in_white) and bool(self.there.all())
+
+
+def find_squares(grey: ImageArray, board: BoardDescription) -> tuple[FloatArray, float] | None:
+    """Find all inner corners (N, 2) of ``board`` to sub-pixel and the smallest distance of neighbours, px; None without a board.
+
+    Corner 0 is the same physical corner in every image and camera where the board allows it: the squares on both sides of it
+    along the board's diagonal are black. On a symmetric board (`is_symmetric`) either end may come first.
+
+    Raises
+    ------
+    CalibrationError
+        The corners cannot be refined.
+    """
+    small, scale = shrunk(grey, SEARCH_PX)
+    coarse = _search(small, board)
+    if coarse is None:
+        return None
+    spacing = _least_spacing(full_size(coarse, scale), board)
+    corners = refined(grey, full_size(coarse, scale), spacing, window_of(spacing))
+    return _from_black_corner(grey, _right_handed(corners, board), board), spacing
+
+
+def shrunk(grey: ImageArray, longest_px: int) -> tuple[ImageArray, float]:
+    """Return the image with its longer side at most ``longest_px``, and by what it was scaled."""
+    scale = min(1.0, longest_px / max(grey.shape))
+    if scale == 1.0:
+        return grey, 1.0
+    return np.asarray(cv2.resize(grey, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA), np.uint8), scale
+
+
+def full_size(points: FloatArray, scale: float) -> FloatArray:
+    """Return points of a shrunk image in the pixels of the full one."""
+    return (points + 0.5) / scale - 0.5
+
+
+def squares_in_sight(grey: ImageArray) -> SquaresInSight | None:
+    """Look for any grid of squares, from 3 × 3 corners outwards as far as it reaches."""
+    small, scale = shrunk(grey, SEARCH_PX)
+    cv2.setRNGSeed(SEARCH_SEED)
+    found, seed, meta = cv2.findChessboardCornersSBWithMeta(small, SEED, cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_LARGER)
+    if not found or len(seed) != meta.size:
+        return None
+    grid: FloatArray = np.asarray(seed, np.float64).reshape(*meta.shape, 2)
+    along, down = grid[0, -1] - grid[0, 0], grid[-1, 0] - grid[0, 0]
+    if along[0] * down[1] - along[1] * down[0] < 0:
+        grid = grid[::-1]
+    contrast = float(np.median(np.abs(_contrasts(small, grid))))
+    there = np.ones(grid.shape[:2], bool)
+    for _ in range(4):  # each side in turn is the last row
+        grid, there = _grown(small, np.rot90(grid), np.rot90(there), contrast)
+    levels = levels_at(blurred(small), _cells(grid))
+    even = np.indices(levels.shape).sum(axis=0) % 2 == 0
+    sides = tuple(_ends_in_white(small, np.rot90(grid, quarter), np.rot90(there, quarter)) for quarter in range(4))
+    return SquaresInSight(full_size(grid, scale), there, bool(levels[even].mean() < levels[~even].mean()), sides)
+
+
+def _search(picture: ImageArray, board: BoardDescription) -> FloatArray | None:
+    """Search by the symmetry of corners [1]_, and, where that misses squares seen askance by 60° or so, by their outlines [2]_.
+
+    References
+    ----------
+    .. [1] A. Duda, U. Frese, British Machine Vision Conference, 2018.
+    .. [2] V. Vezhnevets, as in OpenCV's findChessboardCorners.
+    """
+    size = (board.columns, board.rows)
+    cv2.setRNGSeed(SEARCH_SEED)
+    found, corners = cv2.findChessboardCornersSB(picture, size, flags=cv2.CALIB_CB_NORMALIZE_IMAGE)  # `refined` does better than ACCURACY
+    if not found:
+        outlined = cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_FAST_CHECK
+        found, corners = cv2.findChessboardCorners(picture, size, flags=outlined)
+    return np.asarray(corners, np.float64).reshape(-1, 2) if found else None
+
+
+def _least_spacing(corners: FloatArray, board: BoardDescription) -> float:
+    grid = corners.reshape(board.rows, board.columns, 2)
+    return float(min(np.linalg.norm(np.diff(grid, axis=axis), axis=2).min() for axis in (0, 1)))
+
+
+def _right_handed(corners: FloatArray, board: BoardDescription) -> FloatArray:
+    """Order the corners so that x, y of the board turn as x, y of the image do: the board is seen from its printed side."""
+    grid = corners.reshape(board.rows, board.columns, 2)
+    along_x, along_y = grid[0, -1] - grid[0, 0], grid[-1, 0] - grid[0, 0]
+    if along_x[0] * along_y[1] - along_x[1] * along_y[0] < 0:
+        grid = grid[::-1]
+    return grid.reshape(-1, 2)
+
+
+def _from_black_corner(grey: ImageArray, corners: FloatArray, board: BoardDescription) -> FloatArray:
+    if board.is_symmetric:
+        return corners
+    grid = corners.reshape(board.rows, board.columns, 2)
+    levels = levels_at(blurred(grey), _cells(grid))
+    like_first = np.indices(levels.shape).sum(axis=0) % 2 == 0
+    if levels[like_first].mean() > levels[~like_first].mean():
+        return corners[::-1]
+    return corners
+
+
+def blurred(picture: ImageArray) -> ImageArray:
+    """Return the image averaged over 3 × 3 pixels."""
+    return np.asarray(cv2.blur(picture, (3, 3)), np.uint8)
+
+
+def levels_at(picture: ImageArray, places: FloatArray) -> FloatArray:
+    """Return the grey levels (…) of the pixels nearest to places (…, 2)."""
+    column, row = np.moveaxis(np.round(places).astype(int), -1, 0)
+    return picture[np.clip(row, 0, picture.shape[0] - 1), np.clip(column, 0, picture.shape[1] - 1)].astype(float)
+
+
+def _contrasts(picture: ImageArray, grid: FloatArray) -> FloatArray:
+    """How much brighter one diagonal pair of squares round each corner is than the other; its sign alternates over a board."""
+    down, right = np.gradient(grid, axis=0), np.gradient(grid, axis=1)
+    smooth = blurred(picture)
+    at = [[levels_at(smooth, grid + PROBE_SHARE * (a * down + b * right)) for b in (-1, 1)] for a in (-1, 1)]
+    sign = np.where(np.indices(grid.shape[:2]).sum(axis=0) % 2 == 0, 1.0, -1.0)
+    even = np.minimum(at[0][0], at[1][1]) - np.maximum(at[0][1], at[1][0])
+    odd = np.minimum(at[0][1], at[1][0]) - np.maximum(at[0][0], at[1][1])
+    return np.asarray(sign * np.where(even > odd, np.maximum(even, 0), -np.maximum(odd, 0)))
+
+
+def _grown(picture: ImageArray, grid: FloatArray, there: BoolArray, contrast: float) -> tuple[FloatArray, BoolArray]:
+    """Add rows behind the last one as long as most of their corners are in the image."""
+    while True:
+        guess = 2.5 * grid[-1] - 2 * grid[-2] + 0.5 * grid[-3]  # the quadratic through the last three, half trusted
+        reach = max(2, round(0.25 * float(np.linalg.norm(grid[-1] - grid[-2], axis=1).min())))
+        inside = np.all((guess > reach + 2) & (guess < np.array(picture.shape[::-1]) - reach - 3), axis=1)
+        if not inside.any():
+            return grid, there
+        better = guess.copy()
+        start = guess[inside].astype(np.float32).reshape(-1, 1, 2)
+        better[inside] = cv2.cornerSubPix(picture, start, (reach, reach), (-1, -1), GROW_UNTIL).reshape(-1, 2)
+        longer = np.concatenate([grid, better[None]])
+        signs = _contrasts(picture, longer)
+        same = np.sign(np.median(signs[:-1][there]))
+        corner = inside & (signs[-1] * same > LEAST_CONTRAST * contrast) & (np.linalg.norm(better - guess, axis=1) < reach)
+        if corner.mean() < LEAST_ROW_SHARE:
+            return grid, there
+        longer[-1] = np.where(corner[:, None], better, guess)
+        grid, there = longer, np.concatenate([there, corner[None]])
+
+
+def _ends_in_white(picture: ImageArray, grid: FloatArray, there: BoolArray) -> bool:
+    """Whether behind the last row there is one more row of squares, black and white in turn, and then nothing but white.
+
+    Part of the side may be hidden. A white cover is not taken for the margin unless its edge follows the squares' along that part
+    within a fifth of a square.
+    """
+    smooth = blurred(picture)
+    inner = levels_at(smooth, _cells(grid))
+    limit = (np.percentile(inner, 10) + np.percentile(inner, 90)) / 2
+    step = grid[-1] - grid[-2]
+    start, onwards = (grid[-1, :-1] + grid[-1, 1:]) / 2, (step[:-1] + step[1:]) / 2
+    size = np.array(picture.shape[::-1]) - 1
+    known = there[-1, :-1] & there[-1, 1:]
+    bright = {}
+    for share in (*RING_SHARES, *MARGIN_SHARES):
+        row = start + share * onwards
+        known &= np.all((row > 0) & (row < size), axis=1)
+        bright[share] = levels_at(smooth, row) > limit
+    known &= np.all([bright[share] for share in MARGIN_SHARES], axis=0)
+    odd = np.arange(len(start)) % 2 == 1
+    turns = [known & np.all([bright[share] == (odd == other) for share in RING_SHARES], axis=0) for other in (False, True)]
+    return max(_longest_run(one) for one in turns) >= max(LEAST_RUN, LEAST_RUN_SHARE * len(start))
+
+
+def _longest_run(mask: BoolArray) -> int:
+    ends = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(int)))
+    return int(np.max(ends[1::2] - ends[::2], initial=0))
+
+
+def _cells(grid: FloatArray) -> FloatArray:
+    """The middles (R - 1, C - 1, 2) of the squares between the corners of a grid (R, C, 2)."""
+    return np.asarray((grid[:-1, :-1] + grid[1:, :-1] + grid[:-1, 1:] + grid[1:, 1:]) / 4)

@@ -1,0 +1,280 @@
+"""All cameras of the head: each alone by Zhang's method, then in pairs, then all in one bundle adjustment."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from itertools import combinations
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.calibrate.boards.find import require_unambiguous
+from measureapp.calibrate.cameras.bundle import Bundle, BundleState, Sight, adjust
+from measureapp.calibrate.cameras.camera import FIXED_COEFFICIENTS, LEAST_VIEWS, calibrate_camera, with_known_lens
+from measureapp.calibrate.cameras.cleaning import Cleaned, CornerRejection, Names, cleaned, compacted
+from measureapp.calibrate.cameras.known import LARGEST_DISTORTION, completed, padded, poses_seen, require_known
+from measureapp.calibrate.cameras.pairs import LoopCheck, contradictions, loops, placed_from_reference
+from measureapp.calibrate.cameras.projector_sightings import called
+from measureapp.calibrate.least_squares import Minimum
+from measureapp.calibrate.poses import inverted
+from measureapp.calibrate.projection import intrinsic_names
+from measureapp.calibrate.sightings import Rejection, Sighting, ViewResidual, rms, spreads
+from measureapp.data.board import BoardDescription
+from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, LabelledCovariance, Provenance
+from measureapp.errors import CalibrationError
+from measureapp.geometry.pinhole import PinholeCamera
+from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.progress import NoProgress, PartOf, Progress
+
+ROUNDS = 6  # adjust, leave out what does not fit, adjust again
+WEAK_FOCAL_SHARE = 0.05
+LEAST_SIGHTS_FOR_BOW = 12
+BOW_NAMES = ("board.bow_xx_mm", "board.bow_xy_mm", "board.bow_yy_mm")
+POSE_NAMES = ("rotation_x_rad", "rotation_y_rad", "rotation_z_rad", "x_mm", "y_mm", "z_mm")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CameraArrayProblem:
+    """Everything the solution depends on."""
+
+    board: BoardDescription
+    reference: str
+    sizes_px: Mapping[str, tuple[int, int]]  # camera -> (width, height)
+    sightings: tuple[Sighting, ...]
+    rejected: tuple[Rejection, ...] = ()
+    distortion_count: int = 5  # 4, 5 or 8 coefficients
+    free_bow: bool = True  # estimate the board's departure from flat, where there are enough sightings
+    known: CameraArrayCalibration | None = None  # cameras that are kept as they are; those to find come after them in `sizes_px`
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CameraArraySolution:
+    """Calibrated cameras, how well every view fits, and what was left out."""
+
+    calibration: CameraArrayCalibration
+    joint_rms_px: float
+    sigma_px: float  # standard deviation of one coordinate of a corner, over all cameras
+    sigmas_px: Mapping[str, float]  # the same per camera
+    board: BoardDescription  # with its bow, where that was estimated
+    views: tuple[ViewResidual, ...]
+    rejected: tuple[Rejection, ...]
+    rejected_corners: tuple[CornerRejection, ...]
+    boards: Mapping[str, RigidTransform]  # view -> camera_from_board in the reference camera's frame
+    loops: tuple[LoopCheck, ...]
+    parameters: tuple[str, ...]  # names of the rows of `covariance`: "left.fx", "right.x_mm", …
+    covariance: FloatArray = field(repr=False, default_factory=lambda: np.empty((0, 0)))
+
+
+def solve(problem: CameraArrayProblem, progress: Progress | None = None, before: CameraArraySolution | None = None) -> CameraArraySolution:
+    """Calibrate 1…n cameras from views of one board.
+
+    Per camera Zhang's method; pairs by R = R_l R_rᵀ, t = t_l - R t_r; then one bundle adjustment over all lenses,
+    camera poses and board poses with a robust loss. Sightings that fit badly are left out, each with its reason.
+
+    Parameters
+    ----------
+    before : a solution from fewer or other views of the same cameras, whose lenses are then the start in place of Zhang's
+
+    Raises
+    ------
+    CalibrationError
+        Too few views, views that do not determine the lens, images that do not belong together, or cameras that
+        share no view.
+    """
+    progress = progress or NoProgress()
+    _check(problem)
+    sightings, rejected, start, checks = _started(problem, before, PartOf(progress, 0.0, 0.4))
+    cameras, views = _indices(problem, sightings)
+    sights = [
+        Sight(cameras[one.camera], views[one.view], one.corners_px, np.ones(len(one.corners_px), bool), one.ids, spread)
+        for one, spread in zip(sightings, spreads(sightings), strict=True)
+    ]
+    known = 0 if problem.known is None else sum(name in problem.known.cameras for name in cameras)
+    names: Names = (tuple(cameras), tuple(views))
+    free_bow = problem.free_bow and len(sights) >= LEAST_SIGHTS_FOR_BOW
+    if free_bow and before is not None:
+        start = replace(start, bow_mm=np.array(before.board.bow_mm))
+    corners: list[CornerRejection] = []
+    for number in range(ROUNDS):
+        part = PartOf(progress, 0.4 + 0.6 * number / ROUNDS, 0.4 + 0.6 * (number + 1) / ROUNDS, "bundle: ")
+        minimum, bundle = adjust(problem.board, sights, start, free_bow=free_bow, known_cameras=known, progress=part)
+        found = cleaned(bundle, minimum.state, names)
+        if not found.anything:
+            break
+        rejected, corners = rejected + found.rejected, _still_used(corners, found)
+        start, sights, names = compacted(minimum.state, found.kept, names, known)
+    else:  # the last round's finds are left out as well, so the solution must not contain them
+        minimum, bundle = adjust(problem.board, sights, start, free_bow=free_bow, known_cameras=known, progress=progress)
+    progress.report(1, 1)
+    return _solution(bundle, minimum, names, rejected, corners, checks, problem.known)
+
+
+def _still_used(corners: list[CornerRejection], found: Cleaned) -> list[CornerRejection]:
+    """Add the corners found; those of a sighting left out whole are no longer named one by one."""
+    out = {(one.camera, one.view) for one in found.rejected}
+    return [one for one in (*corners, *found.corners) if (one.camera, one.view) not in out]
+
+
+def _check(problem: CameraArrayProblem) -> None:
+    if problem.distortion_count not in FIXED_COEFFICIENTS:
+        raise CalibrationError(f"{problem.distortion_count} distortion coefficients are not offered.", "Choose 4, 5 or 8.")
+    if problem.reference not in problem.sizes_px:
+        raise CalibrationError(f"The reference camera {problem.reference!r} has no images.", "Name one of the cameras given.")
+    if problem.known is not None:
+        require_known(problem.known, problem.sizes_px)
+    if len(problem.sizes_px) > 1:
+        require_unambiguous(problem.board, "a calibration of several cameras")
+
+
+def _started(
+    problem: CameraArrayProblem, before: CameraArraySolution | None, progress: Progress
+) -> tuple[list[Sighting], list[Rejection], BundleState, tuple[LoopCheck, ...]]:
+    """Calibrate every camera alone, or take its lens from ``before``, and chain them: the start values of the bundle."""
+    order = (problem.reference, *(name for name in problem.sizes_px if name != problem.reference))
+    rejected = list(problem.rejected)
+    known = {} if problem.known is None else problem.known.cameras
+    count = max([problem.distortion_count, *(len(camera.pinhole.distortion) for camera in known.values())])
+    count = min(count, LARGEST_DISTORTION)
+    lenses: list[PinholeCamera] = []
+    poses: dict[str, dict[str, RigidTransform]] = {}
+    for done, camera in enumerate(order):
+        progress.report(done, len(order), f"camera {camera}")
+        own = [sighting for sighting in problem.sightings if sighting.camera == camera]
+        if camera in known:
+            lenses.append(padded(known[camera].pinhole, count))
+            poses[camera] = poses_seen(own, known[camera], problem.board)
+            continue
+        if len(own) < LEAST_VIEWS:
+            raise CalibrationError(
+                f"{called(camera)} has {len(own)} {'view' if len(own) == 1 else 'views'} of the board; at least {LEAST_VIEWS} are needed.",
+                "Add views with the board tilted in different directions.",
+            )
+        if before is None:
+            alone = calibrate_camera(own, problem.board, problem.sizes_px[camera], count)
+        else:
+            alone = with_known_lens(own, problem.board, before.calibration.cameras[camera].pinhole)
+        rejected += alone.rejected
+        lenses.append(alone.pinhole)
+        poses[camera] = dict(alone.camera_from_board)
+    for rejection in contradictions(poses):
+        poses[rejection.camera].pop(rejection.view, None)
+        rejected.append(rejection)
+    placed = placed_from_reference(
+        poses, problem.reference, {name: known[name].reference_from_camera.matrix for name in order if name in known}
+    )
+    sightings = [sighting for sighting in problem.sightings if sighting.view in poses[sighting.camera]]
+    boards: dict[str, FloatArray] = {}
+    for sighting in sorted(sightings, key=lambda sighting: order.index(sighting.camera)):
+        boards.setdefault(sighting.view, placed[sighting.camera] @ poses[sighting.camera][sighting.view].matrix)
+    state = BundleState(
+        tuple(lenses),
+        np.array([placed[camera] for camera in order]),
+        np.array([boards[view] for view in dict.fromkeys(sighting.view for sighting in sightings)]),
+        np.array(problem.board.bow_mm),
+    )
+    return sightings, rejected, state, loops(poses)
+
+
+def _indices(problem: CameraArrayProblem, sightings: list[Sighting]) -> tuple[dict[str, int], dict[str, int]]:
+    order = (problem.reference, *(name for name in problem.sizes_px if name != problem.reference))
+    views = dict.fromkeys(sighting.view for sighting in sightings)
+    return {name: index for index, name in enumerate(order)}, {view: index for index, view in enumerate(views)}
+
+
+def _solution(
+    bundle: Bundle,
+    minimum: Minimum[BundleState],
+    names: Names,
+    rejected: list[Rejection],
+    corners: list[CornerRejection],
+    checks: tuple[LoopCheck, ...],
+    known: CameraArrayCalibration | None,
+) -> CameraArraySolution:
+    state, (cameras, views) = minimum.state, names
+    variance = bundle.variance(state)
+    labels = _labels(bundle, cameras)
+    covariance = minimum.covariance(variance)
+    if known is None:
+        covariance = covariance[: len(labels), : len(labels)]
+    else:
+        given = sum(name in known.cameras for name in cameras)
+        covariance = completed(covariance, bundle, minimum, variance, known.covariance, labels, bundle.layout.lens_at(given))
+    sigmas = np.sqrt(variance) * np.array(bundle.sigmas_px)
+    counts = [sum(int(sight.used.sum()) for sight in bundle.sights if sight.camera == camera) for camera in range(len(cameras))]
+    deviations = dict(zip(labels, np.sqrt(np.diag(covariance)), strict=True))
+    residuals = [bundle.residuals(state, sight)[sight.used] for sight in bundle.sights]
+    calibrations = {}
+    for index, name in enumerate(cameras):
+        if known is not None and name in known.cameras:
+            calibrations[name] = known.cameras[name]
+            continue
+        own = np.concatenate([values for values, sight in zip(residuals, bundle.sights, strict=True) if sight.camera == index])
+        mine = {key.removeprefix(f"{name}."): float(value) for key, value in deviations.items() if key.startswith(f"{name}.")}
+        _check_lens(name, state, index, mine)
+        place = RigidTransform(orthonormalised(state.reference_from_camera[index]), "camera", name)
+        calibrations[name] = CameraCalibration(name, state.pinholes[index], place, mine, rms(own))
+    own_rows = [index for index, label in enumerate(labels) if label not in BOW_NAMES]
+    left_uncertain = LabelledCovariance(tuple(labels[index] for index in own_rows), covariance[np.ix_(own_rows, own_rows)])
+    if known is None:
+        method = Provenance(method="Zhang, then bundle adjustment of all cameras")
+        array = CameraArrayCalibration(cameras[0], calibrations, _pair_rms(bundle, residuals, cameras), method, covariance=left_uncertain)
+    else:
+        array = replace(known, cameras=calibrations, covariance=None if known.covariance is None else left_uncertain)
+    return CameraArraySolution(
+        calibration=array,
+        joint_rms_px=rms(np.concatenate(residuals)),
+        sigma_px=float(np.sqrt(np.average(sigmas**2, weights=counts))),
+        sigmas_px={name: float(sigma) for name, sigma in zip(cameras, sigmas, strict=True)},
+        board=bundle.board.model_copy(update={"bow_mm": tuple(float(value) for value in state.bow_mm)}),
+        views=tuple(
+            ViewResidual(cameras[sight.camera], views[sight.view], rms(values), len(values))
+            for sight, values in zip(bundle.sights, residuals, strict=True)
+        ),
+        rejected=tuple(rejected),
+        rejected_corners=tuple(corners),
+        boards={
+            view: RigidTransform(orthonormalised(pose), "camera", "board")
+            for view, pose in zip(views, state.reference_from_board, strict=True)
+        },
+        loops=checks,
+        parameters=labels,
+        covariance=covariance,
+    )
+
+
+def _labels(bundle: Bundle, cameras: tuple[str, ...]) -> tuple[str, ...]:
+    lens = intrinsic_names(bundle.layout.lens - 4)
+    names: list[str] = []
+    for index, camera in enumerate(cameras):
+        names += [f"{camera}.{name}" for name in (lens if index == 0 else (*lens, *POSE_NAMES))]
+    return (*names, *(BOW_NAMES if bundle.layout.bow else ()))
+
+
+def _check_lens(name: str, state: BundleState, index: int, deviations: Mapping[str, float]) -> None:
+    focal = float(state.pinholes[index].matrix[0, 0])
+    if focal <= 0 or deviations["fx"] > WEAK_FOCAL_SHARE * focal:
+        raise CalibrationError(
+            f"The views of camera {name!r} do not determine its focal length ({focal:.0f} ± {deviations['fx']:.0f} px).",
+            "Tilt the board by 20° to 45° in several directions.",
+        )
+
+
+def _pair_rms(bundle: Bundle, residuals: list[FloatArray], cameras: tuple[str, ...]) -> dict[str, float]:
+    pairs = {}
+    for left, right in combinations(range(len(cameras)), 2):
+        seen = {camera: {sight.view for sight in bundle.sights if sight.camera == camera} for camera in (left, right)}
+        both = seen[left] & seen[right]
+        chosen = [
+            values for values, sight in zip(residuals, bundle.sights, strict=True) if sight.camera in (left, right) and sight.view in both
+        ]
+        if chosen:
+            pairs[f"{cameras[left]}-{cameras[right]}"] = rms(np.concatenate(chosen))
+    return pairs
+
+
+def left_from_right(calibration: CameraArrayCalibration, left: str, right: str) -> RigidTransform:
+    """Return the pose of camera ``right`` in the frame of camera ``left``."""
+    place = calibration.cameras[left].reference_from_camera.matrix
+    chain = inverted(place) @ calibration.cameras[right].reference_from_camera.matrix
+    return RigidTransform(orthonormalised(chain), left, right)

@@ -1,0 +1,269 @@
+"""The kinematic chain of the whole rig as one adjustable model of observed board poses."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from measureapp.arrays import FloatArray, IntArray
+from measureapp.calibrate.boards.pose import BoardPose
+from measureapp.calibrate.least_squares import Minimum, NormalEquations, minimise
+from measureapp.calibrate.motions.axis_motion import across
+from measureapp.calibrate.motions.axis_noise import AxisNoise
+from measureapp.calibrate.poses import change_between, inverted, moved, stacked
+from measureapp.data.calibration import HandEye, LinearGuide, RotationAxis
+from measureapp.progress import Progress
+
+POSE = 6
+TURN_STEP, LENGTH_STEP, SCALE_STEP = 1e-6, 1e-4, 1e-6
+POSE_STEPS = (TURN_STEP,) * 3 + (LENGTH_STEP,) * 3
+POSE_LABELS = ("rotation_x_rad", "rotation_y_rad", "rotation_z_rad", "x_mm", "y_mm", "z_mm")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ChainState:
+    """All quantities of the chain."""
+
+    flange_from_camera: FloatArray  # (4, 4)
+    guide_direction: FloatArray  # (3,), unit, in base
+    guide_scale: float
+    axis_point_mm: FloatArray  # (3,), in guide
+    axis_direction: FloatArray  # (3,), unit, in guide
+    guide_from_board: FloatArray  # (4, 4), at table angle 0
+    robot_changes: FloatArray  # (G, 6), error of each robot pose in its flange frame
+    table_changes: FloatArray  # (K,), error of each table angle
+    camera_changes: FloatArray = field(default_factory=lambda: np.zeros(0))  # (C,), where the cameras are freed
+
+    @classmethod
+    def unchanged(
+        cls, hand_eye: HandEye, guide: LinearGuide, axis: RotationAxis, guide_from_board: FloatArray, robot_poses: int
+    ) -> ChainState:
+        """Return the chain of a calibrated rig in which no robot pose, table angle or camera errs."""
+        return cls(
+            flange_from_camera=np.asarray(hand_eye.flange_from_camera.matrix),
+            guide_direction=np.asarray(guide.direction),
+            guide_scale=guide.scale,
+            axis_point_mm=np.asarray(axis.point_mm),
+            axis_direction=np.asarray(axis.direction),
+            guide_from_board=np.asarray(guide_from_board),
+            robot_changes=np.zeros((robot_poses, 6)),
+            table_changes=np.zeros(0),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Free:
+    """Which parts of the chain are estimated; the board's place always is."""
+
+    hand_eye: bool = True
+    guide: bool = True
+    axis: bool = True
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Chain:
+    """Observed board poses with the read-backs they were taken at."""
+
+    base_from_flange: FloatArray  # (N, 4, 4)
+    guide_mm: FloatArray  # (N,)
+    table_rad: FloatArray  # (N,)
+    camera_from_board: FloatArray  # (N, 4, 4)
+    roots: FloatArray  # (N, 6, 6), upper triangular roots of the poses' information, the slide's own errors counted
+    robot_group: IntArray  # (N,), which approach of the robot; sightings of one approach share its error
+    table_group: IntArray  # (N,), which table angle
+    noise: AxisNoise
+    free: Free
+    by_cameras: FloatArray | None = None  # (N, 6, C), change of the observed poses with the parameters of the cameras
+    camera_covariance: FloatArray | None = None  # (C, C), where the cameras are freed: what their calibration says of them
+    slide: FloatArray | None = None  # (N, 3, 3), the slide's part of the covariance of the poses' places
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        """Names of the parameters that matter to the user; those of robot and table errors follow without names."""
+        names: tuple[str, ...] = ()
+        if self.free.hand_eye:
+            names += tuple(f"hand_eye.{label}" for label in POSE_LABELS)
+        if self.free.guide:
+            names += ("guide.direction_1_rad", "guide.direction_2_rad", "guide.scale")
+        if self.free.axis:
+            names += ("axis.direction_1_rad", "axis.direction_2_rad", "axis.point_1_mm", "axis.point_2_mm")
+        return names + tuple(f"board.{label}" for label in POSE_LABELS)
+
+    @property
+    def robot_poses(self) -> int:
+        """How many approaches of the robot there are."""
+        return int(self.robot_group.max()) + 1
+
+    @property
+    def table_angles(self) -> int:
+        """How many different table angles there are, or 0 where their errors are not estimated."""
+        return int(self.table_group.max()) + 1 if self.free.axis else 0
+
+    def predicted(self, state: ChainState) -> FloatArray:
+        """Return camera_from_board (N, 4, 4) by the chain."""
+        shift = np.tile(np.eye(4), (len(self.guide_mm), 1, 1))
+        shift[:, :3, 3] = self.guide_mm[:, None] * (state.guide_direction * state.guide_scale)
+        errors = moved(np.tile(np.eye(4), (len(state.robot_changes), 1, 1)), state.robot_changes)[self.robot_group]
+        guide_from_camera = shift @ self.base_from_flange @ errors @ state.flange_from_camera
+        return np.asarray(inverted(guide_from_camera) @ self._turned(state) @ state.guide_from_board)
+
+    def _turned(self, state: ChainState) -> FloatArray:
+        angles = self.table_rad + (state.table_changes[self.table_group] if self.table_angles else 0.0)
+        turned = np.tile(np.eye(4), (len(angles), 1, 1))
+        turned[:, :3, :3] = Rotation.from_rotvec(angles[:, None] * state.axis_direction).as_matrix()
+        turned[:, :3, 3] = state.axis_point_mm - turned[:, :3, :3] @ state.axis_point_mm
+        return turned
+
+    @property
+    def approached(self) -> FloatArray:
+        """The poses base_from_flange (G, 4, 4) as read back, one per approach."""
+        return self.base_from_flange[np.unique(self.robot_group, return_index=True)[1]]
+
+    @property
+    def cameras_freed(self) -> int:
+        """How many parameters of the cameras are estimated."""
+        return 0 if self.camera_covariance is None else len(self.camera_covariance)
+
+    @property
+    def size(self) -> int:
+        """How many parameters there are."""
+        return sum(self._lengths())
+
+    def residuals(self, state: ChainState) -> FloatArray:
+        """Return the whitened residuals of the poses (6 N) and the table errors (K)."""
+        away = change_between(self.camera_from_board, self.predicted(state))
+        if self.cameras_freed and self.by_cameras is not None:
+            away = away - self.by_cameras @ state.camera_changes
+        return np.concatenate([(self.roots @ away[..., None]).ravel(), state.table_changes / self.noise.table_rad])
+
+    def moved(self, state: ChainState, step: FloatArray) -> ChainState:
+        """Return the state after a step in the order of `labels`, then robot, table and camera errors."""
+        taken = iter(np.split(step, np.cumsum(self._lengths())[:-1]))
+        changed = state
+        if self.free.hand_eye:
+            changed = replace(changed, flange_from_camera=moved(state.flange_from_camera, next(taken)))
+        if self.free.guide:
+            part = next(taken)
+            direction = _tilted(state.guide_direction, part[:2])
+            changed = replace(changed, guide_direction=direction, guide_scale=state.guide_scale + float(part[2]))
+        if self.free.axis:
+            part = next(taken)
+            point = state.axis_point_mm + part[2:] @ across(state.axis_direction)
+            changed = replace(changed, axis_direction=_tilted(state.axis_direction, part[:2]), axis_point_mm=point)
+        return replace(
+            changed,
+            guide_from_board=moved(state.guide_from_board, next(taken)),
+            robot_changes=state.robot_changes + next(taken).reshape(-1, POSE),
+            table_changes=state.table_changes + next(taken),
+            camera_changes=state.camera_changes + next(taken) if self.cameras_freed else state.camera_changes,
+        )
+
+    def _lengths(self) -> list[int]:
+        parts = [(self.free.hand_eye, POSE), (self.free.guide, 3), (self.free.axis, 4), (True, POSE)]
+        return [length for used, length in parts if used] + [POSE * self.robot_poses, self.table_angles, self.cameras_freed]
+
+    def adjusted(self, start: ChainState, progress: Progress | None = None) -> Minimum[ChainState]:
+        """Minimise all residuals and the errors' departures from what is expected of them, from ``start``."""
+        priors = self._priors()
+        return minimise(
+            start, lambda state: self._normal(state, priors), lambda state: self._cost(state, priors), self.moved, progress=progress
+        )
+
+    def curvature(self, state: ChainState) -> Minimum[ChainState]:
+        """Return ``state`` as if it were the minimum, for the covariance there."""
+        normal = self._normal(state, self._priors())
+        return Minimum(state, normal.hessian, normal.cost, 0)
+
+    def _priors(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Inverse covariances of the robot's rotations (G, G) and translations (G, G), and of the cameras (C, C)."""
+        turn, shift = self.noise.robot_covariances(self.approached)
+        cameras = np.zeros((0, 0)) if self.camera_covariance is None else np.linalg.inv(self.camera_covariance)
+        return np.linalg.inv(turn), np.linalg.inv(shift), cameras
+
+    def _cost(self, state: ChainState, priors: tuple[FloatArray, FloatArray, FloatArray]) -> float:
+        turn, shift, cameras = priors
+        rotations, translations = state.robot_changes[:, :3], state.robot_changes[:, 3:]
+        robot = np.sum(rotations * (turn @ rotations)) + np.sum(translations * (shift @ translations))
+        own = state.camera_changes @ cameras @ state.camera_changes if self.cameras_freed else 0.0
+        return float(np.sum(self.residuals(state) ** 2) + robot + own)
+
+    def _normal(self, state: ChainState, priors: tuple[FloatArray, FloatArray, FloatArray]) -> NormalEquations:
+        jacobian = self.jacobian(state)
+        hessian, gradient = jacobian.T @ jacobian, jacobian.T @ self.residuals(state)
+        first = len(self.labels)
+        for part in range(POSE):
+            index = first + part + POSE * np.arange(self.robot_poses)
+            inverse = priors[0] if part < 3 else priors[1]
+            hessian[np.ix_(index, index)] += inverse
+            gradient[index] += inverse @ state.robot_changes[:, part]
+        if self.cameras_freed:
+            index = np.arange(self.size - self.cameras_freed, self.size)
+            hessian[np.ix_(index, index)] += priors[2]
+            gradient[index] += priors[2] @ state.camera_changes
+        return NormalEquations(hessian, gradient, self._cost(state, priors))
+
+    def jacobian(self, state: ChainState) -> FloatArray:
+        """Return the derivatives (6 N + K, P) of `residuals`, by central differences; errors of different approaches are shifted at once."""
+        named, robot, table, count = len(self.labels), self.robot_poses, self.table_angles, len(self.guide_mm)
+        result = np.zeros((POSE * count + table, self.size))
+
+        def difference(chosen: IntArray | int, step: float) -> FloatArray:
+            shift = np.zeros(self.size)
+            shift[chosen] = step
+            return (self.residuals(self.moved(state, shift)) - self.residuals(self.moved(state, -shift))) / (2 * step)
+
+        for parameter, step in enumerate(self._steps()):
+            result[:, parameter] = difference(parameter, step)
+        rows = np.arange(POSE * count)
+        for part, step in enumerate(POSE_STEPS):
+            change = difference(named + part + POSE * np.arange(robot), step)
+            result[rows, named + part + POSE * np.repeat(self.robot_group, POSE)] = change[rows]
+        if table:
+            at = named + POSE * robot + np.arange(table)
+            change = difference(at, TURN_STEP)
+            result[rows, np.repeat(at[self.table_group], POSE)] = change[rows]
+            result[POSE * count + np.arange(table), at] = 1 / self.noise.table_rad
+        if self.cameras_freed and self.by_cameras is not None:
+            result[rows, -self.cameras_freed :] = -(self.roots @ self.by_cameras).reshape(POSE * count, -1)
+        return result
+
+    def _steps(self) -> list[float]:
+        steps: list[float] = [*POSE_STEPS] if self.free.hand_eye else []
+        steps += [TURN_STEP, TURN_STEP, SCALE_STEP] if self.free.guide else []
+        steps += [TURN_STEP, TURN_STEP, LENGTH_STEP, LENGTH_STEP] if self.free.axis else []
+        return [*steps, *POSE_STEPS]
+
+    def freedom(self) -> int:
+        """Return the degrees of freedom: robot and table errors count as observed by their priors."""
+        return POSE * len(self.guide_mm) - len(self.labels)
+
+
+def _tilted(direction: FloatArray, change: FloatArray) -> FloatArray:
+    tilted = direction + change @ across(direction)
+    return np.asarray(tilted / np.linalg.norm(tilted))
+
+
+def roots_of(poses: Sequence[BoardPose]) -> FloatArray:
+    """Return the upper triangular roots (N, 6, 6) of the information of poses."""
+    return np.array([np.linalg.cholesky(pose.information).T for pose in poses])
+
+
+def poses_of(poses: Sequence[BoardPose]) -> FloatArray:
+    """Return camera_from_board (N, 4, 4)."""
+    return stacked(pose.camera_from_board for pose in poses)
+
+
+def groups_of(values: FloatArray, tolerance: FloatArray | float) -> IntArray:
+    """Number equal rows of ``values`` (N, D): rows within ``tolerance`` of the first of a group belong to it."""
+    firsts: list[FloatArray] = []
+    numbers = []
+    for row in values:
+        found = next((index for index, first in enumerate(firsts) if np.all(np.abs(row - first) <= tolerance)), None)
+        if found is None:
+            firsts.append(row)
+            found = len(firsts) - 1
+        numbers.append(found)
+    return np.array(numbers, np.intp)

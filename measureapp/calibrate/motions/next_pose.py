@@ -1,0 +1,109 @@
+"""Which pose of the robot to take next: the one that makes the hand-eye transform most certain."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.calibrate.motions.chain import POSE, POSE_STEPS, Chain, ChainState
+from measureapp.calibrate.motions.hand_eye import HandEyeSolution
+from measureapp.calibrate.poses import change_between, inverted, moved
+from measureapp.calibrate.projection import cross_matrices
+from measureapp.errors import CalibrationError
+from measureapp.geometry.transform import RigidTransform
+
+Criterion = Literal["part", "A", "D"]
+CHOSEN = 2 * POSE  # hand-eye transform and place of the board
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Proposal:
+    """What a candidate pose would give."""
+
+    candidate: int  # its index
+    base_from_flange: RigidTransform
+    sigma_at_part_mm: float  # predicted, the largest over all directions, with this pose added
+    gain: float  # share of the criterion it takes away: variance at the part, trace, or sixth root of the determinant
+
+
+def propose(
+    solution: HandEyeSolution,
+    candidates: Sequence[RigidTransform],
+    *,
+    information: FloatArray | None = None,
+    criterion: Criterion = "part",
+) -> tuple[Proposal, ...]:
+    """Order candidate poses by what they add to the Fisher information of the hand-eye transform, the best first.
+
+    A further sighting adds Jᵀ (Σ_board + E Σ_robot Eᵀ)⁻¹ J to the information of hand-eye transform and board, with J and E the
+    derivatives of the board pose seen [1]_. The criterion is the largest variance of a point at the part (``part``, E-optimal
+    there), the mean one (``A``) or the volume of the hand-eye transform's confidence ellipsoid (``D``).
+
+    Parameters
+    ----------
+    candidates : base_from_flange of poses the robot can reach and from which the board is seen
+    information : (6, 6) of a board pose as it will be seen; default: the mean of those seen so far
+
+    Raises
+    ------
+    CalibrationError
+        No candidates.
+
+    References
+    ----------
+    .. [1] V. V. Fedorov, Theory of Optimal Experiments, Academic Press 1972, chapter 2.
+    """
+    if not candidates:
+        raise CalibrationError("There are no candidate poses.", "Give poses the robot can reach and from which the board is seen.")
+    chain, state = solution.chain, solution.minimum.state
+    if information is None:
+        information = np.mean(np.swapaxes(chain.roots, 1, 2) @ chain.roots, axis=0)
+    known = np.linalg.inv(solution.minimum.covariance()[:CHOSEN, :CHOSEN])
+    carry = lever_at(solution.part_in_camera_mm, state)
+    before = _value(np.linalg.inv(known), carry, criterion)
+    proposals = []
+    for index, candidate in enumerate(candidates):
+        covariance = np.linalg.inv(known + _added(chain, state, candidate, information))
+        sigma = float(np.sqrt(np.linalg.eigvalsh(carry @ covariance[:POSE, :POSE] @ carry.T)[-1]))
+        proposals.append(Proposal(index, candidate, sigma, 1 - _value(covariance, carry, criterion) / before))
+    return tuple(sorted(proposals, key=lambda proposal: -proposal.gain))
+
+
+def lever_at(point_in_camera_mm: FloatArray, state: ChainState) -> FloatArray:
+    """Return how a change of the hand-eye transform moves a point seen by the camera, (3, 6)."""
+    return np.hstack([-cross_matrices((state.flange_from_camera[:3, :3] @ point_in_camera_mm)[None])[0], np.eye(3)])
+
+
+def _value(covariance: FloatArray, carry: FloatArray, criterion: Criterion) -> float:
+    own = covariance[:POSE, :POSE]
+    at_part = carry @ own @ carry.T
+    if criterion == "part":
+        return float(np.linalg.eigvalsh(at_part)[-1])
+    return float(np.trace(at_part)) if criterion == "A" else float(np.exp(np.linalg.slogdet(own)[1] / POSE))
+
+
+def _added(chain: Chain, state: ChainState, candidate: RigidTransform, information: FloatArray) -> FloatArray:
+    """Return the information (12, 12) of hand-eye transform and board in one more sighting."""
+    flange, board = np.asarray(candidate.matrix), state.guide_from_board
+
+    def seen(change: FloatArray) -> FloatArray:
+        x = moved(state.flange_from_camera, change[:POSE])
+        camera = flange @ moved(np.eye(4), change[CHOSEN:]) @ x
+        return np.asarray(inverted(camera) @ moved(board, change[POSE:CHOSEN]))
+
+    at = seen(np.zeros(CHOSEN + POSE))[None]
+    steps = np.tile(POSE_STEPS, 3)
+    shifts = np.diag(steps)
+    columns = [
+        (change_between(at, seen(s)[None]) - change_between(at, seen(-s)[None]))[0] / (2 * h) for s, h in zip(shifts, steps, strict=True)
+    ]
+    jacobian = np.array(columns).T
+    noise = chain.noise
+    robot = np.diag([noise.robot_rad**2 + noise.robot_repeat_rad**2] * 3 + [noise.robot_mm**2 + noise.robot_repeat_mm**2] * 3)
+    own = jacobian[:, CHOSEN:]
+    weight = np.linalg.inv(np.linalg.inv(information) + own @ robot @ own.T)
+    return np.asarray(jacobian[:, :CHOSEN].T @ weight @ jacobian[:, :CHOSEN])

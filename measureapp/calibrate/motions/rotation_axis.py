@@ -1,0 +1,291 @@
+"""The table's rotation axis in the camera's frame: plain and distance-weighted circle fits, and maximum likelihood."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.calibrate.boards.pose import BoardPose
+from measureapp.calibrate.motions.axis_circles import LEAST_POSITIONS, axis_through_centres
+from measureapp.calibrate.motions.axis_diagnostics import AxisDiagnostics, diagnose
+from measureapp.calibrate.motions.axis_motion import (
+    AXIS_PARAMETERS,
+    Turning,
+    across,
+    most_likely_from_corners,
+    most_likely_from_poses,
+    turning_of,
+)
+from measureapp.calibrate.poses import moved, stacked
+from measureapp.data.board import BoardDescription
+from measureapp.data.calibration import LabelledCovariance, RotationAxis
+from measureapp.errors import CalibrationError
+from measureapp.progress import NoProgress, Progress
+
+DRAWS = 40  # simulated repetitions behind the standard deviations of the circle methods
+ANGLE_TOLERANCE_RAD = np.deg2rad(2.0)
+CLOSURE_RADIUS_MM = 250.0  # rim of the paper's table
+SHORT_SWEEP_RAD = np.deg2rad(30.0)
+METHODS = ("least_squares", "distance_weighted", "maximum_likelihood")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AxisProblem:
+    """Corners of a board on the table at several table positions, in one frame."""
+
+    corners_mm: FloatArray  # (n, m, 3)
+    angles_rad: FloatArray | None = None  # (n,), as read back
+    poses: tuple[BoardPose, ...] = ()  # where the corners come from board poses, these with their information
+    power: float = 2.0
+    free_angles: bool = False  # estimate the angles, even where they were read back
+    frame: str = "camera"
+    closure_radius_mm: float = CLOSURE_RADIUS_MM
+    by_cameras: FloatArray | None = None  # (n, 6, C), change of ``poses`` with the parameters of ``camera_prior``
+    camera_prior: LabelledCovariance | None = None  # what the calibration of the cameras leaves uncertain
+    names: tuple[str, ...] = ()  # of the positions, for messages; empty: their numbers from 0
+
+    @property
+    def changes_by_cameras(self) -> FloatArray:
+        """Changes (K, n, 6) of the poses by errors of the cameras that are independent of each other, one standard deviation each."""
+        if self.by_cameras is None or self.camera_prior is None:
+            return np.empty((0, len(self.poses), 6))
+        return np.moveaxis(self.by_cameras @ self.camera_prior.root, -1, 0)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AxisEstimate:
+    """The axis by one method, and how the corners lie about it."""
+
+    axis: RotationAxis
+    radial_mm: FloatArray  # (n,), rms per position of distance to the axis minus the corner's mean distance
+    axial_mm: FloatArray  # (n,), rms per position of height along the axis minus the corner's mean height
+    angles_rad: FloatArray  # (n,) against the first position
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AxisSolution:
+    """The axis by every method that has an answer."""
+
+    estimates: Mapping[str, AxisEstimate]
+    refused: Mapping[str, str]  # method -> reason
+    sweep_rad: float
+    power: float
+    covariance: FloatArray  # (4, 4) of maximum likelihood: direction (2, rad) and point (2, mm) across the axis
+    diagnostics: AxisDiagnostics  # of the axis of maximum likelihood
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def best(self) -> AxisEstimate:
+        """The estimate of maximum likelihood."""
+        return self.estimates["maximum_likelihood"]
+
+
+class AxisDraft:
+    """Collects table positions until they determine the axis."""
+
+    def __init__(self, board: BoardDescription) -> None:
+        self._board = board
+        self._sightings: list[tuple[BoardPose, float | None]] = []
+
+    def add(self, pose: BoardPose, angle_rad: float | None = None) -> None:
+        """Add one table position."""
+        self._sightings.append((pose, angle_rad))
+
+    def remove(self, index: int) -> None:
+        """Take a position out again."""
+        del self._sightings[index]
+
+    def shortfalls(self) -> tuple[str, ...]:
+        """Say what is still missing."""
+        if len(self._sightings) < LEAST_POSITIONS:
+            return (f"{LEAST_POSITIONS - len(self._sightings)} more table positions are needed.",)
+        try:
+            sweep = float(np.ptp(turning_of(self.problem().corners_mm).angles_rad))
+        except CalibrationError as error:
+            return (str(error),)
+        return (f"The table turned by {np.rad2deg(sweep):.0f}°; turn it by 30° or more.",) if sweep < SHORT_SWEEP_RAD else ()
+
+    def problem(self) -> AxisProblem:
+        """Return what was collected."""
+        return problem_from_poses([pose for pose, _ in self._sightings], self._board, [angle for _, angle in self._sightings])
+
+
+def problem_from_poses(
+    poses: Sequence[BoardPose],
+    board: BoardDescription,
+    angles_rad: Sequence[float | None] = (),
+    *,
+    power: float = 2.0,
+    free_angles: bool = False,
+    names: Sequence[str] = (),
+) -> AxisProblem:
+    """Return the problem of board poses; angles count only where all of them are known."""
+    corners = np.array([pose.camera_from_board.apply(board.corners_mm) for pose in poses]).reshape(len(poses), -1, 3)
+    known = [angle for angle in angles_rad if angle is not None]
+    angles = np.array(known) if poses and len(known) == len(poses) else None
+    return AxisProblem(corners, angles, tuple(poses), power, free_angles, names=tuple(names))
+
+
+def solve(problem: AxisProblem, progress: Progress | None = None) -> AxisSolution:
+    """Find the axis by circle fits, plain and weighted by distance, and by maximum likelihood.
+
+    The direction is right-handed for growing angles where angles are known, otherwise for growing positions (steps below
+    half a turn). Maximum likelihood estimates one axis and one place of the board on the table from all positions; the
+    angles are those read back, or free.
+
+    Raises
+    ------
+    CalibrationError
+        Fewer than three positions, a board that hardly turned, or angles that contradict what was seen.
+    """
+    progress = progress or NoProgress()
+    corners = np.asarray(problem.corners_mm, float)
+    if len(corners) < LEAST_POSITIONS or corners.shape[1] < 3:
+        raise CalibrationError(
+            f"{len(corners)} table positions with {corners.shape[1]} corners do not determine the axis.",
+            f"Give at least {LEAST_POSITIONS} positions of at least 3 corners.",
+        )
+    start = _start(corners, problem.angles_rad, problem.names)
+    free = problem.free_angles or problem.angles_rad is None
+    progress.report(0, 3, "maximum likelihood")
+    likely, covariance, variance = _maximum_likelihood(problem, corners, start, free)
+    estimates = {"maximum_likelihood": likely}
+    refused = {}
+    for done, (method, power) in enumerate((("least_squares", 0.0), ("distance_weighted", problem.power)), 1):
+        progress.report(done, 3, method)
+        try:
+            estimates[method] = _by_circles(problem, corners, power, likely, variance)
+        except CalibrationError as error:
+            refused[method] = str(error)
+    progress.report(3, 3)
+    sweep = float(np.ptp(likely.angles_rad))
+    short = (f"The arcs span only {np.rad2deg(sweep):.0f}°, which makes their centres uncertain: turn the table further.",)
+    ordered = {method: estimates[method] for method in METHODS if method in estimates}
+    angles = start.angles_rad if problem.angles_rad is not None else likely.angles_rad
+    diagnostics = diagnose(
+        likely.axis, corners, angles, angles_were_read=problem.angles_rad is not None, radius_mm=problem.closure_radius_mm
+    )
+    warnings = (*(short if sweep < SHORT_SWEEP_RAD else ()), *diagnostics.warnings)
+    return AxisSolution(ordered, refused, sweep, problem.power, covariance, diagnostics, warnings)
+
+
+def _start(corners: FloatArray, angles_rad: FloatArray | None, names: Sequence[str]) -> Turning:
+    seen = turning_of(corners)
+    if angles_rad is None:
+        return seen
+    given = np.asarray(angles_rad, float) - angles_rad[0]
+    if len(given) != len(corners):
+        raise CalibrationError(f"{len(given)} angles do not belong to {len(corners)} table positions.", "Give one angle per position.")
+    forwards, backwards = (float(np.sum(np.abs(np.angle(np.exp(1j * (sign * seen.angles_rad - given)))))) for sign in (1, -1))
+    if backwards < forwards:
+        seen = replace(seen, direction=-seen.direction, angles_rad=-seen.angles_rad)
+    wrong = np.abs(np.angle(np.exp(1j * (seen.angles_rad - given))))
+    worst = int(np.argmax(wrong))
+    if wrong[worst] > ANGLE_TOLERANCE_RAD:
+        raise CalibrationError(
+            f"Position {names[worst] if names else worst} turned by {np.rad2deg(seen.angles_rad[worst]):.2f}° against the first, "
+            f"but its angle says {np.rad2deg(given[worst]):.2f}°.",
+            "Check the order of the positions, the unit (degrees) of the angles, and that the board did not move on the table.",
+        )
+    return replace(seen, angles_rad=given)
+
+
+def _maximum_likelihood(problem: AxisProblem, corners: FloatArray, start: Turning, free: bool) -> tuple[AxisEstimate, FloatArray, float]:
+    if problem.poses:
+        poses = stacked(pose.camera_from_board for pose in problem.poses)
+        roots = np.array([np.linalg.cholesky(pose.information).T for pose in problem.poses])
+        minimum, freedom = most_likely_from_poses(replace(start, board=poses[0]), poses, roots, free)
+    else:
+        minimum, freedom = most_likely_from_corners(start, corners, free)
+    variance = minimum.cost / max(freedom, 1)
+    covariance = minimum.covariance(variance)[:AXIS_PARAMETERS, :AXIS_PARAMETERS]
+    turning = minimum.state
+    foot = _foot(turning.point_mm, turning.direction, corners)
+    covariance = _carried_along(covariance, float(turning.direction @ (foot - turning.point_mm)))
+    covariance = covariance + _spread_by_cameras(problem, turning, foot, free)
+    axis = _axis(problem, corners, foot, turning.direction, covariance)
+    return _estimate(axis, corners, turning.angles_rad), covariance, variance
+
+
+def _spread_by_cameras(problem: AxisProblem, turning: Turning, foot: FloatArray, free: bool) -> FloatArray:
+    """Return the covariance (4, 4) of direction and foot that the cameras' uncertainty adds: the axis with each of their errors in turn."""
+    poses = stacked(pose.camera_from_board for pose in problem.poses)
+    roots = np.array([np.linalg.cholesky(pose.information).T for pose in problem.poses])
+    basis, spread = across(turning.direction), np.zeros((AXIS_PARAMETERS, AXIS_PARAMETERS))
+    for change in problem.changes_by_cameras:
+        other = most_likely_from_poses(turning, moved(poses, change), roots, free)[0].state
+        other_foot = other.point_mm + other.direction * float(turning.direction @ (foot - other.point_mm))
+        shift = np.concatenate([basis @ other.direction, basis @ (other_foot - foot)])
+        spread += np.outer(shift, shift)
+    return spread
+
+
+def _by_circles(problem: AxisProblem, corners: FloatArray, power: float, likely: AxisEstimate, variance: float) -> AxisEstimate:
+    def fitted(points: FloatArray) -> tuple[FloatArray, FloatArray]:
+        point, direction = axis_through_centres(points, power)
+        direction = direction * np.sign(direction @ likely.axis.direction)
+        return _foot(point, direction, corners), direction
+
+    point, direction = fitted(corners)
+    basis = across(direction)
+    generator = np.random.default_rng(0)
+    scatter = []
+    for _ in range(DRAWS):
+        drawn_point, drawn_direction = fitted(_redrawn(problem, corners, variance, generator))
+        scatter.append(np.concatenate([basis @ drawn_direction, basis @ (drawn_point - point)]))
+    axis = _axis(problem, corners, point, direction, np.cov(np.array(scatter).T))
+    return _estimate(axis, corners, likely.angles_rad)
+
+
+def _redrawn(problem: AxisProblem, corners: FloatArray, variance: float, generator: np.random.Generator) -> FloatArray:
+    """Return the corners as another run of the same noise might have given them."""
+    if not problem.poses:
+        return corners + generator.normal(scale=np.sqrt(variance), size=corners.shape)
+    result = []
+    together = problem.changes_by_cameras
+    common = np.tensordot(generator.normal(size=len(together)), together, 1)
+    for pose, points, shared in zip(problem.poses, corners, common, strict=True):
+        covariance = variance * np.linalg.inv(pose.information)
+        origin = pose.camera_from_board.translation_mm
+        change = moved(np.eye(4), shared + generator.multivariate_normal(np.zeros(6), covariance, method="cholesky"))
+        result.append((points - origin) @ change[:3, :3].T + origin + change[:3, 3])
+    return np.array(result)
+
+
+def _foot(point: FloatArray, direction: FloatArray, corners: FloatArray) -> FloatArray:
+    """Return the point of the axis nearest to the middle of all corners."""
+    return point + direction * float(direction @ (corners.reshape(-1, 3).mean(axis=0) - point))
+
+
+def _carried_along(covariance: FloatArray, distance_mm: float) -> FloatArray:
+    """Return the covariance of (direction, point) for a point further along the axis."""
+    carry = np.eye(AXIS_PARAMETERS)
+    carry[2:, :2] = distance_mm * np.eye(2)
+    return carry @ covariance @ carry.T
+
+
+def _axis(problem: AxisProblem, corners: FloatArray, point: FloatArray, direction: FloatArray, covariance: FloatArray) -> RotationAxis:
+    radial, axial = _residuals(point, direction, corners)
+    return RotationAxis(
+        point,
+        direction,
+        problem.frame,
+        point_sigma_mm=float(np.sqrt(np.linalg.eigvalsh(covariance[2:, 2:])[-1])),
+        direction_sigma_rad=float(np.sqrt(np.linalg.eigvalsh(covariance[:2, :2])[-1])),
+        residual_mm=float(np.sqrt(np.mean(radial**2 + axial**2))),
+    )
+
+
+def _residuals(point: FloatArray, direction: FloatArray, corners: FloatArray) -> tuple[FloatArray, FloatArray]:
+    away = corners - point
+    height = away @ direction
+    distance = np.linalg.norm(away - height[..., None] * direction, axis=2)
+    return distance - distance.mean(axis=0), height - height.mean(axis=0)
+
+
+def _estimate(axis: RotationAxis, corners: FloatArray, angles_rad: FloatArray) -> AxisEstimate:
+    radial, axial = _residuals(axis.point_mm, axis.direction, corners)
+    return AxisEstimate(axis, np.sqrt(np.mean(radial**2, axis=1)), np.sqrt(np.mean(axial**2, axis=1)), angles_rad)

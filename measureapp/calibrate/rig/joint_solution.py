@@ -1,0 +1,251 @@
+"""From the minimum of the joint problem to the calibrated rig, with one labelled covariance."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.calibrate.cameras.prior import cameras_moved
+from measureapp.calibrate.least_squares import Minimum
+from measureapp.calibrate.motions.axis_noise import SAME_POSE
+from measureapp.calibrate.motions.cameras_carried import cost_beyond_cameras, with_cameras
+from measureapp.calibrate.motions.chain import POSE_LABELS, Chain, ChainState, groups_of
+from measureapp.calibrate.motions.linear_guide import paper_error_mm
+from measureapp.calibrate.poses import change_between, moved
+from measureapp.calibrate.rig.observability import WeakDirection, unseen, weakest
+from measureapp.calibrate.rig.stages import RigStages
+from measureapp.data.calibration import (
+    CameraArrayCalibration,
+    HandEye,
+    LabelledCovariance,
+    LinearGuide,
+    Provenance,
+    RigCalibration,
+    RobotStation,
+    RotationAxis,
+)
+from measureapp.errors import CalibrationError
+from measureapp.geometry.transform import RigidTransform, orthonormalised
+
+LEAST_SLIDES = 3
+LARGEST_RATIO = 2.0  # of the residuals over what was expected
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RigResidual:
+    """How far the board was seen from where the chain puts it."""
+
+    name: str
+    distance_mm: float
+    angle_deg: float
+    robot_error_mm: float  # estimated error of the robot's pose
+    robot_error_deg: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RigSolution:
+    """The calibrated rig, what the observations left unexplained, and what they could not show."""
+
+    calibration: RigCalibration
+    stages: RigStages  # the solution stage by stage, which the joint one started from
+    residuals: tuple[RigResidual, ...]
+    rejected: dict[str, str]  # observation -> reason
+    standard_deviations: dict[str, float]
+    parameters: tuple[str, ...]  # rows of `covariance`
+    covariance: FloatArray
+    joint_parameters: tuple[str, ...]  # rows of `joint_covariance`: `parameters`, then the errors of every approach, angle and camera
+    joint_covariance: FloatArray
+    joint_given_cameras: FloatArray  # the same for cameras without error: what they have in common cancels between cloud and chain
+    chain: Chain
+    state: ChainState
+    paper_cost_mm: float  # error over the travel of these sightings had the guide been taken to run along +Y with scale 1, as in the paper
+    sigma_ratio: float  # residuals over what was expected; about 1 where the stated noise is right
+    guide_from_board: RigidTransform  # the board's place with the table at 0
+    weak_directions: tuple[WeakDirection, ...] = ()
+    not_observable: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
+
+
+def solution_of(
+    chain: Chain,
+    minimum: Minimum[ChainState],
+    names: Sequence[str],
+    cameras: CameraArrayCalibration,
+    stages: RigStages,
+    *,
+    rejected: dict[str, str],
+    not_seen: tuple[str, ...],
+    camera_prior: LabelledCovariance | None,
+) -> RigSolution:
+    """Return the calibrated rig at the minimum of ``chain``.
+
+    Raises
+    ------
+    CalibrationError
+        Some parameters change no residual; the message names them.
+    """
+    state = minimum.state
+    plain = _given_cameras(chain, minimum, 1.0)
+    ratio = float(np.sqrt(cost_beyond_cameras(chain, minimum, plain, camera_prior) / max(chain.freedom(), 1)))
+    count = len(chain.labels)
+    variance = _variance(ratio, chain.freedom())
+    given_cameras = plain * variance
+    joint = with_cameras(chain, minimum, given_cameras, variance, camera_prior)
+    covariance = joint[:count, :count]
+    if camera_prior is not None and chain.cameras_freed:
+        cameras = cameras_moved(cameras, camera_prior.parameters, state.camera_changes)
+    deviations = dict(zip(chain.labels, (float(value) for value in np.sqrt(np.diag(covariance))), strict=True))
+    change = change_between(chain.camera_from_board, chain.predicted(state))
+    distances, angles = np.linalg.norm(change[:, 3:], axis=1), np.linalg.norm(change[:, :3], axis=1)
+    residuals = _residuals(names, distances, angles, state.robot_changes[chain.robot_group])
+    return RigSolution(
+        calibration=RigCalibration(
+            cameras,
+            _hand_eye(state, deviations, distances, angles),
+            _guide(state, deviations, _straightness(chain, distances)),
+            _axis(state, deviations, covariance, chain.labels, distances),
+            Provenance(method="joint calibration of the rig"),
+            _stations(chain, state),
+        ),
+        stages=stages,
+        residuals=residuals,
+        rejected=rejected,
+        standard_deviations=deviations,
+        parameters=chain.labels,
+        covariance=covariance,
+        joint_parameters=_joint_labels(chain, camera_prior),
+        joint_covariance=joint,
+        joint_given_cameras=given_cameras,
+        chain=chain,
+        state=state,
+        paper_cost_mm=paper_error_mm(state.guide_direction, state.guide_scale) * float(np.ptp(chain.guide_mm)),
+        sigma_ratio=ratio,
+        guide_from_board=RigidTransform(orthonormalised(state.guide_from_board), "guide", "board"),
+        weak_directions=weakest(covariance, chain.labels),
+        not_observable=not_seen,
+        warnings=_warnings(ratio),
+    )
+
+
+def _hand_eye(state: ChainState, deviations: dict[str, float], distances: FloatArray, angles: FloatArray) -> HandEye:
+    return HandEye(
+        RigidTransform(orthonormalised(state.flange_from_camera), "flange", "camera"),
+        rotation_sigma_rad=_largest(deviations, "hand_eye.rotation"),
+        translation_sigma_mm=_largest(deviations, "hand_eye.x_mm", "hand_eye.y_mm", "hand_eye.z_mm"),
+        residual_mm=float(np.sqrt(np.mean(distances**2))),
+        residual_rad=float(np.sqrt(np.mean(angles**2))),
+        method="joint calibration of the rig",
+    )
+
+
+def _variance(ratio: float, freedom: int) -> float:
+    """Return the factor of the covariance: 1, or that of the residuals where they contradict what was expected significantly."""
+    return ratio**2 if ratio > 1 + 2 / np.sqrt(2 * max(freedom, 1)) else 1.0
+
+
+def _warnings(ratio: float) -> tuple[str, ...]:
+    if ratio <= LARGEST_RATIO:
+        return ()
+    return (
+        f"The residuals are {ratio:.1f} times as large as expected: the robot is worse than stated, the board moved, or tables and images "
+        "do not belong together.",
+    )
+
+
+def _given_cameras(chain: Chain, minimum: Minimum[ChainState], variance: float) -> FloatArray:
+    try:
+        return minimum.covariance(variance)
+    except CalibrationError as error:
+        lost = "; ".join(direction.sentence for direction in unseen(minimum.hessian, chain.labels)) or error.message
+        raise CalibrationError(f"The sightings do not determine the rig: {lost}.", error.hint) from error
+
+
+def _joint_labels(chain: Chain, camera_prior: LabelledCovariance | None) -> tuple[str, ...]:
+    robot = tuple(f"robot {number + 1}.{label}" for number in range(chain.robot_poses) for label in POSE_LABELS)
+    table = tuple(f"table {number + 1}.angle_rad" for number in range(chain.table_angles))
+    cameras = camera_prior.parameters if camera_prior is not None and chain.cameras_freed else ()
+    return (*chain.labels, *robot, *table, *cameras)
+
+
+def _residuals(names: Sequence[str], distances: FloatArray, angles: FloatArray, robot: FloatArray) -> tuple[RigResidual, ...]:
+    return tuple(
+        RigResidual(
+            name, float(distance), float(np.rad2deg(angle)), float(np.linalg.norm(error[3:])), float(np.rad2deg(np.linalg.norm(error[:3])))
+        )
+        for name, distance, angle, error in zip(names, distances, angles, robot, strict=True)
+    )
+
+
+def repeatable_errors(chain: Chain, poses: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return how the errors at ``poses`` (V, 4, 4) follow from those of the approaches: gains (V, G) of rotations and of translations.
+
+    The best linear prediction k K⁻¹ of what repeats, from approaches that scatter [1]_.
+
+    References
+    ----------
+    .. [1] C. E. Rasmussen, C. K. I. Williams, Gaussian Processes for Machine Learning, MIT Press 2006, eq. 2.25.
+    """
+    alike = chain.noise.alike(poses, chain.approached)
+    turn, shift = chain.noise.robot_covariances(chain.approached)
+    noise = chain.noise
+    return np.linalg.solve(turn, noise.robot_rad**2 * alike.T).T, np.linalg.solve(shift, noise.robot_mm**2 * alike.T).T
+
+
+def _stations(chain: Chain, state: ChainState) -> tuple[RobotStation, ...]:
+    """Return every robot pose with its estimated error: what its approaches have in common."""
+    approached = chain.approached
+    same = groups_of(approached[:, :3].reshape(-1, 12), SAME_POSE)
+    poses = approached[np.unique(same, return_index=True)[1]]
+    turn, shift = repeatable_errors(chain, poses)
+    errors = moved(
+        np.tile(np.eye(4), (len(poses), 1, 1)), np.hstack([turn @ state.robot_changes[:, :3], shift @ state.robot_changes[:, 3:]])
+    )
+    return tuple(
+        RobotStation(RigidTransform(pose, "base", "flange"), RigidTransform(orthonormalised(pose @ error), "base", "flange"))
+        for pose, error in zip(poses, errors, strict=True)
+    )
+
+
+def _straightness(chain: Chain, distances_mm: FloatArray) -> float:
+    """Return the rms distance from the straight line over slides with one robot pose, where its error cannot enter; 0 without such."""
+    slid = [
+        distances_mm[chain.robot_group == number]
+        for number in range(chain.robot_poses)
+        if len(np.unique(chain.guide_mm[chain.robot_group == number])) >= LEAST_SLIDES
+    ]
+    return float(np.sqrt(np.mean(np.concatenate(slid) ** 2))) if slid else 0.0
+
+
+def _largest(deviations: dict[str, float], *starts: str) -> float:
+    return max((value for name, value in deviations.items() if name.startswith(starts)), default=0.0)
+
+
+def _guide(state: ChainState, deviations: dict[str, float], straightness_mm: float) -> LinearGuide:
+    return LinearGuide(
+        state.guide_direction,
+        state.guide_scale,
+        direction_sigma_rad=_largest(deviations, "guide.direction"),
+        scale_sigma=_largest(deviations, "guide.scale"),
+        straightness_mm=straightness_mm,
+    )
+
+
+def _axis(
+    state: ChainState, deviations: dict[str, float], covariance: FloatArray, labels: tuple[str, ...], distances: FloatArray
+) -> RotationAxis:
+    """Return the axis with its point beside the board, where its place is best known."""
+    along = float(state.axis_direction @ (state.guide_from_board[:3, 3] - state.axis_point_mm))
+    rows = [labels.index(f"axis.{name}") for name in ("direction_1_rad", "direction_2_rad", "point_1_mm", "point_2_mm")]
+    carry = np.hstack([along * np.eye(2), np.eye(2)])
+    point_covariance = carry @ covariance[np.ix_(rows, rows)] @ carry.T
+    return RotationAxis(
+        state.axis_point_mm + along * state.axis_direction,
+        state.axis_direction,
+        "guide",
+        point_sigma_mm=float(np.sqrt(np.linalg.eigvalsh(point_covariance)[-1])),
+        direction_sigma_rad=_largest(deviations, "axis.direction"),
+        residual_mm=float(np.sqrt(np.mean(distances**2))),
+    )

@@ -1,0 +1,176 @@
+"""How the uncertainty of a calibration compares with what is asked, and with what the rig's own axes allow.
+
+A robot whose poses are uncertain by tenths of a millimetre limits the hand-eye transform however good the images are. So where axes take
+part, each figure is stated twice: as it is, and as perfect images and exactly known cameras would leave it; what lies between both is ours.
+What the noise of the images alone adds stands beside it: where the reference camera's axis points is known only together with its lens, and
+that moves board and part alike.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.calibrate.cameras.projector import HeadSolution
+from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
+from measureapp.calibrate.cameras.uncertainty import POSE_NAMES
+from measureapp.calibrate.motions.chain import Chain, ChainState
+from measureapp.calibrate.motions.hand_eye import HandEyeSolution
+from measureapp.calibrate.motions.linear_guide import GuideSolution
+from measureapp.calibrate.motions.rotation_axis import AxisSolution
+from measureapp.calibrate.motions.slide_noise import with_perfect_images
+from measureapp.calibrate.rig.joint_solution import RigSolution
+from measureapp.data.uncertainty import UncertaintyMap
+
+DEGREES = float(np.rad2deg(1.0))
+# name -> unit and what is asked of it unless the user asks for something else
+ASKED: Mapping[str, tuple[str, float]] = {
+    "shape": ("mm", 0.005),
+    "projector position": ("mm", 0.1),
+    "projector rotation": ("°", 0.02),
+    "hand-eye position": ("mm", 0.05),
+    "hand-eye rotation": ("°", 0.005),
+    "axis direction": ("°", 0.002),
+    "axis position": ("mm", 0.005),
+    "guide direction": ("°", 0.002),
+    "guide scale": ("", 1e-5),
+}
+# labels of the joint solution's parameters, their factor
+IN_RIG: Mapping[str, tuple[tuple[str, ...], float]] = {
+    "hand-eye position": (("hand_eye.x_mm", "hand_eye.y_mm", "hand_eye.z_mm"), 1.0),
+    "hand-eye rotation": (("hand_eye.rotation_x_rad", "hand_eye.rotation_y_rad", "hand_eye.rotation_z_rad"), DEGREES),
+    "axis direction": (("axis.direction_1_rad", "axis.direction_2_rad"), DEGREES),
+    "axis position": (("axis.point_1_mm", "axis.point_2_mm"), 1.0),
+    "guide direction": (("guide.direction_1_rad", "guide.direction_2_rad"), DEGREES),
+    "guide scale": (("guide.scale",), 1.0),
+}
+Asked = Mapping[str, float]  # name of a figure -> what the user asks instead of the usual
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """One figure of a calibration; standard deviations in the direction that is least certain."""
+
+    name: str
+    unit: str
+    asked: float
+    sigma: float
+    axes_allow: float | None = None  # with perfect images and cameras; None where no axis takes part, or its part is in no figure
+    given_cameras: float | None = None  # with exactly known cameras, where it makes a difference that is told
+
+    @property
+    def beyond(self) -> float:
+        """What images and cameras add."""
+        return self.sigma if self.axes_allow is None else float(np.sqrt(max(self.sigma**2 - self.axes_allow**2, 0.0)))
+
+    @property
+    def by_images(self) -> float | None:
+        """What the noise of the images alone adds."""
+        if self.given_cameras is None or self.axes_allow is None:
+            return None
+        return float(np.sqrt(max(self.given_cameras**2 - self.axes_allow**2, 0.0)))
+
+    @property
+    def met(self) -> bool:
+        """Whether the figure as it is stays within what is asked."""
+        return self.sigma <= self.asked
+
+    @property
+    def met_beyond(self) -> bool:
+        """Whether what images and cameras add stays within what is asked."""
+        return self.beyond <= self.asked
+
+    @property
+    def sentence(self) -> str:
+        """All of it in words."""
+        unit = f" {self.unit}" if self.unit == "mm" else self.unit
+        verdict = "as asked" if self.met else "as asked but for the rig's axes" if self.met_beyond else "more than asked"
+        start = f"{self.name} ± {self.sigma:.2g}{unit}, asked {self.asked:.2g}{unit}"
+        if self.axes_allow is None:
+            return f"{start}: {verdict}"
+        alone = "" if self.by_images is None else f" (the images alone {self.by_images:.2g}{unit})"
+        return (
+            f"{start}; the rig's axes alone allow ± {self.axes_allow:.2g}{unit}, "
+            f"images and cameras add {self.beyond:.2g}{unit}{alone}: {verdict}"
+        )
+
+
+def camera_limits(uncertainty: UncertaintyMap | None, asked: Asked) -> tuple[Limit, ...]:
+    """Return the error of shape that the cameras leave in the working volume; nothing without two cameras that see it."""
+    if uncertainty is None or uncertainty.volume is None:
+        return ()
+    return (_limit("shape", asked, uncertainty.volume.shape_rms_mm),)
+
+
+def projector_limits(head: HeadSolution, asked: Asked) -> tuple[Limit, ...]:
+    """Return the figures of where the projector stands before the reference camera, with what the cameras leave uncertain where that is known."""
+    solution = head.solution
+    places = {label: index for index, label in enumerate(solution.parameters)}
+    rows = [places[f"{PROJECTOR}.{name}"] for name in POSE_NAMES]
+    return (
+        _limit("projector position", asked, _worst(solution.covariance, rows[3:])),
+        _limit("projector rotation", asked, _worst(solution.covariance, rows[:3]) * DEGREES),
+    )
+
+
+def axis_limits(solution: AxisSolution, asked: Asked) -> tuple[Limit, ...]:
+    """Return the figures of an axis as the cameras see it, with no robot between."""
+    axis = solution.best.axis
+    return (
+        _limit("axis direction", asked, axis.direction_sigma_rad * DEGREES),
+        _limit("axis position", asked, axis.point_sigma_mm),
+    )
+
+
+def guide_limits(solution: GuideSolution, asked: Asked) -> tuple[Limit, ...]:
+    """Return the figures of a guide as its residuals tell them; an error of robot and hand-eye that all positions share is in none."""
+    guide = solution.guide
+    return (
+        _limit("guide direction", asked, guide.direction_sigma_rad * DEGREES),
+        _limit("guide scale", asked, guide.scale_sigma),
+    )
+
+
+def hand_eye_limits(solution: HandEyeSolution, asked: Asked) -> tuple[Limit, ...]:
+    """Return the figures of a hand-eye transform: as it is, and as the robot's own errors allow."""
+    allowed = _axes_alone(solution.chain, solution.minimum.state)
+    return tuple(
+        _limit(name, asked, _worst(solution.covariance, rows) * factor, _worst(allowed, rows) * factor)
+        for name, rows, factor in (("hand-eye position", [3, 4, 5], 1.0), ("hand-eye rotation", [0, 1, 2], DEGREES))
+    )
+
+
+def rig_limits(solution: RigSolution, asked: Asked) -> tuple[Limit, ...]:
+    """Return every figure of the rig that was estimated: as it is, and as its own axes allow."""
+    allowed = _axes_alone(solution.chain, solution.state)
+    given = solution.joint_given_cameras
+    places = {label: index for index, label in enumerate(solution.parameters)}
+    return tuple(
+        _limit(
+            name,
+            asked,
+            _worst(solution.covariance, own) * factor,
+            _worst(allowed, own) * factor,
+            _worst(given, own) * factor,
+        )
+        for name, (labels, factor) in IN_RIG.items()
+        if (own := [places[label] for label in labels if label in places])
+    )
+
+
+def _axes_alone(chain: Chain, state: ChainState) -> FloatArray:
+    """Return the covariance that perfect images and exactly known cameras would leave; the slide is no straighter for them."""
+    perfect = replace(chain, roots=with_perfect_images(chain.roots, chain.slide), by_cameras=None, camera_covariance=None)
+    return perfect.curvature(replace(state, camera_changes=np.zeros(0))).covariance()
+
+
+def _limit(name: str, asked: Asked, sigma: float, axes_allow: float | None = None, given_cameras: float | None = None) -> Limit:
+    unit, usual = ASKED[name]
+    return Limit(name, unit, asked.get(name, usual), sigma, axes_allow, given_cameras)
+
+
+def _worst(covariance: FloatArray, rows: list[int]) -> float:
+    return float(np.sqrt(max(np.linalg.eigvalsh(covariance[np.ix_(rows, rows)])[-1], 0.0)))

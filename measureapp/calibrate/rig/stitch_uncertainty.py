@@ -1,0 +1,219 @@
+"""How far a stitched point may be off because of the rig's calibration: anywhere in the volume, view by view, and between views."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import block_diag
+from scipy.spatial.transform import Rotation
+
+from measureapp.arrays import BoolArray, FloatArray
+from measureapp.calibrate.motions.axis_noise import SAME_POSE, approaches_of
+from measureapp.calibrate.motions.chain import LENGTH_STEP, POSE, POSE_STEPS, SCALE_STEP, TURN_STEP, Chain, ChainState, groups_of
+from measureapp.calibrate.poses import change_between, inverted, moved
+from measureapp.calibrate.projection import cross_matrices
+from measureapp.calibrate.rig.joint import SAME_ANGLE_RAD
+from measureapp.calibrate.rig.joint_solution import RigSolution, repeatable_errors
+from measureapp.data.calibration import RigCalibration, RotationAxis
+from measureapp.data.fringe import AxisReadback
+from measureapp.geometry.transform import RigidTransform
+
+OWN = 7  # what each view adds of its own: the robot's error (6) and the table's (1)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RigUncertainty:
+    """What the joint calibration of a rig leaves open: enough to say how certain any view is placed, without the images it came from."""
+
+    calibration: RigCalibration
+    chain: Chain
+    state: ChainState
+    covariance: FloatArray  # (P, P) of the chain's parameters, for cameras without error
+
+
+def uncertainty_of(solution: RigSolution) -> RigUncertainty:
+    """Return what a solution leaves open."""
+    return RigUncertainty(solution.calibration, solution.chain, solution.state, solution.joint_given_cameras)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ViewUncertainty:
+    """The errors of ``part_from_camera`` of several views, all together.
+
+    `covariance` is (V, 6, V, 6) of the changes (ω rad, τ mm) that take the true pose to the calibrated one, in the frame `part`:
+    R' = exp(ω) R, t' = t + τ, so that a point p of the part moves by ω × (p - t) + τ. Ordering: rotation x, y, z, then x, y, z.
+    """
+
+    part_from_camera: tuple[RigidTransform, ...]
+    covariance: FloatArray
+
+    def view(self, index: int) -> FloatArray:
+        """Return the covariance (6, 6) of one view, usable as a prior of its pose."""
+        return np.asarray(self.covariance[index, :, index, :])
+
+    def point_covariance(self, index: int, points_in_part_mm: FloatArray) -> FloatArray:
+        """Return the covariance (N, 3, 3), mm², of points (N, 3) of the part as this view places them."""
+        lever = self._lever(index, points_in_part_mm)
+        return np.asarray(lever @ self.view(index) @ np.swapaxes(lever, 1, 2))
+
+    def between(self, first: int, second: int, points_in_part_mm: FloatArray) -> FloatArray:
+        """Return the covariance (N, 3, 3), mm², of the gap that two views leave at points (N, 3) both of them see."""
+        levers = [(first, 1.0, self._lever(first, points_in_part_mm)), (second, -1.0, self._lever(second, points_in_part_mm))]
+        total = np.zeros((len(levers[0][2]), 3, 3))
+        for a, sign_a, lever_a in levers:
+            for b, sign_b, lever_b in levers:
+                total += sign_a * sign_b * lever_a @ self.covariance[a, :, b, :] @ np.swapaxes(lever_b, 1, 2)
+        return total
+
+    @property
+    def pose_covariance(self) -> FloatArray:
+        """The same (6 V, 6 V) as motions of each camera in its own frame: shifts x, y, z (mm), then turns about x, y, z (rad), view by view."""
+        turned = np.zeros((len(self.part_from_camera), POSE, POSE))
+        for index, pose in enumerate(self.part_from_camera):
+            turned[index, :3, 3:] = turned[index, 3:, :3] = pose.rotation.T
+        full = np.einsum("aij,ajbk,blk->aibl", turned, self.covariance, turned)
+        return np.asarray(full.reshape(POSE * len(turned), -1))
+
+    def relative(self, first: int, second: int) -> FloatArray:
+        """Return the covariance (6, 6) of the second view against the first: turn, and shift of the part's origin, in frame `part`."""
+        carry = [self._to_origin(index) for index in (first, second)]
+        signs, chosen = (-1.0, 1.0), (first, second)
+        total = np.zeros((POSE, POSE))
+        for i, a in enumerate(chosen):
+            for j, b in enumerate(chosen):
+                total += signs[i] * signs[j] * carry[i] @ self.covariance[a, :, b, :] @ carry[j].T
+        return total
+
+    def _to_origin(self, index: int) -> FloatArray:
+        carry = np.eye(POSE)
+        carry[3:, :3] = cross_matrices(self.part_from_camera[index].translation_mm[None])[0]
+        return carry
+
+    def _lever(self, index: int, points_in_part_mm: FloatArray) -> FloatArray:
+        points = np.asarray(points_in_part_mm, float).reshape(-1, 3)
+        away = points - self.part_from_camera[index].translation_mm
+        return np.concatenate([-cross_matrices(away), np.tile(np.eye(3), (len(points), 1, 1))], axis=2)
+
+
+def point_sigma_mm(rig: RigUncertainty, readback: AxisReadback, points_in_part_mm: FloatArray) -> FloatArray:
+    """Return the predicted standard deviation (N,) mm, the largest over all directions, of points (N, 3) seen from ``readback``.
+
+    It holds what the rig's calibration and its axes leave open. The noise of the cloud is not in it, nor what the cameras' own errors
+    do: they move board and part alike, so that their rigid share cancels; what is left of them bends the cloud and belongs to it.
+    """
+    covariance = view_uncertainty(rig, [readback]).point_covariance(0, points_in_part_mm)
+    return np.sqrt(np.linalg.eigvalsh(covariance)[:, -1])
+
+
+def view_uncertainty(
+    rig: RigUncertainty, readbacks: Sequence[AxisReadback], approaches: Sequence[Hashable] | None = None
+) -> ViewUncertainty:
+    """Return the covariance of ``part_from_camera`` of all views together, by linear propagation of the joint covariance.
+
+    Parameters shared by the views (hand-eye, guide, axis) make their errors alike; the robot's repeatable error enters as
+    the calibration's sightings tell it (`repeatable_errors`), the scatter of its approach and the table's error of its own.
+
+    Parameters
+    ----------
+    approaches : one label per view, equal for views between which robot and guide stood still: these share its scatter.
+        None: neighbouring views with equal robot poses are one approach.
+    """
+    placed = tuple(rig.calibration.part_from_camera(readback) for readback in readbacks)
+    by_named, by_own = zip(*(_derivatives(rig, readback) for readback in readbacks), strict=True)
+    gain = np.hstack([np.vstack(by_named), block_diag(*by_own)])
+    total = gain @ _sources(rig, readbacks, approaches) @ gain.T
+    return ViewUncertainty(placed, total.reshape(len(placed), POSE, len(placed), POSE))
+
+
+def _sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback], approaches: Sequence[Hashable] | None) -> FloatArray:
+    """Covariance of the named parameters (without the board), then of robot and table errors of every view; estimated minus true."""
+    chain, joint = rig.chain, rig.covariance
+    named = len(chain.labels) - POSE
+    robot = np.arange(POSE * chain.robot_poses) + named + POSE
+    poses = np.array([readback.base_from_flange.matrix for readback in readbacks])
+    gain = np.zeros((named + OWN * len(poses), len(joint)))
+    gain[:named, :named] = np.eye(named)
+    rest = np.zeros((len(gain), len(gain)))
+    mean = np.zeros(len(gain))
+    turn, shift = repeatable_errors(chain, poses)
+    approach = approaches_of(groups_of(poses[:, :3].reshape(-1, 12), SAME_POSE)) if approaches is None else approaches
+    together = np.array([[a == b for b in approach] for a in approach])
+    at_station = np.array([rig.calibration.station(readback) is not None for readback in readbacks])
+    for part in range(POSE):
+        rows, columns = named + part + OWN * np.arange(len(poses)), robot[part::POSE]
+        follows = turn if part < 3 else shift
+        gain[np.ix_(rows, columns)] = follows
+        rest[np.ix_(rows, rows)] = _unexplained(chain, poses, follows, together, rotation=part < 3)
+        mean[rows] = -np.where(at_station, 0.0, follows @ rig.state.robot_changes[:, part])  # known, but not undone
+    _table_sources(rig, readbacks, gain, rest, mean)
+    return np.asarray(gain @ joint @ gain.T + rest + np.outer(mean, mean))
+
+
+def _unexplained(chain: Chain, poses: FloatArray, follows: FloatArray, together: BoolArray, rotation: bool) -> FloatArray:
+    """What the approaches of the calibration do not tell of the robot's errors at ``poses``, and the scatter of approaches ``together``, (V, V)."""
+    noise = chain.noise
+    large, small = (noise.robot_rad, noise.robot_repeat_rad) if rotation else (noise.robot_mm, noise.robot_repeat_mm)
+    known = noise.alike(poses, chain.approached)
+    left = noise.alike(poses, poses) - follows @ known.T
+    return np.asarray(large**2 * (left + left.T) / 2 + small**2 * together)
+
+
+def _table_sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback], gain: FloatArray, rest: FloatArray, mean: FloatArray) -> None:
+    """Fill in the table's errors: those of angles the calibration used are correlated with its result, equal angles share theirs."""
+    chain = rig.chain
+    named = len(chain.labels) - POSE
+    seen = np.array([chain.table_rad[chain.table_group == number][0] for number in range(chain.table_angles)])
+    angles = np.array([readback.table_rad for readback in readbacks])
+    rows = named + OWN * np.arange(len(angles)) + POSE
+    first = len(chain.labels) + POSE * chain.robot_poses
+    for row, angle in zip(rows, angles, strict=True):
+        matches = np.flatnonzero(np.abs(seen - angle) <= SAME_ANGLE_RAD)
+        if len(matches):
+            gain[row, first + matches[0]] = 1.0
+            mean[row] = -rig.state.table_changes[matches[0]]
+        else:
+            rest[np.ix_([row], rows[np.abs(angles - angle) <= SAME_ANGLE_RAD])] = chain.noise.table_rad**2
+
+
+def _derivatives(rig: RigUncertainty, readback: AxisReadback) -> tuple[FloatArray, FloatArray]:
+    """Return how ``part_from_camera`` changes with the named parameters (6, P) and with the errors of robot and table (6, 7)."""
+    chain, state = rig.chain, rig.state
+    station = rig.calibration.station(readback)
+    flange = (readback.base_from_flange if station is None else station.true).matrix
+    named = len(chain.labels) - POSE
+    at = _placed(state, flange, readback, np.zeros(OWN))
+
+    def change(step: float, shifted: FloatArray, own: FloatArray) -> FloatArray:
+        there, back = (_placed(chain.moved(state, sign * shifted), flange, readback, sign * own) for sign in (1.0, -1.0))
+        return (change_between(at[None], there[None]) - change_between(at[None], back[None]))[0] / (2 * step)
+
+    steps = [*POSE_STEPS] if chain.free.hand_eye else []
+    steps += [TURN_STEP, TURN_STEP, SCALE_STEP] if chain.free.guide else []
+    steps += [TURN_STEP, TURN_STEP, LENGTH_STEP, LENGTH_STEP] if chain.free.axis else []
+    by_named = [change(step, step * np.eye(chain.size)[index], np.zeros(OWN)) for index, step in enumerate(steps)]
+    by_own = [change(step, np.zeros(chain.size), step * np.eye(OWN)[index]) for index, step in enumerate((*POSE_STEPS, TURN_STEP))]
+    return np.array(by_named).reshape(named, POSE).T, np.array(by_own).T
+
+
+def _placed(state: ChainState, flange: FloatArray, readback: AxisReadback, own: FloatArray) -> FloatArray:
+    """Return part_from_camera (4, 4) of a state, with an error of the robot (6) and of the table's angle."""
+    axis = RotationAxis(state.axis_point_mm, state.axis_direction, "guide")
+    shift = np.eye(4)
+    shift[:3, 3] = state.guide_direction * state.guide_scale * readback.guide_mm
+    robot = flange @ moved(np.eye(4), own[:POSE])
+    back = np.eye(4)
+    back[:3, :3] = Rotation.from_rotvec([0, 0, -(readback.table_rad + own[POSE])]).as_matrix()
+    return np.asarray(back @ inverted(_guide_from_table(axis)) @ shift @ robot @ state.flange_from_camera)
+
+
+def _guide_from_table(axis: RotationAxis) -> FloatArray:
+    """The table frame as `RigCalibration.table_from_guide` defines it."""
+    z = axis.direction
+    x = np.array([1.0, 0.0, 0.0]) - z[0] * z
+    x /= np.linalg.norm(x)
+    result = np.eye(4)
+    result[:3, :3] = np.column_stack([x, np.cross(z, x), z])
+    result[:3, 3] = axis.point_mm - z * float(z @ axis.point_mm)
+    return result

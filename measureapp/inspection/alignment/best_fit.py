@@ -1,0 +1,120 @@
+"""Laying measured points onto their nominal: a search over starts, then robust point-to-plane registration."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from measureapp.arrays import FloatArray
+from measureapp.data.measurement import Alignment
+from measureapp.data.mesh import Mesh
+from measureapp.errors import InspectionError
+from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.inspection.alignment.point_to_plane import Registration, cost, register
+from measureapp.inspection.alignment.starts import all_round_starts, upright_starts
+from measureapp.inspection.measured import HasPoints, MeasuredPoints
+from measureapp.inspection.settings import AlignmentSettings
+from measureapp.inspection.surface.nominal import NominalSurface
+from measureapp.inspection.surface.units import check_size
+
+FINALISTS = 4
+AS_GOOD = 1.1  # costs within 10 % are the same answer of a symmetric part
+POOR_COST = 0.35  # share of the truncated cost above which the part has not been found
+
+
+@dataclass(frozen=True, slots=True)
+class _Candidate:
+    matrix: FloatArray
+    cost: float
+
+    @property
+    def turn_rad(self) -> float:
+        """How far it turns the part from where the axes say it stands."""
+        return float(np.linalg.norm(Rotation.from_matrix(self.matrix[:3, :3]).as_rotvec()))
+
+
+def no_alignment(frame: str = "part") -> Alignment:
+    """Return the alignment that takes the points as they are: part and nominal frame coincide."""
+    return Alignment("none: part frame taken as nominal frame", RigidTransform.identity("nominal", frame), 0.0)
+
+
+def given_alignment(nominal_from_part: RigidTransform, name: str) -> Alignment:
+    """Return an alignment known beforehand."""
+    return Alignment(name, nominal_from_part, 0.0)
+
+
+def best_fit(
+    measured: MeasuredPoints | HasPoints | Mesh,
+    nominal: Mesh | NominalSurface,
+    settings: AlignmentSettings = AlignmentSettings(),  # noqa: B008 - frozen
+    frame: str = "part",
+) -> Alignment:
+    """Find the rigid motion that lays points onto a nominal mesh, without any start.
+
+    Starts are turned about z (the part stands as drawn) and, unless that finds the part, in all directions;
+    each is improved coarsely, the best ones finely. Of equally good answers of a symmetric part the one
+    that turns least is taken, so that repeated measurements agree.
+
+    Raises
+    ------
+    InspectionError
+        The cloud is in another unit, too small, or does not match the nominal anywhere.
+    """
+    points = MeasuredPoints.of(measured)
+    surface = nominal if isinstance(nominal, NominalSurface) else NominalSurface(nominal)
+    check_size(points.points_mm, surface.vertices_mm)
+    best = _search(points, surface, settings)
+    fine = register(points.thinned(settings.fine_points), surface, best.matrix, settings)
+    _refuse_another_part(fine, surface, settings)
+    transform = RigidTransform(orthonormalised(fine.matrix), "nominal", frame)
+    return Alignment("best fit", transform, fine.rms_mm, fine.overlap, fine.undetermined)
+
+
+def _search(points: MeasuredPoints, surface: NominalSurface, settings: AlignmentSettings) -> _Candidate:
+    """Try the starts of an upright part first; all directions only when none of those is convincing."""
+    sample, finer = points.thinned(settings.coarse_points), points.thinned(4 * settings.coarse_points)
+
+    def finished(starts: list[FloatArray]) -> list[_Candidate]:
+        best = _improved(sample, surface, starts, settings)[:FINALISTS]
+        return [_finish(finer, surface, candidate, settings) for candidate in best]
+
+    finalists = finished(upright_starts(sample.points_mm, surface)) if settings.upright else []
+    if not finalists or min(candidate.cost for candidate in finalists) > POOR_COST:
+        finalists += finished(all_round_starts(sample.points_mm, surface))
+    limit = AS_GOOD * min(candidate.cost for candidate in finalists)
+    return min((candidate for candidate in finalists if candidate.cost <= limit), key=lambda c: c.turn_rad)
+
+
+def _improved(sample: MeasuredPoints, surface: NominalSurface, starts: list[FloatArray], settings: AlignmentSettings) -> list[_Candidate]:
+    """Improve every start by a few coarse steps; the best come first, near-duplicates are dropped."""
+    radius = 0.05 * surface.diagonal_mm
+    found = []
+    for start in starts:
+        matrix = register(sample, surface, start, settings, iterations=10, reach_mm=2 * radius).matrix
+        found.append(_Candidate(matrix, cost(sample, surface, matrix, 0.02 * surface.diagonal_mm, settings)))
+    distinct: list[_Candidate] = []
+    for candidate in sorted(found, key=lambda c: c.cost):
+        if all(_differ(candidate.matrix, other.matrix) for other in distinct):
+            distinct.append(candidate)
+    return distinct
+
+
+def _differ(one: FloatArray, other: FloatArray) -> bool:
+    turn = Rotation.from_matrix(one[:3, :3].T @ other[:3, :3]).magnitude()
+    return bool(turn > np.radians(3.0) or np.linalg.norm(one[:3, 3] - other[:3, 3]) > 5.0)
+
+
+def _finish(sample: MeasuredPoints, surface: NominalSurface, candidate: _Candidate, settings: AlignmentSettings) -> _Candidate:
+    matrix = register(sample, surface, candidate.matrix, settings).matrix
+    return _Candidate(matrix, cost(sample, surface, matrix, 0.005 * surface.diagonal_mm, settings))
+
+
+def _refuse_another_part(fine: Registration, surface: NominalSurface, settings: AlignmentSettings) -> None:
+    near = settings.near_share * surface.diagonal_mm
+    if fine.overlap < settings.least_overlap:
+        raise InspectionError(
+            f"Only {fine.overlap:.0%} of the points lie within {near:.1f} mm of the nominal, whichever way it is turned.",
+            "Is this the nominal of another part? Otherwise cut the surroundings out of the cloud.",
+        )

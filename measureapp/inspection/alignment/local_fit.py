@@ -1,0 +1,76 @@
+"""Best fit of chosen features and regions alone: a worn or bent rest does not pull it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from measureapp.arrays import BoolArray, FloatArray
+from measureapp.data.alignment_program import BestFit, Region
+from measureapp.data.inspection_program import InspectionProgram, MeasuredFeature
+from measureapp.data.measurement import Alignment
+from measureapp.errors import InspectionError
+from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.inspection.alignment.best_fit import best_fit
+from measureapp.inspection.alignment.point_to_plane import register
+from measureapp.inspection.features.cut import cut_points, nominal_features
+from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.settings import InspectionSettings
+from measureapp.inspection.surface.nominal import NominalSurface
+
+ROUNDS = 3  # the points are chosen anew where the fit before has laid them
+
+
+def local_fit(
+    points: MeasuredPoints, program: InspectionProgram, asked: BestFit, surface: NominalSurface, settings: InspectionSettings, frame: str
+) -> Alignment:
+    """Fit all points first, then those of the chosen features and regions.
+
+    Raises
+    ------
+    InspectionError
+        The cloud does not match the nominal, a feature is made from others, or too few points lie in what was chosen.
+    """
+    matrix = best_fit(points, surface, settings.alignment, frame).nominal_from_part.matrix
+    edges = surface.sharp_edges()
+    measured = {
+        nominal.feature.name: nominal
+        for one in program.features
+        if isinstance(one, MeasuredFeature) and one.grow is None
+        for nominal in nominal_features(one)
+    }
+    if made := [name for name in asked.features if name not in measured]:
+        raise InspectionError(
+            f"{made[0]} is not cut from the points around its nominal: a local best fit cannot rest on it.", "Name features that are."
+        )
+    for _ in range(ROUNDS):
+        placed = points.seen_from(RigidTransform(orthonormalised(matrix), "nominal", frame))
+        chosen = np.zeros(len(points), bool)
+        for name in asked.features:
+            chosen[cut_points(placed, measured[name], edges)] = True
+        for region in asked.regions:
+            chosen |= _inside(placed.points_mm, region)
+        if chosen.sum() < settings.least_points:
+            raise InspectionError(
+                f"Only {chosen.sum()} points lie in the features and regions of the local best fit, {settings.least_points} are needed.",
+                "Scan these places, or choose others.",
+            )
+        fine = register(
+            points.where(chosen).thinned(settings.alignment.fine_points), surface, matrix, settings.alignment, reach_mm=_reach(surface)
+        )
+        matrix = fine.matrix
+    names = [*asked.features, *([f"{len(asked.regions)} regions"] if asked.regions else [])]
+    transform = RigidTransform(orthonormalised(matrix), "nominal", frame)
+    return Alignment(f"local best fit ({', '.join(names)})", transform, fine.rms_mm, fine.overlap, fine.undetermined)
+
+
+def _reach(surface: NominalSurface) -> float:
+    return 0.02 * surface.diagonal_mm
+
+
+def _inside(points_mm: FloatArray, region: Region) -> BoolArray:
+    inside = np.ones(len(points_mm), bool)
+    columns = (*points_mm.T, np.hypot(points_mm[:, 0], points_mm[:, 1]))
+    for values, extent in zip(columns, (region.x_mm, region.y_mm, region.z_mm, region.radial_mm), strict=True):
+        if extent is not None:
+            inside &= (values > extent[0]) & (values < extent[1])
+    return inside

@@ -1,0 +1,1 @@
+"""Features: cut around their nominals or grown, fitted, or constructed from others."""

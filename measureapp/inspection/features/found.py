@@ -1,0 +1,149 @@
+"""Features found on the measured points: fitted around their nominals, or made from others."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from measureapp.arrays import FloatArray, IntArray
+from measureapp.data.feature import Feature
+from measureapp.data.inspection_program import MeasuredFeature
+from measureapp.errors import FitError
+from measureapp.inspection.features.cut import NominalFeature, cut_points, nominal_features
+from measureapp.inspection.features.shapes import signed_distances
+from measureapp.inspection.features.surface_point import surface_point
+from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.settings import InspectionSettings
+from measureapp.inspection.uncertainty import effective_views, shared_error_factor
+
+MAD_TO_SIGMA = 1.4826
+TRIM_ROUNDS = 3
+GREATEST_TILT_DEG = 20.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Found:
+    """A feature found on the part, or the reason why it was not."""
+
+    name: str
+    feature: Feature | None
+    reason: str = ""
+    error_factor: float = 1.0  # by which shared errors of neighbouring points widen the fit's standard deviations
+    views: float = 1.0  # how many views it effectively rests on
+    points_mm: FloatArray = field(default_factory=lambda: np.empty((0, 3)))  # the points it was fitted to
+    nominal: Feature | None = None  # where the drawing has it
+    hole: bool = field(default=False, kw_only=True)  # the material lies outside
+    draws: int = field(default=0, kw_only=True)  # fits to simulated points that its covariance comes from; 0: from the law of propagation
+
+    @property
+    def position_sigma(self) -> float:
+        """Standard deviation of the position in mm, shared errors included."""
+        return self._sigma("position_mm")
+
+    @property
+    def direction_sigma(self) -> float:
+        """Standard deviation of the direction in rad, shared errors included."""
+        return self._sigma("direction_rad")
+
+    @property
+    def radius_sigma(self) -> float:
+        """Standard deviation of the radius in mm, shared errors included."""
+        return self._sigma("radius_mm")
+
+    @property
+    def half_angle_sigma(self) -> float:
+        """Standard deviation of a cone's half angle in rad, shared errors included."""
+        return self._sigma("half_angle_rad")
+
+    def _sigma(self, key: str) -> float:
+        return 0.0 if self.feature is None else self.feature.standard_deviations.get(key, 0.0) * self.error_factor
+
+
+def find(described: MeasuredFeature, points: MeasuredPoints, edges: cKDTree | None, settings: InspectionSettings) -> Mapping[str, Found]:
+    """Find a feature and all copies of its pattern on ``points`` (in the nominal's frame)."""
+    return {nominal.feature.name: _find_one(nominal, points, edges, settings) for nominal in nominal_features(described)}
+
+
+def _find_one(nominal: NominalFeature, points: MeasuredPoints, edges: cKDTree | None, settings: InspectionSettings) -> Found:
+    return fitted(nominal, points, cut_points(points, nominal, edges), settings, nominal.feature)
+
+
+def fitted(
+    expected: NominalFeature, points: MeasuredPoints, chosen: IntArray, settings: InspectionSettings, drawn: Feature | None
+) -> Found:
+    """Fit the shape of ``expected``, and lying about there, to the chosen points; ``drawn`` is its place in the drawing, if it has one."""
+    name = expected.feature.name
+    if len(chosen) < settings.least_points:
+        reason = f"{name}: only {len(chosen)} points were measured there, {settings.least_points} are needed"
+        return Found(name, None, reason, nominal=drawn)
+    if len(chosen) > settings.fit_points:
+        chosen = chosen[:: -(-len(chosen) // settings.fit_points)]
+    cut = points.where(chosen)
+    try:
+        feature, residuals, kept = _trimmed_fit(expected, cut, settings)
+    except FitError as error:
+        return Found(name, None, f"{name}: {error.message}", nominal=drawn)
+    if reason := _implausible(feature, expected):
+        return Found(name, None, f"{name}: {reason}", nominal=drawn)
+    used = cut.where(kept)
+    factor = shared_error_factor(used.points_mm, residuals, settings.uncertainty.correlation_mm)
+    return Found(name, feature, "", factor, effective_views(used.view), used.points_mm, drawn, hole=expected.hole)
+
+
+def _trimmed_fit(nominal: NominalFeature, cut: MeasuredPoints, settings: InspectionSettings) -> tuple[Feature, FloatArray, IntArray]:
+    """Fit, leave out what lies too far from the fit, and fit again; return feature, residuals and indices of the points kept."""
+    kept = np.arange(len(cut))
+    for _ in range(TRIM_ROUNDS):
+        used = cut.where(kept)
+        feature, distances = _fit(nominal, used, cut.points_mm)
+        limit = settings.trim_sigma * MAD_TO_SIGMA * float(np.median(np.abs(distances[kept] - np.median(distances[kept]))))
+        within = np.flatnonzero(np.abs(distances) <= max(limit, 1e-9))
+        if len(within) == len(kept) or len(within) < settings.least_points:
+            break
+        kept = within
+    feature, distances = _fit(nominal, cut.where(kept), cut.points_mm)
+    made = replace(
+        feature, name=nominal.feature.name, points=len(kept), left_out=len(cut) - len(kept), boundary_mm=_extent(cut.points_mm[kept])
+    )
+    return made, distances[kept], kept
+
+
+def _fit(nominal: NominalFeature, used: MeasuredPoints, all_points_mm: FloatArray) -> tuple[Feature, FloatArray]:
+    """Fit the shape to ``used``; return it as oriented in the nominal, and the distances of all points of the cut."""
+    if nominal.surface_point:
+        return surface_point(nominal.feature, used, all_points_mm)
+    from measureapp.geometry.fits import fit
+
+    weights = None if used.sigma_mm is None else _weights(np.asarray(used.sigma_mm, float))
+    feature = fit(nominal.feature.shape, used.points_mm, weights=weights, start=nominal.feature)
+    expected = nominal.feature.direction
+    if feature.direction is not None and expected is not None and feature.direction @ expected < 0 and feature.shape != "cone":
+        feature = replace(feature, direction=-feature.direction)
+    return feature, signed_distances(feature, all_points_mm)
+
+
+def _weights(sigma_mm: FloatArray) -> FloatArray:
+    """Inverse variances about 1; no point counts for more than four of the median."""
+    median = float(np.median(sigma_mm))
+    return (median / np.maximum(sigma_mm, median / 2)) ** 2
+
+
+def _implausible(feature: Feature, nominal: NominalFeature) -> str:
+    expected = nominal.feature
+    if feature.direction is not None and expected.direction is not None:
+        tilt = np.degrees(np.arccos(np.clip(abs(float(feature.direction @ expected.direction)), 0, 1)))
+        if tilt > GREATEST_TILT_DEG:
+            return f"the points there give a {expected.shape} tilted by {tilt:.0f}° against its nominal"
+    if feature.radius_mm is not None and expected.radius_mm is not None:
+        off = feature.radius_mm - expected.radius_mm
+        if abs(off) > 2 * nominal.cut.band_mm:
+            return f"the points there give a radius that differs by {off:+.1f} mm from its nominal"
+    return ""
+
+
+def _extent(points_mm: FloatArray) -> FloatArray:
+    """The two corners of the points' box, (2, 3)."""
+    return np.stack([points_mm.min(axis=0), points_mm.max(axis=0)])

@@ -1,0 +1,64 @@
+"""Features whose points are found by region growing instead of around a nominal."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.data.feature import Feature
+from measureapp.data.inspection_program import Grow, MeasuredFeature, copy_names
+from measureapp.errors import FitError, InspectionError
+from measureapp.geometry.transform import rotation_about
+from measureapp.inspection.features.cut import NominalFeature, nominal_features, within_box
+from measureapp.inspection.features.found import Found, fitted
+from measureapp.inspection.features.regions.grow import Region, grow_region
+from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.settings import InspectionSettings
+
+
+def find_grown(described: MeasuredFeature, points: MeasuredPoints, settings: InspectionSettings) -> Mapping[str, Found]:
+    """Grow a feature, or every copy of its pattern, from its seed; ``points`` are in the nominal's frame."""
+    assert described.grow is not None
+    nominals = {one.feature.name: one for one in nominal_features(described)} if described.placed else {}
+    angle = 0.0 if described.repeat is None else np.radians(described.repeat.angle_deg)
+    found = {}
+    for number, name in enumerate(copy_names(described.name, described.repeat)):
+        turn = rotation_about([0, 0, 1], number * angle)
+        found[name] = _grow_one(described, described.grow, name, turn, nominals.get(name), points, settings)
+    return found
+
+
+def _grow_one(
+    described: MeasuredFeature,
+    asked: Grow,
+    name: str,
+    turn: FloatArray,
+    nominal: NominalFeature | None,
+    points: MeasuredPoints,
+    settings: InspectionSettings,
+) -> Found:
+    drawn = None if nominal is None else nominal.feature
+    allowed = within_box(points.points_mm, described.cut, turn)
+    assert described.shape != "surface_point"  # the program refuses one that grows
+    try:
+        region = grow_region(points, allowed, described.shape, turn @ np.asarray(asked.seed_mm, float), asked)
+    except (InspectionError, FitError) as error:
+        return Found(name, None, " ".join(filter(None, [f"{name}: {error.message.rstrip('.')}.", error.hint])).rstrip("."), nominal=drawn)
+    expected = nominal or NominalFeature(_towards_outside(region, name, points), described.cut, described.hole, False, 0.0)
+    made = fitted(expected, points, region.indices, settings, drawn)
+    if made.feature is None:
+        return made
+    words = f"grown from its seed to {len(region.indices)} points within {region.limit_mm:.3f} mm (noise {region.noise_mm:.3f} mm)"
+    return replace(made, feature=replace(made.feature, how=f"{words}; it ended {region.why_it_stopped}"))
+
+
+def _towards_outside(region: Region, name: str, points: MeasuredPoints) -> Feature:
+    """The region's shape under the feature's name; a plane's normal looks to where its points were seen from."""
+    feature = replace(region.feature, name=name)
+    if feature.shape != "plane" or feature.direction is None or points.normals is None:
+        return feature
+    seen = np.asarray(points.normals, float)[region.indices].mean(axis=0)
+    return feature if seen @ feature.direction >= 0 else replace(feature, direction=-feature.direction)

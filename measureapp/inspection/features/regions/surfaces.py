@@ -1,0 +1,136 @@
+"""What a growing region is compared with: first a curved patch about the seed, then the shape itself."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from measureapp.arrays import BoolArray, FloatArray
+from measureapp.data.feature import Feature
+from measureapp.geometry.shapes import tangents
+from measureapp.inspection.features.cells import angles
+from measureapp.inspection.features.shapes import along_and_off, outward_normals, signed_distances
+
+STEEPEST_DEG = 40.0  # a patch over a plane is compared no further round than this
+MAD_TO_SIGMA = 1.4826
+OUTLYING = 3.5
+FITS = 4
+
+
+class LocalSurface(Protocol):
+    """A surface that points can be compared with."""
+
+    def distances(self, points_mm: FloatArray) -> FloatArray:
+        """Return signed distances (N,)."""
+
+    def normals(self, points_mm: FloatArray) -> FloatArray:
+        """Return unit normals (N, 3) beside the points, of either sign."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Patch:
+    """A quadric height field over a plane: what any smooth surface looks like near a point."""
+
+    point_mm: FloatArray  # (3,)
+    axes: FloatArray  # (3, 3): two directions across, and the height
+    terms: FloatArray  # (6,) of 1, u, v, u², uv, v²
+    scatter_mm: float  # standard deviation of its points from it, their number of freedoms taken into account
+
+    @classmethod
+    def fitted(cls, points_mm: FloatArray, normal: FloatArray, point_mm: FloatArray) -> Patch:
+        """Fit to (N, 3) points by least squares of their heights, without what lies far off."""
+        axes = np.vstack([tangents(normal), normal])
+        u, v, height = ((points_mm - point_mm) @ axes.T).T
+        design = _design(u, v)
+        kept = np.ones(len(height), bool)
+        for _ in range(FITS):
+            terms = np.linalg.lstsq(design[kept], height[kept], rcond=None)[0]
+            off = np.abs(height - design @ terms)
+            kept = off <= OUTLYING * max(MAD_TO_SIGMA * float(np.median(off)), 1e-9)
+        free = max(int(kept.sum()) - design.shape[1], 1)
+        return cls(point_mm, axes, terms, float(np.sqrt(np.sum(off[kept] ** 2) / free)))
+
+    def distances(self, points_mm: FloatArray) -> FloatArray:
+        """Return heights over the patch, shortened by its slope."""
+        u, v, height = ((points_mm - self.point_mm) @ self.axes.T).T
+        slope = self._slopes(u, v)
+        return np.asarray((height - _design(u, v) @ self.terms) / np.sqrt(1 + np.sum(slope**2, axis=0)))
+
+    def normals(self, points_mm: FloatArray) -> FloatArray:
+        """Return the normals of the patch under the points; where it is too steep to be compared with, ones across it."""
+        u, v, _ = ((points_mm - self.point_mm) @ self.axes.T).T
+        slope = self._slopes(u, v)
+        made = np.stack([-slope[0], -slope[1], np.ones_like(u)])
+        made /= np.linalg.norm(made, axis=0)
+        made[:, made[2] < np.cos(np.radians(STEEPEST_DEG))] = np.array([[1.0], [0.0], [0.0]])
+        return np.asarray(made.T @ self.axes)
+
+    def _slopes(self, u: FloatArray, v: FloatArray) -> FloatArray:
+        _, b, c, d, e, f = self.terms
+        return np.stack([b + 2 * d * u + e * v, c + e * u + 2 * f * v])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ShapeSurface:
+    """The fitted plane, cylinder, sphere or cone."""
+
+    feature: Feature
+
+    def distances(self, points_mm: FloatArray) -> FloatArray:
+        """Return orthogonal distances."""
+        return signed_distances(self.feature, points_mm)
+
+    def normals(self, points_mm: FloatArray) -> FloatArray:
+        """Return the shape's normals."""
+        return outward_normals(self.feature, points_mm)
+
+
+def bend(feature: Feature, points_mm: FloatArray, kept: BoolArray) -> tuple[float, float]:
+    """Return how far (range, mm) a quadratic of the residuals over the surface bends away from the shape, and the bend's noise.
+
+    A region that was cut out of another shape, like a strip of a cylinder taken as a plane, keeps such a bend however
+    well its points keep to the limits.
+    """
+    points = points_mm[kept]
+    u, v = _unrolled(feature, points)
+    residuals = signed_distances(feature, points)
+    design = _design(u, v)
+    inverse = np.linalg.pinv(design.T @ design)
+    bent = design @ (inverse @ (design.T @ residuals))
+    free = max(len(points) - design.shape[1], 1)
+    sigma = float(np.sqrt(np.sum((residuals - bent) ** 2) / free))
+    noise = sigma * float(np.sqrt(np.einsum("nk,kl,nl->n", design, inverse, design).max()))
+    return float(np.ptp(bent)), noise
+
+
+def _unrolled(feature: Feature, points_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Coordinates along the surface, between -1 and 1."""
+    if feature.shape in ("cylinder", "cone") and feature.direction is not None:
+        along, _, _ = along_and_off(points_mm, feature.point_mm, feature.direction)
+        turn = angles(points_mm, feature.point_mm, feature.direction)
+        start = _gap_end(turn)
+        return _spread((turn - start) % (2 * np.pi)), _spread(along)
+    normal = feature.direction
+    if normal is None:
+        normal = points_mm.mean(axis=0) - feature.point_mm
+        normal = normal / max(float(np.linalg.norm(normal)), 1e-12)
+    across = tangents(normal)
+    return _spread((points_mm - feature.point_mm) @ across[0]), _spread((points_mm - feature.point_mm) @ across[1])
+
+
+def _gap_end(turn: FloatArray) -> float:
+    """The angle at which the points begin after their widest gap."""
+    ordered = np.sort(turn)
+    gaps = np.diff(np.append(ordered, ordered[0] + 2 * np.pi))
+    return float(ordered[(int(gaps.argmax()) + 1) % len(ordered)])
+
+
+def _spread(values: FloatArray) -> FloatArray:
+    low, high = float(values.min()), float(values.max())
+    return (2 * values - low - high) / max(high - low, 1e-9)
+
+
+def _design(u: FloatArray, v: FloatArray) -> FloatArray:
+    return np.column_stack([np.ones_like(u), u, v, u * u, u * v, v * v])

@@ -1,0 +1,119 @@
+"""Round features of small pieces: where the law of propagation is not enough, fits to simulated points tell the uncertainty.
+
+What the points of a small arc determine is a curvature; its normal errors reach further towards large radii than towards
+small ones, and take the axis with them. Of a short cone the tilt of its axis, its angle and its radius turn into each other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.data.feature import Feature
+from measureapp.geometry.fits import LARGEST_RATIO, LEAST_POINTS, Scaled, state_of
+from measureapp.geometry.shapes import MODELS, Model, State
+from measureapp.inspection.features.found import Found
+from measureapp.inspection.features.shapes import outward_normals, signed_distances
+from measureapp.inspection.settings import InspectionSettings
+
+NONLINEAR = 0.1  # relative standard deviation of a radius from which on it is simulated
+TILTED_RAD = 0.04  # standard deviation of a direction, the same
+SIMULATED_POINTS = 200
+FAILING = 0.05  # share of draws without a shape at which the points do not determine one
+STEPS, SETTLED = 30, 1e-5  # of the Gauss-Newton search, in sizes of the points
+COVERAGE = 0.95
+SEED = 15
+
+
+def needs_draws(found: Found) -> bool:
+    """Whether the linear uncertainty of a round feature is not enough.
+
+    For a curvature with the relative standard deviation u the interval of ± 2 σ, taken at the radius found, holds the true
+    one in 95.4 % of cases at u = 3 %, 95.3 % at 10 %, 93.7 % at 20 % and 92.0 % at 30 %, and misses it towards one side only.
+    An axis that may lean by θ shifts what lies beside it by the square of θ: of pieces of cones whose direction is known to
+    0.03, 0.06 and 0.12 rad, the interval of the radius holds the true one in 95, 90 and 84 % of cases.
+    """
+    feature = found.feature
+    if feature is None or feature.radius_mm is None or len(found.points_mm) == 0:
+        return False
+    return found.radius_sigma > NONLINEAR * feature.radius_mm or found.direction_sigma > TILTED_RAD
+
+
+def with_draws(found: Mapping[str, Found], settings: InspectionSettings) -> dict[str, Found]:
+    """Return the features, those of small pieces with the spread of fits to simulated points instead of the linear one."""
+    return {name: _simulated(one, settings.radius_trials) if needs_draws(one) else one for name, one in found.items()}
+
+
+def _simulated(found: Found, draws: int) -> Found:
+    """Spread of the fits to simulated points on the shape found (JCGM 101); a feature whose fits reach too far is not found.
+
+    At most 200 of its points are used, with the noise reduced so that they determine the shape as well as all of them. The
+    covariance keeps its principal directions; along each, two standard deviations are what 95 of 100 draws keep within.
+    """
+    feature = found.feature
+    assert feature is not None and feature.covariance is not None
+    off = _offsets(found, feature, draws)
+    reach = float(np.quantile(np.abs(off[:, 6]), COVERAGE)) if len(off) >= (1 - FAILING) * draws else np.inf
+    if reach > (feature.radius_mm or 0.0):
+        what = "a radius" if feature.direction is None else "a radius and an axis"
+        return replace(found, feature=None, reason=f"{found.name}: its points cover too small a piece to determine {what} at their noise")
+    directions = np.linalg.eigh(feature.covariance)[1]
+    sigmas = np.quantile(np.abs(off @ directions), COVERAGE, axis=0) / 2 / found.error_factor
+    covariance = (directions * sigmas**2) @ directions.T
+    known = {
+        "position_mm": _largest(covariance[:3, :3]),
+        "direction_rad": _largest(covariance[3:6, 3:6]),
+        "radius_mm": reach / 2 / found.error_factor,
+    }
+    if feature.half_angle_rad is not None:
+        known["half_angle_rad"] = float(np.quantile(np.abs(off[:, 7]), COVERAGE)) / 2 / found.error_factor
+    deviations = {name: known.get(name, value) for name, value in feature.standard_deviations.items()}
+    return replace(found, feature=replace(feature, covariance=covariance, standard_deviations=deviations), draws=draws)
+
+
+def _offsets(found: Found, feature: Feature, draws: int) -> FloatArray:
+    """Return by how much point, direction and sizes (D, 6 + S) of the fits are off; fewer than ``draws`` where fits fail."""
+    points = found.points_mm[:: -(-len(found.points_mm) // SIMULATED_POINTS)]
+    normals = outward_normals(feature, points)
+    feet = points - signed_distances(feature, points)[:, None] * normals
+    freedoms = max(len(found.points_mm) - LEAST_POINTS[feature.shape], 1)
+    noise = feature.rms_mm * np.sqrt(len(found.points_mm) / freedoms) * found.error_factor * np.sqrt(len(points) / len(found.points_mm))
+    rng, scaled = np.random.default_rng(SEED), Scaled.of(feet)
+    model, start = MODELS[feature.shape], state_of(feature, scaled)
+    across = normals * (noise / scaled.scale_mm)
+    true = _reported(feature, start, scaled)
+    made = [_stepped(model, start, scaled.points + rng.standard_normal((len(feet), 1)) * across) for _ in range(draws)]
+    return np.array([_reported(feature, one, scaled) - true for one in made if one is not None]).reshape(-1, len(true))
+
+
+def _stepped(model: Model, state: State, points: FloatArray) -> State | None:
+    """Return the least-squares state by Gauss-Newton steps from the true one; None where they do not settle."""
+    for _ in range(STEPS):
+        distances, derivatives = model.evaluate(state, points)
+        step = -np.linalg.lstsq(derivatives[0], distances[0], rcond=None)[0]
+        if not np.isfinite(step).all() or np.abs(step[: model.moves]).max() > LARGEST_RATIO:
+            return None
+        state = model.moved(state, step)
+        if np.abs(step).max() < SETTLED:
+            return state
+    return None
+
+
+def _reported(feature: Feature, state: State, scaled: Scaled) -> FloatArray:
+    """Point in mm, direction and sizes (6 + S,) of a state, the point at the height of the feature's own along the axis."""
+    if feature.direction is None:
+        return np.concatenate([state.point * scaled.scale_mm, np.zeros(3), np.abs(state.sizes) * scaled.scale_mm])
+    begin = (feature.point_mm - scaled.centre_mm) / scaled.scale_mm
+    down = float((begin - state.point) @ feature.direction) / float(state.direction @ feature.direction)
+    point, sizes = state.point + down * state.direction, np.abs(state.sizes) * scaled.scale_mm
+    if feature.shape == "cone":
+        angle = float(state.sizes[1])
+        sizes = np.array([scaled.scale_mm * abs(state.sizes[0] / np.cos(angle) - down * np.tan(angle)), angle])
+    return np.concatenate([point * scaled.scale_mm, state.direction, sizes])
+
+
+def _largest(covariance: FloatArray) -> float:
+    return float(np.sqrt(max(np.linalg.eigvalsh(covariance)[-1], 0.0)))

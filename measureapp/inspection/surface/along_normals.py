@@ -1,0 +1,40 @@
+"""Distances from the nominal along the points' own normals: rays are many times faster than closest points."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.inspection.surface.nominal import NominalSurface
+
+REACH_MM = 1.0  # farther from the nominal than this the nearest place need not lie along the normal
+LEAN_DEG = 12.0  # between the normals of point and nominal
+SLIDE_MM = 0.02  # greatest distance along the nominal between where the ray hits and the foot of the perpendicular
+
+
+def distances_along_normals(points_mm: FloatArray, normals: FloatArray, surface: NominalSurface) -> tuple[FloatArray, IntArray, BoolArray]:
+    """Cast a ray from each point to both sides along its normal, and measure at right angles to the nominal it hits.
+
+    Parameters
+    ----------
+    points_mm, normals : (N, 3), in the nominal's frame; unit normals, outwards
+
+    Returns
+    -------
+    distances_mm : (N,) from the plane of the triangle hit, positive on the side its normal points to
+    triangles : (N,)
+    sure : (N,) whether the answer holds: hit within `REACH_MM` on a triangle that faces as the point does, and so
+        that the foot of the perpendicular lies within `SLIDE_MM` of the hit; elsewhere the closest point must decide
+    """
+    outwards, inwards = surface.hits(points_mm, normals), surface.hits(points_mm, -normals)
+    nearer = outwards.distances_mm < inwards.distances_mm
+    away = np.where(nearer, outwards.distances_mm, inwards.distances_mm)
+    triangles = np.where(nearer, outwards.triangles, inwards.triangles)
+    hit = np.isfinite(away) & (away < REACH_MM)
+    triangles = np.where(hit, triangles, 0)
+    faces = surface.normals[triangles]
+    corner = surface.vertices_mm[surface.triangles[triangles, 0]]
+    distances = np.einsum("nd,nd->n", points_mm - corner, faces)
+    facing = np.einsum("nd,nd->n", faces, normals)
+    slide = np.sqrt(np.maximum(np.where(hit, away, 0.0) ** 2 - distances**2, 0.0))
+    return distances, triangles, hit & (facing > np.cos(np.radians(LEAN_DEG))) & (slide < SLIDE_MM)

@@ -1,0 +1,65 @@
+"""Deviations on the nominal itself: a value for each vertex with points near it, and none for the others."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from measureapp.arrays import BoolArray, FloatArray, read_only
+from measureapp.data.mesh import Mesh
+from measureapp.inspection.surface.deviation import Deviation
+from measureapp.inspection.surface.nominal import NominalSurface
+
+NEIGHBOURS = 12
+FINEST_SHARE = 0.008  # of the diagonal: longest edge of the mesh that is coloured
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DeviationMap:
+    """The nominal, divided finely enough to show where it was measured, and what was measured."""
+
+    mesh: Mesh
+    distances_mm: FloatArray  # (V,), mean of the nearest points; 0 where nothing was measured
+    measured: BoolArray  # (V,)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "distances_mm", read_only(self.distances_mm, np.float64, (len(self.mesh.vertices_mm),)))
+        object.__setattr__(self, "measured", read_only(self.measured, np.bool_, (len(self.mesh.vertices_mm),)))
+
+
+def deviation_map(found: Deviation, nominal: Mesh, reach_mm: float = 2.0) -> DeviationMap:
+    """Average, at each vertex of the nominal, the nearest points within ``reach_mm`` that were measured against this side of it.
+
+    Vertices are kept apart at sharp edges, so that a face does not take the value of the face behind a thin wall.
+
+    Raises
+    ------
+    InspectionError
+        The nominal has no surface.
+    """
+    mesh, normals = _divided(NominalSurface(nominal))
+    tree = cKDTree(found.points_mm)
+    count = min(NEIGHBOURS, len(found.points_mm))
+    away, which = tree.query(mesh.vertices_mm, k=count, distance_upper_bound=reach_mm)
+    away, which = away.reshape(-1, count), which.reshape(-1, count)
+    near = np.isfinite(away)
+    which = np.where(near, which, 0)
+    near &= np.einsum("vkd,vd->vk", found.nominal_normals[which], normals) > 0.5
+    held = near.sum(axis=1)
+    means = np.where(near, found.distances_mm[which], 0.0).sum(axis=1) / np.maximum(held, 1)
+    return DeviationMap(mesh, means, held > 0)
+
+
+def _divided(surface: NominalSurface) -> tuple[Mesh, FloatArray]:
+    """Triangles no longer than `FINEST_SHARE`, each with corners of its own face, and the normals of the corners."""
+    from trimesh.remesh import subdivide_to_size
+
+    faces = np.arange(3 * len(surface.triangles)).reshape(-1, 3)
+    vertices, triangles, parents = subdivide_to_size(  # type: ignore[no-untyped-call]
+        surface.vertices_mm[surface.triangles].reshape(-1, 3), faces, FINEST_SHARE * surface.diagonal_mm, max_iter=20, return_index=True
+    )
+    normals = np.zeros((len(vertices), 3))
+    normals[triangles] = surface.normals[parents][:, None, :]
+    return Mesh(vertices, triangles, "nominal"), normals

@@ -1,0 +1,179 @@
+"""The nominal mesh as a surface that can be asked for distances and sharp edges."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from measureapp.arrays import FloatArray, IntArray
+from measureapp.data.mesh import Mesh
+from measureapp.errors import InspectionError
+from measureapp.inspection.surface.slivers import divided
+
+SHARP_DEG = 25.0
+ON_EDGE = 1e-4
+WELD_MM = 1e-4
+
+
+@dataclass(frozen=True, slots=True)
+class Closest:
+    """The nearest points of a surface, and the outward normals there."""
+
+    points_mm: FloatArray  # (N, 3)
+    normals: FloatArray  # (N, 3) unit normal of the nearest triangle; on edges and corners the angle-weighted pseudo-normal
+    triangles: IntArray  # (N,)
+
+
+@dataclass(frozen=True, slots=True)
+class Hits:
+    """Where rays hit a surface first."""
+
+    distances_mm: FloatArray  # (N,), inf where a ray misses
+    triangles: IntArray  # (N,), meaningless where it misses
+
+
+class NominalSurface:
+    """A nominal mesh prepared for queries; welded, without degenerate triangles.
+
+    Raises InspectionError for a mesh without area.
+    """
+
+    def __init__(self, mesh: Mesh) -> None:
+        self.vertices_mm, self.triangles = _welded(mesh)
+        if len(self.triangles) == 0:
+            raise InspectionError("The nominal mesh has no surface.", "Export the nominal again as STL, PLY or OBJ with triangles.")
+        corners = self.vertices_mm[self.triangles]
+        cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        doubled = np.linalg.norm(cross, axis=1, keepdims=True)
+        self.normals = cross / doubled
+        self.area_mm2 = float(doubled.sum() / 2)
+        self.low_mm, self.high_mm = self.vertices_mm.min(axis=0), self.vertices_mm.max(axis=0)
+        self.diagonal_mm = float(np.linalg.norm(self.high_mm - self.low_mm))
+        self._offset = (self.low_mm + self.high_mm) / 2
+        self._pieces = divided(corners)
+        self._scene = self._build_scene()
+        self._vertex_normals = _angle_weighted_normals(corners, self.triangles, self.normals, len(self.vertices_mm))
+
+    def _build_scene(self) -> Any:
+        import open3d as o3d
+
+        scene = o3d.t.geometry.RaycastingScene()
+        vertices, triangles = self.vertices_mm, self.triangles
+        if len(self._pieces.parents) > len(triangles):
+            vertices = self._pieces.corners_mm(vertices[triangles]).reshape(-1, 3)
+            triangles = np.arange(len(vertices)).reshape(-1, 3)
+        single = (vertices - self._offset).astype(np.float32)
+        scene.add_triangles(o3d.core.Tensor.from_numpy(single), o3d.core.Tensor.from_numpy(triangles.astype(np.uint32)))
+        return scene
+
+    def closest(self, points_mm: FloatArray) -> Closest:
+        """Return the nearest surface points to ``points_mm`` (N, 3).
+
+        The sign of a distance is right with the pseudo-normals of J. A. Bærentzen and H. Aanæs, IEEE TVCG 11(3), 2005.
+        """
+        import open3d as o3d
+
+        query = o3d.core.Tensor.from_numpy(np.ascontiguousarray(points_mm - self._offset, dtype=np.float32))
+        answer = self._scene.compute_closest_points(query)
+        pieces = answer["primitive_ids"].numpy().astype(np.int64)
+        uv = answer["primitive_uvs"].numpy().astype(np.float64)
+        weights = np.column_stack([1 - uv.sum(axis=1), uv])
+        if len(self._pieces.parents) > len(self.triangles):
+            weights = np.einsum("nk,nkc->nc", weights, self._pieces.weights[pieces])
+        triangles = self._pieces.parents[pieces]
+        points = np.einsum("nk,nkd->nd", weights, self.vertices_mm[self.triangles[triangles]])
+        normals = self.normals[triangles]
+        border = np.flatnonzero(weights.min(axis=1) < ON_EDGE)
+        if len(border):
+            normals = normals.copy()
+            normals[border] = self._pseudo_normals(triangles[border], weights[border])
+        return Closest(points, normals, triangles)
+
+    def hits(self, points_mm: FloatArray, directions: FloatArray) -> Hits:
+        """Return where rays from ``points_mm`` (N, 3) along unit ``directions`` (N, 3) hit the surface first."""
+        import open3d as o3d
+
+        rays = np.empty((len(points_mm), 6), np.float32)
+        rays[:, :3], rays[:, 3:] = points_mm - self._offset, directions
+        answer = self._scene.cast_rays(o3d.core.Tensor.from_numpy(rays))
+        pieces = np.minimum(
+            answer["primitive_ids"].numpy().astype(np.int64), len(self._pieces.parents) - 1
+        )  # a miss has a number beyond all
+        return Hits(answer["t_hit"].numpy().astype(np.float64), self._pieces.parents[pieces])
+
+    def _pseudo_normals(self, triangles: IntArray, weights: FloatArray) -> FloatArray:
+        """Normals on edges (mean of both sides) and corners (weighted by angle)."""
+        at_corner = weights.max(axis=1) > 1 - ON_EDGE
+        corner = self.triangles[triangles, weights.argmax(axis=1)]
+        opposite = weights.argmin(axis=1)
+        edge = self._edge_normals[triangles, opposite]
+        mixed = np.where(at_corner[:, None], self._vertex_normals[corner], edge)
+        length = np.linalg.norm(mixed, axis=1, keepdims=True)
+        return np.where(length > 1e-9, mixed / np.maximum(length, 1e-9), self.normals[triangles])
+
+    @cached_property
+    def _edge_normals(self) -> FloatArray:
+        """Sum of the normals of both triangles at the edge opposite to each corner, (T, 3, 3)."""
+        return _edge_normal_sums(self.triangles, self.normals)
+
+    def sharp_edges(self, spacing_mm: float = 0.5) -> cKDTree | None:
+        """Return a search tree of points along the edges where the surface turns by more than SHARP_DEG; None without any."""
+        pairs, normal_pairs = _inner_edges(self.triangles, self.normals)
+        sharp = np.einsum("nd,nd->n", normal_pairs[:, 0], normal_pairs[:, 1]) < np.cos(np.radians(SHARP_DEG))
+        if not sharp.any():
+            return None
+        start, end = self.vertices_mm[pairs[sharp, 0]], self.vertices_mm[pairs[sharp, 1]]
+        counts = np.maximum(2, np.ceil(np.linalg.norm(end - start, axis=1) / spacing_mm).astype(int) + 1)
+        which = np.repeat(np.arange(len(counts)), counts)
+        step = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+        share = (step / (counts[which] - 1))[:, None]
+        return cKDTree(start[which] + share * (end[which] - start[which]))
+
+
+def _welded(mesh: Mesh) -> tuple[FloatArray, IntArray]:
+    """Join equal vertices and drop triangles without area."""
+    keys = np.round(mesh.vertices_mm / WELD_MM).astype(np.int64)
+    _, first, inverse = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+    vertices, triangles = mesh.vertices_mm[first], inverse.ravel()[np.asarray(mesh.triangles)].reshape(-1, 3)
+    corners = vertices[triangles]
+    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    return vertices, triangles[area > 1e-12]
+
+
+def _angle_weighted_normals(corners: FloatArray, triangles: IntArray, normals: FloatArray, vertices: int) -> FloatArray:
+    sums = np.zeros((vertices, 3))
+    for k in range(3):
+        one, other = corners[:, (k + 1) % 3] - corners[:, k], corners[:, (k + 2) % 3] - corners[:, k]
+        cosine = np.einsum("nd,nd->n", one, other) / (np.linalg.norm(one, axis=1) * np.linalg.norm(other, axis=1))
+        np.add.at(sums, triangles[:, k], np.arccos(np.clip(cosine, -1, 1))[:, None] * normals)
+    return sums
+
+
+def _sorted_edges(triangles: IntArray) -> tuple[IntArray, IntArray]:
+    """All edges (3T, 2), smaller vertex first, edge k of a triangle opposite to its corner k; and a number for each different edge."""
+    edges = np.stack([triangles[:, [1, 2]], triangles[:, [2, 0]], triangles[:, [0, 1]]], axis=1).reshape(-1, 2)
+    edges = np.sort(edges, axis=1)
+    keys = edges[:, 0].astype(np.int64) * (int(triangles.max()) + 1) + edges[:, 1]
+    return edges, np.unique(keys, return_inverse=True)[1].ravel()
+
+
+def _edge_normal_sums(triangles: IntArray, normals: FloatArray) -> FloatArray:
+    _, number = _sorted_edges(triangles)
+    sums = np.zeros((number.max() + 1, 3))
+    np.add.at(sums, number, np.repeat(normals, 3, axis=0))
+    return sums[number].reshape(-1, 3, 3)
+
+
+def _inner_edges(triangles: IntArray, normals: FloatArray) -> tuple[IntArray, FloatArray]:
+    """Edges shared by exactly two triangles, and the normals of both, (E, 2) and (E, 2, 3)."""
+    edges, number = _sorted_edges(triangles)
+    order = np.argsort(number, kind="stable")
+    counts = np.bincount(number)
+    first = np.cumsum(counts) - counts
+    first = first[counts == 2]
+    one, other = order[first], order[first + 1]
+    return edges[one], np.stack([normals[one // 3], normals[other // 3]], axis=1)

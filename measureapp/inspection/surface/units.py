@@ -1,0 +1,107 @@
+"""Whether points and nominal are in millimetres and of one size; another unit is asked about, never assumed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from measureapp.arrays import FloatArray
+from measureapp.data.length_unit import OTHER_UNITS, LengthUnit
+from measureapp.data.mesh import Mesh
+from measureapp.errors import InspectionError
+from measureapp.inspection.measured import MeasuredPoints, sampled
+from measureapp.inspection.surface.nominal import NominalSurface
+
+UNIT_TOLERANCE = 0.2
+LARGEST, SMALLEST = 1.6, 0.12
+FITS, BETTER = 0.5, 3.0  # share of what agrees in another unit, and how many times that of millimetres, at which the unit is asked about
+SAMPLES = 2_000
+NEAR_SHARE = 0.03  # of the nominal's diagonal
+
+
+def robust_diagonal(points_mm: FloatArray) -> float:
+    """Return the diagonal of the box that holds 99 % of the points along each principal axis."""
+    centred = points_mm - points_mm.mean(axis=0)
+    axes = np.linalg.svd(centred[:: max(1, len(centred) // 20_000)], full_matrices=False)[2]
+    low, high = np.percentile(centred @ axes.T, [0.5, 99.5], axis=0)
+    return float(np.linalg.norm(high - low))
+
+
+def check_size(points_mm: FloatArray, nominal_vertices_mm: FloatArray) -> None:
+    """Refuse clouds of another unit or of another size than the nominal.
+
+    Raises
+    ------
+    InspectionError
+        The sizes differ by the factor of a unit, which is named and asked about, or by so much that it cannot be this part.
+    """
+    cloud, nominal = robust_diagonal(points_mm), _diagonal(nominal_vertices_mm)
+    ratio = cloud / nominal
+    for unit in OTHER_UNITS:
+        if abs(ratio * unit.in_mm - 1) < UNIT_TOLERANCE:
+            raise points_look_like(unit, f"The points span {cloud:.4g}, the nominal {nominal:.4g} mm")
+        if abs(ratio / unit.in_mm - 1) < UNIT_TOLERANCE:
+            raise _nominal_looks_like(unit, f"The points span {cloud:.4g} mm, the nominal {nominal:.4g}")
+    if not SMALLEST < ratio < LARGEST:
+        raise InspectionError(
+            f"The points span {cloud:.4g} mm, the nominal {nominal:.4g} mm: this is not the part of the nominal.",
+            "Choose the nominal of this part, or cut the surroundings out of the cloud.",
+        )
+
+
+def check_unit(agreeing: Callable[[float], float], what: str) -> None:
+    """Ask about the unit of points that agree with their nominal far better in another unit.
+
+    Parameters
+    ----------
+    agreeing : factor on the points -> share (0…1) of what then agrees
+    what : what agrees, for the sentence: "of the features are found"
+
+    Raises
+    ------
+    InspectionError
+        Naming the unit in which the points agree.
+    """
+    as_given = agreeing(1.0)
+    if BETTER * as_given > 1:
+        return
+    shares = {unit: agreeing(unit.in_mm) for unit in OTHER_UNITS}
+    unit = max(shares, key=lambda one: shares[one])
+    if shares[unit] >= max(FITS, BETTER * as_given):
+        raise points_look_like(unit, f"Taken as {unit.words}, {shares[unit]:.0%} {what}; taken as millimetres, {as_given:.0%}")
+
+
+def check_unit_on(points: MeasuredPoints, surface: NominalSurface) -> None:
+    """Ask about the unit of points that lie on the nominal, and cover it, in another unit only. Raises InspectionError."""
+    few = points.points_mm[:: -(-len(points) // SAMPLES)]
+    places = sampled(Mesh(surface.vertices_mm, surface.triangles, "nominal"), SAMPLES).points_mm
+    near_mm = NEAR_SHARE * surface.diagonal_mm
+
+    def agreeing(factor: float) -> float:
+        distance, _ = cKDTree(factor * few).query(places, distance_upper_bound=near_mm)
+        off = np.linalg.norm(factor * few - surface.closest(factor * few).points_mm, axis=1)
+        return float(np.mean(np.isfinite(distance)) * np.mean(off < near_mm))
+
+    check_unit(agreeing, "of the nominal and of the points meet")
+
+
+def points_look_like(unit: LengthUnit, finding: str) -> InspectionError:
+    """Return the question whether the points are in ``unit``."""
+    return InspectionError(
+        f"{finding}: the points look like {unit.words}.", f"Say so with `--unit {unit}`, or scale the cloud to millimetres."
+    )
+
+
+def _nominal_looks_like(unit: LengthUnit, finding: str) -> InspectionError:
+    return InspectionError(
+        f"{finding}: the nominal looks like {unit.words}.",
+        f'Say so with `--nominal-unit {unit}`, in a program with `nominal_unit = "{unit}"`, or export the nominal in millimetres.',
+    )
+
+
+def _diagonal(vertices_mm: FloatArray) -> float:
+    centred = vertices_mm - vertices_mm.mean(axis=0)
+    axes = np.linalg.svd(centred, full_matrices=False)[2]
+    return float(np.linalg.norm(np.ptp(centred @ axes.T, axis=0)))

@@ -1,0 +1,191 @@
+"""Form: flatness, straightness, roundness and cylindricity (ISO 1101) of what was extracted as means of cells."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.optimize import linprog
+
+from measureapp.arrays import BoolArray, FloatArray
+from measureapp.data.feature import Feature
+from measureapp.data.inspection_program import Criterion, DimensionProgram
+from measureapp.errors import FitError, InspectionError
+from measureapp.geometry.feature import Shape
+from measureapp.geometry.fits import fit
+from measureapp.geometry.minimum_zone import fit_minimum_zone
+from measureapp.geometry.shapes import tangents
+from measureapp.inspection.features.cells import Cells, angles, around_count, cell_means, surface_keys
+from measureapp.inspection.features.found import Found
+from measureapp.inspection.features.shapes import along_and_off
+from measureapp.inspection.settings import InspectionSettings
+from measureapp.inspection.tolerances.zone_noise import Zone, width_without_noise
+from measureapp.inspection.value import Value, direction_of, feature_of, placement_of
+
+LEAST_SECTIONS = 5
+LEAST_ON_LINE = 6
+LEAST_SLANT_DEG = 5.0
+WORDS = {"minimum-zone": "minimum zone", "least-squares": "least squares"}
+
+
+def form_value(described: DimensionProgram, found: Found, settings: InspectionSettings) -> Value:
+    """Return the form deviation of one feature without what the noise of the means adds to it, and how sure that is.
+
+    Raises
+    ------
+    InspectionError
+        The feature has not this kind of form, or too little of it was measured.
+    """
+    feature = feature_of(found)
+    cells = extracted(found, settings)
+    if described.kind == "flatness":
+        _require(found, "flatness", "plane")
+        made = _zone("plane", cells, described.criterion, found.name, settings)
+    elif described.kind == "cylindricity":
+        _require(found, "cylindricity", "cylinder")
+        _require_turn(cells, feature, settings, found.name)
+        made = _zone("cylinder", cells, described.criterion, found.name, settings)
+    elif described.kind == "roundness":
+        _require(found, "roundness", "cylinder", "cone")
+        made = _roundness(described.criterion, found, cells, settings)
+    else:
+        _require(found, "straightness", "plane", "cylinder", "cone")
+        made = _of_lines(described, found, settings) if feature.shape == "plane" else _of_axis(described.criterion, found, cells, settings)
+    across_views = placement_of(found, settings) if found.views > 1 else 0.0
+    how = f"{filter_words(settings)}, {WORDS[described.criterion]}{made.how}; Monte Carlo, {settings.form_trials} draws"
+    return Value(made.value, float(np.hypot(made.sigma, across_views)), how)
+
+
+def _zone(shape: Shape, cells: Cells, criterion: Criterion, name: str, settings: InspectionSettings) -> Value:
+    width = zone_width(shape, cells.points_mm, criterion, name)
+    return _without_noise([Zone.of(shape, cells.points_mm, cells.noises_mm)], width, criterion, settings, "")
+
+
+def _without_noise(zones: list[Zone], width: float, criterion: Criterion, settings: InspectionSettings, how: str) -> Value:
+    true = width_without_noise(zones, width, criterion, settings.form_trials)
+    return Value(true.value_mm, true.sigma_mm, f"{how}; {width:.4f} mm less {true.shift_mm:.4f} mm that noise adds")
+
+
+def extracted(found: Found, settings: InspectionSettings) -> Cells:
+    """Return the means of a feature's points over the cells of its surface. Raises InspectionError."""
+    feature = feature_of(found)
+    if len(found.points_mm) == 0:
+        raise InspectionError(f"{found.name} was made from other features and has no measured surface")
+    return cell_means(found.points_mm, feature, surface_keys(found.points_mm, feature, settings.form_cell_mm), found.name)
+
+
+def filter_words(settings: InspectionSettings) -> str:
+    """Return how surfaces are extracted, in words."""
+    return f"means of {settings.form_cell_mm:g} mm cells"
+
+
+def zone_width(shape: Shape, points_mm: FloatArray, criterion: Criterion, name: str) -> float:
+    """Return the form deviation of points from a shape. Raises InspectionError."""
+    try:
+        made = fit_minimum_zone(shape, points_mm).feature if criterion == "minimum-zone" else fit(shape, points_mm)
+    except FitError as error:
+        raise InspectionError(f"{name}: {error.message}") from error
+    return made.form_error_mm
+
+
+def sections(cells: Cells, around: int, settings: InspectionSettings, name: str) -> list[BoolArray]:
+    """Return which cells (K,) make each section that is measured all round. Raises InspectionError when there is none."""
+    masks = [cells.keys[:, 0] == key for key in np.unique(cells.keys[:, 0])]
+    shares = [len(np.unique(cells.keys[mask, 1])) / around for mask in masks]
+    whole = [mask for mask, share in zip(masks, shares, strict=True) if share >= settings.least_turn]
+    if not whole:
+        raise InspectionError(
+            f"{name}: no section is measured over more than {max(shares):.0%} of its turn, {settings.least_turn:.0%} are needed"
+        )
+    return whole
+
+
+def around_of(feature: Feature, settings: InspectionSettings) -> int:
+    """Return into how many cells a turn of a round feature is divided."""
+    return around_count(feature.radius_mm or settings.form_cell_mm, settings.form_cell_mm)
+
+
+def _require(found: Found, kind: str, *shapes: str) -> None:
+    shape = feature_of(found).shape
+    if shape not in shapes:
+        raise InspectionError(f"{found.name} is a {shape}: {kind} is defined for a {' or '.join(shapes)}")
+
+
+def _require_turn(cells: Cells, feature: Feature, settings: InspectionSettings, name: str) -> None:
+    share = len(np.unique(cells.keys[:, 1])) / around_of(feature, settings)
+    if share < settings.least_turn:
+        raise InspectionError(f"{name}: only {share:.0%} of the turn is measured, {settings.least_turn:.0%} are needed")
+
+
+def _profile(feature: Feature, cells: Cells, section: BoolArray) -> tuple[FloatArray, float]:
+    """Points (K, 3) of one section laid into a plane across the axis, and where that plane lies along it."""
+    axis = direction_of(feature)
+    along, _, _ = along_and_off(cells.points_mm[section], feature.point_mm, axis)
+    turn = angles(cells.points_mm[section], feature.point_mm, axis)
+    tilt = feature.half_angle_rad or 0.0
+    height = float(along.mean())
+    radius = (feature.radius_mm or 0.0) - height * np.tan(tilt) + cells.deviations_mm[section] / np.cos(tilt)
+    return np.column_stack([radius * np.cos(turn), radius * np.sin(turn), np.zeros_like(turn)]), height
+
+
+def _roundness(criterion: Criterion, found: Found, cells: Cells, settings: InspectionSettings) -> Value:
+    feature = feature_of(found)
+    whole = sections(cells, around_of(feature, settings), settings, found.name)
+    profiles = [_profile(feature, cells, section)[0] for section in whole]
+    widths = [zone_width("circle", profile, criterion, found.name) for profile in profiles]
+    noises = cells.noises_mm / np.cos(feature.half_angle_rad or 0.0)
+    zones = [Zone.of("circle", profile, noises[section]) for profile, section in zip(profiles, whole, strict=True)]
+    return _without_noise(zones, max(widths), criterion, settings, f", the worst of {len(whole)} sections")
+
+
+def _of_axis(criterion: Criterion, found: Found, cells: Cells, settings: InspectionSettings) -> Value:
+    """Diameter of the cylinder about the centres of all sections (the derived median line of ISO 14660-2)."""
+    feature = feature_of(found)
+    whole = sections(cells, around_of(feature, settings), settings, found.name)
+    if len(whole) < LEAST_SECTIONS:
+        raise InspectionError(f"{found.name}: its axis has only {len(whole)} whole sections, {LEAST_SECTIONS} are needed")
+    side = tangents(direction_of(feature))
+    centres, spreads = [], []
+    for section in whole:
+        flat, height = _profile(feature, cells, section)
+        turn = np.arctan2(flat[:, 1], flat[:, 0])
+        design = np.column_stack([np.cos(turn), np.sin(turn), np.ones_like(turn)])
+        centre = np.linalg.lstsq(design, np.hypot(flat[:, 0], flat[:, 1]), rcond=None)[0][:2]
+        spreads.append(np.sqrt(np.linalg.inv(design.T @ design)[[0, 1], [0, 1]].max()))
+        centres.append(feature.point_mm + height * direction_of(feature) + centre @ side)
+    width = zone_width("line", np.array(centres), criterion, found.name)
+    noises = cells.noise_mm / np.cos(feature.half_angle_rad or 0.0) * np.array(spreads)
+    zone = Zone.of("line", np.array(centres), noises)
+    return _without_noise([zone], width, criterion, settings, f", the axis through {len(whole)} sections")
+
+
+def _of_lines(described: DimensionProgram, found: Found, settings: InspectionSettings) -> Value:
+    """Greatest straightness of the lines of a plane that run along the direction asked for."""
+    feature = feature_of(found)
+    normal = direction_of(feature)
+    if described.along is None:
+        raise InspectionError(f"{found.name} is a plane: its straightness needs `along`, the direction of the lines")
+    wanted = np.asarray(described.along, float)
+    line = wanted - (wanted @ normal) * normal
+    if np.linalg.norm(line) < np.sin(np.radians(LEAST_SLANT_DEG)) * np.linalg.norm(wanted):
+        raise InspectionError(f"{found.name}: `along` stands upright on the plane, which has no lines in that direction")
+    line /= np.linalg.norm(line)
+    offset = found.points_mm - feature.point_mm
+    places = np.column_stack([offset @ np.cross(normal, line), offset @ line])
+    keys = np.floor((places - places.min(axis=0)) / settings.form_cell_mm).astype(np.int64)
+    cells = cell_means(found.points_mm, feature, keys, found.name)
+    lines = [mask for key in np.unique(cells.keys[:, 0]) if np.count_nonzero(mask := cells.keys[:, 0] == key) >= LEAST_ON_LINE]
+    if not lines:
+        raise InspectionError(f"{found.name}: no line is long enough for {LEAST_ON_LINE} cells of {settings.form_cell_mm:g} mm")
+    position = (cells.points_mm - feature.point_mm) @ line
+    widths = [_line_width(position[mask], cells.deviations_mm[mask], described.criterion) for mask in lines]
+    zones = [Zone.of_profile(position[mask], cells.deviations_mm[mask], cells.noises_mm[mask]) for mask in lines]
+    return _without_noise(zones, max(widths), described.criterion, settings, f", the worst of {len(lines)} lines")
+
+
+def _line_width(position: FloatArray, height: FloatArray, criterion: Criterion) -> float:
+    """Height of the narrowest strip about a profile, or the range about its regression line."""
+    design = np.column_stack([position, np.ones_like(position)])
+    if criterion == "least-squares":
+        return float(np.ptp(height - design @ np.linalg.lstsq(design, height, rcond=None)[0]))
+    rows = np.vstack([np.column_stack([design, -np.ones_like(position)]), np.column_stack([-design, -np.ones_like(position)])])
+    found = linprog([0, 0, 1], rows, np.concatenate([height, -height]), bounds=[(None, None)] * 3, method="highs")
+    return float(2 * found.x[2])

@@ -1,0 +1,45 @@
+"""Maximum and least material condition: by how much the actual size of a hole or shaft widens the zone of its position (ISO 2692).
+
+The size taken is the one that leaves the smaller bonus: of a hole at maximum material the largest cylinder about the associated
+axis that fits inside all its means, of a shaft the smallest outside; at least material the other way round. Noise of the means
+can only lessen it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from measureapp.data.feature import Feature
+from measureapp.data.inspection_program import DimensionProgram
+from measureapp.errors import InspectionError
+from measureapp.inspection.features.found import Found
+from measureapp.inspection.settings import InspectionSettings
+from measureapp.inspection.tolerances.form import extracted
+from measureapp.inspection.value import feature_of
+
+WORDS = {"maximum": "maximum material", "least": "least material"}
+
+
+def bonus_of(described: DimensionProgram, found: Found, settings: InspectionSettings) -> tuple[Callable[[Feature], float], float]:
+    """Return what gives the bonus in mm from the feature, and its standard uncertainty by the noise of the means alone.
+
+    Raises
+    ------
+    InspectionError
+        The feature is no measured cylinder, or too little of it was measured.
+    """
+    if feature_of(found).shape != "cylinder":
+        raise InspectionError(f"{found.name} is a {feature_of(found).shape}: a material condition is taken of a measured cylinder")
+    assert described.size_limits_mm is not None
+    least, most = described.size_limits_mm
+    cells = extracted(found, settings)
+    inner = found.hole == (described.material_condition == "maximum")  # the size that lies inside all means
+    extreme = float(cells.deviations_mm.min() if inner else cells.deviations_mm.max())
+
+    def bonus(feature: Feature) -> float:
+        size = 2 * ((feature.radius_mm or 0.0) + extreme)
+        return float(np.clip(size - least if inner else most - size, 0.0, most - least))
+
+    return bonus, 2 * cells.form_sigma_mm

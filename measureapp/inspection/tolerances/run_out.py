@@ -1,0 +1,77 @@
+"""Circular and total run-out (ISO 1101) of a cylinder or a face about a datum axis."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from measureapp.arrays import FloatArray, IntArray
+from measureapp.data.feature import Feature
+from measureapp.errors import InspectionError
+from measureapp.inspection.features.cells import LEAST_AROUND, Cells, angles, around_count, cell_means, round_keys
+from measureapp.inspection.features.found import Found
+from measureapp.inspection.features.shapes import along_and_off
+from measureapp.inspection.propagation import propagated
+from measureapp.inspection.settings import InspectionSettings
+from measureapp.inspection.tolerances.form import filter_words, sections
+from measureapp.inspection.value import AXES, Value, direction_of, feature_of, placement_of
+
+GREATEST_LEAN_DEG = 10.0
+
+
+def run_out(kind: str, found: Found, datum: Found, settings: InspectionSettings) -> Value:
+    """Return how far a gauge moves while the part turns about the datum axis.
+
+    Of a cylinder across the axis (radial), of a plane along it (axial): circular in the worst single section or ring,
+    total over the whole surface.
+
+    Raises
+    ------
+    InspectionError
+        The datum has no axis, the surface does not lie about it, or no section is measured all round.
+    """
+    feature, base = feature_of(found), feature_of(datum)
+    _require(found, feature, datum, base)
+    axial = feature.shape == "plane"
+    cells, around = _extracted(found, base, axial, settings)
+    whole = sections(cells, around, settings, found.name)
+    parts = whole if kind == "circular_runout" else [np.any(whole, axis=0)]
+
+    def width(features: Sequence[Feature]) -> float:
+        along, off, _ = along_and_off(cells.points_mm, features[0].point_mm, direction_of(features[0]))
+        read = along if axial else off
+        return max(float(np.ptp(read[part])) for part in parts)
+
+    value, sigma = propagated(width, (datum,))
+    across_views = placement_of(found, settings) if found.views > 1 else 0.0
+    places = [cells.form_sigma_mm, across_views] + ([] if axial else [2 * placement_of(datum, settings)])
+    how = f"{filter_words(settings)}, {'axial' if axial else 'radial'}, {len(whole)} {'rings' if axial else 'sections'}"
+    return Value(value, float(np.linalg.norm([sigma, *places])), how)
+
+
+def _require(found: Found, feature: Feature, datum: Found, base: Feature) -> None:
+    if base.shape not in AXES:
+        raise InspectionError(f"{datum.name} is a {base.shape}: run-out needs an axis as its datum")
+    if feature.shape not in ("cylinder", "plane") or len(found.points_mm) == 0:
+        raise InspectionError(f"{found.name} is a {feature.shape}: run-out is taken of measured cylinders and planes")
+    lean = float(np.degrees(np.arccos(min(1.0, abs(float(direction_of(feature) @ direction_of(base)))))))
+    if lean > GREATEST_LEAN_DEG:
+        raise InspectionError(f"{found.name} is {lean:.0f}° from lying about the axis of {datum.name}: it has no run-out")
+
+
+def _extracted(found: Found, base: Feature, axial: bool, settings: InspectionSettings) -> tuple[Cells, int]:
+    feature, points, axis = feature_of(found), found.points_mm, direction_of(base)
+    if not axial:
+        radius = feature.radius_mm or settings.form_cell_mm
+        keys = round_keys(points, base.point_mm, axis, settings.form_cell_mm, radius)
+        return cell_means(points, feature, keys, found.name), around_count(radius, settings.form_cell_mm)
+    keys = _ring_keys(points, base.point_mm, axis, settings.form_cell_mm)
+    return cell_means(points, feature, keys, found.name), LEAST_AROUND
+
+
+def _ring_keys(points_mm: FloatArray, point_mm: FloatArray, axis: FloatArray, cell_mm: float) -> IntArray:
+    """Cells (N, 2) of a face: which ring, and where around it."""
+    _, off, _ = along_and_off(points_mm, point_mm, axis)
+    turn = angles(points_mm, point_mm, axis)
+    return np.column_stack([off / cell_mm, turn / (2 * np.pi) * LEAST_AROUND % LEAST_AROUND]).astype(np.int64)
