@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from measureapp.errors import InputError, StorageError
 from measureapp.pipeline.calibrate import calibrate_from_views, checksums_of
 from measureapp.progress import Progress
-from measureapp.project.camera_file import cameras_document
+from measureapp.project.calibration.camera_file import cameras_document
 from measureapp.project.differences import Difference, compared
 from measureapp.project.documents import rig_calibration_document
 from measureapp.project.folder import ProjectFolder

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from measureapp.cli import main
-from measureapp.project.camera_file import read_cameras, write_cameras
+from measureapp.project.calibration.camera_file import read_cameras, write_cameras
 from tests.cli.board_fringes import board_poses, true_head, write_stacks
 
 SEED, POSITIONS = 5, 6
