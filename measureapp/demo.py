@@ -31,7 +31,7 @@ from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.viewpoints import plan_around_part
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
-from measureapp.project.geometry_files import write_mesh
+from measureapp.project.geometry.files import write_mesh
 from measureapp.project.rig_file import read_rig
 from measureapp.register.groundwork import Groundwork
 from measureapp.register.settings import StitchSettings

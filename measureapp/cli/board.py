@@ -28,7 +28,7 @@ def register(app: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """Draw a board to print at true scale."""
-        from measureapp.project.board_drawing import write_board
+        from measureapp.project.calibration.board_drawing import write_board
 
         description = board.description()
         write_board(out, description)

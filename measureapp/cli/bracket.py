@@ -40,8 +40,8 @@ def register(app: typer.Typer) -> None:
         """
         from measureapp.fringe.bracket import BracketLimits, propose_bracket
         from measureapp.fringe.probe import probed
-        from measureapp.project.fringe_manifest import read_manifest
-        from measureapp.project.noise_file import read_noise
+        from measureapp.project.fringes.manifest import read_manifest
+        from measureapp.project.fringes.noise_file import read_noise
 
         stack = read_manifest(manifest)
         limits = BracketLimits(budget_s, most, readout_ms, longest_us=longest_us, multiple_us=multiple_us)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from measureapp.data.mesh import Mesh
     from measureapp.inspection.surface.deviation import Deviation
     from measureapp.inspection.surface.histogram import Histogram
-    from measureapp.project.geometry_files import PlainPoints
+    from measureapp.project.geometry.files import PlainPoints
 
 SECTION_FILE = Path("sections.csv")
 
@@ -52,7 +52,7 @@ def register(app: typer.Typer) -> None:
         """Compare a cloud with its nominal; deviations are positive outside."""
         from measureapp.inspection.surface.deviation import deviation
         from measureapp.inspection.surface.histogram import histogram
-        from measureapp.project.geometry_files import read_cloud_or_mesh, read_mesh
+        from measureapp.project.geometry.files import read_cloud_or_mesh, read_mesh
         from measureapp.report.json_document import alignment_document
 
         measured, surface = read_cloud_or_mesh(cloud, unit=unit), read_mesh(nominal, unit=nominal_unit)
@@ -86,7 +86,7 @@ def register(app: typer.Typer) -> None:
 
 def _alignment(align: str, measured: PlainPoints | Mesh, nominal: Mesh) -> Alignment:
     from measureapp.inspection.alignment.best_fit import best_fit, given_alignment, no_alignment
-    from measureapp.project.matrix_file import read_transform
+    from measureapp.project.calibration.matrix_file import read_transform
 
     if align == "best-fit":
         return best_fit(measured, nominal)
@@ -119,7 +119,7 @@ def _write_sections(found: Deviation, nominal: Mesh, named: list[str], width_mm:
     from measureapp.cli.section_words import cutting_surface
     from measureapp.inspection.surface.nominal import NominalSurface
     from measureapp.inspection.surface.section import section
-    from measureapp.project.deviation_files import write_sections
+    from measureapp.project.geometry.deviation_files import write_sections
 
     surface = NominalSurface(nominal)
     made = [section(words, found, surface, cutting_surface(words), width_mm / 2) for words in named]
@@ -128,7 +128,7 @@ def _write_sections(found: Deviation, nominal: Mesh, named: list[str], width_mm:
 
 def _write_map(found: Deviation, nominal: Mesh, reach_mm: float, path: Path) -> None:
     from measureapp.inspection.surface.deviation_map import deviation_map
-    from measureapp.project.deviation_files import write_deviation_map
+    from measureapp.project.geometry.deviation_files import write_deviation_map
     from measureapp.report.part_pictures import NOT_MEASURED, diverging, nice_limit
 
     made = deviation_map(found, nominal, reach_mm)

@@ -58,8 +58,8 @@ def register(app: typer.Typer) -> None:
         directions give the same arrays once more for the horizontal ones, with across_ before their names.
         """
         from measureapp.fringe.decode import decode as decode_stack
-        from measureapp.project.fringe_manifest import read_manifest
-        from measureapp.project.phase_file import write_phase_map
+        from measureapp.project.fringes.manifest import read_manifest
+        from measureapp.project.fringes.phase_file import write_phase_map
 
         stack = read_manifest(manifest)
         settings = decode_settings(stack, rule, per_frequency, noise, response, blooming_px)
@@ -79,8 +79,8 @@ def decode_settings(
     """Return the settings of the options; raises InputError for a rule that is not known, or a file that does not fit the images."""
     from measureapp.errors import InputError
     from measureapp.fringe.settings import DecodeSettings
-    from measureapp.project.noise_file import read_noise
-    from measureapp.project.response_file import read_response
+    from measureapp.project.fringes.noise_file import read_noise
+    from measureapp.project.fringes.response_file import read_response
 
     if rule not in ("combined", "paper"):
         raise InputError(f"--rule {rule} is not known.", "Give combined or paper.")

@@ -12,7 +12,7 @@ from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 if TYPE_CHECKING:
     from measureapp.data.cloud import PointCloud, StitchedCloud
-    from measureapp.project.geometry_files import PlainPoints
+    from measureapp.project.geometry.files import PlainPoints
 
 
 def register(app: typer.Typer) -> None:
@@ -41,7 +41,7 @@ def register(app: typer.Typer) -> None:
     ) -> None:
         """Cut and clean a cloud: box, planes, radius, statistical, islands, in this order."""
         from measureapp.errors import InputError
-        from measureapp.project.geometry_files import read_points, write_cloud
+        from measureapp.project.geometry.files import read_points, write_cloud
         from measureapp.register.sieve import Filter, sieved
 
         if out.suffix.lower() not in (".ply", ".xyz"):

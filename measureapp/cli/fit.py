@@ -66,8 +66,8 @@ def register(app: typer.Typer) -> None:
 
 def _read(path: Path) -> Any:
     from measureapp.errors import InputError
-    from measureapp.project.geometry_files import KINDS, read_points
-    from measureapp.project.point_files import read_table
+    from measureapp.project.geometry.files import KINDS, read_points
+    from measureapp.project.geometry.point_files import read_table
 
     if path.suffix.lower() in KINDS or not path.is_file():
         return read_points(path).points_mm

@@ -36,7 +36,7 @@ def register(app: typer.Typer) -> None:
         from measureapp.inspection.dimensions import inspect
         from measureapp.inspection.settings import InspectionSettings
         from measureapp.inspection.verdict import RULES
-        from measureapp.project.geometry_files import read_cloud_or_mesh
+        from measureapp.project.geometry.files import read_cloud_or_mesh
         from measureapp.project.program_file import read_program, read_program_nominal, with_alignment
         from measureapp.report.json_document import alignment_document, dimension_document, feature_document
 

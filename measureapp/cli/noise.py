@@ -30,7 +30,7 @@ def register(app: typer.Typer) -> None:
         Take at least two images of each of five or more brightnesses, from dark to nearly saturated, of an evenly lit surface that
         does not move; images are grouped by their mean. Dark images are needed where the camera adds a black level.
         """
-        from measureapp.project.noise_file import write_noise
+        from measureapp.project.fringes.noise_file import write_noise
 
         darks = _assigned("--dark", dark or [])
         estimates = {
@@ -61,7 +61,7 @@ def _estimate(camera: str, pattern: str, dark: str | None, saturation: int | Non
 
     from measureapp.errors import InputError
     from measureapp.fringe.photon_transfer import estimate_noise
-    from measureapp.project.noise_file import brightness_levels, read_flats
+    from measureapp.project.fringes.noise_file import brightness_levels, read_flats
 
     flats = read_flats(pattern)
     eight_bit = next(iter(flats.values())).dtype == np.uint8

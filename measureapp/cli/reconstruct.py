@@ -47,9 +47,9 @@ def register(app: typer.Typer) -> None:
         from measureapp.errors import ReconstructError
         from measureapp.fringe.decode import decode
         from measureapp.progress import PartOf
-        from measureapp.project.camera_file import read_cameras
-        from measureapp.project.fringe_manifest import read_manifest
-        from measureapp.project.geometry_files import write_cloud
+        from measureapp.project.calibration.camera_file import read_cameras
+        from measureapp.project.fringes.manifest import read_manifest
+        from measureapp.project.geometry.files import write_cloud
 
         calibration = read_cameras(cameras)
         stack = read_manifest(manifest)

@@ -28,7 +28,7 @@ def register(app: typer.Typer) -> None:
         """Write the documents of the last measurement: those named, or PDF, CSV and JSON."""
         from measureapp.errors import StorageError
         from measureapp.project.folder import ProjectFolder
-        from measureapp.project.geometry_files import read_mesh
+        from measureapp.project.geometry.files import read_mesh
         from measureapp.report.compose import compose
         from measureapp.report.documents import write_documents
 

@@ -35,7 +35,7 @@ def register(app: typer.Typer) -> None:
         `patterns export --response` corrects images before they are shown, `decode --response` phases after they were recorded.
         """
         made, reports, seen_by = _estimate(recorded, camera)
-        from measureapp.project.response_file import write_response
+        from measureapp.project.fringes.response_file import write_response
 
         write_response(out, made)
         reply(_document(made, reports, seen_by, out), "\n".join([*_lines(made, reports), f"→ {out}"]), as_json)
@@ -45,8 +45,8 @@ def _estimate(recorded: Path, camera: str | None) -> tuple[ProjectorResponse, tu
     from measureapp.errors import InputError
     from measureapp.fringe.response import response_of_ramp
     from measureapp.fringe.response_estimate import estimate_response
-    from measureapp.project.fringe_manifest import read_manifest
-    from measureapp.project.response_file import read_ramp
+    from measureapp.project.fringes.manifest import read_manifest
+    from measureapp.project.fringes.response_file import read_ramp
 
     if recorded.suffix.lower() == ".csv":
         return response_of_ramp(*read_ramp(recorded), name=recorded.stem), (), None

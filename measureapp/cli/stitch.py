@@ -52,7 +52,7 @@ def register(app: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """Register clouds finely, starting from their poses, and merge them."""
-        from measureapp.project.geometry_files import write_cloud, write_mesh
+        from measureapp.project.geometry.files import write_cloud, write_mesh
         from measureapp.project.tables import read_poses
         from measureapp.register.settings import StitchSettings
         from measureapp.register.stitch import stitch
@@ -123,7 +123,7 @@ def _read(path: Path, unit: LengthUnit, progress: PartOf) -> PointCloud:
     """Read a cloud of any kind and fill in what it does not have."""
     from measureapp.data.cloud import PointCloud
     from measureapp.errors import InputError
-    from measureapp.project.geometry_files import read_points
+    from measureapp.project.geometry.files import read_points
     from measureapp.register.normals import estimated_normals
 
     progress.report(0, 1, f"reading {path.name}")

@@ -97,9 +97,9 @@ def _explained(source: Path, view: str | None, cameras: Path | None, rule: str, 
     """Decode and reconstruct the images asked for; raises InputError where the options do not name them."""
     from measureapp.errors import InputError
     from measureapp.pipeline.why import explain_stack, explain_view
-    from measureapp.project.camera_file import read_cameras
+    from measureapp.project.calibration.camera_file import read_cameras
     from measureapp.project.folder import ProjectFolder
-    from measureapp.project.fringe_manifest import read_manifest
+    from measureapp.project.fringes.manifest import read_manifest
 
     if source.is_dir():
         project = ProjectFolder.open(source)

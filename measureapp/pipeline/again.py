@@ -14,7 +14,7 @@ from measureapp.pipeline.collecting.collection import Collection
 from measureapp.pipeline.collecting.keeping import COLLECTED, keep, read_document
 from measureapp.pipeline.collecting.repeating import repeated
 from measureapp.progress import Progress
-from measureapp.project.camera_file import cameras_document
+from measureapp.project.calibration.camera_file import cameras_document
 from measureapp.project.differences import Difference, compared
 from measureapp.project.documents import rig_calibration_document
 from measureapp.project.folder import ProjectFolder

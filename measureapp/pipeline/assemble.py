@@ -165,7 +165,7 @@ def _inspected(project: ProjectFolder, stitched: StitchedCloud, settings: Inspec
     if project.program is None:
         return None
     from measureapp.inspection.dimensions import inspect
-    from measureapp.project.geometry_files import read_mesh
+    from measureapp.project.geometry.files import read_mesh
     from measureapp.project.program_file import read_program
 
     nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")

@@ -10,7 +10,7 @@ from measureapp.data.measurement import Measurement, ViewResult
 from measureapp.project.atomic import write_json, write_text
 from measureapp.project.documents import ring_document
 from measureapp.project.folder import ProjectFolder
-from measureapp.project.geometry_files import read_mesh
+from measureapp.project.geometry.files import read_mesh
 from measureapp.project.results import MESH, STITCHED
 from measureapp.report.compose import compose
 from measureapp.report.csv import csv_text

@@ -30,9 +30,10 @@ from measureapp.data.rig import RigDescription
 from measureapp.data.validity import CheckRecord
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import CalibrationError, InputError, StorageError
-from measureapp.project import board_views, calibration_store, results
+from measureapp.project import results
 from measureapp.project.atomic import write_text
-from measureapp.project.calibration_store import RIG_UNCERTAINTY
+from measureapp.project.calibration import board_views, store
+from measureapp.project.calibration.store import RIG_UNCERTAINTY
 from measureapp.project.claim import claimed
 from measureapp.project.frame_store import FrameStore
 
@@ -140,15 +141,15 @@ class ProjectFolder:
     def save_calibration(self, calibration: RigCalibration, uncertainty: RigUncertainty | None = None) -> None:
         """Keep the calibration of the rig, and what it leaves open where that is known; a former one is set aside."""
         folder = self.path / "calibration"
-        calibration_store.save(folder, calibration)
+        store.save(folder, calibration)
         if uncertainty is not None:
-            from measureapp.project.rig_uncertainty_file import write_rig_uncertainty
+            from measureapp.project.calibration.rig_uncertainty_file import write_rig_uncertainty
 
             write_rig_uncertainty(folder / RIG_UNCERTAINTY, uncertainty)
 
     def calibration(self) -> RigCalibration | None:
         """Return the calibration of the rig, if there is one. Raises StorageError when it is damaged or was changed."""
-        return calibration_store.load(self.path / "calibration")
+        return store.load(self.path / "calibration")
 
     def needed_calibration(self) -> RigCalibration:
         """Return the calibration of the rig. Raises CalibrationError when there is none, StorageError when it is damaged."""
@@ -159,11 +160,11 @@ class ProjectFolder:
 
     def record_check(self, line: CheckRecord) -> None:
         """Add what a scan or a check said about the calibration to its history."""
-        calibration_store.record(self.path / "calibration", line)
+        store.record(self.path / "calibration", line)
 
     def calibration_history(self) -> tuple[CheckRecord, ...]:
         """Return what scans and checks said about this and former calibrations, oldest first."""
-        return calibration_store.history(self.path / "calibration")
+        return store.history(self.path / "calibration")
 
     def save_check_view(self, check: str, view: BoardView) -> None:
         """Keep the images of one sighting of the board of a check called ``check``."""
@@ -171,7 +172,7 @@ class ProjectFolder:
 
     def rig_uncertainty(self) -> RigUncertainty | None:
         """Return what the calibration leaves open, where it was kept. Raises StorageError when it is damaged."""
-        from measureapp.project.rig_uncertainty_file import read_rig_uncertainty
+        from measureapp.project.calibration.rig_uncertainty_file import read_rig_uncertainty
 
         calibration, path = self.calibration(), self.path / "calibration" / RIG_UNCERTAINTY
         return read_rig_uncertainty(path, calibration) if calibration is not None and path.exists() else None

@@ -12,7 +12,7 @@ from measureapp.data.alignment_program import FORMS
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InputError
-from measureapp.project.geometry_files import read_mesh
+from measureapp.project.geometry.files import read_mesh
 from measureapp.project.text_document import read_toml
 
 

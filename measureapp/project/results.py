@@ -26,7 +26,7 @@ from measureapp.project.documents import (
     transform_from,
     validity_from,
 )
-from measureapp.project.geometry_files import read_mesh, read_point_cloud, read_stitched, write_cloud, write_mesh
+from measureapp.project.geometry.files import read_mesh, read_point_cloud, read_stitched, write_cloud, write_mesh
 
 DOCUMENT, STITCHED, MESH = "measurement.json", "stitched_cloud.ply", "mesh.ply"
 

@@ -12,7 +12,7 @@ from measureapp.data.calibration import ProjectorCalibration
 from measureapp.data.pattern_sets import PATTERN_SETS
 from measureapp.fringe.patterns import pattern_images
 from measureapp.geometry.transform import RigidTransform, rotation_about
-from measureapp.project.pattern_files import manifest_skeleton
+from measureapp.project.fringes.pattern_files import manifest_skeleton
 from measureapp.project.rig_file import read_rig
 from measureapp.simulate.optics import Lights, PrintedBoard, exposed, projected
 from measureapp.simulate.options import LightSettings, RigErrors

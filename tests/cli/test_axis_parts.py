@@ -11,7 +11,7 @@ import pytest
 from measureapp.cli import main
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, RotationAxis
 from measureapp.geometry.transform import RigidTransform
-from measureapp.project.camera_file import write_cameras
+from measureapp.project.calibration.camera_file import write_cameras
 from tests.calibrate.virtual_board import CHECKER, middle_of, photographed, shot
 
 AXIS = RotationAxis(np.array([12.0, 25.0, 590.0]), np.array([0.1, -0.8, 0.6]), "camera")

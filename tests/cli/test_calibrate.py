@@ -12,7 +12,7 @@ from recorded import recorded
 from measureapp.cli import main
 from measureapp.data.calibration import LinearGuide, RotationAxis
 from measureapp.geometry.transform import RigidTransform
-from measureapp.project.camera_file import read_cameras, write_cameras
+from measureapp.project.calibration.camera_file import read_cameras, write_cameras
 from measureapp.project.tables import write_poses
 from tests.cli.drawn_board import SMALL_HEAD, drawn_views
 

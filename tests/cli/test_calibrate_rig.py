@@ -13,7 +13,7 @@ import pytest
 from measureapp.cli import main
 from measureapp.data.calibration import LinearGuide, RotationAxis
 from measureapp.geometry.transform import RigidTransform
-from measureapp.project.camera_file import write_cameras
+from measureapp.project.calibration.camera_file import write_cameras
 from measureapp.project.tables import write_poses
 from tests.cli.drawn_board import SMALL_HEAD, drawn_views
 

@@ -10,8 +10,8 @@ import pytest
 from recorded import recorded
 
 from measureapp.cli import main
-from measureapp.project.camera_file import read_cameras
-from measureapp.project.camera_inputs import read_camera_inputs
+from measureapp.project.calibration.camera_file import read_cameras
+from measureapp.project.calibration.camera_inputs import read_camera_inputs
 
 
 def run(capsys, *arguments):

@@ -147,7 +147,7 @@ def visp_tables(folder, tmp_path):
     from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
     from measureapp.geometry.pinhole import PinholeCamera
     from measureapp.geometry.transform import RigidTransform
-    from measureapp.project.camera_file import write_cameras
+    from measureapp.project.calibration.camera_file import write_cameras
     from measureapp.project.tables import write_poses
 
     poses = {}

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from measureapp.cli import main
-from measureapp.project.camera_file import read_cameras, write_cameras
+from measureapp.project.calibration.camera_file import read_cameras, write_cameras
 from tests.cli.board_fringes import BOARD, POSITIONS, in_sigmas
 
 MOST_SIGMAS = 4.5  # of 12 parameters; noise alone passes it once in 12 000 calibrations

@@ -12,8 +12,8 @@ from measureapp.cli import main
 from measureapp.data.cloud import PointCloud
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.measured import sampled
-from measureapp.project.geometry_files import read_mesh, write_cloud, write_mesh
-from measureapp.project.ply import read_ply
+from measureapp.project.geometry.files import read_mesh, write_cloud, write_mesh
+from measureapp.project.geometry.ply import read_ply
 from measureapp.resources import resource
 
 NOMINAL = resource("parts/gypsum/nominal.stl")

@@ -8,7 +8,7 @@ import pytest
 import trimesh
 
 from measureapp.data.mesh import Mesh
-from measureapp.project.geometry_files import read_mesh, write_mesh
+from measureapp.project.geometry.files import read_mesh, write_mesh
 from tests.cli.refusal import NOMINAL, cut_in_half, filled, refused
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from measureapp.cli.main import main
 from measureapp.data.cloud import PointCloud, StitchedCloud
-from measureapp.project.geometry_files import read_point_cloud, read_points, read_stitched, write_cloud
+from measureapp.project.geometry.files import read_point_cloud, read_points, read_stitched, write_cloud
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ import pytest
 
 from measureapp.cli import main
 from measureapp.inspection.measured import sampled
-from measureapp.project.geometry_files import read_mesh
+from measureapp.project.geometry.files import read_mesh
 from measureapp.resources import resource
 
 PROGRAM = resource("parts/gypsum/program.toml")

@@ -12,8 +12,8 @@ from measureapp.cli.main import main
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
-from measureapp.project.camera_file import write_cameras
-from measureapp.project.geometry_files import read_point_cloud
+from measureapp.project.calibration.camera_file import write_cameras
+from measureapp.project.geometry.files import read_point_cloud
 from tests.cli.fringe_sets import write_paper_set, write_recorded_manifest
 
 

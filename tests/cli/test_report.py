@@ -16,7 +16,7 @@ from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.dimensions import inspect
 from measureapp.inspection.measured import sampled
 from measureapp.project.folder import ProjectFolder, ProjectSettings
-from measureapp.project.geometry_files import read_mesh
+from measureapp.project.geometry.files import read_mesh
 from measureapp.project.program_file import read_program
 from measureapp.project.rig_file import read_rig
 from measureapp.resources import resource

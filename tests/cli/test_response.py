@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from measureapp.cli.main import main
-from measureapp.project.response_file import read_response
+from measureapp.project.fringes.response_file import read_response
 from tests.cli.refusal import refused_with
 from tests.cli.test_patterns import answered
 

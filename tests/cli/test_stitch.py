@@ -9,7 +9,7 @@ import pytest
 from measureapp.cli.main import main
 from measureapp.geometry.fits import fit
 from measureapp.geometry.transform import RigidTransform, rotation_about
-from measureapp.project.geometry_files import read_mesh, read_points
+from measureapp.project.geometry.files import read_mesh, read_points
 from measureapp.project.tables import write_poses
 
 HALF_MM = 30.0

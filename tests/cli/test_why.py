@@ -12,7 +12,7 @@ import pytest
 from demo_fixture import Demo
 
 from measureapp.cli.main import main
-from measureapp.project.camera_file import write_cameras
+from measureapp.project.calibration.camera_file import write_cameras
 from tests.cli.fringe_sets import write_paper_set
 from tests.cli.test_reconstruct import flat_cameras
 

@@ -14,7 +14,7 @@ from measureapp.data.mesh import Mesh
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.measured import MeasuredPoints, sampled
 from measureapp.inspection.surface.nominal import NominalSurface
-from measureapp.project.geometry_files import read_mesh
+from measureapp.project.geometry.files import read_mesh
 from measureapp.project.program_file import read_program
 from measureapp.resources import resource
 

@@ -14,7 +14,7 @@ from demo_fixture import Demo
 from measureapp.data.dimension import Verdict
 from measureapp.inspection.surface.deviation import signed_distances
 from measureapp.inspection.surface.nominal import NominalSurface
-from measureapp.project.geometry_files import read_mesh, read_stitched
+from measureapp.project.geometry.files import read_mesh, read_stitched
 
 DIMENSION_LIMIT_MM = 0.1
 RMS_LIMIT_MM = 0.12  # at a quarter of the resolution, where a pixel is 2 mm² large

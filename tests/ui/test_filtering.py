@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from measureapp.errors import InputError
-from measureapp.project.geometry_files import read_stitched, write_cloud
+from measureapp.project.geometry.files import read_stitched, write_cloud
 from measureapp.register.sieve import Filter
 from ui.look.look import Look
 from ui.widgets.filter_form import FilterForm

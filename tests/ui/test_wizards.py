@@ -10,7 +10,7 @@ from PySide6.QtTest import QTest
 
 from measureapp.data.board import CheckerboardDescription
 from measureapp.errors import StorageError
-from measureapp.project.camera_file import read_cameras
+from measureapp.project.calibration.camera_file import read_cameras
 from measureapp.project.claim import claimed
 from tests.ui.board_pictures import BOARD, FOCAL, HEIGHT, WIDTH, record
 from tests.ui.wizard_steps import PATIENCE_MS, read_folder, settle

@@ -50,7 +50,7 @@ def begun_with_images(kind: Kind, start: Start, folder: Path, session: Session) 
 
 def _with_plain_images(kind: Kind, start: Start, folder: Path, session: Session) -> tuple[Collection, list[RecordedView]]:
     from measureapp.pipeline.collecting.recorded import RecordedImages, readbacks_of
-    from measureapp.project.recorded_boards import cameras_of, find_recorded
+    from measureapp.project.calibration.recorded_boards import cameras_of, find_recorded
 
     positions = find_recorded(folder)
     readbacks = readbacks_of(positions, _tables(start), NEEDED.get(kind, ALL))
@@ -60,7 +60,7 @@ def _with_plain_images(kind: Kind, start: Start, folder: Path, session: Session)
 
 def _with_fringes(kind: Kind, start: Start, folder: Path, session: Session) -> tuple[Collection, list[RecordedView]]:
     from measureapp.pipeline.collecting.recorded import RecordedFringeView
-    from measureapp.project.recorded_fringes import fringes_in
+    from measureapp.project.fringes.recorded_fringes import fringes_in
 
     recorded = fringes_in(folder)
     collection = _created(kind, start, recorded.cameras, None, session, recorded.projector_px)

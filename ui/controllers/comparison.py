@@ -61,7 +61,7 @@ def compared(stitched: StitchedCloud, alignment: Alignment, folder: Path, job: J
     from measureapp.inspection.surface.deviation import deviation
     from measureapp.inspection.surface.nominal import NominalSurface
     from measureapp.project.folder import ProjectFolder
-    from measureapp.project.geometry_files import read_mesh
+    from measureapp.project.geometry.files import read_mesh
     from measureapp.project.program_file import read_program
 
     project = ProjectFolder.open(folder) if (folder / "project.json").exists() else None

@@ -101,7 +101,7 @@ def page_images(measurement: Measurement, folder: Path | None, job: Job) -> tupl
     """Return the report's pages as PNG; runs on a job's thread."""
     job.report(0, 2, "Drawing the pages")
     from measureapp.project.folder import ProjectFolder
-    from measureapp.project.geometry_files import read_mesh
+    from measureapp.project.geometry.files import read_mesh
     from measureapp.report.compose import compose
     from measureapp.report.pdf import model_page_images
 
@@ -117,7 +117,7 @@ def page_images(measurement: Measurement, folder: Path | None, job: Job) -> tupl
 def export(kind: str, source: Path | None, measurement: Measurement, target: Path, job: Job) -> Path:
     """Write one document; runs on a job's thread."""
     job.report(0, 1, target.name)
-    from measureapp.project.geometry_files import write_cloud, write_mesh
+    from measureapp.project.geometry.files import write_cloud, write_mesh
 
     if kind == "ply":
         write_cloud(target, measurement.stitched)
@@ -132,7 +132,7 @@ def export(kind: str, source: Path | None, measurement: Measurement, target: Pat
 
 def export_open(cloud: StitchedCloud, target: Path, job: Job) -> Path:
     """Write the points of one open patch joined by triangles; runs on a job's thread. Raises RegistrationError for other surfaces."""
-    from measureapp.project.geometry_files import write_mesh
+    from measureapp.project.geometry.files import write_mesh
     from measureapp.register.open_surface import open_surface
 
     write_mesh(target, open_surface(cloud, job))

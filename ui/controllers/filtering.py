@@ -101,7 +101,7 @@ def filtered(cloud: StitchedCloud, wanted: Filter, path: Path | None, job: Job) 
 
 def kept(cloud: StitchedCloud | None, path: Path | None, job: Job) -> StitchedCloud | None:
     """Write the filtered cloud, or take its file away where nothing is filtered; runs on a job's thread."""
-    from measureapp.project.geometry_files import write_cloud
+    from measureapp.project.geometry.files import write_cloud
 
     job.check()
     if path is not None and cloud is None:

@@ -100,7 +100,7 @@ def quality_lines(quality: Quality) -> list[str]:
 
 def write_map(path: Path, quality: Quality) -> dict[str, Path]:
     """Write the uncertainty map and its picture beside it; return their paths by name. Raises InputError where there is none."""
-    from measureapp.project.uncertainty_file import write_uncertainty, write_uncertainty_picture
+    from measureapp.project.calibration.uncertainty_maps import write_uncertainty, write_uncertainty_picture
 
     if quality.uncertainty is None:
         raise InputError("; ".join(quality.reasons), "Leave out --uncertainty-map, or give --standoff-mm.")

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from measureapp.data.board import BoardDescription
     from measureapp.data.calibration import CameraArrayCalibration
     from measureapp.progress import Progress
-    from measureapp.project.board_images import BoardImages
+    from measureapp.project.calibration.board_images import BoardImages
 
 
 def register(group: typer.Typer) -> None:
@@ -49,9 +49,9 @@ def register(group: typer.Typer) -> None:
         from measureapp.calibrate.cameras.array import solve
         from measureapp.calibrate.rig.limits import camera_limits
         from measureapp.progress import PartOf
-        from measureapp.project.board_images import find_board_images
-        from measureapp.project.camera_file import write_cameras
-        from measureapp.project.camera_inputs import write_camera_inputs
+        from measureapp.project.calibration.board_images import find_board_images
+        from measureapp.project.calibration.camera_file import write_cameras
+        from measureapp.project.calibration.camera_inputs import write_camera_inputs
 
         description, wanted = board.description(), asked.values(("shape",))
         files = find_board_images(images or ())

@@ -22,10 +22,10 @@ from measureapp.pipeline.collecting import (
     result_of,
 )
 from measureapp.progress import Progress
-from measureapp.project.board_images import find_board_images
-from measureapp.project.camera_file import read_cameras
+from measureapp.project.calibration.board_images import find_board_images
+from measureapp.project.calibration.camera_file import read_cameras
 from measureapp.project.folder import ProjectFolder
-from measureapp.project.recorded_fringes import fringes_named
+from measureapp.project.fringes.recorded_fringes import fringes_named
 
 if TYPE_CHECKING:
     from measureapp.calibrate.motions.axis_noise import AxisNoise

@@ -76,8 +76,8 @@ def digest_of(path: Path) -> str:
 
 def _read(ctx: typer.Context) -> Iterator[Path]:
     """Every file the command reads, once, in a stable order."""
-    from measureapp.project.board_images import find_board_images
-    from measureapp.project.fringe_manifest import manifest_files
+    from measureapp.project.calibration.board_images import find_board_images
+    from measureapp.project.fringes.manifest import manifest_files
 
     found: dict[Path, None] = {}
     for name, value in ctx.params.items():

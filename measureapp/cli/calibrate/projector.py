@@ -51,8 +51,8 @@ def register(group: typer.Typer) -> None:
         """
         from measureapp.calibrate.rig.limits import projector_limits
         from measureapp.pipeline.projector import ProjectorRequest, calibrate_projector
-        from measureapp.project.camera_file import read_cameras, write_cameras
-        from measureapp.project.fringe_manifest import manifest_files
+        from measureapp.project.calibration.camera_file import read_cameras, write_cameras
+        from measureapp.project.fringes.manifest import manifest_files
 
         wanted = asked.values(("projector position", "projector rotation"))
         for path in manifests:  # what is no manifest is named before the first of many images is read
@@ -77,7 +77,7 @@ def register(group: typer.Typer) -> None:
 
 
 def _stacks(manifests: Sequence[Path]) -> Iterator[FringeStack]:
-    from measureapp.project.fringe_manifest import read_manifest
+    from measureapp.project.fringes.manifest import read_manifest
 
     for path in manifests:
         yield read_manifest(path)

@@ -23,8 +23,8 @@ from measureapp.data.calibration import CameraArrayCalibration, LabelledCovarian
 from measureapp.errors import CalibrationError, InputError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Progress
-from measureapp.project.board_images import BoardImages, find_board_images
-from measureapp.project.camera_file import read_cameras
+from measureapp.project.calibration.board_images import BoardImages, find_board_images
+from measureapp.project.calibration.camera_file import read_cameras
 from measureapp.project.tables import read_poses, require_millimetres
 
 

@@ -43,7 +43,7 @@ def register(group: typer.Typer) -> None:
         A set whose range is too small for the projector, or leaves no guard band, is refused with the reason.
         """
         from measureapp.fringe.pattern_check import check_patterns
-        from measureapp.project.pattern_files import read_pattern_set
+        from measureapp.project.fringes.pattern_files import read_pattern_set
 
         made = read_pattern_set(patterns, width, height)
         contrast = _contrast(mean, modulation, full_well, read_noise, saturation, exposures)

@@ -39,8 +39,8 @@ def register(group: typer.Typer) -> None:
         """
         from measureapp.fringe.pattern_check import check_patterns
         from measureapp.fringe.patterns import pattern_images
-        from measureapp.project.pattern_files import export_patterns, read_pattern_set
-        from measureapp.project.response_file import read_response
+        from measureapp.project.fringes.pattern_files import export_patterns, read_pattern_set
+        from measureapp.project.fringes.response_file import read_response
 
         made = read_pattern_set(patterns, width, height)
         known = read_response(response) if response else None

@@ -27,7 +27,7 @@ from measureapp.pipeline.collecting.estimates import Calibrated, result_of
 from measureapp.pipeline.collecting.solved import Solution
 from measureapp.progress import Progress
 from measureapp.project.atomic import write_json
-from measureapp.project.camera_file import read_cameras, write_cameras
+from measureapp.project.calibration.camera_file import read_cameras, write_cameras
 from measureapp.project.documents import (
     axis_from,
     guide_from,

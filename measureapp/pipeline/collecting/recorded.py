@@ -14,12 +14,12 @@ from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.collecting.collection import Collection, ImagesThere
 from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback
 from measureapp.progress import NoProgress, PartOf, Progress
-from measureapp.project.board_images import BoardImages
-from measureapp.project.board_views import load_all
+from measureapp.project.calibration.board_images import BoardImages
+from measureapp.project.calibration.board_views import load_all
+from measureapp.project.calibration.recorded_boards import RecordedPosition
 from measureapp.project.frame_store import checksum
+from measureapp.project.fringes.recorded_fringes import RecordedFringes
 from measureapp.project.images import read_image
-from measureapp.project.recorded_boards import RecordedPosition
-from measureapp.project.recorded_fringes import RecordedFringes
 from measureapp.project.tables import read_angles, read_guide, read_poses, require_millimetres
 
 

@@ -30,7 +30,7 @@ from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.collecting.observation import Observation, Readback, Refusal, StoredImage, StoredPixels
 from measureapp.pipeline.collecting.setup import Setup
 from measureapp.project.atomic import replacing, write_json
-from measureapp.project.camera_file import read_cameras, write_cameras
+from measureapp.project.calibration.camera_file import read_cameras, write_cameras
 from measureapp.project.documents import hand_eye_from, link_document, transform_document, transform_from
 from measureapp.project.frame_store import checksum
 from measureapp.project.projector_pixels_file import checksum_of, write_projector_pixels

@@ -80,7 +80,7 @@ def test_age_and_temperature_are_judged(provenance, temperature_c, said):
 
 
 def test_solving_the_stored_inputs_again_gives_the_same_numbers(tmp_path):
-    from measureapp.project.camera_inputs import read_camera_inputs, write_camera_inputs
+    from measureapp.project.calibration.camera_inputs import read_camera_inputs, write_camera_inputs
 
     generator = np.random.default_rng(3)
     problem = paper_head.problem(paper_head.drawn_head(generator), 6, 0.1, generator)
@@ -96,7 +96,7 @@ def test_solving_the_stored_inputs_again_gives_the_same_numbers(tmp_path):
 
 
 def test_a_file_that_holds_no_corners_is_refused(tmp_path):
-    from measureapp.project.camera_inputs import read_camera_inputs
+    from measureapp.project.calibration.camera_inputs import read_camera_inputs
 
     with pytest.raises(InputError, match="cannot be read"):
         read_camera_inputs(tmp_path / "absent.json")

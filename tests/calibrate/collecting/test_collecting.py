@@ -13,7 +13,7 @@ from measureapp.data.calibration import HandEye
 from measureapp.errors import CalibrationError, InputError, StorageError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.collecting import Collection, ReadbackFiles, Setup, add_recorded
-from measureapp.project.board_images import find_board_images
+from measureapp.project.calibration.board_images import find_board_images
 from tests.calibrate.shown_board import SIGMA_PX
 from tests.calibrate.virtual_board import CHECKER, shot
 

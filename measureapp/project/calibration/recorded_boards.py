@@ -10,7 +10,7 @@ from pathlib import Path
 
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import InputError
-from measureapp.project import board_views
+from measureapp.project.calibration import board_views
 from measureapp.project.tables import natural_order
 
 ENDINGS = frozenset({".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp"})

@@ -18,10 +18,10 @@ from measureapp.data.length_unit import LengthUnit
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InputError
 from measureapp.project.atomic import replacing
-from measureapp.project.mesh_files import read_obj, read_stl, write_stl
-from measureapp.project.ply import Ply, Ragged, read_ply, write_ply
-from measureapp.project.point_files import read_pcd, read_table
-from measureapp.project.step_files import STEP_KINDS, read_step
+from measureapp.project.geometry.mesh_files import read_obj, read_stl, write_stl
+from measureapp.project.geometry.ply import Ply, Ragged, read_ply, write_ply
+from measureapp.project.geometry.point_files import read_pcd, read_table
+from measureapp.project.geometry.step_files import STEP_KINDS, read_step
 
 LARGEST_FILE_BYTES = 8 * 2**30
 LARGEST_MM = 1e7  # beyond ten kilometres a coordinate is garbage

@@ -11,8 +11,8 @@ from measureapp.data.pattern_sets import PATTERN_SETS
 from measureapp.errors import DecodeError, InputError
 from measureapp.fringe.decode import decode
 from measureapp.fringe.patterns import pattern_images
-from measureapp.project.fringe_manifest import read_manifest
-from measureapp.project.pattern_files import manifest_skeleton
+from measureapp.project.fringes.manifest import read_manifest
+from measureapp.project.fringes.pattern_files import manifest_skeleton
 
 EXPOSURES_US = (2000, 1000)
 

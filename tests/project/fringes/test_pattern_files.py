@@ -14,8 +14,8 @@ from measureapp.errors import InputError, StorageError
 from measureapp.fringe.harmonics import Harmonic
 from measureapp.fringe.patterns import pattern_images
 from measureapp.fringe.response import PitchWaveform, ProjectorResponse
-from measureapp.project.pattern_files import export_patterns, read_pattern_set
-from measureapp.project.response_file import read_ramp, read_response, write_response
+from measureapp.project.fringes.pattern_files import export_patterns, read_pattern_set
+from measureapp.project.fringes.response_file import read_ramp, read_response, write_response
 
 SIZE = 1024, 768
 BOTH = PATTERN_SETS["complementary-gray-both"]

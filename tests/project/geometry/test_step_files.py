@@ -7,13 +7,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from project.step_part import cylinder
 
 from measureapp.data.length_unit import LengthUnit
 from measureapp.errors import InputError
-from measureapp.project import step_files
-from measureapp.project.geometry_files import read_mesh, read_points
-from measureapp.project.step_files import StepLimits, read_step
+from measureapp.project.geometry import step_files
+from measureapp.project.geometry.files import read_mesh, read_points
+from measureapp.project.geometry.step_files import StepLimits, read_step
+from tests.project.geometry.step_part import cylinder
 
 WITH_LIBRARY = pytest.mark.skipif(importlib.util.find_spec("cascadio") is None, reason="the optional library cascadio is not installed")
 RADIUS, HEIGHT = 10.0, 20.0

@@ -18,7 +18,7 @@ import numpy as np
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.child_process import how_it_ended
 from measureapp.errors import InputError
-from measureapp.project.step_worker import EXIT_NO_SURFACE, EXIT_OUT_OF_MEMORY
+from measureapp.project.geometry.step_worker import EXIT_NO_SURFACE, EXIT_OUT_OF_MEMORY
 
 STEP_KINDS = (".step", ".stp")
 LIBRARY = "cascadio"

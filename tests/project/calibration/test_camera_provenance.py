@@ -12,7 +12,7 @@ from measureapp.data.calibration import CameraArrayCalibration, CameraCalibratio
 from measureapp.errors import InputError
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
-from measureapp.project.camera_file import read_cameras, write_cameras
+from measureapp.project.calibration.camera_file import read_cameras, write_cameras
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from measureapp.data.fringe import FringeStack
 from measureapp.errors import CalibrationError, InputError
-from measureapp.project.fringe_manifest import read_layout, read_manifest
+from measureapp.project.fringes.manifest import read_layout, read_manifest
 from measureapp.project.tables import natural_order
 
 MANIFEST = "MANIFEST.toml"

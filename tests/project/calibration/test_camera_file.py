@@ -12,8 +12,8 @@ from measureapp.data.calibration import CameraArrayCalibration, CameraCalibratio
 from measureapp.errors import InputError
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
-from measureapp.project.board_images import find_board_images
-from measureapp.project.camera_file import cameras_document, read_cameras, write_cameras
+from measureapp.project.calibration.board_images import find_board_images
+from measureapp.project.calibration.camera_file import cameras_document, read_cameras, write_cameras
 from measureapp.project.tables import natural_order, read_angles, read_corners, read_guide, read_poses, require_millimetres, write_poses
 
 MATRIX = np.array([[2045.5, 0, 650], [0, 2044.25, 480], [0, 0, 1]])

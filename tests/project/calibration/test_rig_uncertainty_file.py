@@ -9,7 +9,7 @@ import pytest
 
 from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty, uncertainty_of, view_uncertainty
 from measureapp.errors import StorageError
-from measureapp.project.rig_uncertainty_file import read_rig_uncertainty, write_rig_uncertainty
+from measureapp.project.calibration.rig_uncertainty_file import read_rig_uncertainty, write_rig_uncertainty
 from tests.calibrate.paper_rig import calibrated
 from tests.calibrate.rig.test_stitch_uncertainty import readback_of, views
 

@@ -1,6 +1,6 @@
 """Triangles of a STEP file as a program of its own: `python step_worker.py in.step out.npz CHORD_MM ANGLE_RAD BYTES`.
 
-Started by `measureapp.project.step_files`. It needs nothing of the application, so that it starts from its file alone.
+Started by `measureapp.project.geometry.step_files`. It needs nothing of the application, so that it starts from its file alone.
 """
 
 from __future__ import annotations

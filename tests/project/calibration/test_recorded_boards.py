@@ -13,8 +13,8 @@ from measureapp.data.conditions import Conditions
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import InputError
 from measureapp.geometry.transform import RigidTransform
-from measureapp.project import board_views
-from measureapp.project.recorded_boards import cameras_of, find_recorded
+from measureapp.project.calibration import board_views
+from measureapp.project.calibration.recorded_boards import cameras_of, find_recorded
 
 
 def touch(folder: Path, *names: str) -> Path:

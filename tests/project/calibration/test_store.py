@@ -22,7 +22,7 @@ from measureapp.data.validity import CheckRecord
 from measureapp.errors import StorageError
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
-from measureapp.project import calibration_store
+from measureapp.project.calibration import store
 from measureapp.project.documents import calibration_id
 
 LINE = CheckRecord("2031-05-02T08:00:00+00:00", "scan", "abc", "watch", "Camera left has turned.", 0.1, 0.04, 0.2, ("left",), 34.5)
@@ -42,8 +42,8 @@ def calibration() -> RigCalibration:
 
 
 def test_a_calibration_reads_back_as_it_was_stored(tmp_path: Path, calibration: RigCalibration) -> None:
-    calibration_store.save(tmp_path, calibration)
-    found = calibration_store.load(tmp_path)
+    store.save(tmp_path, calibration)
+    found = store.load(tmp_path)
     assert found is not None
     assert found.provenance == calibration.provenance
     assert found.cameras.cameras["left"].lens == LensSetting(550.0, 8.0)
@@ -51,39 +51,39 @@ def test_a_calibration_reads_back_as_it_was_stored(tmp_path: Path, calibration: 
 
 
 def test_a_calibration_of_other_images_sets_the_former_aside(tmp_path: Path, calibration: RigCalibration) -> None:
-    calibration_store.save(tmp_path, calibration)
+    store.save(tmp_path, calibration)
     newer = replace(calibration, provenance=replace(calibration.provenance, inputs={"pose01/left": "0100"}))
-    calibration_store.save(tmp_path, newer)
+    store.save(tmp_path, newer)
     (place,) = (tmp_path / "former").iterdir()
     assert place.name == f"2031-05-01-{calibration_id(calibration)}"
-    former = calibration_store.load(place)
+    former = store.load(place)
     assert former is not None and former.provenance == calibration.provenance
-    calibration_store.save(tmp_path, newer)  # solved again from the same images
+    store.save(tmp_path, newer)  # solved again from the same images
     assert len([*(tmp_path / "former").iterdir()]) == 1
 
 
 @pytest.mark.parametrize(("name", "old", "new"), [("rig.json", "850.0", "851.0"), ("cameras.json", "100.1", "100.2")])
 def test_a_file_that_was_changed_is_refused(tmp_path: Path, calibration: RigCalibration, name: str, old: str, new: str) -> None:
-    calibration_store.save(tmp_path, calibration)
+    store.save(tmp_path, calibration)
     text = (tmp_path / name).read_text(encoding="utf-8")
     assert old in text
     (tmp_path / name).write_text(text.replace(old, new), encoding="utf-8")
     with pytest.raises(StorageError, match="changed after it was stored"):
-        calibration_store.load(tmp_path)
+        store.load(tmp_path)
 
 
 def test_the_history_only_grows_and_says_nothing_twice(tmp_path: Path) -> None:
-    calibration_store.record(tmp_path, LINE)
-    calibration_store.record(tmp_path, LINE)
+    store.record(tmp_path, LINE)
+    store.record(tmp_path, LINE)
     later = replace(LINE, at="2031-05-03T08:00:00+00:00", standing="good", shift_px=None, cameras=())
-    calibration_store.record(tmp_path, later)
-    assert calibration_store.history(tmp_path) == (LINE, later)
+    store.record(tmp_path, later)
+    assert store.history(tmp_path) == (LINE, later)
 
 
 def test_a_line_that_a_power_cut_left_does_no_harm(tmp_path: Path) -> None:
-    calibration_store.record(tmp_path, LINE)
+    store.record(tmp_path, LINE)
     path = tmp_path / "history.jsonl"
     path.write_text(path.read_text(encoding="utf-8") + '{"at": "2031', encoding="utf-8")
     later = replace(LINE, at="2031-05-03T08:00:00+00:00")
-    calibration_store.record(tmp_path, later)
-    assert calibration_store.history(tmp_path) == (LINE, later)
+    store.record(tmp_path, later)
+    assert store.history(tmp_path) == (LINE, later)

@@ -9,7 +9,7 @@ import pytest
 from measureapp.data.cloud import PointCloud, StitchedCloud
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InputError, StorageError
-from measureapp.project.geometry_files import (
+from measureapp.project.geometry.files import (
     PlainPoints,
     read_cloud_or_mesh,
     read_mesh,

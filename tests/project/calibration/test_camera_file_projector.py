@@ -13,7 +13,7 @@ from measureapp.data.calibration import CameraArrayCalibration, CameraCalibratio
 from measureapp.errors import InputError
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
-from measureapp.project.camera_file import cameras_document, read_cameras, write_cameras
+from measureapp.project.calibration.camera_file import cameras_document, read_cameras, write_cameras
 
 MATRIX = np.array([[2045.5, 0, 650], [0, 2044.25, 480], [0, 0, 1]])
 

@@ -17,7 +17,7 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.validity import CheckRecord
 from measureapp.errors import InputError, StorageError
 from measureapp.project.atomic import write_json
-from measureapp.project.camera_file import cameras_document, read_cameras, write_cameras
+from measureapp.project.calibration.camera_file import cameras_document, read_cameras, write_cameras
 from measureapp.project.documents import calibration_id, digest, rig_calibration_document, rig_calibration_from
 
 CAMERAS, RIG, FORMER, HISTORY = "cameras.json", "rig.json", "former", "history.jsonl"

@@ -15,7 +15,7 @@ from measureapp.errors import InputError
 from measureapp.inspection.surface.deviation_map import DeviationMap
 from measureapp.inspection.surface.section import Section
 from measureapp.project.atomic import replacing, write_json, write_text
-from measureapp.project.ply import write_ply
+from measureapp.project.geometry.ply import write_ply
 
 COLUMNS = ("section", "curve", "number", "x_mm", "y_mm", "z_mm", "deviation_mm")
 

@@ -1,0 +1,1 @@
+"""What calibration keeps and reads: boards and their images, cameras, rigs and what they leave uncertain."""
