@@ -13,7 +13,8 @@ from measureapp.calibrate.boards.pose import BoardPose
 from measureapp.calibrate.least_squares import Minimum
 from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.motions.cameras_carried import cost_beyond_cameras, with_cameras
-from measureapp.calibrate.motions.chain import POSE_LABELS, Chain, ChainState, Free, poses_of, roots_of
+from measureapp.calibrate.motions.chain import POSE_LABELS, Chain, Free, poses_of, roots_of
+from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.motions.hand_eye_methods import METHODS
 from measureapp.calibrate.motions.pose_checks import board_deviations, check_direction, check_units
 from measureapp.calibrate.motions.relative import Degeneracy, motions_between
