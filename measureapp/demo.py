@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -122,7 +122,7 @@ def _with_truth(outcome: Outcome, world: World, project: ProjectFolder) -> Outco
         "truth_deviation": deviation,
         "files": {name: str(file) for name, file in files.items()},
     }
-    return Outcome(measurement, document, files)
+    return replace(outcome, document=document, files=files)
 
 
 def truth_deviation(measurement: Measurement, world: World) -> tuple[Mesh, dict[str, Any]]:

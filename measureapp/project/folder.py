@@ -7,7 +7,7 @@ calibration/        views/ (images of the board and read-backs), cameras.json, r
 stacks/             raw fringe images: permanent
 inspection/         program.toml and the nominal it names
 view_choices.json   views used or refused by hand
-results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`
+results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`; filters.npz, filtered_cloud.ply
 report/             documents
 """
 
@@ -30,7 +30,8 @@ from measureapp.data.rig import RigDescription
 from measureapp.data.validity import CheckRecord
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import CalibrationError, InputError, StorageError
-from measureapp.project import board_views, calibration_store, results
+from measureapp.progress import NoProgress
+from measureapp.project import board_views, calibration_store, filter_file, results
 from measureapp.project.atomic import write_text
 from measureapp.project.calibration_store import RIG_UNCERTAINTY
 from measureapp.project.claim import claimed
@@ -38,6 +39,9 @@ from measureapp.project.frame_store import FrameStore
 
 if TYPE_CHECKING:
     from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty
+    from measureapp.data.cloud import StitchedCloud
+    from measureapp.progress import Progress
+    from measureapp.register.sieve import FilterChain
 
 FORMAT = 1  # of the project's own files
 DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
@@ -210,9 +214,14 @@ class ProjectFolder:
         """The folder of what was computed."""
         return self.path / "results"
 
-    def save_measurement(self, measurement: Measurement) -> None:
-        """Keep everything a measurement gave."""
+    def save_measurement(self, measurement: Measurement, progress: Progress = NoProgress()) -> None:  # noqa: B008 - stateless
+        """Keep everything a measurement gave, and apply the filters of the cloud before to its stitched one."""
         results.save(self.results, measurement)
+        filter_file.filter_again(self.results, measurement.stitched, progress)
+
+    def filters(self, stitched: StitchedCloud) -> FilterChain | None:
+        """Return the filters of the stitched cloud, if there are any. Raises StorageError when they are damaged or of another cloud."""
+        return filter_file.load_filters(self.results, stitched)
 
     def measurement(self) -> Measurement | None:
         """Return the last measurement, if there is one. Raises StorageError when it is damaged."""

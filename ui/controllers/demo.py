@@ -81,7 +81,7 @@ class DemoController(QObject):
     @Slot(object)
     def _finish(self, outcome: Outcome) -> None:
         self._read_plan()
-        self._session.set_measurement(outcome.measurement, outcome.files)
+        self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
         inspection = outcome.measurement.inspection
         proven = sum(1 for dimension in inspection.dimensions if dimension.verdict == "pass") if inspection else 0
         summary = f" {proven} of {len(inspection.dimensions)} dimensions pass." if inspection else ""

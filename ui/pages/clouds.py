@@ -71,7 +71,6 @@ class CloudsPage(ViewportPage):
         self.undo.clicked.connect(self._undo)
         self.action_row.insertWidget(0, self.undo)
         controllers.view_choices.undoChanged.connect(self._show_undo)
-        controllers.filtering.undoChanged.connect(self._show_undo)
         self._placed, self._residuals = PlacedClouds(), Residuals()
         self._extent_of: StitchedCloud | None = None  # whose extent the filters begin with
         self._seen_filtered: StitchedCloud | None = None
