@@ -24,6 +24,7 @@ from pydantic import BaseModel, ValidationError
 from measureapp.data.board import AnyBoard, BoardView, CheckerboardDescription
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
+from measureapp.data.mesh import Mesh
 from measureapp.data.model import Model, first_problem
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
@@ -32,10 +33,12 @@ from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import CalibrationError, InputError, StorageError
 from measureapp.progress import NoProgress
 from measureapp.project import board_views, calibration_store, filter_file, results
-from measureapp.project.atomic import write_text
+from measureapp.project.atomic import replacing, write_text
 from measureapp.project.calibration_store import RIG_UNCERTAINTY
 from measureapp.project.claim import claimed
 from measureapp.project.frame_store import FrameStore
+from measureapp.project.geometry_files import write_mesh
+from measureapp.project.step_files import STEP_KINDS
 
 if TYPE_CHECKING:
     from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty
@@ -189,6 +192,31 @@ class ProjectFolder:
         if nominal is not None:
             shutil.copyfile(nominal, folder / f"{NOMINAL}{nominal.suffix.lower()}")
 
+    def program_text(self, *, has_nominal: bool) -> str:
+        """Return the inspection program as it is written; where there is none one without features. Raises StorageError."""
+        if self.program is None:
+            return f'name = {json.dumps(self.settings.part)}\nalignment = "{"best-fit" if has_nominal else "none"}"\n'
+        try:
+            return self.program.read_text(encoding="utf-8")
+        except (OSError, UnicodeDecodeError) as error:
+            raise StorageError(f"{self.program} cannot be read: {error}.", "Restore it from a backup, or write it anew.") from error
+
+    def save_program(self, text: str) -> None:
+        """Keep another inspection program. Raises StorageError."""
+        write_text(self.path / "inspection" / PROGRAM, text)
+
+    def save_drawing(self, drawing: Path, nominal: Mesh) -> None:
+        """Keep another drawing, read from the file ``drawing`` already; a mesh is kept in millimetres, STEP states its unit itself."""
+        folder = self.path / "inspection"
+        kept = folder / (f"{NOMINAL}{drawing.suffix.lower()}" if drawing.suffix.lower() in STEP_KINDS else f"{NOMINAL}.stl")
+        if kept.suffix == ".stl":
+            write_mesh(kept, nominal)
+        else:
+            with replacing(kept) as temporary:
+                shutil.copyfile(drawing, temporary)
+        for other in set(folder.glob(f"{NOMINAL}.*")) - {kept}:
+            other.unlink()
+
     @property
     def program(self) -> Path | None:
         """The inspection program, if there is one."""
@@ -218,6 +246,10 @@ class ProjectFolder:
         """Keep everything a measurement gave, and apply the filters of the cloud before to its stitched one."""
         results.save(self.results, measurement)
         filter_file.filter_again(self.results, measurement.stitched, progress)
+
+    def save_inspected(self, measurement: Measurement) -> None:
+        """Keep a measurement of which only the inspection is another."""
+        results.save_document(self.results, measurement)
 
     def filters(self, stitched: StitchedCloud) -> FilterChain | None:
         """Return the filters of the stitched cloud, if there are any. Raises StorageError when they are damaged or of another cloud."""
