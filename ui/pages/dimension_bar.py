@@ -80,7 +80,7 @@ class DimensionBar(QWidget):
         for box, words in ((self.kind, "Kind of dimension"), (self.first, "First feature"), (self.second, "Second feature or datum")):
             box.setAccessibleName(words)
             box.setToolTip(f"{words}. {HOW}." if box is not self.kind else words)
-            box.setMinimumContentsLength(8)
+            box.setMinimumContentsLength(5)
             box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.joined, self.plus_minus = label("to", "soft"), label("±", "soft")
         self.nominal, self.tolerance = _number("Nominal value of the drawing"), _number("Tolerance to both sides")

@@ -54,7 +54,7 @@ SHAPE_TIPS = {
     "deviation": "Distance of each point from the drawing, in mm",
 }
 UNLIMITED = 16_777_215  # Qt's largest height of a widget
-UNITS = "Lengths in mm, U for k = 2"
+UNITS = "Lengths in mm."
 TABLE_WIDTH, DEVIATION_HEIGHT = 584, 400
 SIDE_SHARES = (0, 1000, 0, 500, 1)  # the rest stays empty only when table and histogram have what they can use
 
@@ -89,7 +89,7 @@ class InspectionPage(ViewportPage):
         tools = self._tools(look)
         self.side = side = QWidget()
         self.side_width = TABLE_WIDTH
-        counts = row(*self.summary.values(), 0, label(UNITS, "small"), spacing=16)
+        counts = row(*self.summary.values(), 0, spacing=16)
         beside = column(counts, self.table, self.rule, self.deviation, 0, spacing=12)
         for place, share in enumerate(SIDE_SHARES):
             beside.setStretch(place, share)
@@ -198,7 +198,7 @@ class InspectionPage(ViewportPage):
         self.state.setText(
             f"{sentence_case(self.session.inspection.program)}. Aligned by {alignment.name}, {millimetres(alignment.rms_mm)} rms."
         )
-        self.rule.setText(decision_rule())
+        self.rule.setText(f"{UNITS} {decision_rule()}")
         self.table.set_branches(branches_of(dimensions, self.session.inspection.features))
         self.program.show_inspection(self.session.inspection)
         self._share_height()

@@ -26,7 +26,7 @@ TIPS = {
 SIDES = {
     f"{side} {axis}": tuple(sign * int(axis == other) for other in "xyz") for axis in "zxy" for side, sign in (("above", 1), ("below", -1))
 }
-LIMIT_MM, FIELD_WIDTH = 20_000.0, 80
+LIMIT_MM, FIELD_WIDTH, SIDE_WIDTH = 20_000.0, 80, 64
 
 
 class FilterForm(QWidget):
@@ -42,6 +42,8 @@ class FilterForm(QWidget):
         self.radius, self.least = _length(2.0, 0.01, LIMIT_MM, " mm"), _count(5)
         self.area = _length(25.0, 0.0, 1e6, " mm²")
         self.sides = [_length(sign * 1000.0, -LIMIT_MM, LIMIT_MM, "") for _ in "xyz" for sign in (-1, 1)]
+        for side in self.sides:
+            side.setFixedWidth(SIDE_WIDTH)
         self.side, self.offset = QComboBox(), _length(0.0, -LIMIT_MM, LIMIT_MM, " mm")
         self.side.addItems(list(SIDES))
         for field, words in self._named():
@@ -81,7 +83,7 @@ class FilterForm(QWidget):
         for axis, (low, high) in zip("xyz", (self.sides[0:2], self.sides[2:4], self.sides[4:6]), strict=True):
             box += [label(axis, "soft"), low, high]
         return [
-            [label("Drop beyond", "soft"), self.sigmas, label("σ of the mean distance to", "soft"), self.neighbours, label("neighbours", "soft")],
+            [label("Drop beyond", "soft"), self.sigmas, label("σ over", "soft"), self.neighbours, label("neighbours", "soft")],
             [label("Drop with fewer than", "soft"), self.least, label("others within", "soft"), self.radius],
             [label("Drop connected patches below", "soft"), self.area],
             [*box, label("mm", "soft")],
