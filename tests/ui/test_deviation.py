@@ -137,7 +137,7 @@ def test_the_inspection_page_cuts_where_the_bar_says_and_labels_all_dimensions(q
     before = len(page.view._lines)
     for place_mm in (-20.0, 5.0, 0.0):  # each is cut on a thread; the last wish is what is shown in the end
         page.cut.setValue(CutPlane("x", place_mm))
-    qtbot.waitUntil(lambda: page.cut.words.text().startswith("x = 0") and not page._is_cutting, timeout=20_000)
+    qtbot.waitUntil(lambda: page.cut.words.text().startswith("x = 0") and not page.cutting._is_cutting, timeout=20_000)
     assert len(page.view._lines) > before and "deviations" in page.cut.words.text()
     page.cut.button.setChecked(False)
     assert len(page.view._lines) == before

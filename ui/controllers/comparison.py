@@ -32,13 +32,12 @@ class ComparisonController(QObject):
 
     @Slot()
     def compare(self) -> None:
-        """Compare the stitched cloud with the nominal of the open project, once for every cloud."""
+        """Compare the stitched cloud with the nominal of the open project, once for every cloud and drawing."""
         session = self._session
         stitched, inspection, folder = session.stitched, session.inspection, session.folder
-        if stitched is None or inspection is None or folder is None or self._asked is stitched:
+        if stitched is None or inspection is None or folder is None or self._asked is inspection.alignment:
             return
-        self._asked = stitched
-        alignment = inspection.alignment
+        alignment = self._asked = inspection.alignment  # of one cloud, laid onto one drawing
         self._runner.run(
             "Comparing with the drawing",
             lambda job: compared(stitched, alignment, folder, job),
@@ -48,7 +47,7 @@ class ComparisonController(QObject):
 
     @Slot(object)
     def _show(self, found: Comparison | None) -> None:
-        if found is not None and found.stitched is self._session.stitched:
+        if found is not None and found.stitched is self._session.stitched and found.deviation.alignment is self._asked:
             self._session.set_comparison(found)
 
 

@@ -13,6 +13,7 @@ from ui.controllers.filtering import FilteringController
 from ui.controllers.growing import GrowingController
 from ui.controllers.holes import HolesController
 from ui.controllers.jobs import JobRunner
+from ui.controllers.programming import ProgrammingController
 from ui.controllers.project import ProjectController
 from ui.controllers.recent_calibration import RecentCalibrationController
 from ui.controllers.startup import StartupController
@@ -40,6 +41,7 @@ class Controllers(QObject):
         self.view_choices = ViewChoicesController(session, self.jobs, self)
         self.filtering = FilteringController(session, self.jobs, self)
         self.growing = GrowingController(session, self.jobs, self)
+        self.programming = ProgrammingController(session, self.jobs, self)
         kinds: tuple[Kind, ...] = ("cameras", "projector", "axis", "hand-eye", "guide", "rig")
         self.calibrating = {kind: CalibratingController(kind, session, self.demo, self.jobs, self.solving, self) for kind in kinds}
         self.recent_calibration = RecentCalibrationController(session, self.background, self)

@@ -15,6 +15,7 @@ NAMES = {
     "run": "play",
     "cancel": "x-circle",
     "open": "folder-open",
+    "add": "plus-circle",
     "again": "arrows-clockwise",
     "export": "download-simple",
     "pdf": "file-pdf",

@@ -67,6 +67,19 @@ class Scene:
         self.keep_framed = self.keep_framed and not moving
         self._moving = moving
 
+    def turn(self, right_deg: float, up_deg: float) -> None:
+        """Turn the part to the right and up, as the mouse does."""
+        camera = self.renderer.GetActiveCamera()
+        camera.Azimuth(-right_deg)
+        camera.Elevation(-up_deg)
+        camera.OrthogonalizeViewUp()
+        self.keep_framed = False
+
+    def approach(self, times: float) -> None:
+        """Come closer by a factor."""
+        self.renderer.GetActiveCamera().Dolly(times)
+        self.keep_framed = False
+
     def begin_picture(self) -> None:
         """Let the next frame erase what was drawn, and draw as many points as its time allows."""
         self._set_preserved(False)

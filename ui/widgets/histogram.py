@@ -13,7 +13,7 @@ from ui.look.wording import millimetres
 
 BINS = 48
 SCALE_HEIGHT, NUMBERS_HEIGHT = 12, 20
-TICKS = 5
+TICKS, TICK_GAP = 5, 12
 
 
 class Histogram(QWidget):
@@ -71,7 +71,9 @@ class Histogram(QWidget):
         set_letters(painter, theme.sizes["small"])
         painter.setPen(theme.colour("soft"))
         top = float(self.height() - NUMBERS_HEIGHT)
-        for tick in range(TICKS):
+        widest = painter.fontMetrics().horizontalAdvance(millimetres(-self.end_mm, 3)) + TICK_GAP
+        step = 1 if TICKS * widest <= self.width() else TICKS // 2  # where there is little room, the ends and the middle alone
+        for tick in range(0, TICKS, step):
             share = tick / (TICKS - 1)
             words = millimetres(self.end_mm * (2 * share - 1), 3, signed=True)
             width = painter.fontMetrics().horizontalAdvance(words) + 2.0
