@@ -32,8 +32,9 @@ from measureapp.data.validity import CheckRecord
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import CalibrationError, InputError, StorageError
 from measureapp.progress import NoProgress
-from measureapp.project import board_views, filter_file, results
+from measureapp.project import filter_file, results
 from measureapp.project.atomic import replacing, write_text
+from measureapp.project.calibration import board_views, store
 from measureapp.project.calibration.store import RIG_UNCERTAINTY
 from measureapp.project.claim import claimed
 from measureapp.project.frame_store import FrameStore

@@ -80,9 +80,10 @@ class Zone:
         parameters = self.derivatives.shape[2]
         normal = (weights @ products).reshape(len(weights), parameters, parameters)
         normal += TINY * np.trace(normal, axis1=1, axis2=2)[:, None, None] * np.eye(parameters)
-        right = np.einsum("dn,dkn,knp->dp", weights, heights_mm, self.derivatives, optimize=True)
+        derivatives = self.derivatives.reshape(-1, parameters)
+        right = (weights[:, None] * heights_mm).reshape(len(weights), -1) @ derivatives
         change = np.linalg.solve(normal, right[..., None])[..., 0]
-        return np.asarray(heights_mm - np.einsum("dp,knp->dkn", change, self.derivatives, optimize=True))
+        return np.asarray(heights_mm - (change @ derivatives.T).reshape(heights_mm.shape))
 
 
 @dataclass(frozen=True, slots=True)
