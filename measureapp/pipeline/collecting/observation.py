@@ -16,9 +16,9 @@ from measureapp.calibrate.sightings import Cause, FoundBoard
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError, StorageError
 from measureapp.geometry.transform import RigidTransform
+from measureapp.project.calibration.projector_pixels import checksum_of, read_projector_pixels
 from measureapp.project.frame_store import checksum
 from measureapp.project.images import read_image
-from measureapp.project.projector_pixels_file import checksum_of, read_projector_pixels
 
 READBACK_WORDS = {"base_from_flange": "the robot's pose", "guide_mm": "the guide's position", "table_rad": "the table's angle"}
 Standing = Literal["new", "used", "rejected", "removed", "no board"]

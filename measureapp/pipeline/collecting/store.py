@@ -31,9 +31,9 @@ from measureapp.pipeline.collecting.observation import Observation, Readback, Re
 from measureapp.pipeline.collecting.setup import Setup
 from measureapp.project.atomic import replacing, write_json
 from measureapp.project.calibration.camera_file import read_cameras, write_cameras
+from measureapp.project.calibration.projector_pixels import checksum_of, write_projector_pixels
 from measureapp.project.documents import hand_eye_from, link_document, transform_document, transform_from
 from measureapp.project.frame_store import checksum
-from measureapp.project.projector_pixels_file import checksum_of, write_projector_pixels
 
 SESSION_VERSION, OBSERVATION_VERSION = 3, 2
 SESSION, CAMERAS = "session.json", "cameras.json"
