@@ -17,7 +17,8 @@ from measureapp.arrays import FloatArray
 from measureapp.calibrate.cameras.projector import HeadSolution
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
 from measureapp.calibrate.cameras.uncertainty import POSE_NAMES
-from measureapp.calibrate.motions.chain import Chain, ChainState
+from measureapp.calibrate.motions.chain import Chain
+from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.motions.hand_eye import HandEyeSolution
 from measureapp.calibrate.motions.linear_guide import GuideSolution
 from measureapp.calibrate.motions.rotation_axis import AxisSolution

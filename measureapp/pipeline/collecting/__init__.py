@@ -13,6 +13,7 @@ from measureapp.pipeline.collecting.held_back import check_held_back
 from measureapp.pipeline.collecting.keeping import accept, keep, read_result
 from measureapp.pipeline.collecting.observation import Observation, Readback, Refusal, StoredImage
 from measureapp.pipeline.collecting.recorded import ReadbackFiles, add_fringes, add_recorded, add_views
+from measureapp.pipeline.collecting.repeating import repeated
 from measureapp.pipeline.collecting.setup import KINDS, Kind, Setup
 from measureapp.pipeline.collecting.solved import Solved
 from measureapp.pipeline.collecting.verdict import LIMITS, Limits, Verdict, judge
@@ -48,5 +49,6 @@ __all__ = [
     "judge",
     "keep",
     "read_result",
+    "repeated",
     "result_of",
 ]

@@ -9,11 +9,11 @@ from pathlib import Path
 from measureapp.arrays import ImageArray
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR, called
 from measureapp.calibrate.rig.joint import approaches_to
-from measureapp.calibrate.sightings import FoundBoard
+from measureapp.calibrate.sightings import FoundBoard, naming_refused
 from measureapp.data.fringe import AxisReadback, FringeStack
 from measureapp.errors import CalibrationError, InputError
 from measureapp.pipeline.board_in_fringes import projector_size_px
-from measureapp.pipeline.collecting.looking import Before, Looked, look, look_in_fringes, tell_parts
+from measureapp.pipeline.collecting.looking import Before, Looked, look, look_in_fringes, read_again, tell_parts
 from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback
 from measureapp.pipeline.collecting.setup import NEEDED, Setup
 from measureapp.pipeline.collecting.solved import Solved
@@ -158,7 +158,8 @@ class Collection:
     ) -> Observation:
         """Look for the board in the fringe images of one position, look its marks up in the phases, and keep what came of it.
 
-        Kept are the board in even light as every camera sees it and, for people, as the projector would; not the fringe images.
+        Kept are the board in even light as every camera sees it and, for people, as the projector would, and what the projector's marks
+        were read from; not the fringe images.
 
         Parameters
         ----------
@@ -185,6 +186,31 @@ class Collection:
                 "Give fringes of one projector.",
             )
         return self._keep(look_in_fringes(stack, self.setup, size, progress or NoProgress()), read, names)
+
+    def repeat(self, other: Observation) -> Observation:
+        """Look for the board in the images that another collection of the same setup kept, and add what is found under the same name.
+
+        Raises
+        ------
+        StorageError, InputError
+            An image is damaged or gone, or not the one that was kept.
+        CalibrationError
+            Nothing was kept of the fringes from which the projector's marks could be read again.
+        """
+        images = {camera: image.verified() for camera, image in other.images.items()}
+        board, names = self.setup.board, {camera: image.name for camera, image in other.images.items()}
+        if self.setup.kind != "projector":
+            looked = look(images, other.readback, board, self._before())
+        elif other.lit is not None:
+            looked = read_again(images, (other.lit.camera, other.lit.verified()), board)
+        elif PROJECTOR in other.seen:
+            raise CalibrationError(
+                f"Of the fringes of observation {other.id} nothing was kept to read the projector's marks from again.",
+                "It was taken with an earlier version: take the position again.",
+            )
+        else:
+            looked = Looked(images, other.seen, other.refused)
+        return self._keep(looked, other.readback, names, other.id)
 
     def look_again(self) -> tuple[str, ...]:
         """Look once more at images of parts of the board that nothing could tell, after more is known; return the observations that gained by it."""
@@ -253,7 +279,10 @@ class Collection:
         CalibrationError
             The observations do not determine the result; says what is missing.
         """
-        found = solve(self.setup, self._approached(), self._sizes(), None if afresh else self._solved, progress)
+        try:
+            found = solve(self.setup, self._approached(), self._sizes(), None if afresh else self._solved, progress)
+        except CalibrationError as error:
+            raise naming_refused(error, self._refused()) from error
         self._solved = replace(found, sightings=self._sightings(found.of))
         return self._solved
 
@@ -277,14 +306,24 @@ class Collection:
         solved = None if self._solved is None else self._solved.cameras
         return Before(self.setup.cameras or solved, tuple(one for one in self.usable if one.id != besides))
 
+    def _refused(self) -> list[tuple[str, str]]:
+        """Images that gave nothing, with the reason."""
+        kept = [one for one in self.observations if one.standing != "removed"]
+        return [
+            (f"observation {one.id}, {called(camera)[0].lower()}{called(camera)[1:]}", f"{refusal.message} {refusal.hint}")
+            for one in kept
+            for camera, refusal in one.refused.items()
+        ]
+
     def _sightings(self, ids: Sequence[str]) -> int:
         return sum(len(self._all[name].seen) for name in ids)
 
-    def _keep(self, looked: Looked, read: Readback, names: Mapping[str, str] | None) -> Observation:
+    def _keep(self, looked: Looked, read: Readback, names: Mapping[str, str] | None, name: str = "") -> Observation:
         """Write what was looked at, and add it; images that are there already are refused."""
         stored = {camera: self._store.keep_image(pixels, (names or {}).get(camera, "")) for camera, pixels in looked.images.items()}
         self._refuse_twice({camera: image.checksum for camera, image in stored.items()})
-        observation = Observation(self._next_id(), stored, read, looked.seen, looked.refused)
+        lit = None if looked.lit is None else self._store.keep_lit(*looked.lit)
+        observation = Observation(name or self._next_id(), stored, read, looked.seen, looked.refused, lit)
         self._store.keep_observation(observation)
         self._all[observation.id] = observation
         self._act("add", observation.id)

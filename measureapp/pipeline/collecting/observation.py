@@ -10,11 +10,14 @@ from typing import Literal
 import numpy as np
 
 from measureapp.arrays import ImageArray
+from measureapp.calibrate.cameras.projector_sightings import ProjectorPixels
 from measureapp.calibrate.motions.axis_noise import SAME_POSE
 from measureapp.calibrate.sightings import Cause, FoundBoard
 from measureapp.data.fringe import AxisReadback
-from measureapp.errors import CalibrationError
+from measureapp.errors import CalibrationError, StorageError
 from measureapp.geometry.transform import RigidTransform
+from measureapp.project.calibration.projector_pixels import checksum_of, read_projector_pixels
+from measureapp.project.frame_store import checksum
 from measureapp.project.images import read_image
 
 READBACK_WORDS = {"base_from_flange": "the robot's pose", "guide_mm": "the guide's position", "table_rad": "the table's angle"}
@@ -63,6 +66,36 @@ class StoredImage:
         """Return the image (H, W). Raises InputError where the file is damaged or gone."""
         return read_image(self.path)
 
+    def verified(self) -> ImageArray:
+        """Return the image (H, W). Raises InputError as `pixels`, StorageError where it is not the one that was kept."""
+        found = self.pixels()
+        _require_same(self.path, checksum(found), self.checksum)
+        return found
+
+
+@dataclass(frozen=True, slots=True)
+class StoredPixels:
+    """Which pixels of the projector light the board in one camera's image, on disk."""
+
+    path: Path
+    checksum: str  # SHA-256 of its arrays
+    camera: str
+
+    def read(self) -> ProjectorPixels:
+        """Return them. Raises StorageError where the file is damaged or gone."""
+        return read_projector_pixels(self.path)
+
+    def verified(self) -> ProjectorPixels:
+        """Return them. Raises StorageError as `read`, and where they are not those that were kept."""
+        found = self.read()
+        _require_same(self.path, checksum_of(found), self.checksum)
+        return found
+
+
+def _require_same(path: Path, found: str, kept: str) -> None:
+    if found != kept:
+        raise StorageError(f"{path} is not what was kept: its checksum differs.", "Restore it from a backup.")
+
 
 @dataclass(frozen=True, slots=True)
 class Refusal:
@@ -85,6 +118,7 @@ class Observation:
     readback: Readback
     seen: Mapping[str, FoundBoard]  # camera -> marks
     refused: Mapping[str, Refusal]  # camera -> why it gave none
+    lit: StoredPixels | None = None  # of a position under fringes: what the projector's marks were read from
     standing: Standing = "new"
     reason: str = ""  # in words, where it is not used or only in part
     residuals_px: Mapping[str, float] = field(default_factory=dict)  # camera -> rms distance of its marks from where they should be
