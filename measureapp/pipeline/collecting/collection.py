@@ -9,7 +9,7 @@ from pathlib import Path
 from measureapp.arrays import ImageArray
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR, called
 from measureapp.calibrate.rig.joint import approaches_to
-from measureapp.calibrate.sightings import FoundBoard
+from measureapp.calibrate.sightings import FoundBoard, naming_refused
 from measureapp.data.fringe import AxisReadback, FringeStack
 from measureapp.errors import CalibrationError, InputError
 from measureapp.pipeline.board_in_fringes import projector_size_px
@@ -279,7 +279,10 @@ class Collection:
         CalibrationError
             The observations do not determine the result; says what is missing.
         """
-        found = solve(self.setup, self._approached(), self._sizes(), None if afresh else self._solved, progress)
+        try:
+            found = solve(self.setup, self._approached(), self._sizes(), None if afresh else self._solved, progress)
+        except CalibrationError as error:
+            raise naming_refused(error, self._refused()) from error
         self._solved = replace(found, sightings=self._sightings(found.of))
         return self._solved
 
@@ -302,6 +305,15 @@ class Collection:
         """What tells parts of the board: the cameras, known or as they were solved last, and the other observations."""
         solved = None if self._solved is None else self._solved.cameras
         return Before(self.setup.cameras or solved, tuple(one for one in self.usable if one.id != besides))
+
+    def _refused(self) -> list[tuple[str, str]]:
+        """Images that gave nothing, with the reason."""
+        kept = [one for one in self.observations if one.standing != "removed"]
+        return [
+            (f"observation {one.id}, {called(camera)[0].lower()}{called(camera)[1:]}", f"{refusal.message} {refusal.hint}")
+            for one in kept
+            for camera, refusal in one.refused.items()
+        ]
 
     def _sightings(self, ids: Sequence[str]) -> int:
         return sum(len(self._all[name].seen) for name in ids)
