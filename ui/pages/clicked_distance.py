@@ -39,19 +39,22 @@ class Distance:
     first: ClickedPoint
     second: ClickedPoint
     length_mm: float
-    uncertainty_mm: float  # k = 2
+    uncertainty_mm: float | None  # k = 2; None where the points' own is not known
 
     @classmethod
     def between(cls, first: ClickedPoint, second: ClickedPoint) -> Distance:
         """Measure from one point to the other."""
         from measureapp.inspection.point_distance import point_distance
 
-        places = np.stack([first.position_mm, second.position_mm])
-        return cls(first, second, *point_distance(places, (first.sigma_mm, second.sigma_mm), first.view == second.view))
+        places, sigmas = np.stack([first.position_mm, second.position_mm]), (first.sigma_mm, second.sigma_mm)
+        length, uncertainty = point_distance(places, sigmas, first.view == second.view)
+        return cls(first, second, length, uncertainty if min(sigmas) > 0 else None)
 
     @property
     def words(self) -> str:
         """Return value and uncertainty in one line."""
+        if self.uncertainty_mm is None:
+            return millimetres(self.length_mm).replace("\u00a0", " ")
         return f"{quantity(self.length_mm, '')} ± {millimetres(self.uncertainty_mm)}".replace("\u00a0", " ").strip()
 
 

@@ -67,6 +67,8 @@ class InspectionPage(ViewportPage):
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
         super().__init__(look, session, controllers, EmptyState(look, "inspection", *EMPTY, "Run the demo"))
+        self.measure_file = Button("Measure a file…", look, "file", tip="A cloud or mesh, by a drawing or an inspection program")
+        self.empty.add_quiet(self.measure_file)
         self.shape = Segments(SHAPES, name="Picture", tips=SHAPE_TIPS)
         self.shape.set_available("deviation", False)
         self.shape.valueChanged.connect(self.redraw)
