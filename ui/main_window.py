@@ -156,6 +156,8 @@ class MainWindow(QMainWindow):
         scan.next_step.clicked.connect(self._go_on)
         inspection = self.pages["inspection"]
         assert isinstance(inspection, InspectionPage)
+        inspection.see_report.clicked.connect(lambda: self.show_page("report"))
+        session.reportChanged.connect(self._follow_operator)
         inspection.measure_file.clicked.connect(self._choose_files)
         QShortcut(QKeySequence.StandardKey.HelpContents, self, self._show_help)
         QShortcut(QKeySequence.StandardKey.Open, self, self._choose_project)
@@ -177,6 +179,16 @@ class MainWindow(QMainWindow):
 
     def _show_busy(self) -> None:
         self.strip.show_job(self.session.busy_with)
+        if self.session.busy_with and self.session.role == "operator" and self.page is self.pages["rig"]:
+            self.show_page("scan")
+
+    def _follow_operator(self) -> None:
+        """Take an operator from the scan to the verdict."""
+        inspection = self.pages["inspection"]
+        assert isinstance(inspection, InspectionPage)
+        if self.session.role == "operator" and self.session.inspection is not None and self.page is self.pages["scan"]:
+            self.show_page("inspection")
+            inspection.show_failing()
 
     def _show_message(self, message: Message) -> None:
         self.strip.show_message(message.text, message.hint, message.level)

@@ -70,6 +70,7 @@ class DistanceTool(QObject):
         self.button.toggled.connect(self._begin)
         self.distances: list[Distance] = []
         self._first: ClickedPoint | None = None
+        self._where: object = None
 
     @property
     def is_on(self) -> bool:
@@ -104,11 +105,11 @@ class DistanceTool(QObject):
             self.distances.pop()
         self.changed.emit()
 
-    @Slot()
-    def clear(self) -> None:
-        """Forget everything; the points belong to clouds that are no longer shown."""
-        self._first, self.distances = None, []
-        self.changed.emit()
+    def keep_for(self, where: object) -> None:
+        """Forget what was clicked elsewhere: in another cloud, or under another alignment."""
+        if where != self._where:
+            self._where, self._first, self.distances = where, None, []
+            self.changed.emit()
 
     def lines(self, colour: tuple[int, int, int]) -> list[LineLayer]:
         """Return what was measured as lines, with a cross at each point."""

@@ -106,7 +106,7 @@ class CloudsPage(ViewportPage):
         self.view.pointPicked.connect(self._show_point)
         self.stage.valueChanged.connect(self._forget_point)
         session.cloudsChanged.connect(self._show)
-        session.cloudsChanged.connect(self.distance.clear)
+        session.cloudsChanged.connect(lambda: self.distance.keep_for(session.stitched or session.views))
         session.projectChanged.connect(self.hidden.clear)
         session.busyChanged.connect(self._show_busy)
         self._show()
