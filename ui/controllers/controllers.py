@@ -9,6 +9,7 @@ from ui.controllers.collecting_nouns import Kind
 from ui.controllers.comparison import ComparisonController
 from ui.controllers.demo import DemoController
 from ui.controllers.documents import DocumentsController
+from ui.controllers.files import FilesController
 from ui.controllers.filtering import FilteringController
 from ui.controllers.growing import GrowingController
 from ui.controllers.holes import HolesController
@@ -39,6 +40,7 @@ class Controllers(QObject):
         self.stored_images = StoredImagesController(session, self.background, self)
         self.holes = HolesController(session, self.explaining, self)
         self.view_choices = ViewChoicesController(session, self.jobs, self)
+        self.files = FilesController(session, self.jobs, self)
         self.filtering = FilteringController(session, self.jobs, self)
         self.growing = GrowingController(session, self.jobs, self)
         self.programming = ProgrammingController(session, self.jobs, self)

@@ -106,7 +106,7 @@ class CloudsPage(ViewportPage):
         self.view.pointPicked.connect(self._show_point)
         self.stage.valueChanged.connect(self._forget_point)
         session.cloudsChanged.connect(self._show)
-        session.cloudsChanged.connect(self.distance.clear)
+        session.cloudsChanged.connect(lambda: self.distance.keep_for(session.stitched or session.views))
         session.projectChanged.connect(self.hidden.clear)
         session.busyChanged.connect(self._show_busy)
         self._show()
@@ -199,7 +199,8 @@ class CloudsPage(ViewportPage):
         words = f"{several(len(views), 'view')}, {counted(total)} points"
         merged = "" if stitched is None else f"{words}; merged {counted(len(stitched))}"
         left = "" if filtered is None else f", filtered {counted(len(filtered))}"
-        self.state.setText(f"{merged}{left}." if stitched is not None else f"{words}, placed by the axes.")
+        told = f"{merged}{left}." if stitched is not None else f"{words}, placed by the axes."
+        self.state.setText(told if views else "No view is scanned.")
         placements = self.placements()
         self.table.set_rows([self._cells(index, view, placements.get(view.viewpoint_id)) for index, view in enumerate(views)])
         self._select(max(0, self.table.currentIndex().row()))
@@ -314,6 +315,8 @@ class CloudsPage(ViewportPage):
 
     def composer(self) -> Composer | None:
         """Compose the visible views as chosen."""
+        if not self.session.views:  # what is measured of a file has none
+            return None
         colour_by: ColourBy = self.colour_by.value()  # type: ignore[assignment]
         stitched, placements, views = self.session.stitched, self.placements(), self.session.views
         end = scale_end(colour_by, [view.cloud for view in views], placements.values()) if colour_by in SCALE_NAMES else 1.0

@@ -164,3 +164,11 @@ def feature_group(feature: Feature) -> Group:
             *([("Radius", millimetres(feature.radius_mm))] if feature.radius_mm is not None else []),
         ),
     )
+
+
+def decision_rule() -> str:
+    """Return the rule by which the dimensions are judged, in words."""
+    from measureapp.inspection.settings import InspectionSettings
+    from measureapp.inspection.verdict import RULES
+
+    return RULES[InspectionSettings().verdict_rule]

@@ -16,7 +16,7 @@ from ui.look.wording import millimetres, percent, sentence_case
 from ui.pages.clicked_distance import ClickedPoint, DistanceTool
 from ui.pages.cutting import Cutting
 from ui.pages.deviation_card import DeviationCard, scale_end_mm
-from ui.pages.dimension_rows import branches_of, dimension_properties, feature_group, features_of, other_features
+from ui.pages.dimension_rows import branches_of, decision_rule, dimension_properties, feature_group, features_of, other_features
 from ui.pages.feature_lines import OUTLINE, dimension_labels, feature_lines, verdict_rgb
 from ui.pages.grow_bar import GrowBar
 from ui.pages.layers import deviation_layers, filled_share, mesh_layer, points_layer, rgb
@@ -32,6 +32,7 @@ from ui.widgets.empty_state import EmptyState
 from ui.widgets.not_measured import NotMeasuredLegend
 from ui.widgets.properties_panel import Properties
 from ui.widgets.segments import Segments
+from ui.widgets.verdict_banner import VerdictBanner
 from ui.workers.job import Job
 
 if TYPE_CHECKING:
@@ -56,7 +57,7 @@ SHAPE_TIPS = {
 UNLIMITED = 16_777_215  # Qt's largest height of a widget
 UNITS = "Lengths in mm."
 TABLE_WIDTH, DEVIATION_HEIGHT = 584, 400
-SIDE_SHARES = (0, 1000, 0, 500, 1)  # the rest stays empty only when table and histogram have what they can use
+SIDE_SHARES = (0, 0, 1000, 0, 500, 1)  # the rest stays empty only when table and histogram have what they can use
 
 
 class InspectionPage(ViewportPage):
@@ -67,12 +68,13 @@ class InspectionPage(ViewportPage):
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
         super().__init__(look, session, controllers, EmptyState(look, "inspection", *EMPTY, "Run the demo"))
+        self.measure_file = Button("Measure a file…", look, "file", tip="A cloud or mesh, by a drawing or an inspection program")
+        self.empty.add_quiet(self.measure_file)
         self.shape = Segments(SHAPES, name="Picture", tips=SHAPE_TIPS)
         self.shape.set_available("deviation", False)
         self.shape.valueChanged.connect(self.redraw)
         self._point: Label | None = None  # of the point that was clicked last
         self._entry: tuple[Properties, str] | None = None  # of the program, while its properties are shown
-        self._distances_in: object = None  # cloud and alignment that distances were clicked in
         self.deviation = DeviationCard(look)
         self.summary = {verdict: label("", "strong") for verdict in ("pass", "fail", "not proven", "not measured")}
         self.table = DataTree(look, HEADERS, numeric=(1, 2, 3, 4), stretch=0)
@@ -90,7 +92,8 @@ class InspectionPage(ViewportPage):
         self.side = side = QWidget()
         self.side_width = TABLE_WIDTH
         counts = row(*self.summary.values(), 0, spacing=16)
-        beside = column(counts, self.table, self.rule, self.deviation, 0, spacing=12)
+        self.banner = VerdictBanner(look)
+        beside = column(self.banner, counts, self.table, self.rule, self.deviation, 0, spacing=12)
         for place, share in enumerate(SIDE_SHARES):
             beside.setStretch(place, share)
         side.setLayout(beside)
@@ -123,11 +126,10 @@ class InspectionPage(ViewportPage):
         self.undo = Button("Undo", look, "undo", "quiet", UNDO)
         self.undo.clicked.connect(self._undo)
         self.hint = label("", "soft")
-        self.action_row.addWidget(self.hint)
-        self.action_row.addWidget(self.undo)
         self.program = ProgramTools(look, self.session, self.controllers.programming, self)
-        self.action_row.addWidget(self.program.text)
-        self.action_row.addWidget(self.program.drawing)
+        self.see_report = Button("See the report", look, "report", "primary")
+        for widget in (self.hint, self.undo, self.program.text, self.program.drawing, self.see_report):
+            self.action_row.addWidget(widget)
         self.controllers.programming.changed.connect(self._show_undo)
         self.cut = SectionBar(look)
         self.cutting = Cutting(self.session, self.cut, self.controllers.drawing, self)
@@ -201,6 +203,7 @@ class InspectionPage(ViewportPage):
         self.rule.setText(f"{UNITS} {decision_rule()}")
         self.table.set_branches(branches_of(dimensions, self.session.inspection.features))
         self.program.show_inspection(self.session.inspection)
+        self.banner.show_verdicts([found.verdict for found in dimensions])
         self._share_height()
         new = self.program.newest(dimensions)
         if new is not None or (self.table.selected()[0] < 0 and dimensions):
@@ -301,6 +304,9 @@ class InspectionPage(ViewportPage):
     def _show_undo(self) -> None:
         self.undo.setVisible(self.distance.can_undo or self.grow.last is not None or self.program.programming.can_undo)
         self.program.show_state()
+        is_operator = self.session.role == "operator"
+        self.see_report.setVisible(is_operator and self.session.measurement is not None)
+        self.banner.setVisible(is_operator and bool(self.dimensions()))
         self.grow.button.setVisible(self.program.is_offered)
         if not self.program.is_offered:
             self.grow.button.setChecked(False)
@@ -326,11 +332,14 @@ class InspectionPage(ViewportPage):
 
     def _forget_distances(self) -> None:
         """Forget distances between points of a cloud, or of an alignment, that is no longer there."""
-        inspection = self.session.inspection
-        place = None if inspection is None else (self.session.stitched, inspection.alignment.nominal_from_part.matrix.tobytes())
-        if place != self._distances_in:
-            self._distances_in = place
-            self.distance.clear()
+        inspection, cloud = self.session.inspection, self.session.stitched
+        self.distance.keep_for(None if inspection is None else (cloud, inspection.alignment.nominal_from_part.matrix.tobytes()))
+
+    def show_failing(self) -> None:
+        """Show the first dimension that does not pass on the part, and the values of all."""
+        failing = [place for place, found in enumerate(self.dimensions()) if found.verdict != "pass"]
+        self.table.select(failing[0] if failing else 0)
+        self.labels.setChecked(True)
 
     def decide(self) -> None:
         """Put the feature that grew last into the program, or take the selected entry out of it."""
@@ -387,11 +396,3 @@ class InspectionPage(ViewportPage):
         words = words.replace("\u00a0", " ").replace("\u2212", "-")
         self._point = Label(words, position, rgb(self.look.theme, "text"), rgb(self.look.theme, "surface"))
         self._highlight()
-
-
-def decision_rule() -> str:
-    """Return the rule by which the dimensions are judged, in words."""
-    from measureapp.inspection.settings import InspectionSettings
-    from measureapp.inspection.verdict import RULES
-
-    return RULES[InspectionSettings().verdict_rule]

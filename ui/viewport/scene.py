@@ -19,7 +19,7 @@ FRAMING_POINTS = 4_000
 FILLED_SHARE = 0.86  # of the picture's width or height, whichever is reached first
 CLOSEST_MM, ROOM = 15.0, 1.8
 PICK_REACH_PX = 5.0
-LABEL_PX = (8.6, 26)  # about as wide as a letter and as high as a label is drawn
+LABEL_PX = (7.6, 24)  # about as wide as a letter and as high as a label is drawn
 PICK_CHUNK = 2_000_000
 
 
