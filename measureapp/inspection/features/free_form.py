@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
-from measureapp.arrays import FloatArray
+from measureapp.arrays import BoolArray, FloatArray
 from measureapp.data.feature import Feature
 from measureapp.data.free_form import FreeForm
 from measureapp.data.inspection_program import copy_names

@@ -101,7 +101,9 @@ def test_a_tilted_datum_uses_up_its_play_and_is_not_shifted_beyond_it():
 def test_its_own_material_size_and_that_of_its_datum_both_count():
     own = {"material_condition": "maximum", "size_limits_mm": [2 * BORE_MM - 0.2, 2 * BORE_MM + 0.2]}
     limit = {"upper_tolerance": best_of_bore(0.12) - 0.05}
-    plain, shifted, both = measured(part(2), {**ASKED, **limit}, {**ASKED, **limit, **loose(0.12)}, {**ASKED, **limit, **loose(0.12), **own})
+    plain, shifted, both = measured(
+        part(2), {**ASKED, **limit}, {**ASKED, **limit, **loose(0.12)}, {**ASKED, **limit, **loose(0.12), **own}
+    )
     assert plain.verdict is Verdict.FAIL and shifted.verdict is not Verdict.PASS and both.verdict is Verdict.PASS
     assert both.measured == pytest.approx(shifted.measured)
     assert "maximum material" in both.origin and "datum shift" in both.origin
