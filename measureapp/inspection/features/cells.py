@@ -6,7 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import ndtri
+from scipy.optimize import brentq
+from scipy.special import ndtr, ndtri
 
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.feature import Feature
@@ -21,6 +22,7 @@ RANK = 1e-6  # the normal's own direction has no extent
 WELL_FILLED = 0.25  # of the median count: cells at the rim hold fewer points, whose mean is noisier
 LEAST_AROUND = 24  # cells about an axis, whatever the radius
 COVERAGE = 0.95
+ALIKE = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,12 +45,20 @@ class Cells:
         The range of the sum of form and noise differs from that of the form by no more than the range of the noise, so
         that twice this is an expanded uncertainty whatever the form is.
         """
-        return noise_reach(len(self)) * self.noise_mm
+        return greatest_noise(self.noises_mm)
 
 
 def noise_reach(count: int) -> float:
     """Return the multiple of σ that the greatest of ``count`` normal errors does not exceed in 95 of 100 cases."""
     return float(ndtri((1 + COVERAGE ** (1 / max(count, 1))) / 2))
+
+
+def greatest_noise(noises_mm: FloatArray) -> float:
+    """Return what the greatest of independent normal errors with these standard deviations does not exceed in 95 of 100 cases."""
+    least, most = (noise_reach(len(noises_mm)) * float(noise) for noise in (noises_mm.min(), noises_mm.max()))
+    if most - least <= ALIKE * most:
+        return most
+    return float(brentq(lambda reach: np.log(2 * ndtr(reach / noises_mm) - 1).sum() - np.log(COVERAGE), least, most))
 
 
 def cell_means(points_mm: FloatArray, feature: Feature, keys: IntArray, name: str) -> Cells:
