@@ -126,6 +126,7 @@ class Collection:
         images: Mapping[str, ImageArray],
         readback: Readback | AxisReadback | None = None,
         names: Mapping[str, str] | None = None,
+        temperature_c: float | None = None,
     ) -> Observation:
         """Look for the board in the images of one position, and keep them.
 
@@ -135,6 +136,7 @@ class Collection:
         ----------
         images : camera -> (H, W), 8 or 16 bit; cameras may be missing
         names : camera -> file it came from
+        temperature_c : of the head when they were taken, where it was measured
 
         Raises
         ------
@@ -147,7 +149,7 @@ class Collection:
             raise InputError("The projector is calibrated from fringes on the board.", "Give fringes instead of plain images.")
         read = _as_readback(readback)
         self._check(images, read)
-        return self._keep(look(images, read, self.setup.board, self._before()), read, names)
+        return self._keep(look(images, read, self.setup.board, self._before()), read, names, temperature_c=temperature_c)
 
     def add_fringes(
         self,
@@ -185,7 +187,8 @@ class Collection:
                 f"{size[0]} × {size[1]} px.",
                 "Give fringes of one projector.",
             )
-        return self._keep(look_in_fringes(stack, self.setup, size, progress or NoProgress()), read, names)
+        looked = look_in_fringes(stack, self.setup, size, progress or NoProgress())
+        return self._keep(looked, read, names, temperature_c=None if stack.conditions is None else stack.conditions.temperature_c)
 
     def repeat(self, other: Observation) -> Observation:
         """Look for the board in the images that another collection of the same setup kept, and add what is found under the same name.
@@ -210,7 +213,7 @@ class Collection:
             )
         else:
             looked = Looked(images, other.seen, other.refused)
-        return self._keep(looked, other.readback, names, other.id)
+        return self._keep(looked, other.readback, names, name=other.id, temperature_c=other.temperature_c)
 
     def look_again(self) -> tuple[str, ...]:
         """Look once more at images of parts of the board that nothing could tell, after more is known; return the observations that gained by it."""
@@ -307,8 +310,8 @@ class Collection:
         return Before(self.setup.cameras or solved, tuple(one for one in self.usable if one.id != besides))
 
     def _refused(self) -> list[tuple[str, str]]:
-        """Images that gave nothing, with the reason."""
-        kept = [one for one in self.observations if one.standing != "removed"]
+        """Images of observations that give nothing at all, with the reason."""
+        kept = [one for one in self.observations if one.standing == "no board"]
         return [
             (f"observation {one.id}, {called(camera)[0].lower()}{called(camera)[1:]}", f"{refusal.message} {refusal.hint}")
             for one in kept
@@ -318,12 +321,14 @@ class Collection:
     def _sightings(self, ids: Sequence[str]) -> int:
         return sum(len(self._all[name].seen) for name in ids)
 
-    def _keep(self, looked: Looked, read: Readback, names: Mapping[str, str] | None, name: str = "") -> Observation:
+    def _keep(
+        self, looked: Looked, read: Readback, names: Mapping[str, str] | None, *, name: str = "", temperature_c: float | None = None
+    ) -> Observation:
         """Write what was looked at, and add it; images that are there already are refused."""
         stored = {camera: self._store.keep_image(pixels, (names or {}).get(camera, "")) for camera, pixels in looked.images.items()}
         self._refuse_twice({camera: image.checksum for camera, image in stored.items()})
         lit = None if looked.lit is None else self._store.keep_lit(*looked.lit)
-        observation = Observation(name or self._next_id(), stored, read, looked.seen, looked.refused, lit)
+        observation = Observation(name or self._next_id(), stored, read, looked.seen, looked.refused, temperature_c=temperature_c, lit=lit)
         self._store.keep_observation(observation)
         self._all[observation.id] = observation
         self._act("add", observation.id)

@@ -118,6 +118,7 @@ class Observation:
     readback: Readback
     seen: Mapping[str, FoundBoard]  # camera -> marks
     refused: Mapping[str, Refusal]  # camera -> why it gave none
+    temperature_c: float | None = None  # of the head, where it was measured
     lit: StoredPixels | None = None  # of a position under fringes: what the projector's marks were read from
     standing: Standing = "new"
     reason: str = ""  # in words, where it is not used or only in part
