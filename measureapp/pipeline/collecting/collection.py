@@ -13,8 +13,8 @@ from measureapp.calibrate.sightings import FoundBoard, naming_refused
 from measureapp.data.fringe import AxisReadback, FringeStack
 from measureapp.errors import CalibrationError, InputError
 from measureapp.pipeline.board_in_fringes import projector_size_px
-from measureapp.pipeline.collecting.looking import Before, Looked, look, look_in_fringes, read_again, tell_parts
-from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback
+from measureapp.pipeline.collecting.looking import Before, Looked, look, look_at_kept, look_in_fringes, tell_parts
+from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback, lost_images
 from measureapp.pipeline.collecting.setup import NEEDED, Setup
 from measureapp.pipeline.collecting.solved import Solved
 from measureapp.pipeline.collecting.solving import shortfalls_of, solve
@@ -200,19 +200,8 @@ class Collection:
         CalibrationError
             Nothing was kept of the fringes from which the projector's marks could be read again.
         """
-        images = {camera: image.verified() for camera, image in other.images.items()}
-        board, names = self.setup.board, {camera: image.name for camera, image in other.images.items()}
-        if self.setup.kind != "projector":
-            looked = look(images, other.readback, board, self._before())
-        elif other.lit is not None:
-            looked = read_again(images, (other.lit.camera, other.lit.verified()), board)
-        elif PROJECTOR in other.seen:
-            raise CalibrationError(
-                f"Of the fringes of observation {other.id} nothing was kept to read the projector's marks from again.",
-                "It was taken with an earlier version: take the position again.",
-            )
-        else:
-            looked = Looked(images, other.seen, other.refused)
+        looked = look_at_kept(other, self.setup, self._before())
+        names = {camera: image.name for camera, image in other.images.items()}
         return self._keep(looked, other.readback, names, name=other.id, temperature_c=other.temperature_c)
 
     def look_again(self) -> tuple[str, ...]:
@@ -285,7 +274,7 @@ class Collection:
         try:
             found = solve(self.setup, self._approached(), self._sizes(), None if afresh else self._solved, progress)
         except CalibrationError as error:
-            raise naming_refused(error, self._refused()) from error
+            raise naming_refused(error, lost_images(self.observations)) from error
         self._solved = replace(found, sightings=self._sightings(found.of))
         return self._solved
 
@@ -308,15 +297,6 @@ class Collection:
         """What tells parts of the board: the cameras, known or as they were solved last, and the other observations."""
         solved = None if self._solved is None else self._solved.cameras
         return Before(self.setup.cameras or solved, tuple(one for one in self.usable if one.id != besides))
-
-    def _refused(self) -> list[tuple[str, str]]:
-        """Images of observations that give nothing at all, with the reason."""
-        kept = [one for one in self.observations if one.standing == "no board"]
-        return [
-            (f"observation {one.id}, {called(camera)[0].lower()}{called(camera)[1:]}", f"{refusal.message} {refusal.hint}")
-            for one in kept
-            for camera, refusal in one.refused.items()
-        ]
 
     def _sightings(self, ids: Sequence[str]) -> int:
         return sum(len(self._all[name].seen) for name in ids)
