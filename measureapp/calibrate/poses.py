@@ -11,7 +11,10 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import FloatArray
+from measureapp.calibrate.projection import cross_matrices
 from measureapp.geometry.transform import RigidTransform
+
+SMALL_TURN_RAD = 1e-4  # below it the series is exact to a part in 1e9, the quotients are not
 
 
 def stacked(transforms: Iterable[RigidTransform]) -> FloatArray:
@@ -42,6 +45,22 @@ def change_between(origin: FloatArray, goal: FloatArray) -> FloatArray:
     """Return the changes (N, 6) that take the poses ``origin`` (N, 4, 4) to ``goal``."""
     turn = goal[:, :3, :3] @ np.swapaxes(origin[:, :3, :3], -1, -2)
     return np.hstack([Rotation.from_matrix(turn).as_rotvec(), goal[:, :3, 3] - origin[:, :3, 3]])
+
+
+def left_jacobians(vectors: FloatArray) -> FloatArray:
+    """Return J (N, 3, 3) of rotation vectors φ (N, 3): exp(φ + δ) = exp(J δ) exp(φ) for small δ [1]_.
+
+    References
+    ----------
+    .. [1] T. D. Barfoot, State Estimation for Robotics, Cambridge University Press 2017, eq. (7.77).
+    """
+    angle = np.linalg.norm(vectors, axis=-1)[..., None, None]
+    small = angle < SMALL_TURN_RAD
+    safe = np.where(small, 1.0, angle)
+    once = np.where(small, 0.5, (1 - np.cos(safe)) / safe**2)
+    twice = np.where(small, 1 / 6, (safe - np.sin(safe)) / safe**3)
+    cross = cross_matrices(vectors)
+    return np.asarray(np.eye(3) + once * cross + twice * cross @ cross)
 
 
 def mean_pose(poses: FloatArray) -> FloatArray:

@@ -29,6 +29,20 @@ class AmbiguousPart(BoardRefused):
         super().__init__(message, hint, "part")
 
 
+def naming_refused(error: CalibrationError, refused: Sequence[tuple[str, str]]) -> CalibrationError:
+    """Return the error of a calibration that failed, with the first of the images that gave nothing to it: often its cause.
+
+    Parameters
+    ----------
+    refused : name and reason of each
+    """
+    if not refused:
+        return error
+    name, reason = refused[0]
+    images = "1 image" if len(refused) == 1 else f"{len(refused)} images"
+    return CalibrationError(f"{error.message} {images} could not be used; {name}: {reason.rstrip('.')}.", error.hint)
+
+
 LARGEST_SPREAD = 5.0
 
 

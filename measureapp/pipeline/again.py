@@ -1,11 +1,18 @@
-"""A project's calibration solved again from its stored images of the board."""
+"""A calibration solved again from the images of the board that were stored with it: by a project, or by a session of collecting."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
 
 from measureapp.errors import InputError, StorageError
 from measureapp.pipeline.calibrate import calibrate_from_views, checksums_of
+from measureapp.pipeline.collecting.collection import Collection
+from measureapp.pipeline.collecting.keeping import COLLECTED, keep, read_document
+from measureapp.pipeline.collecting.repeating import repeated
 from measureapp.progress import Progress
 from measureapp.project.calibration.camera_file import cameras_document
 from measureapp.project.differences import Difference, compared
@@ -20,6 +27,51 @@ class Again:
     differences: tuple[Difference, ...]
     numbers: int
     images: int
+
+
+def collected_again(result: Path, progress: Progress) -> Again:
+    """Look for the board once more in the images of the session from which a result was accepted, solve, and compare; nothing is written.
+
+    Parameters
+    ----------
+    result : the file, or for a rig the folder, that `collecting.accept` wrote
+
+    Raises
+    ------
+    InputError, StorageError
+        The session or an image is missing, or is not the one the calibration was made from.
+    """
+    stored = _documents(result)
+    provenance = provenance_of(stored)
+    place = (result if result.is_dir() else result.parent) / provenance["folder"] / provenance["arguments"][-1]
+    with TemporaryDirectory() as folder:
+        solved = repeated(Collection.open(place), provenance["inputs"], Path(folder) / "session", progress)
+        written = Path(folder) / "result"
+        keep(solved, written, valid_days=provenance.get("valid_days"), temperature_c=provenance.get("temperature_c"))
+        found, numbers = compared(stored, _documents(written))
+    return Again(found, numbers, len(provenance["inputs"]))
+
+
+def is_collected(result: Path) -> bool:
+    """Whether a result was accepted from a session of collecting."""
+    return tuple(provenance_of(_documents(result)).get("arguments", ()))[:2] == COLLECTED
+
+
+def provenance_of(document: Any) -> Mapping[str, Any]:
+    """Return the provenance of a stored calibration; empty where it has none."""
+    try:
+        found = document.get("rig", document.get("projector", document))["provenance"]
+    except (AttributeError, KeyError, TypeError):
+        return {}
+    return found if isinstance(found, Mapping) else {}
+
+
+def _documents(result: Path) -> Any:
+    """The stored numbers of a result: of one file, or of both files of a rig."""
+    files = {name: result / f"{name}.json" for name in ("cameras", "rig")} if result.is_dir() else {"": result}
+    documents = {name: read_document(file) for name, file in files.items()}
+    documents.get("rig", {}).pop("checksum", None)  # of both files, with their date
+    return documents if result.is_dir() else documents[""]
 
 
 def calibration_again(project: ProjectFolder, progress: Progress) -> Again:

@@ -9,7 +9,7 @@ import numpy as np
 
 from measureapp.arrays import ImageArray
 from measureapp.calibrate.boards.find import find_board
-from measureapp.calibrate.cameras.projector_sightings import PROJECTOR, projector_sighting
+from measureapp.calibrate.cameras.projector_sightings import PROJECTOR, ProjectorPixels, projector_sighting
 from measureapp.calibrate.sightings import FoundBoard, Rejection, Sighting, sighting_of
 from measureapp.data.board import BoardDescription
 from measureapp.data.fringe import FringeStack, PhaseShiftGroup
@@ -29,6 +29,7 @@ class BoardInFringes:
     seen: Mapping[str, FoundBoard]  # camera -> marks
     refused: Mapping[str, CalibrationError]  # camera -> why it gave none
     phases: Mapping[str, PhaseMap]  # camera that saw the board -> phase of the vertical fringes, with that of the horizontal ones
+    lit: Mapping[str, ProjectorPixels]  # camera that saw the board -> the projector's pixels around its marks
     readings: Mapping[str, Sighting | Rejection]  # camera that saw the board -> the marks in the projector's pixels, or why not
 
     @property
@@ -56,14 +57,16 @@ def look_at_fringes(stack: FringeStack, view: str, board: BoardDescription, sett
             refused[camera] = found
     if not seen:
         progress.report(1, 1)
-        return BoardInFringes(view, images, seen, refused, {}, {})
+        return BoardInFringes(view, images, seen, refused, {}, {}, {})
     try:
         phases = decode(replace(stack, images={camera: stack.images[camera] for camera in seen}), settings, progress)
     except DecodeError as error:
         reason = error.message.rstrip(".")
-        return BoardInFringes(view, images, seen, refused, {}, {camera: Rejection(PROJECTOR, view, reason) for camera in seen})
-    readings = {camera: projector_sighting(sighting_of(camera, view, found), phases[camera]) for camera, found in seen.items()}
-    return BoardInFringes(view, images, seen, refused, phases, readings)
+        return BoardInFringes(view, images, seen, refused, {}, {}, {camera: Rejection(PROJECTOR, view, reason) for camera in seen})
+    marks = {camera: sighting_of(camera, view, found) for camera, found in seen.items()}
+    lit = {camera: pixels for camera, one in marks.items() if (pixels := ProjectorPixels.around(one, phases[camera])) is not None}
+    readings = {camera: projector_sighting(one, lit.get(camera)) for camera, one in marks.items()}
+    return BoardInFringes(view, images, seen, refused, phases, lit, readings)
 
 
 def require_both_directions(stack: FringeStack) -> None:

@@ -64,7 +64,7 @@ def calibrate_projector(stacks: Iterable[FringeStack], positions: int, request: 
         _require_same_cameras(stack, sizes, request.cameras)
         found = look_at_fringes(stack, view, request.board, request.decoding, part)
         sightings += [sighting_of(camera, view, one) for camera, one in found.seen.items()]
-        missed += [Rejection(camera, view, error.message.rstrip(".")) for camera, error in found.refused.items()]
+        missed += [Rejection(camera, view, f"{error.message} {error.hint}".rstrip(".")) for camera, error in found.refused.items()]
         read += found.readings.values()
     _require_different(sightings)
     known = request.cameras

@@ -7,6 +7,8 @@ from pathlib import Path
 import cv2
 import numpy as np
 
+from measureapp.arrays import FloatArray
+from measureapp.data.calibration import ProjectorCalibration
 from measureapp.data.pattern_sets import PATTERN_SETS
 from measureapp.fringe.patterns import pattern_images
 from measureapp.geometry.transform import RigidTransform, rotation_about
@@ -20,6 +22,8 @@ from measureapp.simulate.world import PAPER_BOARD
 
 PATTERNS = PATTERN_SETS["three-close-both"]
 EXPOSURE_US = 60_000
+SEED, POSITIONS = 3, 8
+BOARD = ("--board", "14x11", "--square-mm", "15")
 RIG = read_rig("paper").at_resolution("quarter")
 
 
@@ -65,3 +69,13 @@ def write_stacks(folder: Path, truth: Truth, poses: list[RigidTransform], camera
         manifests.append(place / "MANIFEST.toml")
         manifests[-1].write_text(manifest_skeleton(PATTERNS, cameras, (EXPOSURE_US,)))
     return manifests
+
+
+def in_sigmas(truth: Truth, projector: ProjectorCalibration) -> FloatArray:
+    """Errors of lens and place over their stated standard deviations."""
+    matrix = projector.pinhole.matrix - truth.projector.matrix
+    errors = {"fx": matrix[0, 0], "fy": matrix[1, 1], "cx": matrix[0, 2], "cy": matrix[1, 2]}
+    errors |= dict(zip(("k1", "k2", "p1", "p2", "k3"), projector.pinhole.distortion - truth.projector.distortion, strict=True))
+    shift = projector.reference_from_projector.translation_mm - truth.camera_from_projector.translation_mm
+    errors |= dict(zip(("x_mm", "y_mm", "z_mm"), shift, strict=True))
+    return np.array([error / projector.standard_deviations[name] for name, error in errors.items()])

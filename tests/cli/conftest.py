@@ -14,6 +14,8 @@ from typer.main import get_command
 from measureapp.cli.main import build
 from measureapp.planning.viewpoints import plan_around_part
 from measureapp.project.rig_file import read_rig
+from measureapp.simulate.truth import Truth
+from tests.cli.board_fringes import POSITIONS, SEED, board_poses, true_head, write_stacks
 from tests.cli.fringe_sets import write_paper_set
 
 
@@ -39,6 +41,19 @@ def shelf(tmp_path_factory: pytest.TempPathFactory) -> Path:
     camera = {**lens, "reference_from_camera": np.eye(4).tolist()}
     (folder / "cameras.json").write_text(json.dumps({"schema_version": 1, "reference": "left", "cameras": {"left": camera}}))
     return folder
+
+
+@pytest.fixture(scope="session")
+def truth() -> Truth:
+    """The head before which `manifests` were recorded."""
+    return true_head(SEED)
+
+
+@pytest.fixture(scope="session")
+def manifests(truth: Truth, tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """Fringes of both directions on a board at several positions, rendered once for all."""
+    folder = tmp_path_factory.mktemp("fringes")
+    return write_stacks(folder, truth, board_poses(truth, POSITIONS, np.random.default_rng(SEED)))
 
 
 @pytest.fixture

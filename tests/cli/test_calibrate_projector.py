@@ -10,37 +10,14 @@ import pytest
 
 from measureapp.cli import main
 from measureapp.project.calibration.camera_file import read_cameras, write_cameras
-from tests.cli.board_fringes import board_poses, true_head, write_stacks
+from tests.cli.board_fringes import BOARD, POSITIONS, in_sigmas
 
-SEED, POSITIONS = 3, 8
-BOARD = ("--board", "14x11", "--square-mm", "15")
 MOST_SIGMAS = 4.0  # of 12 parameters; noise alone passes it once in 1300 calibrations
 
 
 def run(capsys, *arguments):
     code = main(["calibrate", "projector", *map(str, arguments), "--json"])
     return code, json.loads(capsys.readouterr().out)
-
-
-@pytest.fixture(scope="module")
-def truth():
-    return true_head(SEED)
-
-
-@pytest.fixture(scope="module")
-def manifests(truth, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("fringes")
-    return write_stacks(folder, truth, board_poses(truth, POSITIONS, np.random.default_rng(SEED)))
-
-
-def in_sigmas(truth, projector):
-    """Errors of lens and place over their stated standard deviations."""
-    matrix = projector.pinhole.matrix - truth.projector.matrix
-    errors = {"fx": matrix[0, 0], "fy": matrix[1, 1], "cx": matrix[0, 2], "cy": matrix[1, 2]}
-    errors |= dict(zip(("k1", "k2", "p1", "p2", "k3"), projector.pinhole.distortion - truth.projector.distortion, strict=True))
-    shift = projector.reference_from_projector.translation_mm - truth.camera_from_projector.translation_mm
-    errors |= dict(zip(("x_mm", "y_mm", "z_mm"), shift, strict=True))
-    return np.array([error / projector.standard_deviations[name] for name, error in errors.items()])
 
 
 def test_cameras_and_projector_are_recovered_together_and_serve_reconstruct(capsys, truth, manifests, tmp_path):
@@ -51,6 +28,8 @@ def test_cameras_and_projector_are_recovered_together_and_serve_reconstruct(caps
     assert set(found.cameras) == {"left", "right"}
     assert any(name.startswith("projector.") for name in found.covariance.parameters)
     assert answer["projector"]["views"] == POSITIONS
+    assert answer["cross_validation"]["healthy"], answer["cross_validation"]["verdict"]
+    assert "views held back fit with" in answer["cross_validation"]["verdict"]
     assert answer["camera_uncertainty_carried_on"]
     options = ["--cameras", str(tmp_path / "cameras.json"), "--out", str(tmp_path / "board.ply"), "--projector", "--json"]
     assert main(["reconstruct", str(manifests[0]), *options]) == 0

@@ -9,10 +9,8 @@ import pytest
 
 from measureapp.cli import main
 from measureapp.project.calibration.camera_file import read_cameras, write_cameras
-from tests.cli.board_fringes import board_poses, true_head, write_stacks
+from tests.cli.board_fringes import BOARD, POSITIONS, in_sigmas
 
-SEED, POSITIONS = 5, 6
-BOARD = ("--board", "14x11", "--square-mm", "15")
 MOST_SIGMAS = 4.5  # of 12 parameters; noise alone passes it once in 12 000 calibrations
 
 
@@ -22,16 +20,9 @@ def run(capsys, *arguments):
     return code, json.loads(capsys.readouterr().out)
 
 
-@pytest.fixture(scope="module")
-def truth():
-    return true_head(SEED)
-
-
-@pytest.fixture(scope="module")
-def fringes(truth, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("fringes")
-    write_stacks(folder, truth, board_poses(truth, POSITIONS, np.random.default_rng(SEED)))
-    return f"{folder}/*/MANIFEST.toml"
+@pytest.fixture
+def fringes(manifests):
+    return f"{manifests[0].parent.parent}/*/MANIFEST.toml"
 
 
 @pytest.fixture
@@ -53,11 +44,12 @@ def test_fringes_are_collected_coached_solved_compared_and_accepted(capsys, trut
     assert answer["added"] == []
     code, answer = run(capsys, *session, "--remove", "02", "--solve")
     assert "02" not in [one["id"] for one in answer["observations"] if one["standing"] == "used"]
-    code, answer = run(capsys, *session, "--undo", "--solve", "--coach")
+    code, answer = run(capsys, *session, "--undo", "--validate", "--coach")
     assert [one["standing"] for one in answer["observations"]] == ["used"] * POSITIONS
     assert all(0 < one["residuals_px"]["projector"] < 0.3 for one in answer["observations"])
     assert "measured by camera" in answer["verdict"]["sentence"]
     assert any("cameras themselves" in reason for reason in answer["verdict"]["but"])  # these state no covariance
+    assert not any("something besides noise" in reason for reason in answer["verdict"]["but"])  # views held back fit as predicted
     assert (code == 1) == (answer["verdict"]["level"] == "bad")
     result = tmp_path / "head.json"
     code, answer = run(capsys, *session, "--accept", result, "--good-mm", "100")
@@ -66,20 +58,28 @@ def test_fringes_are_collected_coached_solved_compared_and_accepted(capsys, trut
     assert len(found.projector.provenance.inputs) == 3 * POSITIONS
     np.testing.assert_array_equal(found.cameras["left"].pinhole.matrix, truth.calibration.cameras.cameras["left"].pinhole.matrix)
     assert np.abs(in_sigmas(truth, found.projector)).max() < MOST_SIGMAS
+    assert_it_follows_again(capsys, result, tmp_path / "session")
     code, answer = run(capsys, *session, "--compare", result)
     assert answer["comparison"]["within"]
     assert answer["comparison"]["on_part_mm"] < 1e-3
     assert {change["name"] for change in answer["comparison"]["changes"]} >= {"projector fx", "projector x"}
 
 
-def in_sigmas(truth, projector):
-    """Errors of lens and place over their stated standard deviations."""
-    matrix = projector.pinhole.matrix - truth.projector.matrix
-    errors = {"fx": matrix[0, 0], "fy": matrix[1, 1], "cx": matrix[0, 2], "cy": matrix[1, 2]}
-    errors |= dict(zip(("k1", "k2", "p1", "p2", "k3"), projector.pinhole.distortion - truth.projector.distortion, strict=True))
-    shift = projector.reference_from_projector.translation_mm - truth.camera_from_projector.translation_mm
-    errors |= dict(zip(("x_mm", "y_mm", "z_mm"), shift, strict=True))
-    return np.array([error / projector.standard_deviations[name] for name, error in errors.items()])
+def assert_it_follows_again(capsys, result, session):
+    """From what the session keeps, also after more was collected; and a changed file of it is named."""
+    again = ["calibrate", "again", str(result), "--json"]
+    assert run(capsys, "projector", "--session", session, "--remove", "01")[0] == 0
+    assert main(again) == 0
+    answer = json.loads(capsys.readouterr().out)
+    assert answer["same"] and answer["inputs"] == 3 * POSITIONS and answer["numbers"] > 50
+    run(capsys, "projector", "--session", session, "--undo")
+    lit = next((session / "lit").iterdir())
+    kept = lit.read_bytes()
+    with np.load(lit) as arrays:
+        np.savez(lit, corner_px=arrays["corner_px"], pixels=arrays["pixels"] + np.float32(0.1), sigma_px=arrays["sigma_px"])
+    assert main(again) == 2
+    assert "its checksum differs" in json.loads(capsys.readouterr().out)["error"]["message"]
+    lit.write_bytes(kept)
 
 
 @pytest.mark.parametrize(

@@ -182,6 +182,14 @@ def application(qapp, qtbot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
 
 
 @pytest.fixture
+def calibration_page(application: Application, window, rig: RigDescription):
+    """Return the page from which the wizards are opened, with the virtual rig chosen."""
+    application.session.set_rig(rig)
+    window.show_page("calibration")
+    return window.pages["calibration"]
+
+
+@pytest.fixture
 def window(application: Application):
     application.window.show()
     return application.window

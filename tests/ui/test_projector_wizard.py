@@ -7,44 +7,30 @@ from dataclasses import replace
 import pytest
 
 from measureapp.simulate.world import PAPER_BOARD
+from tests.ui.wizard_steps import PATIENCE_MS, read_folder, settle
 from ui.controllers.rig_connection import truth_of
 from ui.wizards.kinds import PROJECTOR
 from ui.wizards.wizard import COLLECT, RESULT, SETUP
 
-PATIENCE_MS = 240_000
 VIEWS = 4
 
 
 @pytest.fixture
-def page(application, window, rig):
-    application.session.set_rig(rig)
-    window.show_page("calibration")
-    return window.pages["calibration"]
-
-
-@pytest.fixture
-def wizard(page, application, rig):
+def wizard(calibration_page, application, rig):
     """The wizard beside cameras that were calibrated at quarter resolution, without an error for once."""
     seen = truth_of(rig.at_resolution("quarter"), PAPER_BOARD)
     application.session.set_cameras(replace(seen.cameras, projector=None))
-    page.open_wizard(PROJECTOR)
-    opened = page.wizards[PROJECTOR.kind]
+    calibration_page.open_wizard(PROJECTOR)
+    opened = calibration_page.wizards[PROJECTOR.kind]
     opened.setup.board.setValue(PAPER_BOARD)
     yield opened
     opened.close()
 
 
-def settle(qtbot, wizard):
-    collecting = wizard.collecting
-    qtbot.waitUntil(
-        lambda: not (collecting.is_collecting or collecting.is_thinking or wizard.calibrating.is_concluding), timeout=PATIENCE_MS
-    )
-
-
-def test_the_projector_is_offered_as_soon_as_the_cameras_are_calibrated(page, application, calibration):
-    assert not page.offers[PROJECTOR.kind].isEnabled()
+def test_the_projector_is_offered_as_soon_as_the_cameras_are_calibrated(calibration_page, application, calibration):
+    assert not calibration_page.offers[PROJECTOR.kind].isEnabled()
     application.session.set_cameras(calibration.cameras)
-    assert page.offers[PROJECTOR.kind].isEnabled()
+    assert calibration_page.offers[PROJECTOR.kind].isEnabled()
 
 
 def test_the_virtual_rig_projects_takes_and_finds_its_projector_and_shows_the_truth_again_after_closing(qtbot, wizard, application):
@@ -63,6 +49,8 @@ def test_the_virtual_rig_projects_takes_and_finds_its_projector_and_shows_the_tr
     wizard._conclude()
     settle(qtbot, wizard)
     check_result(wizard)
+    qtbot.waitUntil(lambda: not wizard.calibrating.is_checking, timeout=PATIENCE_MS)
+    assert "The stated uncertainty can be trusted: views held back fit with" in wizard.result.held_back.text()
     wizard.close()
     wizard.begin()
     wizard.setup.resumeClicked.emit()
@@ -90,10 +78,7 @@ def check_result(wizard):
 @pytest.mark.parametrize("folder, said", [("nothing here", "There is no folder"), ("", "No MANIFEST.toml lies in")])
 def test_a_folder_without_fringes_is_refused_with_a_remedy(qtbot, wizard, tmp_path, folder, said):
     (tmp_path / "empty").mkdir()
-    wizard.setup.source.setValue("images")
-    wizard.setup.folder.setValue(tmp_path / (folder or "empty"))
-    wizard.footer.primary.click()
-    settle(qtbot, wizard)
+    read_folder(qtbot, wizard, tmp_path / (folder or "empty"))
     assert said in wizard.footer.message.words.text()
     assert wizard.footer.message.words.text().count(".") >= 2
     assert wizard.step == SETUP
@@ -107,10 +92,7 @@ def test_recorded_fringes_are_read_from_their_folders(qtbot, wizard, application
     truth = true_head(1)
     write_stacks(tmp_path / "fringes", truth, board_poses(truth, VIEWS, np.random.default_rng(1)))
     (tmp_path / "fringes" / "position02" / "left" / "60000" / "007.png").write_bytes(b"no image")
-    wizard.setup.source.setValue("images")
-    wizard.setup.folder.setValue(tmp_path / "fringes")
-    wizard.footer.primary.click()
-    settle(qtbot, wizard)
+    read_folder(qtbot, wizard, tmp_path / "fringes")
     assert "007.png" in wizard.footer.message.words.text()
     assert [view.name for view in wizard.collecting.views] == ["position00", "position01", "position03"]
     assert [view.verdict for view in wizard.collecting.views] == ["pass"] * 3

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+
 import cv2
 import numpy as np
 import pytest
@@ -12,12 +14,13 @@ from measureapp.data.board import CheckerboardDescription
 from measureapp.errors import StorageError
 from measureapp.project.calibration.camera_file import read_cameras
 from measureapp.project.claim import claimed
+from measureapp.simulate.world import PAPER_BOARD
 from tests.ui.board_pictures import BOARD, FOCAL, HEIGHT, WIDTH, record
+from tests.ui.wizard_steps import PATIENCE_MS, read_folder, settle
+from ui.controllers.rig_connection import truth_of
 from ui.look.demo_settings import DemoSettings
-from ui.wizards.kinds import CAMERAS, HAND_EYE, KINDS
+from ui.wizards.kinds import AXIS, CAMERAS, HAND_EYE, KINDS
 from ui.wizards.wizard import COLLECT, RESULT, SETUP
-
-PATIENCE_MS = 120_000
 
 
 @pytest.fixture(scope="module")
@@ -26,33 +29,12 @@ def recorded(tmp_path_factory):
 
 
 @pytest.fixture
-def page(application, window, rig):
-    application.session.set_rig(rig)
-    window.show_page("calibration")
-    return window.pages["calibration"]
-
-
-@pytest.fixture
-def wizard(page):
-    page.open_wizard(CAMERAS)
-    opened = page.wizards[CAMERAS.kind]
+def wizard(calibration_page):
+    calibration_page.open_wizard(CAMERAS)
+    opened = calibration_page.wizards[CAMERAS.kind]
     opened.setup.board.setValue(BOARD)
     yield opened
     opened.close()
-
-
-def settle(qtbot, wizard):
-    collecting = wizard.collecting
-    qtbot.waitUntil(
-        lambda: not (collecting.is_collecting or collecting.is_thinking or wizard.calibrating.is_concluding), timeout=PATIENCE_MS
-    )
-
-
-def read_folder(qtbot, wizard, folder):
-    wizard.setup.source.setValue("images")
-    wizard.setup.folder.setValue(folder)
-    wizard.footer.primary.click()
-    settle(qtbot, wizard)
 
 
 def test_a_folder_of_images_becomes_an_accepted_calibration(qtbot, wizard, recorded, application):
@@ -81,11 +63,11 @@ def test_a_folder_of_images_becomes_an_accepted_calibration(qtbot, wizard, recor
     assert not wizard.isVisible()
     assert application.session.cameras.names == ("left", "right")
     assert read_cameras(folder / "result" / "cameras.json").names == ("left", "right")
-    page = application.window.pages["calibration"]
-    assert [row[0] for row in page.table.texts()] == ["Camera left", "Camera right"]
+    calibration_page = application.window.pages["calibration"]
+    assert [row[0] for row in calibration_page.table.texts()] == ["Camera left", "Camera right"]
     application.session.open_project("", "", None)  # as at the next start
-    assert not page.last_one.isHidden()
-    page.last_one.click()
+    assert not calibration_page.last_one.isHidden()
+    calibration_page.last_one.click()
     qtbot.waitUntil(lambda: application.session.cameras is not None, timeout=PATIENCE_MS)
     assert application.session.cameras.names == ("left", "right")
 
@@ -119,13 +101,13 @@ def test_delete_removes_a_view_and_ctrl_z_brings_it_back(qtbot, wizard, recorded
     assert [view.verdict for view in wizard.collecting.views] == ["pass"] * 8
 
 
-def test_closing_loses_nothing_and_the_work_goes_on(qtbot, page, wizard, recorded):
+def test_closing_loses_nothing_and_the_work_goes_on(qtbot, calibration_page, wizard, recorded):
     read_folder(qtbot, wizard, recorded)
     wizard.collect.choose("02")
     wizard.collect.remove_chosen()
     wizard.close()
     assert wizard.collecting.views == ()
-    page.open_wizard(CAMERAS)
+    calibration_page.open_wizard(CAMERAS)
     assert wizard.step == SETUP
     assert wizard.setup.kept.isVisible()
     wizard.setup.resumeClicked.emit()
@@ -136,11 +118,11 @@ def test_closing_loses_nothing_and_the_work_goes_on(qtbot, page, wizard, recorde
     assert all(view.pictures for view in wizard.collecting.views)
 
 
-def test_views_that_another_window_works_on_are_not_taken_over(qtbot, page, wizard, recorded):
+def test_views_that_another_window_works_on_are_not_taken_over(qtbot, calibration_page, wizard, recorded):
     read_folder(qtbot, wizard, recorded)
     folder = wizard.collecting.collection.folder
     wizard.close()
-    page.open_wizard(CAMERAS)
+    calibration_page.open_wizard(CAMERAS)
     with claimed(folder):
         wizard.setup.resumeClicked.emit()
         qtbot.waitUntil(lambda: "another window" in wizard.footer.message.words.text(), timeout=PATIENCE_MS)
@@ -258,16 +240,16 @@ def test_the_virtual_rig_takes_views_and_shows_its_truth_beside_the_result(qtbot
     assert not taken & {viewpoint.id for viewpoint in wizard.collecting._viewpoints_left()}
 
 
-def test_one_link_of_a_rig_is_offered_only_when_the_rig_is_calibrated(page, application, calibration):
-    assert not page.offers[HAND_EYE.kind].isEnabled()
+def test_one_link_of_a_rig_is_offered_only_when_the_rig_is_calibrated(calibration_page, application, calibration):
+    assert not calibration_page.offers[HAND_EYE.kind].isEnabled()
     application.session.set_calibration(calibration)
-    assert all(page.offers[kind.kind].isEnabled() for kind in KINDS)
+    assert all(calibration_page.offers[kind.kind].isEnabled() for kind in KINDS)
 
 
-def test_one_link_is_taken_at_the_resolution_of_the_calibrated_cameras(page, application, calibration):
+def test_one_link_is_taken_at_the_resolution_of_the_calibrated_cameras(calibration_page, application, calibration):
     application.session.set_calibration(calibration)  # of 1296 px; the rig has 2592
-    page.open_wizard(HAND_EYE)
-    wizard = page.wizards[HAND_EYE.kind]
+    calibration_page.open_wizard(HAND_EYE)
+    wizard = calibration_page.wizards[HAND_EYE.kind]
     assert wizard.setup.resolution.value() == "half"
     application.controllers.demo.choose(DemoSettings(resolution="full"))
     wizard.close()
@@ -276,10 +258,29 @@ def test_one_link_is_taken_at_the_resolution_of_the_calibrated_cameras(page, app
     wizard.close()
 
 
-def test_a_wizard_does_not_open_while_the_rig_is_busy(page, application):
+def test_an_axis_taken_with_the_rig_is_compared_with_the_one_before(qtbot, calibration_page, application, rig):
+    known = truth_of(rig.at_resolution("quarter"), PAPER_BOARD)
+    application.session.set_calibration(known)
+    calibration_page.open_wizard(AXIS)
+    wizard = calibration_page.wizards[AXIS.kind]
+    wizard.setup.board.setValue(PAPER_BOARD)
+    wizard.footer.primary.click()
+    wizard.collecting.take(4)
+    settle(qtbot, wizard)
+    wizard._conclude()
+    settle(qtbot, wizard)
+    assert "between views half a turn apart, by" in wizard.result.comparison.text()
+    folder = wizard.collecting.collection.folder
+    wizard._accept()
+    stored = json.loads((folder / "result" / "axis.json").read_text())
+    assert stored["provenance"]["temperature_c"] == pytest.approx(35.0, abs=0.5)
+    assert stored["provenance"]["valid_days"] == rig.calibration_rules.valid_days
+
+
+def test_a_wizard_does_not_open_while_the_rig_is_busy(calibration_page, application):
     application.session.set_busy("Demo: gypsum")
-    page.open_wizard(CAMERAS)
-    assert page.wizards == {}
+    calibration_page.open_wizard(CAMERAS)
+    assert calibration_page.wizards == {}
     assert "still running" in application.session.messages[-1].text
     application.session.set_busy("")
 

@@ -103,7 +103,7 @@ class CalibratingController(QObject):
     @Slot(object)
     def _keep(self, found: results.Result) -> None:
         self._job, self.result = None, found
-        if found.snapshot.setup.calibrates_cameras:
+        if found.snapshot.setup.lenses:
             self._check = self._solving.run(
                 "Checking with views held back", lambda job: results.checked(job, found), self._keep_checked, quiet=True
             )

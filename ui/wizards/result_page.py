@@ -105,7 +105,7 @@ class ResultPage(QWidget):
 
     def show_checking(self, share: float) -> None:
         """Show how far the check with views held back is."""
-        self.held_back.setText(f"Each view is predicted by cameras calibrated without it: {quantity(100 * share, '%', 0)}")
+        self.held_back.setText(f"Each view is predicted by a calibration without it: {quantity(100 * share, '%', 0)}")
         self._held_back.show()
         self.stop_check.show()
 

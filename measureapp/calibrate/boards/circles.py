@@ -8,10 +8,11 @@ import numpy as np
 from measureapp.arrays import BoolArray, FloatArray, ImageArray, IntArray
 from measureapp.calibrate.boards.circle_grid import grid_in_sight, ids_of, lies_of
 from measureapp.calibrate.boards.part import LEAST_MARKS, the_one
-from measureapp.calibrate.boards.refine import cut_off, homography, local_axes, mapped
+from measureapp.calibrate.boards.refine import SmoothGrid, cut_off, homography, local_axes, smooth_grid
 from measureapp.data.board import CirclesDescription
 
 RING_SHARE = 0.35  # half the width of the ring of pixels around the outline, over the radius; within the gap to the next circle
+OUTLINE = 24  # points of a circle whose images give its image's centre
 ROUNDS = 3  # of the correction: each shrinks what is left by the ratio of bias to spacing
 
 
@@ -21,9 +22,8 @@ def find_circles(
     """Find ids (N,), projected centres (N, 2) to sub-pixel and the smallest distance of neighbours, px; None where no grid fits.
 
     Which circles are seen follows from where the grid certainly ends, or else from where they are ``expected_px`` (all, 2). The centre of a circle's image is not the image of its
-    centre [1]_: what separates them follows from the homography of all circles and is taken off, until it no longer changes. What lens
-    distortion adds within one circle is left: below a hundredth of the shift of the distortion over the circle's diameter. Circles
-    that are cut count as not seen.
+    centre [1]_: what separates them follows from the homography of all circles and from the lens distortion that bends their grid, and is
+    taken off, until it no longer changes. Circles that are cut count as not seen.
 
     Raises
     ------
@@ -49,19 +49,24 @@ def find_circles(
     seen = np.array([_centre(grey, place, ellipse) for place, ellipse in zip(coarse, _ellipses(matrix, board, marks), strict=True)])
     centres = seen
     for _ in range(ROUNDS):
-        matrix = homography(board, ids, centres)
-        centres = seen - perspective_bias(matrix, board, ids)
+        centres = seen - centre_bias(smooth_grid(board, ids, centres), board, ids)
     good = ~cut_off(board, ids, centres)
-    axes = local_axes(matrix, marks)
+    axes = local_axes(homography(board, ids, centres), marks)
     diagonals = np.stack([axes[:, 0] + axes[:, 1], axes[:, 0] - axes[:, 1]], axis=1) * board.spacing_mm
     return ids[good], centres[good], float(np.linalg.norm(diagonals, axis=2).min())
 
 
-def perspective_bias(matrix: FloatArray, board: CirclesDescription, ids: IntArray) -> FloatArray:
-    """Return centre of the image minus image of the centre (N, 2) of the circles ``ids`` under a homography."""
+def centre_bias(grid: SmoothGrid, board: CirclesDescription, ids: IntArray) -> FloatArray:
+    """Return centre of the image minus image of the centre (N, 2) of the circles ``ids``: of the ellipse through points of each outline."""
     marks = board.flat_corners_mm[ids, :2]
-    duals = _dual_conics(matrix, board, marks)
-    return duals[:, :2, 2] / duals[:, 2:, 2] - mapped(matrix, marks)
+    angles = np.linspace(0, 2 * np.pi, OUTLINE, endpoint=False)
+    outline = board.diameter_mm / 2 * np.column_stack([np.cos(angles), np.sin(angles)])
+    centres = grid.image_of(marks)
+    away = grid.image_of((marks[:, None] + outline).reshape(-1, 2)).reshape(-1, OUTLINE, 2) - centres[:, None]
+    unit = np.abs(away).max(axis=(1, 2))
+    x, y = np.moveaxis(away / unit[:, None, None], 2, 0)
+    a, b, c, d, e = (np.linalg.pinv(np.stack([x * x, x * y, y * y, x, y], axis=2)) @ np.ones((OUTLINE, 1)))[..., 0].T
+    return np.asarray(np.column_stack([b * e - 2 * c * d, b * d - 2 * a * e]) * (unit / (4 * a * c - b * b))[:, None])
 
 
 def _dual_conics(matrix: FloatArray, board: CirclesDescription, marks_mm: FloatArray) -> FloatArray:

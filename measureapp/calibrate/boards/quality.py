@@ -169,7 +169,7 @@ def require_plain(grey: ImageArray, grid: FloatArray) -> None:
     levels = np.array([levels_at(smooth, place) for place in places])
     level = np.median(levels, axis=0)
     contrast = np.percentile(levels, 95) - np.percentile(levels, 5)
-    if np.median(np.ptp(levels, axis=0)[level > np.median(level)]) > PRINTED_SQUARE * contrast:
+    if np.median(np.ptp(levels, axis=0)[level >= np.median(level)]) > PRINTED_SQUARE * contrast:
         raise printed_squares()
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import cv2
 import numpy as np
 
@@ -13,7 +15,7 @@ WINDOW_SHARE = 0.35  # half the refining window over the distance of neighbourin
 WINDOW_LIMITS_PX = (2, 12)
 LARGEST_SHIFT = 0.75  # a corner that wanders further than this share of the window has found another edge
 REFINE_UNTIL = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 60, 1e-4)
-LEAST_MARKS_FOR_CUBIC = 40
+LEAST_MARKS_FOR_CUBIC, LINEAR_TERMS = 40, 3
 FAR_FACTOR, FAR_PX = 8.0, 0.4  # standard deviations and pixels beyond which a mark is not where the grid has it
 CUT_FACTOR, CUT_PX = 5.0, 0.1  # the same in a part of a board, whose marks at the edge may be cut
 MOST_CUT = 0.25  # share of the marks of a part
@@ -70,6 +72,36 @@ def local_axes(matrix: FloatArray, points_mm: FloatArray) -> FloatArray:
     return np.stack([(matrix[:2, a] - flat * matrix[2, a]) / high[:, 2:] for a in (0, 1)], axis=1)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class SmoothGrid:
+    """Where a board's plane appears: a homography, and a lens distortion that is cubic in the image."""
+
+    matrix: FloatArray  # (3, 3)
+    centre_px: FloatArray  # (2,)
+    span_px: float
+    bend: FloatArray  # (terms, 2), px
+
+    def image_of(self, points_mm: FloatArray) -> FloatArray:
+        """Return the images (N, 2) of points (N, 2) of the plane."""
+        flat = mapped(self.matrix, points_mm)
+        return np.asarray(flat + _cubic_terms((flat - self.centre_px) / self.span_px)[:, : len(self.bend)] @ self.bend)
+
+
+def smooth_grid(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> SmoothGrid:
+    """Fit the plane's image to the marks ``ids``; from few of them the distortion's slopes only."""
+    matrix = homography(board, ids, corners_px)
+    flat = mapped(matrix, board.flat_corners_mm[ids, :2])
+    centre = flat.mean(axis=0)
+    span = float(np.abs(flat - centre).max())
+    terms = _cubic_terms((flat - centre) / span)[:, : None if len(ids) >= LEAST_MARKS_FOR_CUBIC else LINEAR_TERMS]
+    return SmoothGrid(matrix, centre, span, np.linalg.lstsq(terms, corners_px - flat, rcond=None)[0])
+
+
+def _cubic_terms(points: FloatArray) -> FloatArray:
+    x, y = points.T
+    return np.column_stack([x ** (order - b) * y**b for order in range(4) for b in range(order + 1)])
+
+
 def mark_sigmas(grey: ImageArray, board: BoardDescription, ids: IntArray, corners_px: FloatArray, reach_px: FloatArray) -> FloatArray:
     """Estimate the standard deviation (N,) px of one coordinate of each mark.
 
@@ -120,10 +152,5 @@ def _level(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> fl
 
 def _left_over(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> tuple[FloatArray, int]:
     """What is left of the marks (N, 2) after a homography and a distortion that is cubic in the image; number of the latter's terms."""
-    flat = mapped(homography(board, ids, corners_px), board.flat_corners_mm[ids, :2])
-    centred = flat - flat.mean(axis=0)
-    x, y = (centred / np.abs(centred).max()).T
-    order = 3 if len(ids) >= LEAST_MARKS_FOR_CUBIC else 1
-    terms = np.column_stack([x**a * y**b for a in range(order + 1) for b in range(order + 1 - a)])
-    rest = corners_px - flat
-    return rest - terms @ np.linalg.lstsq(terms, rest, rcond=None)[0], terms.shape[1]
+    grid = smooth_grid(board, ids, corners_px)
+    return corners_px - grid.image_of(board.flat_corners_mm[ids, :2]), len(grid.bend)

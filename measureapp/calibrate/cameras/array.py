@@ -13,13 +13,13 @@ from measureapp.calibrate.boards.find import require_unambiguous
 from measureapp.calibrate.cameras.bundle import Bundle, BundleState, Sight, adjust
 from measureapp.calibrate.cameras.camera import FIXED_COEFFICIENTS, LEAST_VIEWS, calibrate_camera, with_known_lens
 from measureapp.calibrate.cameras.cleaning import Cleaned, CornerRejection, Names, cleaned, compacted
-from measureapp.calibrate.cameras.known import LARGEST_DISTORTION, completed, padded, poses_seen, require_known
+from measureapp.calibrate.cameras.known import LARGEST_DISTORTION, completed, padded, poses_seen, require_agreement, require_known
 from measureapp.calibrate.cameras.pairs import LoopCheck, contradictions, loops, placed_from_reference
 from measureapp.calibrate.cameras.projector_sightings import called
 from measureapp.calibrate.least_squares import Minimum
 from measureapp.calibrate.poses import inverted
 from measureapp.calibrate.projection import intrinsic_names
-from measureapp.calibrate.sightings import Rejection, Sighting, ViewResidual, rms, spreads
+from measureapp.calibrate.sightings import Rejection, Sighting, ViewResidual, naming_refused, rms, spreads
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, LabelledCovariance, Provenance
 from measureapp.errors import CalibrationError
@@ -123,6 +123,7 @@ def _check(problem: CameraArrayProblem) -> None:
         raise CalibrationError(f"The reference camera {problem.reference!r} has no images.", "Name one of the cameras given.")
     if problem.known is not None:
         require_known(problem.known, problem.sizes_px)
+        require_agreement(problem.known, problem.sightings, problem.board)
     if len(problem.sizes_px) > 1:
         require_unambiguous(problem.board, "a calibration of several cameras")
 
@@ -146,10 +147,11 @@ def _started(
             poses[camera] = poses_seen(own, known[camera], problem.board)
             continue
         if len(own) < LEAST_VIEWS:
-            raise CalibrationError(
+            few = CalibrationError(
                 f"{called(camera)} has {len(own)} {'view' if len(own) == 1 else 'views'} of the board; at least {LEAST_VIEWS} are needed.",
                 "Add views with the board tilted in different directions.",
             )
+            raise naming_refused(few, [(f"view {one.view}", one.reason) for one in problem.rejected if one.camera == camera])
         if before is None:
             alone = calibrate_camera(own, problem.board, problem.sizes_px[camera], count)
         else:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from measureapp.arrays import FloatArray
+from measureapp.calibrate.boards.agreement import agreeing
 from measureapp.calibrate.boards.pose import board_pose
 from measureapp.calibrate.cameras.bundle import Bundle, BundleState
 from measureapp.calibrate.least_squares import Minimum
@@ -71,6 +72,22 @@ def completed(
     result[:held, held:] = result[held:, :held].T
     result[held:, held:] = covariance[held:shared, held:shared] + by_given @ own @ by_given.T
     return result
+
+
+def require_agreement(known: CameraArrayCalibration, sightings: Sequence[Sighting], board: BoardDescription) -> None:
+    """Refuse images in most of which the given cameras contradict each other. Raises CalibrationError."""
+    views: dict[str, dict[str, Sighting]] = {}
+    for one in sightings:
+        if one.camera in known.cameras:
+            views.setdefault(one.view, {})[one.camera] = one
+    agreeing(
+        {
+            view: board_pose(
+                {name: one.corners_px for name, one in seen.items()}, known, board, ids={name: one.known_ids for name, one in seen.items()}
+            )
+            for view, seen in views.items()
+        }
+    )
 
 
 def require_known(known: CameraArrayCalibration, sizes_px: Mapping[str, tuple[int, int]]) -> None:

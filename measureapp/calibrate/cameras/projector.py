@@ -20,6 +20,7 @@ class HeadSolution:
 
     calibration: CameraArrayCalibration  # with its `projector`
     solution: CameraArraySolution  # of the bundle, in which the projector is a camera called `PROJECTOR`
+    problem: CameraArrayProblem  # from which it was solved
 
     @property
     def projector(self) -> ProjectorCalibration:
@@ -77,8 +78,9 @@ def solve_head(
     CalibrationError
         As `camera_array.solve`; for the projector as for any camera.
     """
-    solution = solve(with_projector(problem, read, size_px), progress, None if before is None else before.solution)
-    return HeadSolution(as_head(solution.calibration), solution)
+    whole = with_projector(problem, read, size_px)
+    solution = solve(whole, progress, None if before is None else before.solution)
+    return HeadSolution(as_head(solution.calibration), solution, whole)
 
 
 def as_head(calibration: CameraArrayCalibration, name: str = PROJECTOR) -> CameraArrayCalibration:

@@ -12,9 +12,11 @@ References
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
-from measureapp.arrays import BoolArray, FloatArray
+from measureapp.arrays import BoolArray, FloatArray, read_only
 from measureapp.calibrate.sightings import Rejection, Sighting
 from measureapp.data.phase import PhaseMap
 
@@ -31,27 +33,50 @@ def called(name: str) -> str:
     return "Projector" if name == PROJECTOR else f"Camera {name}"
 
 
-def projector_sighting(sighting: Sighting, vertical: PhaseMap, projector: str = PROJECTOR) -> Sighting | Rejection:
+@dataclass(frozen=True, slots=True, eq=False)
+class ProjectorPixels:
+    """Which pixel of the projector lights each pixel of a camera around the board: all that the projector's marks are read from."""
+
+    corner_px: tuple[int, int]  # column and row of the camera's pixel that comes first
+    pixels: FloatArray  # (2, H, W) float32, the projector's column and row
+    sigma_px: FloatArray  # (2, H, W) float16, 0 where there is no phase
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "pixels", read_only(self.pixels, np.float32, (2, None, None)))
+        object.__setattr__(self, "sigma_px", read_only(self.sigma_px, np.float16, self.pixels.shape))
+
+    @classmethod
+    def around(cls, sighting: Sighting, vertical: PhaseMap) -> ProjectorPixels | None:
+        """Return those around the marks of a sighting; None where the phase map has fringes of one direction only."""
+        if vertical.across is None:
+            return None
+        reach = _radii(sighting.corners_px).max() + 1
+        height, width = vertical.state.shape
+        low = np.clip(np.floor(sighting.corners_px.min(axis=0) - reach), 0, [width - 1, height - 1]).astype(int)
+        high = np.clip(np.ceil(sighting.corners_px.max(axis=0) + reach) + 1, low + 1, [width, height]).astype(int)
+        part, maps = np.s_[low[1] : high[1], low[0] : high[0]], (vertical, vertical.across)
+        sigma = [np.where(phase.valid[part], phase.sigma_rad[part] * phase.pixel_of_phase()[0], 0.0) for phase in maps]
+        return cls((int(low[0]), int(low[1])), np.stack([phase.column_px[part] for phase in maps]), np.stack(sigma).astype(np.float16))
+
+
+def projector_sighting(sighting: Sighting, lit: ProjectorPixels | None, projector: str = PROJECTOR) -> Sighting | Rejection:
     """Return the projector's sighting of the marks one camera saw, or why it has none.
 
     Parameters
     ----------
     sighting : the marks in the camera that the phases belong to
-    vertical : phase of the vertical fringes; its ``across`` is that of the horizontal fringes
+    lit : which pixels of the projector light them; None where only the fringes of one direction are known
 
     Returns
     -------
     Sighting or Rejection : projector pixels (column, row) of the marks around which both phases are known, with their
         standard deviations
     """
-    if vertical.across is None:
+    if lit is None:
         return Rejection(projector, sighting.view, "the fringes run in one direction only; vertical and horizontal ones are needed")
-    radii = _radii(sighting.corners_px)
-    readings = []
-    for phase in (vertical, vertical.across):
-        scale, _offset = phase.pixel_of_phase()
-        valid = phase.valid & (phase.sigma_rad > 0)
-        readings.append(read_around(phase.column_px, phase.sigma_rad * scale, valid, sighting.corners_px, radii))
+    radii, places = _radii(sighting.corners_px), sighting.corners_px - lit.corner_px
+    sigmas = np.asarray(lit.sigma_px, np.float32)
+    readings = [read_around(values, sigma, sigma > 0, places, radii) for values, sigma in zip(lit.pixels, sigmas, strict=True)]
     known = np.isfinite(readings[0][0]) & np.isfinite(readings[1][0])
     if np.count_nonzero(known) < LEAST_CORNERS:
         return Rejection(

@@ -12,6 +12,7 @@ References
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -21,6 +22,8 @@ from measureapp.arrays import FloatArray
 from measureapp.calibrate.cameras.array import BOW_NAMES, CameraArrayProblem, CameraArraySolution, solve
 from measureapp.calibrate.cameras.bundle import POSE, Bundle, BundleState, Layout, Sight, spread_of
 from measureapp.calibrate.cameras.camera import LEAST_VIEWS
+from measureapp.calibrate.cameras.known import padded
+from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
 from measureapp.calibrate.cameras.uncertainty import projection_covariance, projection_difference
 from measureapp.calibrate.sightings import Sighting, spreads
 from measureapp.data.board import BoardDescription
@@ -86,7 +89,7 @@ class CrossValidation:
         held = f"views held back fit with {self.observed_px:.3f} px rms where {self.predicted_px:.3f} px was predicted"
         worst = max(self.halves, key=lambda half: half.difference_px / half.predicted_px, default=None)
         apart = (
-            f"; two halves of the views give camera {worst.camera} {worst.difference_px:.3f} px apart where {worst.predicted_px:.3f} px was predicted"
+            f"; two halves of the views give {_called(worst.camera)} {worst.difference_px:.3f} px apart where {worst.predicted_px:.3f} px was predicted"
             if worst
             else "; there are too few views to compare two halves"
         )
@@ -103,7 +106,7 @@ def cross_validate(
 ) -> CrossValidation:
     """Check a solution with views held back.
 
-    Views and corners that the solution left out stay out. The prediction for a held-back view is
+    Views and corners that the solution left out stay out; cameras that were given stay as they are. The prediction for a held-back view is
     E|r|² = (2N − 6)σ² + tr(P C Σ Cᵀ P): noise, less what the free pose of the board takes up, and the covariance Σ of the cameras
     carried to the corners by the derivatives C and freed of what the board's pose explains (P).
 
@@ -129,9 +132,11 @@ def cross_validate(
         parts = (_only(kept, views[::2]), _only(kept, views[1::2]))
         first = solve(parts[0], PartOf(progress, folds / (folds + 2), (folds + 1) / (folds + 2), "first half: "), solution)
         second = solve(parts[1], PartOf(progress, (folds + 1) / (folds + 2), 1.0, "second half: "), solution)
-        covered = {name: _covered(name, problem.sizes_px[name], parts) for name in solution.calibration.names}
+        given = () if problem.known is None else problem.known.names
+        covered = {name: _covered(name, problem.sizes_px[name], parts) for name in solution.calibration.cameras if name not in given}
+        apart = _covariance_of_difference(first, second, given)
         halves = tuple(
-            _halves(name, first, second, pixels, _range_mm(solution, name))
+            _halves(name, first, second, apart, pixels, _range_mm(solution, name))
             for name, pixels in covered.items()
             if len(pixels) >= LEAST_COVERED
         )
@@ -160,7 +165,7 @@ def _only(problem: CameraArrayProblem, views: list[str]) -> CameraArrayProblem:
 
 
 def _held_back(view: str, problem: CameraArrayProblem, trained: CameraArraySolution, whole: CameraArraySolution) -> HeldBackView:
-    names = list(trained.calibration.names)
+    names = list(trained.calibration.cameras)
     sights = tuple(
         Sight(names.index(one.camera), 0, one.corners_px, np.ones(len(one.corners_px), bool), one.ids, spread)
         for one, spread in zip(problem.sightings, spreads(problem.sightings), strict=True)
@@ -181,14 +186,15 @@ def _held_back(view: str, problem: CameraArrayProblem, trained: CameraArraySolut
 def _one_view(
     calibration: CameraArrayCalibration, board: BoardDescription, pose: FloatArray, sights: tuple[Sight, ...], free_bow: bool
 ) -> tuple[Bundle, BundleState]:
-    cameras = [calibration.cameras[name] for name in calibration.names]
+    cameras = list(calibration.cameras.values())
+    count = max(len(camera.pinhole.distortion) for camera in cameras)
     state = BundleState(
-        tuple(camera.pinhole for camera in cameras),
+        tuple(padded(camera.pinhole, count) for camera in cameras),
         np.array([camera.reference_from_camera.matrix for camera in cameras]),
         np.array(pose)[None],
         np.array(board.bow_mm),
     )
-    return Bundle(board, sights, Layout(4 + len(cameras[0].pinhole.distortion), len(cameras), 3 if free_bow else 0)), state
+    return Bundle(board, sights, Layout(4 + count, len(cameras), 3 if free_bow else 0)), state
 
 
 def _linearised(bundle: Bundle, state: BundleState) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -219,18 +225,31 @@ def _range_mm(solution: CameraArraySolution, camera: str) -> float:
     return float(np.median([np.linalg.norm(pose.apply(middle) - place.translation_mm) for pose in solution.boards.values()]))
 
 
-def _halves(name: str, first: CameraArraySolution, second: CameraArraySolution, pixels: FloatArray, range_mm: float) -> HalvesCheck:
-    spread = sum(
-        np.trace(
-            projection_covariance(solution.calibration.cameras[name], solution.parameters, solution.covariance, pixels, range_mm),
-            axis1=1,
-            axis2=2,
-        )
-        for solution in (first, second)
-    )
-    one, other = (solution.calibration.cameras[name].pinhole for solution in (first, second))
-    difference = projection_difference(one, other, pixels, range_mm)
+def _covariance_of_difference(first: CameraArraySolution, second: CameraArraySolution, given: Sequence[str]) -> FloatArray:
+    """Return the covariance (P, P) of what two halves estimate differently; cameras that were given err alike in both.
+
+    With B = dp/dc of what was estimated by the given cameras c, of covariance C, the halves share B₁ C B₂ᵀ.
+    """
+    held = [index for index, label in enumerate(first.parameters) if label.partition(".")[0] in given]
+    one, other = first.covariance, second.covariance
+    size = np.sqrt(np.diag(one)[held])
+    size[size == 0] = 1.0
+    inverse = np.linalg.pinv(one[np.ix_(held, held)] / np.outer(size, size), hermitian=True) / np.outer(size, size)
+    shared = one[:, held] @ inverse @ other[held]
+    return np.asarray(one + other - shared - shared.T)
+
+
+def _halves(
+    name: str, first: CameraArraySolution, second: CameraArraySolution, apart: FloatArray, pixels: FloatArray, range_mm: float
+) -> HalvesCheck:
+    one, other = (solution.calibration.cameras[name] for solution in (first, second))
+    spread = np.trace(projection_covariance(one, first.parameters, apart, pixels, range_mm), axis1=1, axis2=2)
+    difference = projection_difference(one.pinhole, other.pinhole, pixels, range_mm)
     return HalvesCheck(name, float(np.sqrt(np.mean(np.sum(difference**2, axis=1)))), float(np.sqrt(np.mean(spread))))
+
+
+def _called(name: str) -> str:
+    return f"the {name}" if name == PROJECTOR else f"camera {name}"
 
 
 def _covered(name: str, size_px: tuple[int, int], halves: tuple[CameraArrayProblem, CameraArrayProblem]) -> FloatArray:

@@ -6,7 +6,8 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.least_squares import Minimum
-from measureapp.calibrate.motions.chain import Chain, ChainState
+from measureapp.calibrate.motions.chain import Chain
+from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.data.calibration import LabelledCovariance
 
 POSE = 6

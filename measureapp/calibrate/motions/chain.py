@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -13,45 +13,12 @@ from measureapp.calibrate.boards.pose import BoardPose
 from measureapp.calibrate.least_squares import Minimum, NormalEquations, minimise
 from measureapp.calibrate.motions.axis_motion import across
 from measureapp.calibrate.motions.axis_noise import AxisNoise
+from measureapp.calibrate.motions.chain_derivatives import derivatives
+from measureapp.calibrate.motions.chain_state import POSE, ChainState
 from measureapp.calibrate.poses import change_between, inverted, moved, stacked
-from measureapp.data.calibration import HandEye, LinearGuide, RotationAxis
 from measureapp.progress import Progress
 
-POSE = 6
-TURN_STEP, LENGTH_STEP, SCALE_STEP = 1e-6, 1e-4, 1e-6
-POSE_STEPS = (TURN_STEP,) * 3 + (LENGTH_STEP,) * 3
 POSE_LABELS = ("rotation_x_rad", "rotation_y_rad", "rotation_z_rad", "x_mm", "y_mm", "z_mm")
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class ChainState:
-    """All quantities of the chain."""
-
-    flange_from_camera: FloatArray  # (4, 4)
-    guide_direction: FloatArray  # (3,), unit, in base
-    guide_scale: float
-    axis_point_mm: FloatArray  # (3,), in guide
-    axis_direction: FloatArray  # (3,), unit, in guide
-    guide_from_board: FloatArray  # (4, 4), at table angle 0
-    robot_changes: FloatArray  # (G, 6), error of each robot pose in its flange frame
-    table_changes: FloatArray  # (K,), error of each table angle
-    camera_changes: FloatArray = field(default_factory=lambda: np.zeros(0))  # (C,), where the cameras are freed
-
-    @classmethod
-    def unchanged(
-        cls, hand_eye: HandEye, guide: LinearGuide, axis: RotationAxis, guide_from_board: FloatArray, robot_poses: int
-    ) -> ChainState:
-        """Return the chain of a calibrated rig in which no robot pose, table angle or camera errs."""
-        return cls(
-            flange_from_camera=np.asarray(hand_eye.flange_from_camera.matrix),
-            guide_direction=np.asarray(guide.direction),
-            guide_scale=guide.scale,
-            axis_point_mm=np.asarray(axis.point_mm),
-            axis_direction=np.asarray(axis.direction),
-            guide_from_board=np.asarray(guide_from_board),
-            robot_changes=np.zeros((robot_poses, 6)),
-            table_changes=np.zeros(0),
-        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,11 +78,14 @@ class Chain:
         return np.asarray(inverted(guide_from_camera) @ self._turned(state) @ state.guide_from_board)
 
     def _turned(self, state: ChainState) -> FloatArray:
-        angles = self.table_rad + (state.table_changes[self.table_group] if self.table_angles else 0.0)
+        angles = self._angles(state)
         turned = np.tile(np.eye(4), (len(angles), 1, 1))
         turned[:, :3, :3] = Rotation.from_rotvec(angles[:, None] * state.axis_direction).as_matrix()
         turned[:, :3, 3] = state.axis_point_mm - turned[:, :3, :3] @ state.axis_point_mm
         return turned
+
+    def _angles(self, state: ChainState) -> FloatArray:
+        return self.table_rad + (state.table_changes[self.table_group] if self.table_angles else 0.0)
 
     @property
     def approached(self) -> FloatArray:
@@ -206,35 +176,25 @@ class Chain:
         return NormalEquations(hessian, gradient, self._cost(state, priors))
 
     def jacobian(self, state: ChainState) -> FloatArray:
-        """Return the derivatives (6 N + K, P) of `residuals`, by central differences; errors of different approaches are shifted at once."""
-        named, robot, table, count = len(self.labels), self.robot_poses, self.table_angles, len(self.guide_mm)
-        result = np.zeros((POSE * count + table, self.size))
-
-        def difference(chosen: IntArray | int, step: float) -> FloatArray:
-            shift = np.zeros(self.size)
-            shift[chosen] = step
-            return (self.residuals(self.moved(state, shift)) - self.residuals(self.moved(state, -shift))) / (2 * step)
-
-        for parameter, step in enumerate(self._steps()):
-            result[:, parameter] = difference(parameter, step)
-        rows = np.arange(POSE * count)
-        for part, step in enumerate(POSE_STEPS):
-            change = difference(named + part + POSE * np.arange(robot), step)
-            result[rows, named + part + POSE * np.repeat(self.robot_group, POSE)] = change[rows]
-        if table:
-            at = named + POSE * robot + np.arange(table)
-            change = difference(at, TURN_STEP)
-            result[rows, np.repeat(at[self.table_group], POSE)] = change[rows]
-            result[POSE * count + np.arange(table), at] = 1 / self.noise.table_rad
+        """Return the derivatives (6 N + K, P) of `residuals`."""
+        count, result = len(self.guide_mm), np.zeros((POSE * len(self.guide_mm) + self.table_angles, self.size))
+        by = derivatives(
+            state, self.base_from_flange, self.guide_mm, self._angles(state), state.robot_changes[self.robot_group], self.camera_from_board
+        )
+        chosen = [(self.free.hand_eye, by.hand_eye), (self.free.guide, by.guide), (self.free.axis, by.axis), (True, by.board)]
+        named = np.concatenate([part for used, part in chosen if used], axis=2)
+        poses = result[: POSE * count].reshape(count, POSE, self.size)  # a view: filled in place
+        poses[:, :, : named.shape[2]] = self.roots @ named
+        place, first, robot = np.arange(count), len(self.labels), self.roots @ by.robot
+        for part in range(POSE):
+            poses[place, :, first + POSE * self.robot_group + part] = robot[:, :, part]
+        first += POSE * self.robot_poses
+        if self.table_angles:
+            poses[place, :, first + self.table_group] = (self.roots @ by.table)[:, :, 0]
+            result[POSE * count + np.arange(self.table_angles), first + np.arange(self.table_angles)] = 1 / self.noise.table_rad
         if self.cameras_freed and self.by_cameras is not None:
-            result[rows, -self.cameras_freed :] = -(self.roots @ self.by_cameras).reshape(POSE * count, -1)
+            poses[:, :, -self.cameras_freed :] = -(self.roots @ self.by_cameras)
         return result
-
-    def _steps(self) -> list[float]:
-        steps: list[float] = [*POSE_STEPS] if self.free.hand_eye else []
-        steps += [TURN_STEP, TURN_STEP, SCALE_STEP] if self.free.guide else []
-        steps += [TURN_STEP, TURN_STEP, LENGTH_STEP, LENGTH_STEP] if self.free.axis else []
-        return [*steps, *POSE_STEPS]
 
     def freedom(self) -> int:
         """Return the degrees of freedom: robot and table errors count as observed by their priors."""

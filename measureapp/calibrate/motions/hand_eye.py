@@ -13,9 +13,10 @@ from measureapp.calibrate.boards.pose import BoardPose
 from measureapp.calibrate.least_squares import Minimum
 from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.motions.cameras_carried import cost_beyond_cameras, with_cameras
-from measureapp.calibrate.motions.chain import POSE_LABELS, Chain, ChainState, Free, poses_of, roots_of
+from measureapp.calibrate.motions.chain import POSE_LABELS, Chain, Free, poses_of, roots_of
+from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.motions.hand_eye_methods import METHODS
-from measureapp.calibrate.motions.pose_checks import board_deviations, check_direction, check_units
+from measureapp.calibrate.motions.pose_checks import board_deviations, check_board_size, check_direction, check_units
 from measureapp.calibrate.motions.relative import Degeneracy, motions_between
 from measureapp.calibrate.motions.robot_world import ROBOT_WORLD_METHODS
 from measureapp.calibrate.poses import mean_pose, stacked
@@ -26,6 +27,7 @@ from measureapp.progress import NoProgress, Progress
 
 LEAST_POSES = 3
 ADVISED_POSES = 10
+LARGEST_RATIO = 2.0  # of the residuals over what was expected, as in the joint calibration of the rig
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -64,8 +66,19 @@ class HandEyeSolution:
     part_in_camera_mm: FloatArray  # (3,), a point before the camera as far away as the board was: it stands for the part
     spread_at_part_mm: float  # largest distance between that point carried to the flange by each method
     influence_mm: FloatArray  # (N,), how far that point moves in the flange frame when the pose is left out
+    sigma_ratio: float  # residuals over what robot and images were expected to leave; about 1 where the stated noise is right
     chain: Chain
     minimum: Minimum[ChainState]
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What speaks against it besides its own covariance."""
+        if self.sigma_ratio <= LARGEST_RATIO:
+            return ()
+        return (
+            f"The residuals are {self.sigma_ratio:.1f} times as large as expected: the board moved, the robot is worse than stated, or "
+            "robot poses belong to other images. Check that the board is fixed, state the robot's errors, or take the poses again.",
+        )
 
 
 class HandEyeDraft:
@@ -120,6 +133,7 @@ def solve(problem: HandEyeProblem, progress: Progress | None = None) -> HandEyeS
     motions, degeneracy = motions_between(robot, camera)
     check_units(camera, motions)
     check_direction(robot, camera)
+    check_board_size(robot, camera, motions)
     methods, refused = {}, {}
     solvers: dict[str, Callable[[], FloatArray]] = {name: partial(method, motions) for name, method in METHODS.items()}
     solvers |= {name: partial(_without_board, method, robot, camera) for name, method in ROBOT_WORLD_METHODS.items()}
@@ -195,6 +209,7 @@ def _refined(
         part_in_camera_mm=part,
         spread_at_part_mm=_spread([estimate.flange_from_camera.apply(part) for estimate in methods.values()]),
         influence_mm=_influence(chain, minimum, part),
+        sigma_ratio=float(np.sqrt(beyond / max(chain.freedom(), 1))),
         chain=chain,
         minimum=minimum,
     )

@@ -17,9 +17,12 @@ from measureapp.geometry.transform import RigidTransform
 LEAST_POSITIONS = 3
 SHORTEST_STROKE_MM = 10.0
 ADVISED_STROKE_MM = 100.0
+LARGEST_RESIDUAL_MM = 0.2  # of a good guide
+LARGEST_SKEW_DEG = 10.0  # guides are mounted along an axis of the base
 LARGEST_TURN_RAD = np.deg2rad(1.0)
 PAPER_DIRECTION = np.array([0.0, 1.0, 0.0])
 SCALE_RANGE = (0.5, 2.0)
+SCALE_TOLERANCE = 0.01  # guides err by some 1e-4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -147,7 +150,23 @@ def _fitted(boards_mm: FloatArray, slide: FloatArray, turn: FloatArray, stroke: 
     )
     warnings = [] if stroke >= ADVISED_STROKE_MM else [f"The positions span only {stroke:.0f} mm: spread them over more of the stroke."]
     if turn.max() > LARGEST_TURN_RAD:
-        warnings.append(f"The board seems to turn by up to {np.rad2deg(turn.max()):.2f}°: it moved, or the hand-eye transform is wrong.")
+        warnings.append(
+            f"The board seems to turn by up to {np.rad2deg(turn.max()):.2f}°: it moved, or the hand-eye transform is wrong. Take the positions again."
+        )
+    off = float(np.sqrt(np.mean(aside**2 + along**2)))
+    if off > LARGEST_RESIDUAL_MM:
+        warnings.append(
+            f"The positions lie {off:.2f} mm off an even, straight travel: fix the board and take them again, or check the guide."
+        )
+    if np.rad2deg(np.arccos(np.abs(direction).max())) > LARGEST_SKEW_DEG:
+        warnings.append(
+            f"The guide runs {np.rad2deg(np.arccos(np.abs(direction).max())):.0f}° away from every axis of the robot's base: check that the robot poses are "
+            "base_from_flange, not flange_from_base, and that the hand-eye transform is the one of these cameras."
+        )
+    if abs(scale - 1) > SCALE_TOLERANCE:
+        warnings.append(
+            f"The robot moved {scale:.3f} mm per displayed millimetre of the guide: check the stated size of the board's squares."
+        )
     paper = paper_error_mm(direction, scale) * np.abs(slide - slide[0])
     return GuideSolution(guide, aside, along, turn, stroke, paper, paper_error_mm(direction, scale) * stroke, tuple(warnings))
 

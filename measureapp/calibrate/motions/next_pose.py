@@ -9,9 +9,11 @@ from typing import Literal
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.motions.chain import POSE, POSE_STEPS, Chain, ChainState
+from measureapp.calibrate.motions.chain import Chain
+from measureapp.calibrate.motions.chain_derivatives import derivatives
+from measureapp.calibrate.motions.chain_state import POSE, ChainState
 from measureapp.calibrate.motions.hand_eye import HandEyeSolution
-from measureapp.calibrate.poses import change_between, inverted, moved
+from measureapp.calibrate.poses import stacked
 from measureapp.calibrate.projection import cross_matrices
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform
@@ -65,9 +67,9 @@ def propose(
     known = np.linalg.inv(solution.minimum.covariance()[:CHOSEN, :CHOSEN])
     carry = lever_at(solution.part_in_camera_mm, state)
     before = _value(np.linalg.inv(known), carry, criterion)
+    added = _added(chain, state, stacked(candidates), information)
     proposals = []
-    for index, candidate in enumerate(candidates):
-        covariance = np.linalg.inv(known + _added(chain, state, candidate, information))
+    for index, (candidate, covariance) in enumerate(zip(candidates, np.linalg.inv(known + added), strict=True)):
         sigma = float(np.sqrt(np.linalg.eigvalsh(carry @ covariance[:POSE, :POSE] @ carry.T)[-1]))
         proposals.append(Proposal(index, candidate, sigma, 1 - _value(covariance, carry, criterion) / before))
     return tuple(sorted(proposals, key=lambda proposal: -proposal.gain))
@@ -86,24 +88,12 @@ def _value(covariance: FloatArray, carry: FloatArray, criterion: Criterion) -> f
     return float(np.trace(at_part)) if criterion == "A" else float(np.exp(np.linalg.slogdet(own)[1] / POSE))
 
 
-def _added(chain: Chain, state: ChainState, candidate: RigidTransform, information: FloatArray) -> FloatArray:
-    """Return the information (12, 12) of hand-eye transform and board in one more sighting."""
-    flange, board = np.asarray(candidate.matrix), state.guide_from_board
-
-    def seen(change: FloatArray) -> FloatArray:
-        x = moved(state.flange_from_camera, change[:POSE])
-        camera = flange @ moved(np.eye(4), change[CHOSEN:]) @ x
-        return np.asarray(inverted(camera) @ moved(board, change[POSE:CHOSEN]))
-
-    at = seen(np.zeros(CHOSEN + POSE))[None]
-    steps = np.tile(POSE_STEPS, 3)
-    shifts = np.diag(steps)
-    columns = [
-        (change_between(at, seen(s)[None]) - change_between(at, seen(-s)[None]))[0] / (2 * h) for s, h in zip(shifts, steps, strict=True)
-    ]
-    jacobian = np.array(columns).T
+def _added(chain: Chain, state: ChainState, candidates: FloatArray, information: FloatArray) -> FloatArray:
+    """Return the information (N, 12, 12) of hand-eye transform and board in one more sighting from each of the candidates (N, 4, 4)."""
+    still = np.zeros(len(candidates))
+    by = derivatives(state, candidates, still, still, np.zeros((len(candidates), POSE)))
     noise = chain.noise
     robot = np.diag([noise.robot_rad**2 + noise.robot_repeat_rad**2] * 3 + [noise.robot_mm**2 + noise.robot_repeat_mm**2] * 3)
-    own = jacobian[:, CHOSEN:]
-    weight = np.linalg.inv(np.linalg.inv(information) + own @ robot @ own.T)
-    return np.asarray(jacobian[:, :CHOSEN].T @ weight @ jacobian[:, :CHOSEN])
+    weight = np.linalg.inv(np.linalg.inv(information) + by.robot @ robot @ np.swapaxes(by.robot, 1, 2))
+    named = np.concatenate([by.hand_eye, by.board], axis=2)
+    return np.asarray(np.swapaxes(named, 1, 2) @ weight @ named)

@@ -15,6 +15,7 @@ LEAST_SWAPPED_MM = 1.0
 METRE_SCALES = (100.0, 0.01)
 SHORTEST_DISTANCE_MM = 5.0
 LARGEST_SLIDE_IN_METRES, LEAST_SLIDE_IN_METRES = 10.0, 0.01
+SIZE_TOLERANCE = 0.02  # of the length of a square; below it the residuals tell
 LARGEST_ANGLE_GAP_RAD = np.deg2rad(2.0)
 
 
@@ -30,10 +31,7 @@ def check_units(camera: FloatArray, motions: Motions) -> None:
     distance = float(np.median(np.linalg.norm(camera[:, :3, 3], axis=1)))
     if distance < SHORTEST_DISTANCE_MM:
         raise CalibrationError(f"The board poses put the board {distance:.3f} mm from the camera.", "They seem to be in metres: give mm.")
-    rotation = park_martin(motions)[:3, :3]
-    rows = np.concatenate([motions.flange[:, :3, :3] - np.eye(3), motions.flange[:, :3, 3:]], axis=2).reshape(-1, 4)
-    right = (motions.camera[:, :3, 3] @ rotation.T).ravel()
-    scale = float(np.linalg.lstsq(rows, right, rcond=None)[0][3])
+    scale = _scale(motions)
     if scale > METRE_SCALES[0] or 0 < scale < METRE_SCALES[1]:
         which = "robot" if scale > 1 else "board"
         raise CalibrationError(
@@ -60,6 +58,34 @@ def check_direction(robot: FloatArray, camera: FloatArray, shift_mm: FloatArray 
         raise CalibrationError("The board lies behind the camera: the board poses seem to be board_from_camera.", hint)
     if spoiled:
         raise CalibrationError("The robot poses seem to be flange_from_base (or the board poses board_from_camera).", hint)
+
+
+def check_board_size(robot: FloatArray, camera: FloatArray, motions: Motions, shift_mm: FloatArray | None = None) -> None:
+    """Refuse board poses with which the board stands stiller when its squares are taken for larger or smaller. Raises CalibrationError.
+
+    Parameters
+    ----------
+    shift_mm : (N, 3), how far a guide carried the robot
+    """
+    scale = _scale(motions)
+    if abs(scale - 1) <= SIZE_TOLERANCE:
+        return
+    carried, resized = _shifted(robot, np.zeros((len(robot), 3)) if shift_mm is None else shift_mm), np.array(camera)
+    resized[:, :3, 3] /= scale
+    own = _misfit(carried, camera)
+    if own > LEAST_SWAPPED_MM and _misfit(carried, resized) < SWAPPED_SHARE * own:
+        raise CalibrationError(
+            f"The board moved {scale:.3f} times as far as the robot.",
+            f"Check the size of the board: its squares seem to be {1 / scale:.3f} times as large as stated.",
+        )
+
+
+def _scale(motions: Motions) -> float:
+    """Return how far the board's poses say that the robot moved, over how far it did."""
+    rotation = park_martin(motions)[:3, :3]
+    rows = np.concatenate([motions.flange[:, :3, :3] - np.eye(3), motions.flange[:, :3, 3:]], axis=2).reshape(-1, 4)
+    right = (motions.camera[:, :3, 3] @ rotation.T).ravel()
+    return float(np.linalg.lstsq(rows, right, rcond=None)[0][3])
 
 
 def _misfit(robot: FloatArray, camera: FloatArray) -> float:

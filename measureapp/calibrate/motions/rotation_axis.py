@@ -29,6 +29,7 @@ DRAWS = 40  # simulated repetitions behind the standard deviations of the circle
 ANGLE_TOLERANCE_RAD = np.deg2rad(2.0)
 CLOSURE_RADIUS_MM = 250.0  # rim of the paper's table
 SHORT_SWEEP_RAD = np.deg2rad(30.0)
+LARGEST_RATIO, LARGEST_RESIDUAL_MM = 3.0, 0.05  # of positions that agree
 METHODS = ("least_squares", "distance_weighted", "maximum_likelihood")
 
 
@@ -123,7 +124,7 @@ def problem_from_poses(
     names: Sequence[str] = (),
 ) -> AxisProblem:
     """Return the problem of board poses; angles count only where all of them are known."""
-    corners = np.array([pose.camera_from_board.apply(board.corners_mm) for pose in poses]).reshape(len(poses), -1, 3)
+    corners = np.array([pose.camera_from_board.apply(board.corners_mm) for pose in poses]).reshape(len(poses), board.count, 3)
     known = [angle for angle in angles_rad if angle is not None]
     angles = np.array(known) if poses and len(known) == len(poses) else None
     return AxisProblem(corners, angles, tuple(poses), power, free_angles, names=tuple(names))
@@ -168,8 +169,19 @@ def solve(problem: AxisProblem, progress: Progress | None = None) -> AxisSolutio
     diagnostics = diagnose(
         likely.axis, corners, angles, angles_were_read=problem.angles_rad is not None, radius_mm=problem.closure_radius_mm
     )
-    warnings = (*(short if sweep < SHORT_SWEEP_RAD else ()), *diagnostics.warnings)
+    warnings = (*(short if sweep < SHORT_SWEEP_RAD else ()), *_contradictions(problem, likely, variance), *diagnostics.warnings)
     return AxisSolution(ordered, refused, sweep, problem.power, covariance, diagnostics, warnings)
+
+
+def _contradictions(problem: AxisProblem, likely: AxisEstimate, variance: float) -> tuple[str, ...]:
+    """Say that positions contradict each other, by more than a table may wobble and by far more than the noise of the images."""
+    ratio, residual = float(np.sqrt(variance)), likely.axis.residual_mm
+    if not problem.poses or ratio <= LARGEST_RATIO or residual <= LARGEST_RESIDUAL_MM:
+        return ()
+    return (
+        f"The positions contradict each other by {residual:.2f} mm, {ratio:.0f} times the noise of the images: the board moved on the "
+        "table, or the table wobbles. Fix the board and take the positions again; with five or more the one that moved is found.",
+    )
 
 
 def _start(corners: FloatArray, angles_rad: FloatArray | None, names: Sequence[str]) -> Turning:

@@ -10,7 +10,8 @@ import numpy as np
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.calibrate.boards.pose import BoardPose
 from measureapp.calibrate.motions.axis_noise import SAME_POSE, AxisNoise, approaches_of
-from measureapp.calibrate.motions.chain import Chain, ChainState, Free, groups_of, poses_of, roots_of
+from measureapp.calibrate.motions.chain import Chain, Free, groups_of, poses_of, roots_of
+from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.motions.slide_noise import slide_covariance, travel_in_camera, with_slide
 from measureapp.calibrate.rig.joint_solution import RigSolution, solution_of
 from measureapp.calibrate.rig.stages import RigStages, stages_of

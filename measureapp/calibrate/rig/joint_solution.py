@@ -12,7 +12,8 @@ from measureapp.calibrate.cameras.prior import cameras_moved
 from measureapp.calibrate.least_squares import Minimum
 from measureapp.calibrate.motions.axis_noise import SAME_POSE
 from measureapp.calibrate.motions.cameras_carried import cost_beyond_cameras, with_cameras
-from measureapp.calibrate.motions.chain import POSE_LABELS, Chain, ChainState, groups_of
+from measureapp.calibrate.motions.chain import POSE_LABELS, Chain, groups_of
+from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.motions.linear_guide import paper_error_mm
 from measureapp.calibrate.poses import change_between, moved
 from measureapp.calibrate.rig.observability import WeakDirection, unseen, weakest

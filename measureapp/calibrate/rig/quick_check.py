@@ -10,7 +10,8 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.boards.pose import stated_pose
 from measureapp.calibrate.motions.axis_noise import AxisNoise
-from measureapp.calibrate.motions.chain import Chain, ChainState, Free, roots_of
+from measureapp.calibrate.motions.chain import Chain, Free, roots_of
+from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.poses import inverted, median_pose, stacked
 from measureapp.calibrate.rig.joint import RigObservation
 from measureapp.data.board import BoardDescription

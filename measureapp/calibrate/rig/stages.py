@@ -14,7 +14,14 @@ from measureapp.calibrate.motions.axis_circles import LEAST_POSITIONS, axis_thro
 from measureapp.calibrate.motions.axis_motion import turning_of
 from measureapp.calibrate.motions.chain import groups_of, poses_of
 from measureapp.calibrate.motions.hand_eye_methods import tsai_lenz
-from measureapp.calibrate.motions.pose_checks import check_direction, check_guide_unit, check_robot_unit, check_table_angles, check_units
+from measureapp.calibrate.motions.pose_checks import (
+    check_board_size,
+    check_direction,
+    check_guide_unit,
+    check_robot_unit,
+    check_table_angles,
+    check_units,
+)
 from measureapp.calibrate.motions.relative import motions_between
 from measureapp.calibrate.poses import mean_pose
 from measureapp.data.calibration import HandEye, LinearGuide, RotationAxis
@@ -82,7 +89,9 @@ def stages_of(observations: Sequence[Observation], guide_moved: bool) -> RigStag
     carried = _carried(robot, slide, PAPER_GUIDE)[still]
     motions, _ = motions_between(carried, camera[still])
     check_units(camera[still], motions)
-    check_direction(robot[still], camera[still], slide[still, None] * PAPER_GUIDE.direction)
+    shift_mm = slide[still, None] * PAPER_GUIDE.direction
+    check_direction(robot[still], camera[still], shift_mm)
+    check_board_size(robot[still], camera[still], motions, shift_mm)
     x = tsai_lenz(motions)
     guide = _guide_line((robot @ x @ camera)[still], slide[still]) if guide_moved else PAPER_GUIDE
     carried = _carried(robot, slide, guide)

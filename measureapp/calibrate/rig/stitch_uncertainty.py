@@ -11,7 +11,8 @@ from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import BoolArray, FloatArray
 from measureapp.calibrate.motions.axis_noise import SAME_POSE, approaches_of
-from measureapp.calibrate.motions.chain import LENGTH_STEP, POSE, POSE_STEPS, SCALE_STEP, TURN_STEP, Chain, ChainState, groups_of
+from measureapp.calibrate.motions.chain import Chain, groups_of
+from measureapp.calibrate.motions.chain_state import POSE, ChainState
 from measureapp.calibrate.poses import change_between, inverted, moved
 from measureapp.calibrate.projection import cross_matrices
 from measureapp.calibrate.rig.joint import SAME_ANGLE_RAD
@@ -20,6 +21,8 @@ from measureapp.data.calibration import RigCalibration, RotationAxis
 from measureapp.data.fringe import AxisReadback
 from measureapp.geometry.transform import RigidTransform
 
+TURN_STEP, LENGTH_STEP, SCALE_STEP = 1e-6, 1e-4, 1e-6  # of the differences
+POSE_STEPS = (TURN_STEP,) * 3 + (LENGTH_STEP,) * 3
 OWN = 7  # what each view adds of its own: the robot's error (6) and the table's (1)
 
 

@@ -33,9 +33,15 @@ def register(group: typer.Typer) -> None:
     ) -> None:
         """Solve a stored calibration again from its inputs and compare every number; exit code 1 where one differs.
 
-        The inputs are checked against the checksums stored with the calibration first. Nothing is written.
+        What a wizard or `calibrate collect` accepted follows from the images that its session keeps. The inputs are checked against the
+        checksums stored with the calibration first. Nothing is written.
         """
-        if calibration.is_dir():
+        from measureapp.pipeline.again import is_collected
+
+        place = calibration / "calibration" if (calibration / "project.json").is_file() else calibration
+        if (place / "rig.json" if place.is_dir() else place).is_file() and is_collected(place):
+            differences, compared, inputs = _session_again(place)
+        elif calibration.is_dir():
             differences, compared, inputs = _project_again(calibration)
         else:
             differences, compared, inputs = _file_again(calibration)
@@ -80,6 +86,13 @@ def _project_again(folder: Path) -> tuple[Sequence[Difference], int, int]:
 
     result = calibration_again(ProjectFolder.open(folder), TerminalProgress())
     return result.differences, result.numbers, result.images
+
+
+def _session_again(result: Path) -> tuple[Sequence[Difference], int, int]:
+    from measureapp.pipeline.again import collected_again
+
+    found = collected_again(result, TerminalProgress())
+    return found.differences, found.numbers, found.images
 
 
 def _json(path: Path) -> Any:

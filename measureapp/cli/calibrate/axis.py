@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -17,6 +18,7 @@ from measureapp.errors import InputError
 if TYPE_CHECKING:
     from measureapp.calibrate.motions.axis_diagnostics import AxisDiagnostics
     from measureapp.calibrate.motions.rotation_axis import AxisEstimate, AxisProblem, AxisSolution
+    from measureapp.cli.calibrate.sightings import PosesFromImages
     from measureapp.progress import Progress
 
 
@@ -39,8 +41,9 @@ def register(group: typer.Typer) -> None:
         """Find the rotation axis by least squares, distance weighting and maximum likelihood."""
         from dataclasses import replace
 
-        from measureapp.calibrate.motions.rotation_axis import solve
+        from measureapp.calibrate.motions.contradictions import solve_axis
         from measureapp.calibrate.rig.limits import axis_limits
+        from measureapp.cli.calibrate.sightings import telling_refused
 
         if not 1 < power < 100:
             raise InputError(f"--power {power:g} is not above 1.", "The paper's weighting needs p > 1; 2 is usual.")
@@ -48,10 +51,17 @@ def register(group: typer.Typer) -> None:
             raise InputError("Give either --corners or --images.", "With --images also --cameras, --board and --square-mm.")
         wanted = asked.values(("axis direction", "axis position"))
         progress = TerminalProgress()
-        problem, rejected = (_from_corners(corners, angles), []) if corners is not None else _from_images(source, angles, progress)
-        solution = solve(replace(problem, power=power, free_angles=free_angles, closure_radius_mm=closure_radius_mm))
+        problem, seen = (_from_corners(corners, angles), None) if corners is not None else _from_images(source, angles, progress)
+        problem = replace(problem, power=power, free_angles=free_angles, closure_radius_mm=closure_radius_mm)
+        with telling_refused(seen):
+            found = solve_axis(problem)
+        solution = found.solution
         limits = axis_limits(solution, wanted)
-        document = axis_answer(solution, problem.frame) | limits_answer(limits) | {"rejected": rejected}
+        document = (
+            axis_answer(solution, problem.frame)
+            | limits_answer(limits)
+            | {"rejected": [] if seen is None else seen.rejected, "moved": _moved(problem, found.moved)}
+        )
         answer.give(ctx, document, [*_lines(document), *limit_lines(limits)])
         asked.exit_unless_met(limits)
 
@@ -72,7 +82,7 @@ def _from_corners(corners: Path, angles: Path | None) -> AxisProblem:
     return AxisProblem(table.corners_mm, known)
 
 
-def _from_images(source: BoardSource, angles: Path | None, progress: Progress) -> tuple[AxisProblem, list[dict[str, Any]]]:
+def _from_images(source: BoardSource, angles: Path | None, progress: Progress) -> tuple[AxisProblem, PosesFromImages]:
     from dataclasses import replace
 
     from measureapp.calibrate.motions.rotation_axis import problem_from_poses
@@ -82,9 +92,15 @@ def _from_images(source: BoardSource, angles: Path | None, progress: Progress) -
     given = None if angles is None else list(read_angles(angles).values())
     seen = poses_from_images(source, "the rotation axis", progress, given)
     known: list[float] | list[None] = given or [None] * seen.positions
-    problem = problem_from_poses(list(seen.poses.values()), seen.board, [known[position] for position in seen.poses])
+    names = [str(position) for position in seen.poses]
+    problem = problem_from_poses(list(seen.poses.values()), seen.board, [known[position] for position in seen.poses], names=names)
     cameras_say = seen.uncertainty(seen.poses)
-    return replace(problem, by_cameras=cameras_say.by_cameras, camera_prior=cameras_say.prior), seen.rejected
+    return replace(problem, by_cameras=cameras_say.by_cameras, camera_prior=cameras_say.prior), seen
+
+
+def _moved(problem: AxisProblem, moved: Mapping[int, str]) -> dict[str, str]:
+    """Return position -> why it was left out."""
+    return {problem.names[index] if problem.names else str(index): reason for index, reason in moved.items()}
 
 
 def axis_answer(solution: AxisSolution, frame: str) -> dict[str, Any]:
@@ -169,5 +185,6 @@ def _lines(document: dict[str, Any]) -> list[str]:
         f"  arcs of radius {min(arcs['radii_mm']):.1f} to {max(arcs['radii_mm']):.1f} mm, centres ± {max(arcs['centre_sigma_mm']):.4f} mm"
     )
     lines += [f"  {name}: {reason}" for name, reason in document["refused"].items()]
+    lines += [f"  left out: position {name}: {reason}" for name, reason in document["moved"].items()]
     lines += [f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
     return lines + [f"  {warning}" for warning in document["warnings"]]

@@ -1,4 +1,4 @@
-"""What `calibrate cameras` says about how far its result can be trusted."""
+"""What `calibrate cameras` and `calibrate projector` say about how far their results can be trusted."""
 
 from __future__ import annotations
 
@@ -32,20 +32,26 @@ def quality_of(problem: CameraArrayProblem, solution: CameraArraySolution, stand
     import numpy as np
 
     from measureapp.calibrate.cameras.uncertainty import uncertainty_map, volume_seen
-    from measureapp.calibrate.cameras.validation import cross_validate
 
     places = np.array([pose.apply(solution.board.middle_mm) for pose in solution.boards.values()])
-    reasons, uncertainty, validation = [], None, None
+    reasons, uncertainty = [], None
     try:
         volume = volume_seen(solution.calibration, places, standoff_mm)
         uncertainty = uncertainty_map(solution.calibration, solution.parameters, solution.covariance, volume)
     except CalibrationError as error:
         reasons.append(f"No uncertainty map: {error.message}")
+    validated = validation_of(problem, solution, progress)
+    return Quality(uncertainty, validated.validation, (*reasons, *validated.reasons))
+
+
+def validation_of(problem: CameraArrayProblem, solution: CameraArraySolution, progress: Progress) -> Quality:
+    """Return what views held back say of a solution, or why nothing; without an uncertainty map."""
+    from measureapp.calibrate.cameras.validation import cross_validate
+
     try:
-        validation = cross_validate(problem, solution, progress=progress)
+        return Quality(None, cross_validate(problem, solution, progress=progress), ())
     except CalibrationError as error:
-        reasons.append(f"No cross-validation: {error.message}")
-    return Quality(uncertainty, validation, tuple(reasons))
+        return Quality(None, None, (f"No cross-validation: {error.message}",))
 
 
 def quality_answer(quality: Quality) -> dict[str, Any]:

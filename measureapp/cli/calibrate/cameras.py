@@ -93,7 +93,7 @@ def _problem(files: BoardImages, board: BoardDescription, reference: str, distor
             found = find_board(image, board)
             draft.add(camera, _view(position), found.corners_px, found.ids, found.sigma_px)
         except CalibrationError as error:
-            draft.reject(camera, _view(position), error.message.rstrip("."))
+            draft.reject(camera, _view(position), f"{error.message} {error.hint}".rstrip("."))
     return draft.problem()
 
 

@@ -37,9 +37,10 @@ def register(group: typer.Typer) -> None:
         board_poses: BoardPosesOption = None,
     ) -> None:
         """Find the guide's direction and scale from a board that stands still."""
-        from measureapp.calibrate.motions.linear_guide import GuideObservation, GuideProblem, solve
+        from measureapp.calibrate.motions.contradictions import solve_guide
+        from measureapp.calibrate.motions.linear_guide import GuideObservation, GuideProblem
         from measureapp.calibrate.rig.limits import guide_limits
-        from measureapp.cli.calibrate.sightings import named_board_poses, read_robot_poses, same_names
+        from measureapp.cli.calibrate.sightings import named_board_poses, read_robot_poses, same_names, telling_refused
         from measureapp.project.tables import read_guide
 
         wanted = asked.values(("guide direction", "guide scale"))
@@ -48,14 +49,18 @@ def register(group: typer.Typer) -> None:
         seen = named_board_poses(tuple(robot), board_poses, source, (1.0, 1.0), TerminalProgress())
         names = list(seen.poses)
         observations = tuple(GuideObservation(robot[name], slide[name], seen.poses[name].camera_from_board) for name in names)
-        solution = solve(GuideProblem(observations, read_hand_eye(hand_eye), seen.cameras.by_cameras, seen.cameras.prior))
+        problem = GuideProblem(observations, read_hand_eye(hand_eye), seen.cameras.by_cameras, seen.cameras.prior)
+        with telling_refused(seen):
+            found = solve_guide(problem, seen.marks_mm)
+        solution = found.solution
         limits = guide_limits(solution, wanted)
         document = (
-            guide_answer(solution, names)
+            guide_answer(solution, [names[index] for index in found.kept])
             | limits_answer(limits)
             | {
                 "camera_uncertainty_carried_on": seen.cameras.prior is not None,
                 "rejected": seen.rejected,
+                "moved": {names[index]: reason for index, reason in found.moved.items()},
             }
         )
         answer.give(ctx, document, [*_lines(document), *limit_lines(limits)])
@@ -121,6 +126,7 @@ def _lines(document: dict[str, Any]) -> list[str]:
         f"Guide direction {direction} ± {deviations['direction_deg']:.4f}°, scale {document['scale']:.6f} ± {deviations['scale']:.6f}",
         f"  straightness {document['straightness_mm']['rms']:.4f} mm rms over {document['stroke_mm']:.0f} mm; "
         f"pure +Y would have cost {document['paper_cost_mm']:.3f} mm",
+        *(f"  left out: {name}: {reason}" for name, reason in document["moved"].items()),
         *(f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]),
         *(f"  {warning}" for warning in document["warnings"]),
     ]

@@ -35,9 +35,10 @@ def register(group: typer.Typer) -> None:
         board_sigma_deg: Annotated[float, typer.Option(min=1e-6, help="The same of the board poses of a table, degrees.")] = 0.01,
     ) -> None:
         """Find flange_from_camera by seven methods, then refine it jointly."""
-        from measureapp.calibrate.motions.hand_eye import HandEyeProblem, solve
+        from measureapp.calibrate.motions.contradictions import solve_hand_eye
+        from measureapp.calibrate.motions.hand_eye import HandEyeProblem
         from measureapp.calibrate.rig.limits import hand_eye_limits
-        from measureapp.cli.calibrate.sightings import named_board_poses, read_robot_poses
+        from measureapp.cli.calibrate.sightings import named_board_poses, read_robot_poses, telling_refused
 
         wanted = asked.values(("hand-eye position", "hand-eye rotation"))
         robot = read_robot_poses(robot_poses)
@@ -46,14 +47,19 @@ def register(group: typer.Typer) -> None:
         names = list(seen.poses)
         expected = noise_of_robot.axis_noise()
         flanges = tuple(robot[name] for name in names)
-        solution = solve(HandEyeProblem(flanges, tuple(seen.poses.values()), expected, seen.cameras.by_cameras, seen.cameras.prior))
+        problem = HandEyeProblem(flanges, tuple(seen.poses.values()), expected, seen.cameras.by_cameras, seen.cameras.prior)
+        with telling_refused(seen):
+            found = solve_hand_eye(problem, seen.marks_mm)
+        solution = found.solution
         limits = hand_eye_limits(solution, wanted)
         document = (
-            hand_eye_answer(solution, names)
+            hand_eye_answer(solution, [names[index] for index in found.kept])
             | limits_answer(limits)
             | {
                 "camera_uncertainty_carried_on": seen.cameras.prior is not None,
                 "rejected": seen.rejected,
+                "moved": {names[index]: reason for index, reason in found.moved.items()},
+                "warnings": list(solution.warnings),
             }
         )
         answer.give(
@@ -115,5 +121,7 @@ def _lines(document: dict[str, Any]) -> list[str]:
         f"would move it by {strongest['influence_mm']:.3f} mm, every other pose less"
     )
     lines += [f"  {name}: {reason}" for name, reason in document["refused"].items()]
+    lines += [f"  left out: {name}: {reason}" for name, reason in document["moved"].items()]
+    lines += [f"  {warning}" for warning in document["warnings"]]
     lines += [f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
     return [*lines, f"  motions: {document['degeneracy']['verdict']}, {document['degeneracy']['axis_spread_deg']:.1f}° from parallel"]

@@ -10,12 +10,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from measureapp.cli.calibrate.camera_quality import quality_answer, quality_lines, validation_of
 from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.made_from import MadeFrom, made_from
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import BoardChoice, CamerasOption, OutOption
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 from measureapp.errors import InputError
+from measureapp.progress import PartOf
 
 if TYPE_CHECKING:
     from measureapp.calibrate.cameras.projector import HeadSolution
@@ -44,8 +46,8 @@ def register(group: typer.Typer) -> None:
         """Calibrate the projector from vertical and horizontal fringes on a board, and write it into cameras.json.
 
         With --cameras these stay as they are and the projector is added; their covariance in cameras.json is carried on. Without,
-        cameras and projector are calibrated together. The board is found in the mean of the sinusoidal images. Write to another
-        file than --cameras, so that `calibrate again` finds its inputs unchanged.
+        cameras and projector are calibrated together. The board is found in the mean of the sinusoidal images. Views held back say
+        whether the stated standard deviations can be trusted. Write to another file than --cameras, so that `calibrate again` finds its inputs unchanged.
         """
         from measureapp.calibrate.rig.limits import projector_limits
         from measureapp.pipeline.projector import ProjectorRequest, calibrate_projector
@@ -61,13 +63,16 @@ def register(group: typer.Typer) -> None:
             projector_px=None if projector_px is None else _size(projector_px),
             distortion_count=distortion,
         )
-        head = calibrate_projector(_stacks(manifests), len(manifests), request, TerminalProgress())
+        progress = TerminalProgress()
+        head = calibrate_projector(_stacks(manifests), len(manifests), request, PartOf(progress, 0.0, 0.8))
+        quality = validation_of(head.problem, head.solution, PartOf(progress, 0.8, 1.0))
         calibration = head.calibration
         if out is not None:
             write_cameras(out, _dated(calibration, made_from(ctx, out)))
         limits = projector_limits(head, wanted)
-        document = projector_answer(head, manifests) | limits_answer(limits) | {"files": {} if out is None else {"cameras": out}}
-        reply(document, "\n".join([*_lines(document), *limit_lines(limits), *_written(document)]), as_json)
+        document = projector_answer(head, manifests) | quality_answer(quality) | limits_answer(limits)
+        document["files"] = {} if out is None else {"cameras": out}
+        reply(document, "\n".join([*_lines(document), *quality_lines(quality), *limit_lines(limits), *_written(document)]), as_json)
         asked.exit_unless_met(limits)
 
 

@@ -34,11 +34,13 @@ def register(group: typer.Typer) -> None:
         """Find hand-eye transform, guide and rotation axis together from images of one board fixed on the table."""
         from measureapp.calibrate.rig.joint import solve_rig
         from measureapp.calibrate.rig.limits import IN_RIG, rig_limits
+        from measureapp.cli.calibrate.sightings import telling_refused
 
         wanted = asked.values(tuple(IN_RIG))
         observations, seen = rig_sightings(tables, source, "the calibration of the rig", TerminalProgress())
         noise = robot.axis_noise(table_sigma_arcsec)
-        solution = solve_rig(observations, seen.cameras, noise=noise, camera_prior=seen.cameras.covariance, progress=TerminalProgress())
+        with telling_refused(seen):
+            solution = solve_rig(observations, seen.cameras, noise=noise, camera_prior=seen.cameras.covariance, progress=TerminalProgress())
         carried_on = {"camera_uncertainty_carried_on": seen.cameras.covariance is not None}
         limits = rig_limits(solution, wanted)
         document = rig_answer(solution) | limits_answer(limits) | carried_on | {"images_rejected": seen.rejected}

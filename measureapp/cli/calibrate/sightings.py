@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -11,12 +12,14 @@ from typing import Any
 import numpy as np
 
 from measureapp.arrays import FloatArray, ImageArray
+from measureapp.calibrate.boards.agreement import agreeing
 from measureapp.calibrate.boards.find import find_board, require_unambiguous
-from measureapp.calibrate.boards.pose import BoardPose, board_pose, stated_pose, with_seen_noise
+from measureapp.calibrate.boards.pose import BoardPose, board_pose, stated_pose
 from measureapp.calibrate.boards.together import find_beside
 from measureapp.calibrate.boards.turned import TurnedBoard, find_turned
 from measureapp.calibrate.cameras.prior import pose_by_cameras
-from measureapp.calibrate.sightings import AmbiguousPart, FoundBoard
+from measureapp.calibrate.motions.moved_boards import STAND_IN_MM
+from measureapp.calibrate.sightings import AmbiguousPart, FoundBoard, naming_refused
 from measureapp.cli.calibrate.options import BoardSource
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, LabelledCovariance
@@ -45,6 +48,7 @@ class PosesFromImages:
     positions: int
     poses: dict[int, BoardPose]
     rejected: list[dict[str, Any]]
+    lost: list[dict[str, Any]]  # those rejected of positions in which no camera saw the board
     by_cameras: dict[int, FloatArray]  # (6, C), change of each pose with the cameras; empty where cameras.json holds no covariance
 
     def uncertainty(self, positions: Iterable[int]) -> CameraUncertainty:
@@ -61,6 +65,8 @@ class NamedBoardPoses:
     poses: dict[str, BoardPose]
     rejected: list[dict[str, Any]]
     cameras: CameraUncertainty  # in the order of ``poses``
+    lost: list[dict[str, Any]]  # those rejected of poses from which no camera saw the board
+    marks_mm: FloatArray  # (M, 3) of the board, or of one that stands in for it
 
 
 def poses_from_images(source: BoardSource, purpose: str, progress: Progress, table_rad: Sequence[float] | None = None) -> PosesFromImages:
@@ -90,10 +96,15 @@ def poses_from_images(source: BoardSource, purpose: str, progress: Progress, tab
     if table_rad is not None and len(table_rad) != files.positions:
         raise InputError(f"There are {len(table_rad)} table angles for {files.positions} positions.", "Give one angle per position.")
     found, rejected = _corners(files, array, description, table_rad, progress)
-    poses = {position: _pose(seen, array, description) for position, seen in sorted(found.items())}
-    prior = array.covariance
+    places = agreeing({position: _pose(seen, array, description) for position, seen in sorted(found.items())})
+    for position, reason in places.rejected.items():
+        cameras = tuple(found[position])
+        image = files.path(cameras[0], position)
+        rejected.append({"camera": ", ".join(cameras), "position": position, "image": image, "reason": f"{reason}; take them again"})
+    poses, prior = dict(places.poses), array.covariance
+    lost = [one for one in rejected if one["position"] not in poses]
     by_cameras = {} if prior is None else {at: _by_cameras(pose, found[at], array, description, prior) for at, pose in poses.items()}
-    return PosesFromImages(description, array, files.positions, with_seen_noise(poses), rejected, by_cameras)
+    return PosesFromImages(description, array, files.positions, poses, rejected, lost, by_cameras)
 
 
 def _corners(
@@ -121,12 +132,14 @@ def _corners(
         except AmbiguousPart:
             unclear.append((camera, position, image))
         except CalibrationError as error:
-            rejected.append({"camera": camera, "position": position, "image": path, "reason": error.message})
+            rejected.append({"camera": camera, "position": position, "image": path, "reason": f"{error.message} {error.hint}"})
     for camera, position, image in sorted(unclear, key=lambda one: not found[one[1]]):  # first those that other cameras tell
         try:
             found[position] = {**found[position], camera: _told(image, camera, position, found, array, board, table_rad)}
         except CalibrationError as error:
-            rejected.append({"camera": camera, "position": position, "image": files.path(camera, position), "reason": error.message})
+            rejected.append(
+                {"camera": camera, "position": position, "image": files.path(camera, position), "reason": f"{error.message} {error.hint}"}
+            )
     progress.report(total, total)
     return {position: corners for position, corners in found.items() if corners}, rejected
 
@@ -183,13 +196,23 @@ def named_board_poses(
         require_millimetres(board_poses, table)
         same_names(board_poses, names, tuple(table))
         return NamedBoardPoses(
-            {name: stated_pose(table[name], math.radians(noise[1]), noise[0]) for name in names}, [], CameraUncertainty()
+            {name: stated_pose(table[name], math.radians(noise[1]), noise[0]) for name in names}, [], CameraUncertainty(), [], STAND_IN_MM
         )
     seen = poses_from_images(source, "this calibration", progress)
     if seen.positions != len(names):
         raise InputError(f"{seen.positions} images do not belong to {len(names)} robot poses.", "Give one image per camera and robot pose.")
     poses = {names[position]: pose for position, pose in seen.poses.items()}
-    return NamedBoardPoses(poses, seen.rejected, seen.uncertainty(seen.poses))
+    return NamedBoardPoses(poses, seen.rejected, seen.uncertainty(seen.poses), seen.lost, seen.board.corners_mm)
+
+
+@contextmanager
+def telling_refused(seen: PosesFromImages | NamedBoardPoses | None) -> Iterator[None]:
+    """Let a calibration that fails name the images of positions that give nothing. Raises CalibrationError."""
+    try:
+        yield
+    except CalibrationError as error:
+        lost = [] if seen is None else seen.lost
+        raise naming_refused(error, [(str(one["image"]), one["reason"]) for one in lost]) from error
 
 
 def read_robot_poses(path: Path) -> dict[str, RigidTransform]:

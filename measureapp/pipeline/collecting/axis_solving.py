@@ -8,19 +8,23 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.boards.pose import BoardPose, board_pose, with_seen_noise
+from measureapp.calibrate.boards.agreement import BoardPlaces, agreeing
+from measureapp.calibrate.boards.pose import BoardPose, board_pose
 from measureapp.calibrate.motions.axis_circles import LEAST_POSITIONS as LEAST_TABLE_POSITIONS
+from measureapp.calibrate.motions.contradictions import guide_places, hand_eye_places
 from measureapp.calibrate.motions.hand_eye import LEAST_POSES, HandEyeDraft, HandEyeProblem
 from measureapp.calibrate.motions.hand_eye import solve as solve_hand_eye
 from measureapp.calibrate.motions.linear_guide import LEAST_POSITIONS as LEAST_SLIDE_POSITIONS
 from measureapp.calibrate.motions.linear_guide import GuideDraft, GuideObservation, GuideProblem
 from measureapp.calibrate.motions.linear_guide import solve as solve_guide
+from measureapp.calibrate.motions.moved_boards import without_moved
 from measureapp.calibrate.motions.rotation_axis import AxisDraft, problem_from_poses
 from measureapp.calibrate.motions.rotation_axis import solve as solve_axis
-from measureapp.calibrate.poses import inverted, mean_pose
+from measureapp.calibrate.poses import inverted, mean_pose, stacked
 from measureapp.calibrate.rig.joint import RigObservation, solve_rig
 from measureapp.calibrate.rig.joint import shortfalls as rig_shortfalls
 from measureapp.calibrate.rig.joint_solution import RigSolution
+from measureapp.calibrate.sightings import naming_refused
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.errors import CalibrationError
@@ -31,31 +35,8 @@ from measureapp.pipeline.collecting.setup import Setup
 from measureapp.pipeline.collecting.solved import Solution, Solved, misfit_mm, misfit_px, sentences
 from measureapp.progress import Progress
 
-OUTLIER_FACTOR = 6.0  # of the median misfit, as in the joint calibration of the rig
-LEAST_OUTLIER_MM = 0.05  # a misfit below is never called one
-SUSPECTS = 3  # the observations that fit worst, each tried to leave out
-RELIEF = 1 / 3  # of the rms misfit that is left without an observation which contradicts the others; noise alone leaves four fifths
-MOST_REJECTED = 0.25  # of the observations
-CONTRADICTION_FACTOR = 3.0  # of the median rms of all board poses
-LEAST_CONTRADICTION_PX = 0.5
-HOPELESS_PX = 5.0  # median rms beyond which the cameras are not those that were calibrated
-MOVED = "the board was seen {misfit:.2f} mm from where the observations together put it: it moved, or was found wrongly"
-CONTRADICTED = "its images contradict each other by {rms:.2f} px: the board moved between them, or they belong to different positions"
-EXCHANGED = (
-    "The images contradict the calibration of the cameras by {rms:.1f} px in most observations.",
-    "Check that no two cameras are exchanged, that images of one position belong together, and that the board's size is right.",
-)
 
-
-@dataclass(frozen=True, slots=True, eq=False)
-class BoardPlaces:
-    """Where the board stood in each observation, and the observations whose cameras contradict each other."""
-
-    poses: Mapping[str, BoardPose]
-    rejected: Mapping[str, str]
-
-
-def board_places(observations: Sequence[Observation], cameras: CameraArrayCalibration, board: BoardDescription) -> BoardPlaces:
+def board_places(observations: Sequence[Observation], cameras: CameraArrayCalibration, board: BoardDescription) -> BoardPlaces[str]:
     """Find the board's pose in every observation, weighted with the noise that all of them show.
 
     Raises
@@ -72,12 +53,7 @@ def board_places(observations: Sequence[Observation], cameras: CameraArrayCalibr
         )
         for one in observations
     }
-    median = float(np.median([pose.rms_px for pose in poses.values()]))
-    if median > HOPELESS_PX:
-        raise CalibrationError(EXCHANGED[0].format(rms=median), EXCHANGED[1])
-    limit = max(CONTRADICTION_FACTOR * median, LEAST_CONTRADICTION_PX)
-    rejected = {name: CONTRADICTED.format(rms=pose.rms_px) for name, pose in poses.items() if pose.rms_px > limit}
-    return BoardPlaces(with_seen_noise({name: pose for name, pose in poses.items() if name not in rejected}), rejected)
+    return agreeing(poses)
 
 
 def solve_axes(setup: Setup, observations: Sequence[Observation], progress: Progress) -> Solved:
@@ -85,7 +61,10 @@ def solve_axes(setup: Setup, observations: Sequence[Observation], progress: Prog
     assert setup.cameras is not None  # `Setup` sees to it
     places = board_places(observations, setup.cameras, setup.board)
     kept = [one for one in observations if one.id in places.poses]
-    answer, moved = _without_outliers(setup, kept, places.poses, progress)
+    try:
+        answer, moved = _without_outliers(setup, kept, places.poses, progress)
+    except CalibrationError as error:
+        raise naming_refused(error, [(f"observation {name}", reason) for name, reason in places.rejected.items()]) from error
     solved = Solved(
         solution=answer.solution,
         of=tuple(one.id for one in observations),
@@ -133,52 +112,18 @@ _Solver = Callable[[Setup, Sequence[Observation], Poses, Progress], _Answer]
 def _without_outliers(setup: Setup, kept: list[Observation], poses: Poses, progress: Progress) -> tuple[_Answer, dict[str, str]]:
     """Solve, and leave out one observation after the other that lies far off, the farthest first."""
     solver, least = _SOLVERS[setup.kind]
-    rejected: dict[str, str] = {}
-    count = len(kept)
-    while True:
+    if setup.kind == "rig":
         answer = solver(setup, kept, poses, progress)
-        if isinstance(answer.solution, RigSolution):  # leaves out what contradicts the others by itself
-            return answer, dict(answer.solution.rejected)
-        if len(kept) <= least or len(rejected) + 1 > MOST_REJECTED * count:
-            return answer, rejected
-        misfits = _misfits(setup, answer, poses)
-        odd = _odd(setup, kept, poses, misfits, progress)
-        if odd is None:
-            return answer, rejected
-        rejected[odd] = MOVED.format(misfit=misfits[odd])
-        kept = [one for one in kept if one.id != odd]
+        assert isinstance(answer.solution, RigSolution)
+        return answer, dict(answer.solution.rejected)  # leaves out what contradicts the others by itself
+    marks, by_id = setup.board.corners_mm, {one.id: one for one in kept}
 
+    def solve(names: Sequence[str]) -> tuple[_Answer, dict[str, FloatArray]]:
+        answer = solver(setup, [by_id[name] for name in names], poses, progress)
+        return answer, {name: place.apply(marks) for name, place in answer.predicted.items()}
 
-def _misfits(setup: Setup, answer: _Answer, poses: Poses) -> dict[str, float]:
-    return {name: misfit_mm(place, poses[name].camera_from_board, setup.board) for name, place in answer.predicted.items()}
-
-
-def _odd(setup: Setup, kept: Sequence[Observation], poses: Poses, misfits: Mapping[str, float], progress: Progress) -> str | None:
-    """Return the observation that contradicts the others: far beyond the median, or one without which all others fit far better.
-
-    The second test finds one at the end of an arc or a travel, which draws the solution to itself and so hides in the first.
-    """
-    ordered = sorted(misfits, key=lambda name: -misfits[name])
-    median = float(np.median(list(misfits.values())))
-    if misfits[ordered[0]] <= LEAST_OUTLIER_MM:
-        return None
-    if misfits[ordered[0]] > OUTLIER_FACTOR * median:
-        return ordered[0]
-    solver, _ = _SOLVERS[setup.kind]
-    before = _rms_of(misfits)
-    left = {}
-    for name in ordered[:SUSPECTS]:
-        try:
-            answer = solver(setup, [one for one in kept if one.id != name], poses, progress)
-        except CalibrationError:  # what is left does not determine the answer: no evidence against this one
-            continue
-        left[name] = _rms_of(_misfits(setup, answer, poses))
-    best = min(left, key=lambda name: left[name], default=None)
-    return best if best is not None and left[best] < RELIEF * before else None
-
-
-def _rms_of(misfits: Mapping[str, float]) -> float:
-    return float(np.sqrt(np.mean(np.square(list(misfits.values())))))
+    seen = {name: poses[name].camera_from_board.apply(marks) for name in by_id}
+    return without_moved(list(by_id), solve, seen, least)
 
 
 def _axis(setup: Setup, kept: Sequence[Observation], poses: Poses, progress: Progress) -> _Answer:
@@ -194,24 +139,19 @@ def _axis(setup: Setup, kept: Sequence[Observation], poses: Poses, progress: Pro
 def _hand_eye(setup: Setup, kept: Sequence[Observation], poses: Poses, progress: Progress) -> _Answer:
     flanges = _flanges(kept)
     solution = solve_hand_eye(HandEyeProblem(flanges, tuple(poses[one.id] for one in kept), setup.noise), progress)
-    x, board = solution.refined.flange_from_camera.matrix, solution.base_from_board.matrix
-    return _Answer(solution, _named(kept, inverted(np.array([flange.matrix for flange in flanges]) @ x) @ board))
+    return _Answer(solution, _named(kept, hand_eye_places(solution, stacked(flanges))))
 
 
 def _guide(setup: Setup, kept: Sequence[Observation], poses: Poses, progress: Progress) -> _Answer:
     assert setup.hand_eye is not None  # `Setup` sees to it
-    slides = [float(one.readback.guide_mm or 0.0) for one in kept]
     seen = [
-        GuideObservation(flange, slide, poses[one.id].camera_from_board)
-        for one, flange, slide in zip(kept, _flanges(kept), slides, strict=True)
+        GuideObservation(flange, float(one.readback.guide_mm or 0.0), poses[one.id].camera_from_board)
+        for one, flange in zip(kept, _flanges(kept), strict=True)
     ]
     progress.report(0, 1, "straight line of the guide")
     found = solve_guide(GuideProblem(tuple(seen), setup.hand_eye))
     solution = replace(found, guide=guide_carried(found.guide, setup.hand_eye, setup.noise))
-    shifts = np.array([solution.guide.guide_from_base(slide).matrix for slide in slides])
-    cameras = shifts @ np.array([flange.matrix for flange in _flanges(kept)]) @ setup.hand_eye.flange_from_camera.matrix
-    board = mean_pose(cameras @ np.array([poses[one.id].camera_from_board.matrix for one in kept]))
-    return _Answer(solution, _named(kept, inverted(cameras) @ board))
+    return _Answer(solution, _named(kept, guide_places(solution.guide, setup.hand_eye, seen)))
 
 
 def _rig(setup: Setup, kept: Sequence[Observation], poses: Poses, progress: Progress) -> _Answer:

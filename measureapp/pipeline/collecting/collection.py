@@ -9,12 +9,12 @@ from pathlib import Path
 from measureapp.arrays import ImageArray
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR, called
 from measureapp.calibrate.rig.joint import approaches_to
-from measureapp.calibrate.sightings import FoundBoard
+from measureapp.calibrate.sightings import FoundBoard, naming_refused
 from measureapp.data.fringe import AxisReadback, FringeStack
 from measureapp.errors import CalibrationError, InputError
 from measureapp.pipeline.board_in_fringes import projector_size_px
-from measureapp.pipeline.collecting.looking import Before, Looked, look, look_in_fringes, tell_parts
-from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback
+from measureapp.pipeline.collecting.looking import Before, Looked, look, look_at_kept, look_in_fringes, tell_parts
+from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback, lost_images
 from measureapp.pipeline.collecting.setup import NEEDED, Setup
 from measureapp.pipeline.collecting.solved import Solved
 from measureapp.pipeline.collecting.solving import shortfalls_of, solve
@@ -126,6 +126,7 @@ class Collection:
         images: Mapping[str, ImageArray],
         readback: Readback | AxisReadback | None = None,
         names: Mapping[str, str] | None = None,
+        temperature_c: float | None = None,
     ) -> Observation:
         """Look for the board in the images of one position, and keep them.
 
@@ -135,6 +136,7 @@ class Collection:
         ----------
         images : camera -> (H, W), 8 or 16 bit; cameras may be missing
         names : camera -> file it came from
+        temperature_c : of the head when they were taken, where it was measured
 
         Raises
         ------
@@ -147,7 +149,7 @@ class Collection:
             raise InputError("The projector is calibrated from fringes on the board.", "Give fringes instead of plain images.")
         read = _as_readback(readback)
         self._check(images, read)
-        return self._keep(look(images, read, self.setup.board, self._before()), read, names)
+        return self._keep(look(images, read, self.setup.board, self._before()), read, names, temperature_c=temperature_c)
 
     def add_fringes(
         self,
@@ -158,7 +160,8 @@ class Collection:
     ) -> Observation:
         """Look for the board in the fringe images of one position, look its marks up in the phases, and keep what came of it.
 
-        Kept are the board in even light as every camera sees it and, for people, as the projector would; not the fringe images.
+        Kept are the board in even light as every camera sees it and, for people, as the projector would, and what the projector's marks
+        were read from; not the fringe images.
 
         Parameters
         ----------
@@ -184,7 +187,22 @@ class Collection:
                 f"{size[0]} × {size[1]} px.",
                 "Give fringes of one projector.",
             )
-        return self._keep(look_in_fringes(stack, self.setup, size, progress or NoProgress()), read, names)
+        looked = look_in_fringes(stack, self.setup, size, progress or NoProgress())
+        return self._keep(looked, read, names, temperature_c=None if stack.conditions is None else stack.conditions.temperature_c)
+
+    def repeat(self, other: Observation) -> Observation:
+        """Look for the board in the images that another collection of the same setup kept, and add what is found under the same name.
+
+        Raises
+        ------
+        StorageError, InputError
+            An image is damaged or gone, or not the one that was kept.
+        CalibrationError
+            Nothing was kept of the fringes from which the projector's marks could be read again.
+        """
+        looked = look_at_kept(other, self.setup, self._before())
+        names = {camera: image.name for camera, image in other.images.items()}
+        return self._keep(looked, other.readback, names, name=other.id, temperature_c=other.temperature_c)
 
     def look_again(self) -> tuple[str, ...]:
         """Look once more at images of parts of the board that nothing could tell, after more is known; return the observations that gained by it."""
@@ -253,7 +271,10 @@ class Collection:
         CalibrationError
             The observations do not determine the result; says what is missing.
         """
-        found = solve(self.setup, self._approached(), self._sizes(), None if afresh else self._solved, progress)
+        try:
+            found = solve(self.setup, self._approached(), self._sizes(), None if afresh else self._solved, progress)
+        except CalibrationError as error:
+            raise naming_refused(error, lost_images(self.observations)) from error
         self._solved = replace(found, sightings=self._sightings(found.of))
         return self._solved
 
@@ -280,11 +301,14 @@ class Collection:
     def _sightings(self, ids: Sequence[str]) -> int:
         return sum(len(self._all[name].seen) for name in ids)
 
-    def _keep(self, looked: Looked, read: Readback, names: Mapping[str, str] | None) -> Observation:
+    def _keep(
+        self, looked: Looked, read: Readback, names: Mapping[str, str] | None, *, name: str = "", temperature_c: float | None = None
+    ) -> Observation:
         """Write what was looked at, and add it; images that are there already are refused."""
         stored = {camera: self._store.keep_image(pixels, (names or {}).get(camera, "")) for camera, pixels in looked.images.items()}
         self._refuse_twice({camera: image.checksum for camera, image in stored.items()})
-        observation = Observation(self._next_id(), stored, read, looked.seen, looked.refused)
+        lit = None if looked.lit is None else self._store.keep_lit(*looked.lit)
+        observation = Observation(name or self._next_id(), stored, read, looked.seen, looked.refused, temperature_c=temperature_c, lit=lit)
         self._store.keep_observation(observation)
         self._all[observation.id] = observation
         self._act("add", observation.id)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, replace
 from datetime import UTC, datetime
 from pathlib import Path
+from statistics import median
 from typing import Any
 
 from measureapp.calibrate.rig.joint_solution import RigSolution
@@ -40,6 +42,7 @@ from measureapp.project.folder import ProjectFolder
 CAMERAS, RIG, PROJECT = "cameras.json", "rig.json", "project.json"
 HINT = "Name a session, a result that was accepted, a cameras.json, or a project with a calibrated rig."
 SCHEMA_VERSION = 1
+COLLECTED = ("calibrate", "collect")  # how the arguments of a collected result begin
 LINKS: Mapping[str, Callable[[Mapping[str, Any]], HandEye | LinearGuide | RotationAxis]] = {
     "hand_eye": hand_eye_from,
     "guide": guide_from,
@@ -47,13 +50,21 @@ LINKS: Mapping[str, Callable[[Mapping[str, Any]], HandEye | LinearGuide | Rotati
 }
 
 
-def accept(collection: Collection, target: Path, progress: Progress | None = None, *, valid_days: float | None = None) -> Calibrated:
+def accept(
+    collection: Collection,
+    target: Path,
+    progress: Progress | None = None,
+    *,
+    valid_days: float | None = None,
+    temperature_c: float | None = None,
+) -> Calibrated:
     """Solve a collection afresh and write the result.
 
     Parameters
     ----------
     target : a file for cameras, projector (with its cameras), axis, hand-eye and guide; for the rig a project, or a folder for cameras.json and rig.json
     valid_days : after which it expires
+    temperature_c : when the images were taken; default: the median of what was measured with them
 
     Raises
     ------
@@ -63,10 +74,10 @@ def accept(collection: Collection, target: Path, progress: Progress | None = Non
         It cannot be written.
     """
     collection.solve_with_parts(progress, afresh=True)
-    return keep(collection, target, valid_days=valid_days)
+    return keep(collection, target, valid_days=valid_days, temperature_c=temperature_c)
 
 
-def keep(collection: Collection, target: Path, *, valid_days: float | None = None) -> Calibrated:
+def keep(collection: Collection, target: Path, *, valid_days: float | None = None, temperature_c: float | None = None) -> Calibrated:
     """Write the last solution of a collection as `accept` does, for those who have just looked at it; it should be one solved afresh.
 
     Raises
@@ -79,10 +90,19 @@ def keep(collection: Collection, target: Path, *, valid_days: float | None = Non
     solved = collection.solved
     if solved is None:
         raise CalibrationError("There is no solution yet.", "Solve what was collected first.")
-    used = [one for one in collection.observations if one.id in solved.used]
-    inputs = {f"{one.id} {camera}": image.checksum for one in used for camera, image in one.images.items()}
-    result = result_of(solved)
-    provenance = Provenance(datetime.now(UTC).isoformat(timespec="seconds"), _method(result), inputs, valid_days=valid_days)
+    entered = [one for one in collection.observations if one.id in solved.of]
+    inputs = {f"{one.id} {camera}": image.checksum for one in entered for camera, image in one.images.items()}
+    warm = [one.temperature_c for one in entered if one.temperature_c is not None]
+    result, target = result_of(solved), Path(target)
+    provenance = Provenance(
+        datetime.now(UTC).isoformat(timespec="seconds"),
+        _method(result),
+        inputs,
+        temperature_c=temperature_c if temperature_c is not None or not warm else median(warm),
+        valid_days=valid_days,
+        arguments=(*COLLECTED, collection.setup.kind, "--session", collection.folder.name),
+        folder=_seen_from(collection.folder.parent, _place_of(result, target)),
+    )
     if isinstance(result, CameraArrayCalibration):
         result = replace(result, provenance=provenance)
         write_cameras(target, result)
@@ -91,7 +111,7 @@ def keep(collection: Collection, target: Path, *, valid_days: float | None = Non
         write_cameras(target, replace(solved.cameras, projector=result))
     elif isinstance(result, RigCalibration):
         result = replace(result, provenance=provenance)
-        _write_rig(result, solved.solution, Path(target))
+        _write_rig(result, solved.solution, target)
     else:
         write_json(target, _link(result, provenance))
     return result
@@ -115,11 +135,25 @@ def read_result(path: Path) -> Calibrated:
     if path.is_dir():
         if (path / PROJECT).is_file():
             path = path / "calibration"
-        document = _read(path / RIG)
+        document = read_document(path / RIG)
         return _made(path / RIG, lambda: rig_calibration_from(document, read_cameras(path / CAMERAS)))
-    document = _read(path)
+    document = read_document(path)
     found = next((name for name in LINKS if name in document), None)
     return read_cameras(path) if found is None else _made(path, lambda: LINKS[found](document[found]))
+
+
+def _place_of(result: Calibrated, target: Path) -> Path:
+    """The folder in which the files of a result lie."""
+    if not isinstance(result, RigCalibration):
+        return target.parent
+    return target / "calibration" if (target / PROJECT).is_file() else target
+
+
+def _seen_from(folder: Path, place: Path) -> str:
+    try:
+        return Path(os.path.relpath(folder.resolve(), place.resolve())).as_posix()
+    except ValueError:  # another drive
+        return folder.resolve().as_posix()
 
 
 def _method(result: Calibrated) -> str:
@@ -148,7 +182,8 @@ def _link(result: HandEye | LinearGuide | RotationAxis, provenance: Provenance) 
     return document
 
 
-def _read(path: Path) -> Any:
+def read_document(path: Path) -> Any:
+    """Read a stored calibration as JSON. Raises InputError."""
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:

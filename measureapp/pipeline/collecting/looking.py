@@ -13,8 +13,8 @@ from measureapp.calibrate.boards.pose import board_pose
 from measureapp.calibrate.boards.together import find_beside
 from measureapp.calibrate.boards.turned import TurnedBoard, find_turned
 from measureapp.calibrate.cameras.projector_picture import projector_picture
-from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
-from measureapp.calibrate.sightings import AmbiguousPart, BoardRefused, FoundBoard, Sighting
+from measureapp.calibrate.cameras.projector_sightings import PROJECTOR, ProjectorPixels, projector_sighting
+from measureapp.calibrate.sightings import AmbiguousPart, BoardRefused, FoundBoard, Sighting, sighting_of
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.fringe import FringeStack
@@ -36,6 +36,7 @@ class Looked:
     images: Mapping[str, ImageArray]  # who sees -> what is kept of its images
     seen: Mapping[str, FoundBoard]
     refused: Mapping[str, Refusal]
+    lit: tuple[str, ProjectorPixels] | None = None  # under fringes: the camera that speaks for the projector, and what it saw of it
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -100,7 +101,8 @@ def _turned(
 def look_in_fringes(stack: FringeStack, setup: Setup, size_px: tuple[int, int], progress: Progress) -> Looked:
     """Look for the board under fringes, and look its marks up in the phases: the projector's.
 
-    Kept are the board in even light as every camera sees it and, for people, as the projector would.
+    Kept are the board in even light as every camera sees it and, for people, as the projector would; and around the board which pixel of the
+    projector lights each pixel of the camera that sees most of it, from which the projector's marks can be read again.
 
     Raises
     ------
@@ -113,10 +115,40 @@ def look_in_fringes(stack: FringeStack, setup: Setup, size_px: tuple[int, int], 
     best = found.best
     if best is None:
         refused[PROJECTOR] = _unlit(found)
-    else:
-        seen[PROJECTOR] = _marks(found.readings[best])
-        images[PROJECTOR] = projector_picture(found.images[best], found.phases[best], size_px)
-    return Looked(images, seen, refused)
+        return Looked(images, seen, refused)
+    seen[PROJECTOR] = _marks(found.readings[best])
+    images[PROJECTOR] = projector_picture(found.images[best], found.phases[best], size_px)
+    return Looked(images, seen, refused, (best, found.lit[best]))
+
+
+def look_at_kept(other: Observation, setup: Setup, before: Before) -> Looked:
+    """Look for the board in the images that were kept of an observation, under fringes in what the projector's marks were read from.
+
+    Raises
+    ------
+    StorageError, InputError
+        An image is damaged or gone, or not the one that was kept.
+    CalibrationError
+        Nothing was kept of the fringes.
+    """
+    images = {camera: image.verified() for camera, image in other.images.items()}
+    if setup.kind != "projector":
+        return look(images, other.readback, setup.board, before)
+    if other.lit is None and PROJECTOR in other.seen:
+        raise CalibrationError(
+            f"Of the fringes of observation {other.id} nothing was kept to read the projector's marks from again.",
+            "It was taken with an earlier version: take the position again.",
+        )
+    results = {camera: _look(partial(find_board, image, setup.board)) for camera, image in images.items() if camera != PROJECTOR}
+    seen = {camera: one for camera, one in results.items() if isinstance(one, FoundBoard)}
+    refused = {camera: refusal(one) for camera, one in results.items() if isinstance(one, CalibrationError)}
+    if other.lit is None:
+        return Looked(images, seen, refused | {name: why for name, why in other.refused.items() if name == PROJECTOR})
+    camera, lit = other.lit.camera, other.lit.verified()
+    reading = projector_sighting(sighting_of(camera, other.id, seen[camera]), lit) if camera in seen else None
+    if isinstance(reading, Sighting):
+        seen[PROJECTOR] = _marks(reading)
+    return Looked(images, seen, refused, (camera, lit))
 
 
 def _marks(reading: object) -> FoundBoard:

@@ -4,6 +4,7 @@ session.json         kind, board, what was known before, and the actions with ho
 cameras.json         the cameras, where they were known
 observations/ID.json what was found in the images, with the read-back
 images/HASH.png      the pixels, named by their checksum
+lit/HASH.npz         of the board under fringes: which pixel of the projector lights each pixel of a camera
 """
 
 from __future__ import annotations
@@ -20,19 +21,21 @@ import numpy as np
 from pydantic import TypeAdapter
 
 from measureapp.arrays import ImageArray
+from measureapp.calibrate.cameras.projector_sightings import ProjectorPixels
 from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.sightings import FoundBoard
 from measureapp.data.board import AnyBoard
 from measureapp.errors import FrameMismatch, InputError, StorageError
 from measureapp.geometry.transform import RigidTransform
-from measureapp.pipeline.collecting.observation import Observation, Readback, Refusal, StoredImage
+from measureapp.pipeline.collecting.observation import Observation, Readback, Refusal, StoredImage, StoredPixels
 from measureapp.pipeline.collecting.setup import Setup
 from measureapp.project.atomic import replacing, write_json
 from measureapp.project.calibration.camera_file import read_cameras, write_cameras
+from measureapp.project.calibration.projector_pixels import checksum_of, write_projector_pixels
 from measureapp.project.documents import hand_eye_from, link_document, transform_document, transform_from
 from measureapp.project.frame_store import checksum
 
-SESSION_VERSION, OBSERVATION_VERSION = 3, 1
+SESSION_VERSION, OBSERVATION_VERSION = 3, 2
 SESSION, CAMERAS = "session.json", "cameras.json"
 BOARD: TypeAdapter[Any] = TypeAdapter(AnyBoard)
 Act = Literal["add", "remove"]
@@ -74,6 +77,13 @@ class Store:
             with replacing(path) as temporary:
                 temporary.write_bytes(data.tobytes())
         return StoredImage(path, digest, (pixels.shape[1], pixels.shape[0]), name)
+
+    def keep_lit(self, camera: str, lit: ProjectorPixels) -> StoredPixels:
+        """Write what the projector's marks are read from. Raises StorageError."""
+        digest = checksum_of(lit)
+        path = self.folder / "lit" / f"{digest}.npz"
+        write_projector_pixels(path, lit)
+        return StoredPixels(path, digest, camera)
 
     def keep_observation(self, observation: Observation) -> None:
         """Write what was found in the images of an observation."""
@@ -123,7 +133,7 @@ class Store:
         path = self.folder / "observations" / f"{name}.json"
         document = _read(path)
         try:
-            return _observation_from(document, self.folder / "images")
+            return _observation_from(document, self.folder)
         except (KeyError, TypeError, ValueError, FrameMismatch) as error:
             raise StorageError(f"{path} cannot be used: {error}.", "Restore it from a backup, or start again.") from error
 
@@ -215,17 +225,19 @@ def _observation_document(observation: Observation) -> dict[str, Any]:
             for camera, found in observation.seen.items()
         },
         "refused": {camera: asdict(refusal) for camera, refusal in observation.refused.items()},
+        "temperature_c": observation.temperature_c,
+        "lit": None if observation.lit is None else {"camera": observation.lit.camera, "checksum": observation.lit.checksum},
     }
 
 
-def _observation_from(document: Mapping[str, Any], images: Path) -> Observation:
-    readback = document["readback"]
+def _observation_from(document: Mapping[str, Any], folder: Path) -> Observation:
+    readback, lit = document["readback"], document.get("lit")  # version 1 kept neither the temperature nor anything of the fringes
     pose = readback["base_from_flange"]
     return Observation(
         id=str(document["id"]),
         images={
             camera: StoredImage(
-                images / f"{entry['checksum']}.png",
+                folder / "images" / f"{entry['checksum']}.png",
                 str(entry["checksum"]),
                 (int(entry["size_px"][0]), int(entry["size_px"][1])),
                 str(entry["name"]),
@@ -235,6 +247,8 @@ def _observation_from(document: Mapping[str, Any], images: Path) -> Observation:
         readback=Readback(None if pose is None else transform_from(pose), readback["guide_mm"], readback["table_rad"]),
         seen={camera: _found_from(entry) for camera, entry in document["seen"].items()},
         refused={camera: Refusal(**entry) for camera, entry in document["refused"].items()},
+        temperature_c=document.get("temperature_c"),
+        lit=None if lit is None else StoredPixels(folder / "lit" / f"{lit['checksum']}.npz", str(lit["checksum"]), str(lit["camera"])),
     )
 
 

@@ -241,7 +241,8 @@ def _reasons(collection: Collection, solved: Solved) -> list[str]:
 def _warnings(solved: Solved) -> list[str]:
     solution = solved.solution
     if isinstance(solution, HandEyeSolution):
-        return [] if solution.degeneracy.verdict == "good" else [f"The motions are {solution.degeneracy.verdict}."]
+        motions = [] if solution.degeneracy.verdict == "good" else [f"The motions are {solution.degeneracy.verdict}."]
+        return [*motions, *solution.warnings]
     if isinstance(solution, RigSolution):
         return [*solution.warnings, *(f"Not seen: {what}." for what in solution.not_observable)]
     if isinstance(solution, HeadSolution):

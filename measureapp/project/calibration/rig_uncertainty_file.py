@@ -10,7 +10,8 @@ from zipfile import BadZipFile
 import numpy as np
 
 from measureapp.calibrate.motions.axis_noise import AxisNoise
-from measureapp.calibrate.motions.chain import Chain, ChainState, Free
+from measureapp.calibrate.motions.chain import Chain, Free
+from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty
 from measureapp.data.calibration import RigCalibration
 from measureapp.errors import StorageError

@@ -10,7 +10,7 @@ import pytest
 
 from measureapp.calibrate.cameras.array import CameraArrayProblem, solve
 from measureapp.calibrate.cameras.projector import solve_head
-from measureapp.calibrate.cameras.projector_sightings import projector_sighting, read_around
+from measureapp.calibrate.cameras.projector_sightings import ProjectorPixels, projector_sighting, read_around
 from measureapp.calibrate.sightings import Rejection, Sighting
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.errors import CalibrationError
@@ -82,7 +82,11 @@ def captured():
 
 
 def readings(problem, phases):
-    return [projector_sighting(one, phases[one.camera, one.view]) for one in problem.sightings if (one.camera, one.view) in phases]
+    return [reading(one, phases[one.camera, one.view]) for one in problem.sightings if (one.camera, one.view) in phases]
+
+
+def reading(sighting, phase):
+    return projector_sighting(sighting, ProjectorPixels.around(sighting, phase))
 
 
 def test_the_projector_is_recovered_within_its_standard_deviations(captured):
@@ -145,15 +149,15 @@ def test_fringes_that_start_dark_place_the_projector_at_the_same_pixels(captured
         return replace(phase, phase_rad=shifted, details={"origin_rad": -np.pi})
 
     phase = phases["left", "00"]
-    bright = projector_sighting(problem.sightings[0], phase)
-    shifted = projector_sighting(problem.sightings[0], replace(dark(phase), across=dark(phase.across)))
+    bright = reading(problem.sightings[0], phase)
+    shifted = reading(problem.sightings[0], replace(dark(phase), across=dark(phase.across)))
     assert np.abs(shifted.corners_px - bright.corners_px).max() < 1e-3
 
 
 def test_fringes_in_one_direction_do_not_place_the_projector(captured):
     problem, phases = captured
     one_way = {key: replace(phase, across=None) for key, phase in phases.items()}
-    found = projector_sighting(problem.sightings[0], one_way["left", "00"])
+    found = reading(problem.sightings[0], one_way["left", "00"])
     assert isinstance(found, Rejection)
     assert "one direction only" in found.reason
     with pytest.raises(CalibrationError, match="Projector has 0 views"):

@@ -1,0 +1,119 @@
+"""Axis, hand-eye transform and guide without the views in which the board had moved."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Generic, TypeVar
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.calibrate.motions import hand_eye, linear_guide, rotation_axis
+from measureapp.calibrate.motions.axis_circles import LEAST_POSITIONS
+from measureapp.calibrate.motions.chain import poses_of
+from measureapp.calibrate.motions.hand_eye import LEAST_POSES, HandEyeProblem, HandEyeSolution
+from measureapp.calibrate.motions.linear_guide import GuideProblem, GuideSolution
+from measureapp.calibrate.motions.moved_boards import without_moved
+from measureapp.calibrate.motions.rotation_axis import AxisProblem, AxisSolution
+from measureapp.calibrate.poses import inverted, mean_pose, stacked
+from measureapp.data.calibration import HandEye, LinearGuide
+from measureapp.progress import Progress
+
+Solution = TypeVar("Solution")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Steady(Generic[Solution]):
+    """A solution from the views in which the board stood still."""
+
+    solution: Solution
+    kept: tuple[int, ...]  # the views used
+    moved: Mapping[int, str]  # view left out -> reason
+
+
+def solve_axis(problem: AxisProblem, progress: Progress | None = None) -> Steady[AxisSolution]:
+    """Solve an axis as `rotation_axis.solve`, without positions in which the board had moved. Raises CalibrationError as that."""
+    corners = np.asarray(problem.corners_mm, float)
+
+    def solve(kept: Sequence[int]) -> tuple[AxisSolution, dict[int, FloatArray]]:
+        solution = rotation_axis.solve(_positions(problem, kept), progress)
+        axis, angles = solution.best.axis, solution.best.angles_rad
+        first = np.mean([axis.turned(-float(angle)).apply(corners[index]) for index, angle in zip(kept, angles, strict=True)], axis=0)
+        return solution, {index: axis.turned(float(angle)).apply(first) for index, angle in zip(kept, angles, strict=True)}
+
+    return _steady(*without_moved(range(len(corners)), solve, dict(enumerate(corners)), LEAST_POSITIONS), len(corners))
+
+
+def solve_hand_eye(problem: HandEyeProblem, marks_mm: FloatArray, progress: Progress | None = None) -> Steady[HandEyeSolution]:
+    """Solve hand-eye as `hand_eye.solve`, without poses from which the board had moved.
+
+    Parameters
+    ----------
+    marks_mm : (M, 3) of the board
+
+    Raises
+    ------
+    CalibrationError
+        As `hand_eye.solve`.
+    """
+
+    def solve(kept: Sequence[int]) -> tuple[HandEyeSolution, dict[int, FloatArray]]:
+        part = HandEyeProblem(
+            tuple(problem.base_from_flange[index] for index in kept),
+            tuple(problem.boards[index] for index in kept),
+            problem.noise,
+            None if problem.by_cameras is None else problem.by_cameras[list(kept)],
+            problem.camera_prior,
+        )
+        solution = hand_eye.solve(part, progress)
+        return solution, dict(zip(kept, _marks_at(hand_eye_places(solution, stacked(part.base_from_flange)), marks_mm), strict=True))
+
+    seen = dict(enumerate(_marks_at(poses_of(problem.boards), marks_mm)))
+    return _steady(*without_moved(range(len(seen)), solve, seen, LEAST_POSES), len(seen))
+
+
+def solve_guide(problem: GuideProblem, marks_mm: FloatArray) -> Steady[GuideSolution]:
+    """Solve a guide as `linear_guide.solve`, without positions in which the board had moved; ``marks_mm`` (M, 3) are the board's."""
+
+    def solve(kept: Sequence[int]) -> tuple[GuideSolution, dict[int, FloatArray]]:
+        chosen = tuple(problem.observations[index] for index in kept)
+        by_cameras = None if problem.by_cameras is None else problem.by_cameras[list(kept)]
+        solution = linear_guide.solve(replace(problem, observations=chosen, by_cameras=by_cameras))
+        return solution, dict(zip(kept, _marks_at(guide_places(solution.guide, problem.hand_eye, chosen), marks_mm), strict=True))
+
+    boards = stacked(one.camera_from_board for one in problem.observations)
+    seen = dict(enumerate(_marks_at(boards, marks_mm)))
+    return _steady(*without_moved(range(len(seen)), solve, seen, linear_guide.LEAST_POSITIONS), len(seen))
+
+
+def hand_eye_places(solution: HandEyeSolution, flanges: FloatArray) -> FloatArray:
+    """Return camera_from_board (N, 4, 4) where a hand-eye solution puts the board, seen from base_from_flange (N, 4, 4)."""
+    return inverted(flanges @ solution.refined.flange_from_camera.matrix) @ solution.base_from_board.matrix
+
+
+def guide_places(guide: LinearGuide, hand_eye: HandEye, seen: Sequence[linear_guide.GuideObservation]) -> FloatArray:
+    """Return camera_from_board (N, 4, 4) where a guide puts the board, which stands at the mean of where it was seen."""
+    shifts = np.array([guide.guide_from_base(one.guide_mm).matrix for one in seen])
+    cameras = shifts @ stacked(one.base_from_flange for one in seen) @ hand_eye.flange_from_camera.matrix
+    return inverted(cameras) @ mean_pose(cameras @ stacked(one.camera_from_board for one in seen))
+
+
+def _positions(problem: AxisProblem, kept: Sequence[int]) -> AxisProblem:
+    index = list(kept)
+    return replace(
+        problem,
+        corners_mm=np.asarray(problem.corners_mm)[index],
+        angles_rad=None if problem.angles_rad is None else np.asarray(problem.angles_rad)[index],
+        poses=tuple(problem.poses[one] for one in index) if problem.poses else (),
+        by_cameras=None if problem.by_cameras is None else problem.by_cameras[index],
+        names=tuple(problem.names[one] for one in index) if problem.names else tuple(map(str, index)),
+    )
+
+
+def _marks_at(poses: FloatArray, marks_mm: FloatArray) -> FloatArray:
+    return np.asarray(marks_mm @ np.swapaxes(poses[:, :3, :3], 1, 2) + poses[:, None, :3, 3])
+
+
+def _steady(solution: Solution, moved: Mapping[int, str], count: int) -> Steady[Solution]:
+    return Steady(solution, tuple(index for index in range(count) if index not in moved), moved)

@@ -1,0 +1,44 @@
+"""Collecting once more from the images that a session kept: does its result follow from them?"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from measureapp.errors import StorageError
+from measureapp.pipeline.collecting.collection import Collection
+from measureapp.progress import PartOf, Progress
+
+
+def repeated(session: Collection, inputs: Mapping[str, str], folder: Path, progress: Progress) -> Collection:
+    """Look for the board in the kept images of a session once more, and solve what a result was made from.
+
+    Parameters
+    ----------
+    inputs : "observation camera" -> checksum of each image the result was made from; what the session collected besides is left out
+    folder : for the new session
+
+    Raises
+    ------
+    StorageError, InputError
+        An image is missing, or is not the one the result was made from.
+    CalibrationError
+        The observations do not determine the result.
+    """
+    kept = {f"{one.id} {camera}": image for one in session.observations for camera, image in one.images.items()}
+    for name, digest in inputs.items():
+        if name not in kept or kept[name].checksum != digest:
+            state = "is missing" if name not in kept else "is not the one it was"
+            raise StorageError(
+                f"The image {name!r} of session {session.folder}, from which the calibration was made, {state}.",
+                "Restore it from a backup.",
+            )
+    again = Collection.create(folder, session.setup)
+    count, entered = len(session.observations), {name.partition(" ")[0] for name in inputs}
+    for number, one in enumerate(session.observations):
+        progress.report(number, 2 * count, f"board in {one.id}")
+        again.repeat(one)
+        if one.id not in entered:
+            again.remove(one.id)
+    again.solve_with_parts(PartOf(progress, 0.5, 1.0), afresh=True)
+    return again

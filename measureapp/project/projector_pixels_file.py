@@ -1,0 +1,34 @@
+"""Which pixels of the projector light the board in a camera's image, on disk: a NumPy archive."""
+
+from __future__ import annotations
+
+import zipfile
+from pathlib import Path
+
+import numpy as np
+
+from measureapp.calibrate.cameras.projector_sightings import ProjectorPixels
+from measureapp.errors import StorageError
+from measureapp.project.atomic import replacing
+from measureapp.project.frame_store import checksum
+
+
+def checksum_of(lit: ProjectorPixels) -> str:
+    """Return the SHA-256 of the arrays."""
+    return checksum(np.concatenate([np.asarray(lit.pixels, np.float32), np.asarray(lit.sigma_px, np.float32)]))
+
+
+def write_projector_pixels(path: Path, lit: ProjectorPixels) -> None:
+    """Write an `.npz`, whole or not at all. Raises StorageError."""
+    with replacing(path) as temporary, temporary.open("wb") as file:
+        np.savez(file, corner_px=lit.corner_px, pixels=lit.pixels, sigma_px=lit.sigma_px)
+
+
+def read_projector_pixels(path: Path) -> ProjectorPixels:
+    """Read what `write_projector_pixels` wrote. Raises StorageError where it is damaged or gone."""
+    try:
+        with np.load(path) as arrays:
+            column, row = (int(value) for value in arrays["corner_px"])
+            return ProjectorPixels((column, row), arrays["pixels"], arrays["sigma_px"])
+    except (OSError, KeyError, ValueError, EOFError, zipfile.BadZipFile) as error:
+        raise StorageError(f"{path} cannot be read: {error}.", "Restore it from a backup, or take the position again.") from error
