@@ -47,7 +47,7 @@ def collected_again(result: Path, progress: Progress) -> Again:
     with TemporaryDirectory() as folder:
         solved = repeated(Collection.open(place), provenance["inputs"], Path(folder) / "session", progress)
         written = Path(folder) / "result"
-        keep(solved, written, valid_days=provenance.get("valid_days"))
+        keep(solved, written, valid_days=provenance.get("valid_days"), temperature_c=provenance.get("temperature_c"))
         found, numbers = compared(stored, _documents(written))
     return Again(found, numbers, len(provenance["inputs"]))
 

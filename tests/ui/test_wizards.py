@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+
 import cv2
 import numpy as np
 import pytest
@@ -12,10 +14,12 @@ from measureapp.data.board import CheckerboardDescription
 from measureapp.errors import StorageError
 from measureapp.project.calibration.camera_file import read_cameras
 from measureapp.project.claim import claimed
+from measureapp.simulate.world import PAPER_BOARD
 from tests.ui.board_pictures import BOARD, FOCAL, HEIGHT, WIDTH, record
 from tests.ui.wizard_steps import PATIENCE_MS, read_folder, settle
+from ui.controllers.rig_connection import truth_of
 from ui.look.demo_settings import DemoSettings
-from ui.wizards.kinds import CAMERAS, HAND_EYE, KINDS
+from ui.wizards.kinds import AXIS, CAMERAS, HAND_EYE, KINDS
 from ui.wizards.wizard import COLLECT, RESULT, SETUP
 
 
@@ -252,6 +256,25 @@ def test_one_link_is_taken_at_the_resolution_of_the_calibrated_cameras(calibrati
     wizard.begin()
     assert wizard.setup.resolution.value() == "half"
     wizard.close()
+
+
+def test_an_axis_taken_with_the_rig_is_compared_with_the_one_before(qtbot, calibration_page, application, rig):
+    known = truth_of(rig.at_resolution("quarter"), PAPER_BOARD)
+    application.session.set_calibration(known)
+    calibration_page.open_wizard(AXIS)
+    wizard = calibration_page.wizards[AXIS.kind]
+    wizard.setup.board.setValue(PAPER_BOARD)
+    wizard.footer.primary.click()
+    wizard.collecting.take(4)
+    settle(qtbot, wizard)
+    wizard._conclude()
+    settle(qtbot, wizard)
+    assert "between views half a turn apart, by" in wizard.result.comparison.text()
+    folder = wizard.collecting.collection.folder
+    wizard._accept()
+    stored = json.loads((folder / "result" / "axis.json").read_text())
+    assert stored["provenance"]["temperature_c"] == pytest.approx(35.0, abs=0.5)
+    assert stored["provenance"]["valid_days"] == rig.calibration_rules.valid_days
 
 
 def test_a_wizard_does_not_open_while_the_rig_is_busy(calibration_page, application):

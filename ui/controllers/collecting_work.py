@@ -150,7 +150,8 @@ def _image_taker(rig: Rig, collection: Collection, live: Mailboxes[LiveImage]) -
         for camera, pixels in view.images.items():
             live.put(camera, LiveImage(viewpoint.id, pixels))
         progress.report(0.5, 1, f"Looking for the board in {viewpoint.id}")
-        return collection.add(view.images, view.readback, dict.fromkeys(view.images, viewpoint.id))
+        warm = None if view.conditions is None else view.conditions.temperature_c
+        return collection.add(view.images, view.readback, dict.fromkeys(view.images, viewpoint.id), warm)
 
     return take_one
 

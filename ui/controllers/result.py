@@ -84,7 +84,7 @@ def concluded(job: Job, snapshot: Collection, before: Before) -> Result:
         rows,
         facts_of(snapshot, solved),
         tuple((name_of(snapshot.observation(view)), reason) for view, reason in solved.rejected.items()),
-        compared(snapshot, before),
+        compared(snapshot, before, rig),
         bool(true),
         any(row.previous is not None for row in rows),
     )
@@ -109,11 +109,18 @@ def reasons_of(verdict: Verdict) -> tuple[str, ...]:
     return (verdict.reason, *([verdict.remedy] if verdict.remedy else []), *verdict.reasons)
 
 
-def compared(snapshot: Collection, before: Before) -> str:
-    """Return what changed against the calibration before, in a sentence; empty where there was none to compare with."""
-    from measureapp.pipeline.collecting import compare
+def compared(snapshot: Collection, before: Before, found: RigCalibration | None) -> str:
+    """Return what changed against the calibration before, in a sentence; empty where there was none to compare with.
+
+    Parameters
+    ----------
+    found : the rig with what was solved in it; an axis is compared there, since cameras that stood elsewhere saw it elsewhere
+    """
+    from measureapp.pipeline.collecting import compare, compare_axes
 
     rig, kind = before.rig, snapshot.setup.kind
+    if kind == "axis" and rig is not None and found is not None:
+        return compare_axes(rig.axis, found.axis).sentence
     links = {} if rig is None else {"rig": rig, "hand-eye": rig.hand_eye, "guide": rig.guide}
     previous = before.cameras if kind in ("cameras", "projector") else links.get(kind)
     if previous is None or (kind == "projector" and before.cameras is not None and before.cameras.projector is None):
@@ -204,11 +211,12 @@ def accepted(found: Result, session: Session) -> tuple[str, str]:
     had_projector = session.cameras is not None and session.cameras.projector is not None
     kind, place = found.snapshot.setup.kind, found.snapshot.folder / RESULT
     cameras, rig = found.cameras, found.rig
+    valid_days = None if session.rig is None else session.rig.calibration_rules.valid_days
     if kind == "rig":
-        kept = keep(found.snapshot, place if project is None else project)
+        kept = keep(found.snapshot, place if project is None else project, valid_days=valid_days)
         rig = kept if isinstance(kept, RigCalibration) else rig
     else:
-        kept = keep(found.snapshot, place / (CAMERAS if kind == "projector" else f"{kind}.json"))
+        kept = keep(found.snapshot, place / (CAMERAS if kind == "projector" else f"{kind}.json"), valid_days=valid_days)
         cameras = kept if isinstance(kept, CameraArrayCalibration) else cameras
         cameras = replace(cameras, projector=kept) if isinstance(kept, ProjectorCalibration) else cameras
         rig = rig if rig is None else replace(rig, cameras=cameras)

@@ -48,6 +48,7 @@ IN_RIG: Mapping[str, tuple[tuple[str, ...], float]] = {
     "guide direction": (("guide.direction_1_rad", "guide.direction_2_rad"), DEGREES),
     "guide scale": (("guide.scale",), 1.0),
 }
+MAINLY = 0.7  # of what images and cameras add: half of its square
 Asked = Mapping[str, float]  # name of a figure -> what the user asks instead of the usual
 
 
@@ -75,6 +76,14 @@ class Limit:
         return float(np.sqrt(max(self.given_cameras**2 - self.axes_allow**2, 0.0)))
 
     @property
+    def limited_by(self) -> str:
+        """What to do where mainly the noise of the images makes it more than asked; empty otherwise."""
+        if self.met_beyond or self.by_images is None or self.by_images < MAINLY * self.beyond:
+            return ""
+        times = (self.by_images / self.asked) ** 2  # noise averages with the square root of the number of views
+        return f"; the noise of the corners limits it: {max(times, 1.5):.2g} times as many views, or sharper and larger images of the board"
+
+    @property
     def met(self) -> bool:
         """Whether the figure as it is stays within what is asked."""
         return self.sigma <= self.asked
@@ -95,7 +104,7 @@ class Limit:
         alone = "" if self.by_images is None else f" (the images alone {self.by_images:.2g}{unit})"
         return (
             f"{start}; the rig's axes alone allow ± {self.axes_allow:.2g}{unit}, "
-            f"images and cameras add {self.beyond:.2g}{unit}{alone}: {verdict}"
+            f"images and cameras add {self.beyond:.2g}{unit}{alone}: {verdict}{self.limited_by}"
         )
 
 
@@ -138,8 +147,9 @@ def guide_limits(solution: GuideSolution, asked: Asked) -> tuple[Limit, ...]:
 def hand_eye_limits(solution: HandEyeSolution, asked: Asked) -> tuple[Limit, ...]:
     """Return the figures of a hand-eye transform: as it is, and as the robot's own errors allow."""
     allowed = _axes_alone(solution.chain, solution.minimum.state)
+    given = solution.minimum.covariance(max(solution.sigma_ratio**2, 1.0))
     return tuple(
-        _limit(name, asked, _worst(solution.covariance, rows) * factor, _worst(allowed, rows) * factor)
+        _limit(name, asked, *(_worst(covariance, rows) * factor for covariance in (solution.covariance, allowed, given)))
         for name, rows, factor in (("hand-eye position", [3, 4, 5], 1.0), ("hand-eye rotation", [0, 1, 2], DEGREES))
     )
 

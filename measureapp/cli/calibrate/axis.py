@@ -18,6 +18,7 @@ from measureapp.errors import InputError
 if TYPE_CHECKING:
     from measureapp.calibrate.motions.axis_diagnostics import AxisDiagnostics
     from measureapp.calibrate.motions.rotation_axis import AxisEstimate, AxisProblem, AxisSolution
+    from measureapp.cli.calibrate.sightings import PosesFromImages
     from measureapp.progress import Progress
 
 
@@ -50,14 +51,16 @@ def register(group: typer.Typer) -> None:
             raise InputError("Give either --corners or --images.", "With --images also --cameras, --board and --square-mm.")
         wanted = asked.values(("axis direction", "axis position"))
         progress = TerminalProgress()
-        problem, rejected = (_from_corners(corners, angles), []) if corners is not None else _from_images(source, angles, progress)
+        problem, seen = (_from_corners(corners, angles), None) if corners is not None else _from_images(source, angles, progress)
         problem = replace(problem, power=power, free_angles=free_angles, closure_radius_mm=closure_radius_mm)
-        with telling_refused(rejected):
+        with telling_refused(seen):
             found = solve_axis(problem)
         solution = found.solution
         limits = axis_limits(solution, wanted)
         document = (
-            axis_answer(solution, problem.frame) | limits_answer(limits) | {"rejected": rejected, "moved": _moved(problem, found.moved)}
+            axis_answer(solution, problem.frame)
+            | limits_answer(limits)
+            | {"rejected": [] if seen is None else seen.rejected, "moved": _moved(problem, found.moved)}
         )
         answer.give(ctx, document, [*_lines(document), *limit_lines(limits)])
         asked.exit_unless_met(limits)
@@ -79,7 +82,7 @@ def _from_corners(corners: Path, angles: Path | None) -> AxisProblem:
     return AxisProblem(table.corners_mm, known)
 
 
-def _from_images(source: BoardSource, angles: Path | None, progress: Progress) -> tuple[AxisProblem, list[dict[str, Any]]]:
+def _from_images(source: BoardSource, angles: Path | None, progress: Progress) -> tuple[AxisProblem, PosesFromImages]:
     from dataclasses import replace
 
     from measureapp.calibrate.motions.rotation_axis import problem_from_poses
@@ -92,7 +95,7 @@ def _from_images(source: BoardSource, angles: Path | None, progress: Progress) -
     names = [str(position) for position in seen.poses]
     problem = problem_from_poses(list(seen.poses.values()), seen.board, [known[position] for position in seen.poses], names=names)
     cameras_say = seen.uncertainty(seen.poses)
-    return replace(problem, by_cameras=cameras_say.by_cameras, camera_prior=cameras_say.prior), seen.rejected
+    return replace(problem, by_cameras=cameras_say.by_cameras, camera_prior=cameras_say.prior), seen
 
 
 def _moved(problem: AxisProblem, moved: Mapping[int, str]) -> dict[str, str]:

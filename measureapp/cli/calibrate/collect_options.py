@@ -44,9 +44,10 @@ class Steps:
     redo: Annotated[bool, typer.Option("--redo", help="Do again what was undone last.")] = False
     advise: Annotated[bool, typer.Option("--coach", help="Say what to show next.")] = False
     solve: Annotated[bool, typer.Option("--solve", help="Solve what was collected, and judge it in mm.")] = False
-    validate: Annotated[bool, typer.Option("--validate", help="Solve, and check the cameras with views held back.")] = False
+    validate: Annotated[bool, typer.Option("--validate", help="Solve, and check cameras or projector with views held back.")] = False
     compare: Annotated[Path | None, typer.Option(help="Solve, and compare with a session or an earlier result.")] = None
     accept: Annotated[Path | None, typer.Option(help="Solve afresh and write the result; for the rig a project or folder.")] = None
     valid_days: Annotated[float | None, typer.Option(min=0, help="Days after which an accepted calibration expires.")] = None
+    temperature_c: Annotated[float | None, typer.Option(help="Temperature when the images were taken; default: as it was recorded.")] = None
     good_mm: Annotated[float | None, typer.Option(help="Expanded uncertainty (k = 2) up to which the verdict is good, mm.")] = None
     usable_mm: Annotated[float | None, typer.Option(help="The same up to which it is usable, mm; default: four times --good-mm.")] = None

@@ -56,7 +56,8 @@ def _solved(
 ) -> collecting.Verdict | None:
     """Solve, or accept, and judge what is solved; None where nothing is."""
     if steps.accept is not None:
-        collecting.accept(collection, steps.accept, PartOf(progress, 0.0, 0.5), valid_days=steps.valid_days)
+        part = PartOf(progress, 0.0, 0.5)
+        collecting.accept(collection, steps.accept, part, valid_days=steps.valid_days, temperature_c=steps.temperature_c)
     elif steps.solve or steps.validate or steps.compare is not None:
         collection.solve_with_parts(PartOf(progress, 0.0, 0.5))
     if collection.solved is None:

@@ -50,7 +50,7 @@ def register(group: typer.Typer) -> None:
         names = list(seen.poses)
         observations = tuple(GuideObservation(robot[name], slide[name], seen.poses[name].camera_from_board) for name in names)
         problem = GuideProblem(observations, read_hand_eye(hand_eye), seen.cameras.by_cameras, seen.cameras.prior)
-        with telling_refused(seen.rejected):
+        with telling_refused(seen):
             found = solve_guide(problem, seen.marks_mm)
         solution = found.solution
         limits = guide_limits(solution, wanted)

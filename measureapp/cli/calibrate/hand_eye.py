@@ -48,7 +48,7 @@ def register(group: typer.Typer) -> None:
         expected = noise_of_robot.axis_noise()
         flanges = tuple(robot[name] for name in names)
         problem = HandEyeProblem(flanges, tuple(seen.poses.values()), expected, seen.cameras.by_cameras, seen.cameras.prior)
-        with telling_refused(seen.rejected):
+        with telling_refused(seen):
             found = solve_hand_eye(problem, seen.marks_mm)
         solution = found.solution
         limits = hand_eye_limits(solution, wanted)

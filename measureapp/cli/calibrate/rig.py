@@ -39,7 +39,7 @@ def register(group: typer.Typer) -> None:
         wanted = asked.values(tuple(IN_RIG))
         observations, seen = rig_sightings(tables, source, "the calibration of the rig", TerminalProgress())
         noise = robot.axis_noise(table_sigma_arcsec)
-        with telling_refused(seen.rejected):
+        with telling_refused(seen):
             solution = solve_rig(observations, seen.cameras, noise=noise, camera_prior=seen.cameras.covariance, progress=TerminalProgress())
         carried_on = {"camera_uncertainty_carried_on": seen.cameras.covariance is not None}
         limits = rig_limits(solution, wanted)

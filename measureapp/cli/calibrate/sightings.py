@@ -48,6 +48,7 @@ class PosesFromImages:
     positions: int
     poses: dict[int, BoardPose]
     rejected: list[dict[str, Any]]
+    lost: list[dict[str, Any]]  # those rejected of positions in which no camera saw the board
     by_cameras: dict[int, FloatArray]  # (6, C), change of each pose with the cameras; empty where cameras.json holds no covariance
 
     def uncertainty(self, positions: Iterable[int]) -> CameraUncertainty:
@@ -64,6 +65,7 @@ class NamedBoardPoses:
     poses: dict[str, BoardPose]
     rejected: list[dict[str, Any]]
     cameras: CameraUncertainty  # in the order of ``poses``
+    lost: list[dict[str, Any]]  # those rejected of poses from which no camera saw the board
     marks_mm: FloatArray  # (M, 3) of the board, or of one that stands in for it
 
 
@@ -100,8 +102,9 @@ def poses_from_images(source: BoardSource, purpose: str, progress: Progress, tab
         image = files.path(cameras[0], position)
         rejected.append({"camera": ", ".join(cameras), "position": position, "image": image, "reason": f"{reason}; take them again"})
     poses, prior = dict(places.poses), array.covariance
+    lost = [one for one in rejected if one["position"] not in poses]
     by_cameras = {} if prior is None else {at: _by_cameras(pose, found[at], array, description, prior) for at, pose in poses.items()}
-    return PosesFromImages(description, array, files.positions, poses, rejected, by_cameras)
+    return PosesFromImages(description, array, files.positions, poses, rejected, lost, by_cameras)
 
 
 def _corners(
@@ -193,22 +196,23 @@ def named_board_poses(
         require_millimetres(board_poses, table)
         same_names(board_poses, names, tuple(table))
         return NamedBoardPoses(
-            {name: stated_pose(table[name], math.radians(noise[1]), noise[0]) for name in names}, [], CameraUncertainty(), STAND_IN_MM
+            {name: stated_pose(table[name], math.radians(noise[1]), noise[0]) for name in names}, [], CameraUncertainty(), [], STAND_IN_MM
         )
     seen = poses_from_images(source, "this calibration", progress)
     if seen.positions != len(names):
         raise InputError(f"{seen.positions} images do not belong to {len(names)} robot poses.", "Give one image per camera and robot pose.")
     poses = {names[position]: pose for position, pose in seen.poses.items()}
-    return NamedBoardPoses(poses, seen.rejected, seen.uncertainty(seen.poses), seen.board.corners_mm)
+    return NamedBoardPoses(poses, seen.rejected, seen.uncertainty(seen.poses), seen.lost, seen.board.corners_mm)
 
 
 @contextmanager
-def telling_refused(rejected: Sequence[Mapping[str, Any]]) -> Iterator[None]:
-    """Let a calibration that fails name the images that were refused. Raises CalibrationError."""
+def telling_refused(seen: PosesFromImages | NamedBoardPoses | None) -> Iterator[None]:
+    """Let a calibration that fails name the images of positions that give nothing. Raises CalibrationError."""
     try:
         yield
     except CalibrationError as error:
-        raise naming_refused(error, [(str(one["image"]), one["reason"]) for one in rejected]) from error
+        lost = [] if seen is None else seen.lost
+        raise naming_refused(error, [(str(one["image"]), one["reason"]) for one in lost]) from error
 
 
 def read_robot_poses(path: Path) -> dict[str, RigidTransform]:

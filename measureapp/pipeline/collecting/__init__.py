@@ -7,7 +7,7 @@ advice, solutions and verdicts go out.
 
 from measureapp.pipeline.collecting.coaching import Advice, Gauge, Ghost, coach
 from measureapp.pipeline.collecting.collection import Collection
-from measureapp.pipeline.collecting.comparison import Change, Comparison, compare
+from measureapp.pipeline.collecting.comparison import Change, Comparison, compare, compare_axes
 from measureapp.pipeline.collecting.estimates import Estimate, estimates_of, result_of
 from measureapp.pipeline.collecting.held_back import check_held_back
 from measureapp.pipeline.collecting.keeping import accept, keep, read_result
@@ -45,6 +45,7 @@ __all__ = [
     "check_held_back",
     "coach",
     "compare",
+    "compare_axes",
     "estimates_of",
     "judge",
     "keep",

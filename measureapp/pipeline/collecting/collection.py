@@ -13,8 +13,8 @@ from measureapp.calibrate.sightings import FoundBoard, naming_refused
 from measureapp.data.fringe import AxisReadback, FringeStack
 from measureapp.errors import CalibrationError, InputError
 from measureapp.pipeline.board_in_fringes import projector_size_px
-from measureapp.pipeline.collecting.looking import Before, Looked, look, look_in_fringes, read_again, tell_parts
-from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback
+from measureapp.pipeline.collecting.looking import Before, Looked, look, look_at_kept, look_in_fringes, tell_parts
+from measureapp.pipeline.collecting.observation import READBACK_WORDS, Observation, Readback, lost_images
 from measureapp.pipeline.collecting.setup import NEEDED, Setup
 from measureapp.pipeline.collecting.solved import Solved
 from measureapp.pipeline.collecting.solving import shortfalls_of, solve
@@ -126,6 +126,7 @@ class Collection:
         images: Mapping[str, ImageArray],
         readback: Readback | AxisReadback | None = None,
         names: Mapping[str, str] | None = None,
+        temperature_c: float | None = None,
     ) -> Observation:
         """Look for the board in the images of one position, and keep them.
 
@@ -135,6 +136,7 @@ class Collection:
         ----------
         images : camera -> (H, W), 8 or 16 bit; cameras may be missing
         names : camera -> file it came from
+        temperature_c : of the head when they were taken, where it was measured
 
         Raises
         ------
@@ -147,7 +149,7 @@ class Collection:
             raise InputError("The projector is calibrated from fringes on the board.", "Give fringes instead of plain images.")
         read = _as_readback(readback)
         self._check(images, read)
-        return self._keep(look(images, read, self.setup.board, self._before()), read, names)
+        return self._keep(look(images, read, self.setup.board, self._before()), read, names, temperature_c=temperature_c)
 
     def add_fringes(
         self,
@@ -185,7 +187,8 @@ class Collection:
                 f"{size[0]} × {size[1]} px.",
                 "Give fringes of one projector.",
             )
-        return self._keep(look_in_fringes(stack, self.setup, size, progress or NoProgress()), read, names)
+        looked = look_in_fringes(stack, self.setup, size, progress or NoProgress())
+        return self._keep(looked, read, names, temperature_c=None if stack.conditions is None else stack.conditions.temperature_c)
 
     def repeat(self, other: Observation) -> Observation:
         """Look for the board in the images that another collection of the same setup kept, and add what is found under the same name.
@@ -197,20 +200,9 @@ class Collection:
         CalibrationError
             Nothing was kept of the fringes from which the projector's marks could be read again.
         """
-        images = {camera: image.verified() for camera, image in other.images.items()}
-        board, names = self.setup.board, {camera: image.name for camera, image in other.images.items()}
-        if self.setup.kind != "projector":
-            looked = look(images, other.readback, board, self._before())
-        elif other.lit is not None:
-            looked = read_again(images, (other.lit.camera, other.lit.verified()), board)
-        elif PROJECTOR in other.seen:
-            raise CalibrationError(
-                f"Of the fringes of observation {other.id} nothing was kept to read the projector's marks from again.",
-                "It was taken with an earlier version: take the position again.",
-            )
-        else:
-            looked = Looked(images, other.seen, other.refused)
-        return self._keep(looked, other.readback, names, other.id)
+        looked = look_at_kept(other, self.setup, self._before())
+        names = {camera: image.name for camera, image in other.images.items()}
+        return self._keep(looked, other.readback, names, name=other.id, temperature_c=other.temperature_c)
 
     def look_again(self) -> tuple[str, ...]:
         """Look once more at images of parts of the board that nothing could tell, after more is known; return the observations that gained by it."""
@@ -282,7 +274,7 @@ class Collection:
         try:
             found = solve(self.setup, self._approached(), self._sizes(), None if afresh else self._solved, progress)
         except CalibrationError as error:
-            raise naming_refused(error, self._refused()) from error
+            raise naming_refused(error, lost_images(self.observations)) from error
         self._solved = replace(found, sightings=self._sightings(found.of))
         return self._solved
 
@@ -306,24 +298,17 @@ class Collection:
         solved = None if self._solved is None else self._solved.cameras
         return Before(self.setup.cameras or solved, tuple(one for one in self.usable if one.id != besides))
 
-    def _refused(self) -> list[tuple[str, str]]:
-        """Images that gave nothing, with the reason."""
-        kept = [one for one in self.observations if one.standing != "removed"]
-        return [
-            (f"observation {one.id}, {called(camera)[0].lower()}{called(camera)[1:]}", f"{refusal.message} {refusal.hint}")
-            for one in kept
-            for camera, refusal in one.refused.items()
-        ]
-
     def _sightings(self, ids: Sequence[str]) -> int:
         return sum(len(self._all[name].seen) for name in ids)
 
-    def _keep(self, looked: Looked, read: Readback, names: Mapping[str, str] | None, name: str = "") -> Observation:
+    def _keep(
+        self, looked: Looked, read: Readback, names: Mapping[str, str] | None, *, name: str = "", temperature_c: float | None = None
+    ) -> Observation:
         """Write what was looked at, and add it; images that are there already are refused."""
         stored = {camera: self._store.keep_image(pixels, (names or {}).get(camera, "")) for camera, pixels in looked.images.items()}
         self._refuse_twice({camera: image.checksum for camera, image in stored.items()})
         lit = None if looked.lit is None else self._store.keep_lit(*looked.lit)
-        observation = Observation(name or self._next_id(), stored, read, looked.seen, looked.refused, lit)
+        observation = Observation(name or self._next_id(), stored, read, looked.seen, looked.refused, temperature_c=temperature_c, lit=lit)
         self._store.keep_observation(observation)
         self._all[observation.id] = observation
         self._act("add", observation.id)

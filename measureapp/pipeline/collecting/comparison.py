@@ -118,7 +118,7 @@ def compare(previous: Calibrated, collection: Collection) -> Comparison:
     if isinstance(new, CameraArrayCalibration) and isinstance(previous, CameraArrayCalibration):
         return _cameras(previous, solved, collection)
     if isinstance(new, RotationAxis) and isinstance(previous, RotationAxis):
-        return _axis(previous, new)
+        return compare_axes(previous, new)
     if isinstance(new, HandEye) and isinstance(previous, HandEye):
         return _hand_eye(previous, new, _distance_mm(solved))
     if isinstance(new, LinearGuide) and isinstance(previous, LinearGuide):
@@ -224,7 +224,8 @@ def _ratio(previous: CameraArrayCalibration, new: CameraArrayCalibration) -> flo
     return float(np.median(ratios)) if ratios else 1.0
 
 
-def _axis(previous: RotationAxis, new: RotationAxis) -> Comparison:
+def compare_axes(previous: RotationAxis, new: RotationAxis) -> Comparison:
+    """Compare a rotation axis with an earlier one. Raises CalibrationError where they are told in different frames."""
     if previous.frame != new.frame:
         raise CalibrationError(
             f"The previous axis is given in frame {previous.frame}, the new one in {new.frame}.", "Compare axes in the same frame."

@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import asdict, replace
 from datetime import UTC, datetime
 from pathlib import Path
+from statistics import median
 from typing import Any
 
 from measureapp.calibrate.rig.joint_solution import RigSolution
@@ -49,13 +50,21 @@ LINKS: Mapping[str, Callable[[Mapping[str, Any]], HandEye | LinearGuide | Rotati
 }
 
 
-def accept(collection: Collection, target: Path, progress: Progress | None = None, *, valid_days: float | None = None) -> Calibrated:
+def accept(
+    collection: Collection,
+    target: Path,
+    progress: Progress | None = None,
+    *,
+    valid_days: float | None = None,
+    temperature_c: float | None = None,
+) -> Calibrated:
     """Solve a collection afresh and write the result.
 
     Parameters
     ----------
     target : a file for cameras, projector (with its cameras), axis, hand-eye and guide; for the rig a project, or a folder for cameras.json and rig.json
     valid_days : after which it expires
+    temperature_c : when the images were taken; default: the median of what was measured with them
 
     Raises
     ------
@@ -65,10 +74,10 @@ def accept(collection: Collection, target: Path, progress: Progress | None = Non
         It cannot be written.
     """
     collection.solve_with_parts(progress, afresh=True)
-    return keep(collection, target, valid_days=valid_days)
+    return keep(collection, target, valid_days=valid_days, temperature_c=temperature_c)
 
 
-def keep(collection: Collection, target: Path, *, valid_days: float | None = None) -> Calibrated:
+def keep(collection: Collection, target: Path, *, valid_days: float | None = None, temperature_c: float | None = None) -> Calibrated:
     """Write the last solution of a collection as `accept` does, for those who have just looked at it; it should be one solved afresh.
 
     Raises
@@ -83,11 +92,13 @@ def keep(collection: Collection, target: Path, *, valid_days: float | None = Non
         raise CalibrationError("There is no solution yet.", "Solve what was collected first.")
     entered = [one for one in collection.observations if one.id in solved.of]
     inputs = {f"{one.id} {camera}": image.checksum for one in entered for camera, image in one.images.items()}
+    warm = [one.temperature_c for one in entered if one.temperature_c is not None]
     result, target = result_of(solved), Path(target)
     provenance = Provenance(
         datetime.now(UTC).isoformat(timespec="seconds"),
         _method(result),
         inputs,
+        temperature_c=temperature_c if temperature_c is not None or not warm else median(warm),
         valid_days=valid_days,
         arguments=(*COLLECTED, collection.setup.kind, "--session", collection.folder.name),
         folder=_seen_from(collection.folder.parent, _place_of(result, target)),

@@ -121,16 +121,34 @@ def look_in_fringes(stack: FringeStack, setup: Setup, size_px: tuple[int, int], 
     return Looked(images, seen, refused, (best, found.lit[best]))
 
 
-def read_again(images: Mapping[str, ImageArray], lit: tuple[str, ProjectorPixels], board: BoardDescription) -> Looked:
-    """Look for the board in what `look_in_fringes` kept of a position, and read the projector's marks again."""
-    results = {camera: _look(partial(find_board, image, board)) for camera, image in images.items() if camera != PROJECTOR}
+def look_at_kept(other: Observation, setup: Setup, before: Before) -> Looked:
+    """Look for the board in the images that were kept of an observation, under fringes in what the projector's marks were read from.
+
+    Raises
+    ------
+    StorageError, InputError
+        An image is damaged or gone, or not the one that was kept.
+    CalibrationError
+        Nothing was kept of the fringes.
+    """
+    images = {camera: image.verified() for camera, image in other.images.items()}
+    if setup.kind != "projector":
+        return look(images, other.readback, setup.board, before)
+    if other.lit is None and PROJECTOR in other.seen:
+        raise CalibrationError(
+            f"Of the fringes of observation {other.id} nothing was kept to read the projector's marks from again.",
+            "It was taken with an earlier version: take the position again.",
+        )
+    results = {camera: _look(partial(find_board, image, setup.board)) for camera, image in images.items() if camera != PROJECTOR}
     seen = {camera: one for camera, one in results.items() if isinstance(one, FoundBoard)}
     refused = {camera: refusal(one) for camera, one in results.items() if isinstance(one, CalibrationError)}
-    camera, pixels = lit
-    reading = projector_sighting(sighting_of(camera, "", seen[camera]), pixels) if camera in seen else None
+    if other.lit is None:
+        return Looked(images, seen, refused | {name: why for name, why in other.refused.items() if name == PROJECTOR})
+    camera, lit = other.lit.camera, other.lit.verified()
+    reading = projector_sighting(sighting_of(camera, other.id, seen[camera]), lit) if camera in seen else None
     if isinstance(reading, Sighting):
         seen[PROJECTOR] = _marks(reading)
-    return Looked(images, seen, refused, lit)
+    return Looked(images, seen, refused, (camera, lit))
 
 
 def _marks(reading: object) -> FoundBoard:

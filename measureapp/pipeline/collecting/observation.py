@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 
 from measureapp.arrays import ImageArray
-from measureapp.calibrate.cameras.projector_sightings import ProjectorPixels
+from measureapp.calibrate.cameras.projector_sightings import ProjectorPixels, called
 from measureapp.calibrate.motions.axis_noise import SAME_POSE
 from measureapp.calibrate.sightings import Cause, FoundBoard
 from measureapp.data.fringe import AxisReadback
@@ -81,13 +81,9 @@ class StoredPixels:
     checksum: str  # SHA-256 of its arrays
     camera: str
 
-    def read(self) -> ProjectorPixels:
-        """Return them. Raises StorageError where the file is damaged or gone."""
-        return read_projector_pixels(self.path)
-
     def verified(self) -> ProjectorPixels:
-        """Return them. Raises StorageError as `read`, and where they are not those that were kept."""
-        found = self.read()
+        """Return them. Raises StorageError where the file is damaged or gone, or not the one that was kept."""
+        found = read_projector_pixels(self.path)
         _require_same(self.path, checksum_of(found), self.checksum)
         return found
 
@@ -118,9 +114,20 @@ class Observation:
     readback: Readback
     seen: Mapping[str, FoundBoard]  # camera -> marks
     refused: Mapping[str, Refusal]  # camera -> why it gave none
+    temperature_c: float | None = None  # of the head, where it was measured
     lit: StoredPixels | None = None  # of a position under fringes: what the projector's marks were read from
     standing: Standing = "new"
     reason: str = ""  # in words, where it is not used or only in part
     residuals_px: Mapping[str, float] = field(default_factory=dict)  # camera -> rms distance of its marks from where they should be
     residual_mm: float | None = None  # the same on the board, where axes are calibrated
     approach: int | None = None  # of the robot, counted over all that was collected
+
+
+def lost_images(observations: Iterable[Observation]) -> list[tuple[str, str]]:
+    """Return the images of observations that show nothing at all, as they are called, with the reason and what to do."""
+    return [
+        (f"observation {one.id}, {called(camera)[0].lower()}{called(camera)[1:]}", f"{refusal.message} {refusal.hint}")
+        for one in observations
+        if one.standing == "no board"
+        for camera, refusal in one.refused.items()
+    ]

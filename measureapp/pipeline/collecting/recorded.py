@@ -166,7 +166,8 @@ def add_views(collection: Collection, folder: Path, progress: Progress | None = 
     for number, view in enumerate(views):
         progress.report(number, len(views), f"board in {view.viewpoint_id}")
         if not any(checksum(image) in known for image in view.images.values()):
-            added.append(collection.add(view.images, view.readback, dict.fromkeys(view.images, view.viewpoint_id)))
+            warm = None if view.conditions is None else view.conditions.temperature_c
+            added.append(collection.add(view.images, view.readback, dict.fromkeys(view.images, view.viewpoint_id), warm))
     progress.report(1, 1)
     return tuple(added)
 

@@ -225,12 +225,13 @@ def _observation_document(observation: Observation) -> dict[str, Any]:
             for camera, found in observation.seen.items()
         },
         "refused": {camera: asdict(refusal) for camera, refusal in observation.refused.items()},
+        "temperature_c": observation.temperature_c,
         "lit": None if observation.lit is None else {"camera": observation.lit.camera, "checksum": observation.lit.checksum},
     }
 
 
 def _observation_from(document: Mapping[str, Any], folder: Path) -> Observation:
-    readback, lit = document["readback"], document.get("lit")  # version 1 kept nothing of the fringes
+    readback, lit = document["readback"], document.get("lit")  # version 1 kept neither the temperature nor anything of the fringes
     pose = readback["base_from_flange"]
     return Observation(
         id=str(document["id"]),
@@ -246,6 +247,7 @@ def _observation_from(document: Mapping[str, Any], folder: Path) -> Observation:
         readback=Readback(None if pose is None else transform_from(pose), readback["guide_mm"], readback["table_rad"]),
         seen={camera: _found_from(entry) for camera, entry in document["seen"].items()},
         refused={camera: Refusal(**entry) for camera, entry in document["refused"].items()},
+        temperature_c=document.get("temperature_c"),
         lit=None if lit is None else StoredPixels(folder / "lit" / f"{lit['checksum']}.npz", str(lit["checksum"]), str(lit["camera"])),
     )
 

@@ -134,7 +134,7 @@ def _more(count: int, positions: Sequence[float], travel: Travel, notes: Notes) 
     beyond = high if goal > high else low
     if low <= goal <= high:  # the gap is named by itself
         beyond = high if abs(high) <= abs(low) else low
-    notes.wish(f"{travel.further}: {_number(count)} more {_positions(count)} beyond {beyond:.0f}{travel.unit}")
+    notes.wish(f"{travel.further}: {_number(count)} more {_positions(count)} beyond {_signed(beyond)}{travel.unit}")
 
 
 def _gap(positions: Sequence[float], unit: str, notes: Notes) -> None:
@@ -143,6 +143,11 @@ def _gap(positions: Sequence[float], unit: str, notes: Notes) -> None:
         notes.wish(
             f"Add a position near {(gap[0] + gap[1]) / 2:.0f}{unit}: there is none between {gap[0]:.0f}{unit} and {gap[1]:.0f}{unit}"
         )
+
+
+def _signed(value: float) -> str:
+    """A whole number with a minus sign instead of a hyphen."""
+    return f"{value:.0f}".replace("-", "−")
 
 
 def _positions(count: int) -> str:
