@@ -129,7 +129,7 @@ def decisions(patterns: PatternSet, contrast: Contrast) -> tuple[OrderDecision, 
 
 
 def _check_contrast(contrast: Contrast) -> None:
-    if not (contrast.exposures and 1 / MILLION <= min(contrast.exposures) and max(contrast.exposures) == 1):
+    if not (contrast.exposures and min(contrast.exposures) >= 1 / MILLION and max(contrast.exposures) == 1):
         listed = ", ".join(f"{share:g}" for share in contrast.exposures)
         raise DecodeError(
             f"The exposures {listed} are not relative to the longest.", "Give 1 for the longest and shares of it for the others."
