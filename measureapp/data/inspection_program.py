@@ -9,12 +9,13 @@ from pydantic import Field, field_validator, model_validator
 
 from measureapp.data.alignment_program import AlignmentProgram, BestFit, alignment_entry, alignment_features
 from measureapp.data.blade_section import BLADE_ANGLES, BLADE_KINDS, BLADE_PAIRS, BLADE_ZONES, BladeKind, BladeSection
+from measureapp.data.cut import Cut, Grow, Range, Vector
+from measureapp.data.free_form import FreeForm
 from measureapp.data.length_unit import LengthUnit
+from measureapp.data.material import DatumMaterial, MaterialCondition, ascending
 from measureapp.data.model import Model
 from measureapp.data.repeat import Repeat
 
-Vector = tuple[float, float, float]
-Range = tuple[float, float]
 PatternIndex = re.compile(r"\{k(?:\+(\d+))?\}")
 
 MeasuredShape = Literal["plane", "cylinder", "sphere", "cone", "surface_point"]
@@ -37,46 +38,12 @@ ZoneKind = Literal[
     "surface_profile",
 ]
 DimensionKind = SizeKind | ZoneKind | BladeKind
-MaterialCondition = Literal["regardless", "maximum", "least"]
 Criterion = Literal["minimum-zone", "least-squares"]
 PAIRS = ("distance", "thickness", "step", "angle", *BLADE_PAIRS)
 ZONES: tuple[str, ...] = (*get_args(ZoneKind), *BLADE_ZONES)  # the width of a zone: never negative, ideally 0
 FORMS = ("flatness", "straightness", "roundness", "cylindricity")
 ONE_DATUM = ("concentricity", "coaxiality", "circular_runout", "total_runout")
 PROFILES = ("line_profile", "surface_profile")
-
-
-class Cut(Model):
-    """Which measured points belong to a feature, in the nominal's frame (a pattern's copies turn it with them)."""
-
-    band_mm: float = Field(default=2.0, gt=0, description="greatest distance from the nominal surface")
-    along_mm: Range | None = Field(default=None, description="from/to along the direction, counted from the nominal point")
-    radial_mm: Range | None = Field(
-        default=None, description="from/to distance from the line through the nominal point along the direction"
-    )
-    x_mm: Range | None = None
-    y_mm: Range | None = None
-    z_mm: Range | None = None
-    edge_mm: float = Field(default=2.0, ge=0, description="distance kept from sharp edges of the nominal mesh")
-    normals_within_deg: float = Field(default=35.0, gt=0, le=180)
-
-    @model_validator(mode="after")
-    def _ranges_ascend(self) -> Cut:
-        for name in ("along_mm", "radial_mm", "x_mm", "y_mm", "z_mm"):
-            given = getattr(self, name)
-            if given is not None and given[0] >= given[1]:
-                raise ValueError(f"{name} must run from the smaller to the greater value")
-        return self
-
-
-class Grow(Model):
-    """Points found from a seed on the surface instead of around a nominal: the region that belongs to one shape."""
-
-    seed_mm: Vector = Field(description="a place on the surface, in the nominal's frame")
-    reach_mm: float = Field(default=2.0, gt=0, description="how far from the seed the surface may lie")
-    noise_mm: float | None = Field(default=None, gt=0, description="standard deviation of a point; left out: from the points")
-    form_mm: float = Field(default=0.02, ge=0, description="departure from the ideal shape that still belongs to it")
-    turn_deg: float = Field(default=8.0, gt=0, le=45, description="how far the surface may be turned against the shape")
 
 
 class MeasuredFeature(Model):
@@ -166,10 +133,17 @@ class DimensionProgram(Model):
     criterion: Criterion = Field(default="minimum-zone", description="how form is taken (ISO 1101: minimum zone)")
     along: Vector | None = Field(default=None, description="straightness of a plane: direction of its lines")
     section: Section | None = Field(default=None, description="line profile: the plane it is taken in")
+    zone_offset_mm: float = Field(
+        default=0.0,
+        description="profile: middle of the zone, out of the material from the drawing (ISO 1660, UZ); half the tolerance: all of it outside",
+    )
     material_condition: MaterialCondition = Field(
         default="regardless", description="position of a hole or shaft: whether its actual size widens the zone (ISO 2692)"
     )
     size_limits_mm: Range | None = Field(default=None, description="limits of the diameter that a material condition starts from")
+    datum_material: tuple[DatumMaterial, ...] = Field(
+        default=(), description="position of an axis or centre: datums whose actual size lets the part shift in them (ISO 2692)"
+    )
     count: int | None = Field(default=None, ge=2, description="how many copies `{k}` runs over, cyclically")
     statistic: Literal["mean", "min", "max"] = "mean"
 
@@ -192,14 +166,31 @@ class DimensionProgram(Model):
     def _has_what_its_material_condition_needs(self) -> DimensionProgram:
         if (self.material_condition != "regardless") != (self.size_limits_mm is not None):
             raise ValueError("`material_condition` and `size_limits_mm` come together")
-        if self.size_limits_mm is None:
+        conditions = [limits for limits in (self.size_limits_mm, *(one.size_limits_mm for one in self.datum_material)) if limits]
+        if not conditions:
             return self
         if self.kind != "position":
-            raise ValueError("a material condition is taken of a position only, and not of datums")
-        if self.size_limits_mm[0] >= self.size_limits_mm[1]:
-            raise ValueError("size_limits_mm must run from the smaller to the greater diameter")
+            raise ValueError("a material condition is taken of a position only: leave it out, or ask for the position")
+        if self.size_limits_mm is not None:
+            ascending("size_limits_mm", self.size_limits_mm)
         if self.count is not None and self.statistic == "mean":
             raise ValueError('with a material condition the mean of several positions says nothing: take `statistic = "max"`')
+        return self
+
+    @model_validator(mode="after")
+    def _has_the_datums_of_its_materials(self) -> DimensionProgram:
+        named = [one.datum for one in self.datum_material]
+        for name in named:
+            if name not in self.datums:
+                raise ValueError(f"`datum_material` names {name!r}, which is none of the `datums`: name one of them, as it stands there")
+            if named.count(name) > 1:
+                raise ValueError(f"`datum_material` names {name!r} twice: leave one of them out")
+        return self
+
+    @model_validator(mode="after")
+    def _has_what_its_zone_needs(self) -> DimensionProgram:
+        if self.zone_offset_mm and self.kind not in PROFILES:
+            raise ValueError("`zone_offset_mm` shifts the zone of a line_profile or surface_profile only: leave it out")
         return self
 
     @model_validator(mode="after")
@@ -248,7 +239,9 @@ class InspectionProgram(Model):
     nominal: str | None = Field(default=None, description="mesh file of the nominal, relative to the program's file")
     nominal_unit: LengthUnit = Field(default=LengthUnit.MM, description="unit of the nominal's file; the program itself is in mm")
     alignment: AlignmentProgram = Field(default=BestFit(), description="a word like best-fit, or a table with `method`")
-    features: tuple[Annotated[MeasuredFeature | ConstructedFeature | BladeSection, Field(discriminator="shape")], ...] = Field(min_length=1)
+    features: tuple[Annotated[MeasuredFeature | ConstructedFeature | FreeForm | BladeSection, Field(discriminator="shape")], ...] = Field(
+        min_length=1
+    )
     dimensions: tuple[DimensionProgram, ...] = ()
 
     @field_validator("alignment", mode="before")
@@ -268,20 +261,41 @@ class InspectionProgram(Model):
             if twice := known.intersection(names):
                 raise ValueError(f"two features are called {sorted(twice)[0]!r}")
             known.update(names)
-        blades = {name for one in self.features if isinstance(one, BladeSection) for name in copy_names(one.name, one.repeat)}
         for needed in alignment_features(self.alignment):
             if needed not in known:
                 raise ValueError(f"the alignment needs feature {needed!r}, which is not defined")
         for dimension in self.dimensions:
             for needed in (name for names in (*dimension.feature_sets, *dimension.datum_sets) for name in names):
-                if needed in known and (needed in blades) != (dimension.kind in BLADE_KINDS):
-                    what = "is no blade_section" if needed not in blades else "is a blade_section"
-                    raise ValueError(f"dimension {dimension.name!r}: {needed!r} {what}, a {dimension.kind} is not taken of it")
                 if needed not in known:
                     raise ValueError(f"dimension {dimension.name!r} needs feature {needed!r}, which is not defined")
         if len({dimension.name for dimension in self.dimensions}) != len(self.dimensions):
             raise ValueError("two dimensions have the same name")
         return self
+
+    @model_validator(mode="after")
+    def _features_suit_their_dimensions(self) -> InspectionProgram:
+        blades, free = self._names_of(BladeSection), self._names_of(FreeForm)
+        for dimension in self.dimensions:
+            features = {name for names in dimension.feature_sets for name in names}
+            datums = {name for names in dimension.datum_sets for name in names}
+            for needed in sorted(features | datums):
+                if (needed in blades) != (dimension.kind in BLADE_KINDS):
+                    what = "is no blade_section" if needed not in blades else "is a blade_section"
+                    raise ValueError(f"dimension {dimension.name!r}: {needed!r} {what}, a {dimension.kind} is not taken of it")
+            if (dimension.kind not in PROFILES and features & free) or datums & free:
+                needed = sorted((features | datums) & free)[0]
+                raise ValueError(
+                    f"dimension {dimension.name!r}: {needed!r} is a free_form, of which only a surface_profile or line_profile is taken"
+                )
+        for one in self.features:
+            if isinstance(one, ConstructedFeature) and (unfit := free.intersection(needed_names(one))):
+                raise ValueError(f"feature {one.name!r} is made of {min(unfit)!r}, a free_form: take a plane, an axis or a centre")
+        if unfit := free.intersection(alignment_features(self.alignment)):
+            raise ValueError(f"the alignment rests on {min(unfit)!r}, a free_form: take another feature, or a region of the best fit")
+        return self
+
+    def _names_of(self, kind: type[BladeSection] | type[FreeForm]) -> set[str]:
+        return {name for one in self.features if isinstance(one, kind) for name in copy_names(one.name, one.repeat)}
 
 
 def copy_names(name: str, repeat: Repeat | None) -> tuple[str, ...]:

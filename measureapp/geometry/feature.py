@@ -10,7 +10,9 @@ import numpy as np
 
 from measureapp.arrays import FloatArray, read_only
 
-Shape = Literal["point", "line", "plane", "circle", "sphere", "cylinder", "cone", "torus"]
+Shape = Literal[
+    "point", "line", "plane", "circle", "sphere", "cylinder", "cone", "torus", "surface"
+]  # a surface is no fit: a region of the nominal mesh
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from measureapp.data.blade_section import BladeSection
+from measureapp.data.free_form import FreeForm
 from measureapp.data.inspection_program import ConstructedFeature, InspectionProgram, copy_names, needed_names
 from measureapp.inspection.blades.find import find_blades
 from measureapp.inspection.features.constructed import construct
 from measureapp.inspection.features.found import Found, find
+from measureapp.inspection.features.free_form import find_free_forms
 from measureapp.inspection.features.grown import find_grown
 from measureapp.inspection.features.small_arcs import with_draws
 from measureapp.inspection.measured import MeasuredPoints
@@ -42,6 +44,8 @@ def find_all(
             found.update(construct(described, found))
         elif isinstance(described, BladeSection):
             found.update(find_blades(described, points, surface, settings))
+        elif isinstance(described, FreeForm):
+            found.update(find_free_forms(described, points, surface, edges, settings))
         elif described.grow is not None:
             found.update(with_draws(find_grown(described, points, settings), settings))
         else:

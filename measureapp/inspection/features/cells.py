@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import ndtri
+from scipy.optimize import brentq
+from scipy.special import ndtr, ndtri
 
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.feature import Feature
@@ -15,9 +17,12 @@ from measureapp.inspection.features.shapes import along_and_off, outward_normals
 
 LEAST_CELLS = 12
 LEAST_IN_CELL = 5
+FITTED = 3  # mean and slopes of a cell
+RANK = 1e-6  # the normal's own direction has no extent
 WELL_FILLED = 0.25  # of the median count: cells at the rim hold fewer points, whose mean is noisier
 LEAST_AROUND = 24  # cells about an axis, whatever the radius
 COVERAGE = 0.95
+ALIKE = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -40,12 +45,20 @@ class Cells:
         The range of the sum of form and noise differs from that of the form by no more than the range of the noise, so
         that twice this is an expanded uncertainty whatever the form is.
         """
-        return noise_reach(len(self)) * self.noise_mm
+        return greatest_noise(self.noises_mm)
 
 
 def noise_reach(count: int) -> float:
     """Return the multiple of σ that the greatest of ``count`` normal errors does not exceed in 95 of 100 cases."""
     return float(ndtri((1 + COVERAGE ** (1 / max(count, 1))) / 2))
+
+
+def greatest_noise(noises_mm: FloatArray) -> float:
+    """Return what the greatest of independent normal errors with these standard deviations does not exceed in 95 of 100 cases."""
+    least, most = (noise_reach(len(noises_mm)) * float(noise) for noise in (noises_mm.min(), noises_mm.max()))
+    if most - least <= ALIKE * most:
+        return most
+    return float(brentq(lambda reach: np.log(2 * ndtr(reach / noises_mm) - 1).sum() - np.log(COVERAGE), least, most))
 
 
 def cell_means(points_mm: FloatArray, feature: Feature, keys: IntArray, name: str) -> Cells:
@@ -61,7 +74,17 @@ def cell_means(points_mm: FloatArray, feature: Feature, keys: IntArray, name: st
     InspectionError
         Fewer than twelve cells are filled.
     """
-    deviations = signed_distances(feature, points_mm)
+    return means_over(points_mm, lambda points: (signed_distances(feature, points), outward_normals(feature, points)), keys, name)
+
+
+def means_over(points_mm: FloatArray, beside: Callable[[FloatArray], tuple[FloatArray, FloatArray]], keys: IntArray, name: str) -> Cells:
+    """Return the means over all cells (N, D) that hold enough points (N, 3); see `cell_means`.
+
+    Parameters
+    ----------
+    beside : gives of any points their signed distances (N,) from the surface and its unit normals (N, 3) there
+    """
+    deviations, _ = beside(points_mm)
     found, cell = np.unique(keys, axis=0, return_inverse=True)
     cell = cell.ravel()
     counts = np.bincount(cell)
@@ -69,14 +92,36 @@ def cell_means(points_mm: FloatArray, feature: Feature, keys: IntArray, name: st
     if np.count_nonzero(full) < LEAST_CELLS:
         raise InspectionError(f"{name}: its points fill only {np.count_nonzero(full)} cells, {LEAST_CELLS} are needed")
     mean = np.bincount(cell, weights=deviations) / counts
-    places = np.column_stack([np.bincount(cell, weights=points_mm[:, k]) / counts for k in range(3)])[full]
-    scatter = np.bincount(cell, weights=(deviations - mean[cell]) ** 2)[full] / (counts[full] - 1)
+    places = np.column_stack([np.bincount(cell, weights=points_mm[:, k]) / counts for k in range(3)])
+    away, normals = beside(places)
+    scatter = _scatter(cell, points_mm - places[cell], deviations - mean[cell], normals)
     # the mean of points on a curved surface lies inside it; their mean deviation does not
-    places = places + (mean[full] - signed_distances(feature, places))[:, None] * outward_normals(feature, places)
-    freedoms = float(np.median(counts[full])) - 1
-    variance = float(np.median(scatter)) / (1 - 2 / (9 * freedoms)) ** 3  # of χ² the median lies below the mean (Wilson and Hilferty)
+    places = places + (mean - away)[:, None] * normals
+    freedoms = float(np.median(counts[full])) - FITTED
+    variance = float(np.median(scatter[full])) / (1 - 2 / (9 * freedoms)) ** 3  # of χ² the median lies below the mean (Wilson and Hilferty)
     noise = float(np.sqrt(variance / np.median(counts[full])))
-    return Cells(places, mean[full], found[full], noise, np.sqrt(variance / counts[full]))
+    return Cells(places[full], mean[full], found[full], noise, np.sqrt(variance / counts[full]))
+
+
+def _scatter(cell: IntArray, offsets_mm: FloatArray, deviations_mm: FloatArray, normals: FloatArray) -> FloatArray:
+    """Return the variance (C,) of the points of each cell about the plane through them.
+
+    A surface that is inclined across a cell has no noise by that: scatter about the mean would count the form as noise.
+
+    Parameters
+    ----------
+    cell : (N,), which cell a point is in
+    offsets_mm, deviations_mm : (N, 3) and (N,), from the cell's mean
+    normals : (C, 3), unit normals of the cells
+    """
+    counts = np.bincount(cell)
+    normal = normals[cell]
+    across = offsets_mm - np.einsum("nd,nd->n", offsets_mm, normal)[:, None] * normal
+    products = across[:, :, None] * np.concatenate([across, deviations_mm[:, None]], axis=1)[:, None, :]
+    sums = np.stack([np.bincount(cell, weights=one) for one in products.reshape(len(cell), -1).T], axis=1).reshape(-1, 3, 4)
+    slopes = np.einsum("cij,cj->ci", np.linalg.pinv(sums[:, :, :3], rcond=RANK, hermitian=True), sums[:, :, 3])
+    rest = deviations_mm - np.einsum("nd,nd->n", across, slopes[cell])
+    return np.bincount(cell, weights=rest**2) / np.maximum(counts - FITTED, 1)
 
 
 def surface_keys(points_mm: FloatArray, feature: Feature, cell_mm: float) -> IntArray:
@@ -87,7 +132,12 @@ def surface_keys(points_mm: FloatArray, feature: Feature, cell_mm: float) -> Int
     if feature.shape == "plane" and feature.direction is not None:
         offset = foot - feature.point_mm
         foot = offset @ tangents(feature.direction).T
-    return np.floor((foot - foot.min(axis=0)) / cell_mm + 0.5).astype(np.int64)
+    return grid_keys(foot, cell_mm)
+
+
+def grid_keys(places_mm: FloatArray, cell_mm: float) -> IntArray:
+    """Return cells (N, D) of a grid in the plane or in space, the first of them about the least coordinates."""
+    return np.floor((places_mm - places_mm.min(axis=0)) / cell_mm + 0.5).astype(np.int64)
 
 
 def round_keys(points_mm: FloatArray, point_mm: FloatArray, direction: FloatArray, cell_mm: float, radius_mm: float) -> IntArray:

@@ -8,8 +8,10 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.data.cut import Cut
 from measureapp.data.feature import Feature
-from measureapp.data.inspection_program import Cut, MeasuredFeature
+from measureapp.data.free_form import FreeForm
+from measureapp.data.inspection_program import MeasuredFeature
 from measureapp.geometry.transform import rotation_about
 from measureapp.inspection.features.shapes import along_and_off, outward_normals, signed_distances
 from measureapp.inspection.measured import MeasuredPoints
@@ -52,7 +54,7 @@ def _nominal(described: MeasuredFeature, name: str, turn: FloatArray) -> Nominal
     return NominalFeature(feature, described.cut, described.hole, surface_point, described.patch_mm, turn)
 
 
-def within_box(points_mm: FloatArray, cut: Cut, copy_from_first: FloatArray) -> BoolArray:
+def within_box(points_mm: FloatArray, cut: Cut | FreeForm, copy_from_first: FloatArray) -> BoolArray:
     """Return which points (N,) lie within the limits in x, y and z, as the first copy has them."""
     inside = np.ones(len(points_mm), bool)
     as_first = points_mm @ copy_from_first

@@ -8,8 +8,9 @@ from dataclasses import replace
 import numpy as np
 
 from measureapp.arrays import FloatArray
+from measureapp.data.cut import Grow
 from measureapp.data.feature import Feature
-from measureapp.data.inspection_program import Grow, MeasuredFeature, copy_names
+from measureapp.data.inspection_program import MeasuredFeature, copy_names
 from measureapp.errors import FitError, InspectionError
 from measureapp.geometry.transform import rotation_about
 from measureapp.inspection.features.cut import NominalFeature, nominal_features, within_box

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 
@@ -18,6 +19,7 @@ ARM_MM = 100.0  # a turn counts as what it moves a point this far away
 OPEN = 1e-3  # a motion that moves a feature by less than this share of itself does not move it
 ROUNDS = 20
 SMALL_ANGLE = 1e-4
+NO_SHIFTS: Mapping[int, FloatArray] = MappingProxyType({})
 MOTIONS = ("shift along x", "shift along y", "shift along z", "turn about x", "turn about y", "turn about z")
 
 
@@ -28,6 +30,7 @@ class DatumSystem:
     names: tuple[str, ...]
     nominal_from_measured: FloatArray  # 4×4
     free: FloatArray  # (6, F): shifts in mm, turns in rad times `ARM_MM`
+    held: tuple[FloatArray, ...] = ()  # (6, H) of each datum: the motions that it holds and those before it did not
 
     def apply(self, points_mm: FloatArray) -> FloatArray:
         """Return points (..., 3) as the drawing has them."""
@@ -44,6 +47,10 @@ class DatumSystem:
     def require_direction(self, nominal: Feature, name: str) -> None:
         """Raise InspectionError when the datums leave open which way the drawing has this feature turned."""
         self._require(_orientations(nominal), "direction", name)
+
+    def require_nothing_open(self, name: str) -> None:
+        """Raise InspectionError when the datums leave any motion open: a surface of any form has a place by all of them."""
+        self._require(np.eye(6), "place", name)
 
     def _require(self, rows: FloatArray, what: str, name: str) -> None:
         if len(rows) and self.free.shape[1] and np.abs(rows @ self.free).max() > OPEN:
@@ -69,12 +76,16 @@ def nominals_of(datums: Sequence[Found]) -> list[Feature]:
     return [nominal_of(one) for one in datums]
 
 
-def datum_system(nominals: Sequence[Feature], measured: Sequence[Feature]) -> DatumSystem:
+def datum_system(nominals: Sequence[Feature], measured: Sequence[Feature], shifts: Mapping[int, FloatArray] = NO_SHIFTS) -> DatumSystem:
     """Lay measured datums onto the drawing's: A wholly, B as far as A leaves it free, C as far as both do.
 
     The motions that leave A where it is form a group, so that what B then moves keeps A in place. A later datum is
     turned first and moved then, about where it was measured, which is the fit constrained by the datums before it to
     first order in their angular errors.
+
+    Parameters
+    ----------
+    shifts : by which motion (H,), in the columns of `held`, datums (by number) are then moved away from the drawing's; later ones follow
 
     Raises
     ------
@@ -83,14 +94,19 @@ def datum_system(nominals: Sequence[Feature], measured: Sequence[Feature]) -> Da
     """
     placed: FloatArray = np.eye(4)
     free: FloatArray = np.eye(6)
+    held: list[FloatArray] = []
     names = tuple(one.name for one in nominals)
-    for nominal, feature in zip(nominals, measured, strict=True):
+    for number, (nominal, feature) in enumerate(zip(nominals, measured, strict=True)):
         fixed = np.vstack([_orientations(nominal), _locations(nominal, nominal.point_mm)]) @ free
         if np.abs(fixed).max(initial=0.0) < OPEN:
             raise InspectionError(f"Datum {nominal.name} fixes nothing that {'|'.join(names[: names.index(nominal.name)])} has not fixed")
         placed = _laid(placed, free, nominal, feature)
-        free = free @ solver(fixed)[1]
-    return DatumSystem(names, placed, free)
+        _, rest = solver(fixed)
+        held.append(free @ np.linalg.svd(fixed)[2][: free.shape[1] - rest.shape[1]].T)
+        if number in shifts:
+            placed = twist(held[-1] @ shifts[number]) @ placed
+        free = free @ rest
+    return DatumSystem(names, placed, free, tuple(held))
 
 
 def _laid(placed: FloatArray, free: FloatArray, nominal: Feature, feature: Feature) -> FloatArray:

@@ -61,7 +61,10 @@ def _zone(shape: Shape, cells: Cells, criterion: Criterion, name: str, settings:
 
 def _without_noise(zones: list[Zone], width: float, criterion: Criterion, settings: InspectionSettings, how: str) -> Value:
     true = width_without_noise(zones, width, criterion, settings.form_trials)
-    return Value(true.value_mm, true.sigma_mm, f"{how}; {width:.4f} mm less {true.shift_mm:.4f} mm that noise adds")
+    words = f"{how}; {width:.4f} mm less {true.shift_mm:.4f} mm that noise adds"
+    if true.by_noise:
+        words += f"; noise alone could have made it: one-sided, at most {true.value_mm + 2 * true.sigma_mm:.4f} mm"
+    return Value(true.value_mm, true.sigma_mm, words)
 
 
 def extracted(found: Found, settings: InspectionSettings) -> Cells:

@@ -11,8 +11,9 @@ from collections.abc import Callable
 
 import numpy as np
 
+from measureapp.data.cut import Range
 from measureapp.data.feature import Feature
-from measureapp.data.inspection_program import DimensionProgram
+from measureapp.data.material import MaterialCondition
 from measureapp.errors import InspectionError
 from measureapp.inspection.features.found import Found
 from measureapp.inspection.settings import InspectionSettings
@@ -22,7 +23,9 @@ from measureapp.inspection.value import feature_of
 WORDS = {"maximum": "maximum material", "least": "least material"}
 
 
-def bonus_of(described: DimensionProgram, found: Found, settings: InspectionSettings) -> tuple[Callable[[Feature], float], float]:
+def bonus_of(
+    condition: MaterialCondition, limits_mm: Range, found: Found, settings: InspectionSettings
+) -> tuple[Callable[[Feature], float], float]:
     """Return what gives the bonus in mm from the feature, and its standard uncertainty by the noise of the means alone.
 
     Raises
@@ -32,14 +35,13 @@ def bonus_of(described: DimensionProgram, found: Found, settings: InspectionSett
     """
     if feature_of(found).shape != "cylinder":
         raise InspectionError(f"{found.name} is a {feature_of(found).shape}: a material condition is taken of a measured cylinder")
-    assert described.size_limits_mm is not None
-    least, most = described.size_limits_mm
+    least, most = limits_mm
     cells = extracted(found, settings)
-    inner = found.hole == (described.material_condition == "maximum")  # the size that lies inside all means
+    inner = found.hole == (condition == "maximum")  # the size that lies inside all means
     extreme = float(cells.deviations_mm.min() if inner else cells.deviations_mm.max())
 
     def bonus(feature: Feature) -> float:
         size = 2 * ((feature.radius_mm or 0.0) + extreme)
         return float(np.clip(size - least if inner else most - size, 0.0, most - least))
 
-    return bonus, 2 * cells.form_sigma_mm
+    return bonus, cells.form_sigma_mm  # the diameter is off by no more than twice the greatest noise, an expanded uncertainty

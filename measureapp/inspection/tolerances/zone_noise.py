@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from measureapp.arrays import FloatArray, IntArray
+from measureapp.arrays import FloatArray
 from measureapp.data.inspection_program import Criterion
 from measureapp.geometry.feature import Shape
 from measureapp.geometry.fits import Scaled, fit, state_of
@@ -21,6 +21,7 @@ from measureapp.geometry.zone_models import ZONES
 from measureapp.inspection.tolerances.noise_free import noise_free_heights
 
 SHIFT_DRAWS = 40  # for the mean shift: known to a sixth of the scatter of a single width
+COVERAGE = 0.95
 NOISE_ALONE = 0.975  # widths up to this quantile of those of noise alone leave a perfect shape possible
 ROUNDS = 30
 SEED = 14
@@ -51,38 +52,51 @@ class Zone:
 
     def fitted(self, heights_mm: FloatArray) -> FloatArray:
         """Return heights (D, K, N) from their own least-squares fits."""
-        weights = np.full((len(heights_mm), heights_mm.shape[2]), 1.0)
-        return self._rest(heights_mm, weights, self._products())
+        return self._rest(heights_mm, np.ones((len(heights_mm), heights_mm.shape[2])))
 
     def widths(self, heights_mm: FloatArray, criterion: Criterion) -> FloatArray:
-        """Return the widths (D,) of the zones of heights (D, K, N) above the shape.
+        """Return the widths (D,) of the zones of heights (D, K, N) above the shape."""
+        return self.tightened(heights_mm, criterion)[0]
 
-        The least greatest distance is approached by C. L. Lawson's reweighting (thesis, UCLA, 1961), for all draws at once.
+    def tightened(self, heights_mm: FloatArray, criterion: Criterion) -> tuple[FloatArray, FloatArray]:
+        """Return the widths (D,) of zones, and the weights (D, N) whose least-squares fits lie in their middle.
+
+        The least greatest distance is approached by C. L. Lawson's reweighting (thesis, UCLA, 1961), for all draws at once: in
+        the end only the contacts weigh.
         """
         draws, many = len(heights_mm), heights_mm.shape[2]
-        products = self._products()
-        weights, widths = np.full((draws, many), 1 / many), np.full(draws, np.inf)
-        for _ in range(ROUNDS if criterion == "minimum-zone" else 1):
-            rest = self._rest(heights_mm, weights, products)
-            if len(self.derivatives) == 1 and criterion == "least-squares":
-                return np.asarray(np.ptp(rest[:, 0], axis=1))
-            far = np.sqrt(np.sum(rest**2, axis=1))
+        weights = np.full((draws, many), 1 / many)
+        if criterion == "least-squares":
+            return self._width(self._rest(heights_mm, weights)), weights
+        widths = np.full(draws, np.inf)
+        for _ in range(ROUNDS):
+            far = np.sqrt(np.sum(self._rest(heights_mm, weights) ** 2, axis=1))
             widths = np.minimum(widths, 2 * far.max(axis=1))
-            weights = weights * (far + TINY)
-            weights /= weights.sum(axis=1, keepdims=True)
-        return widths
+            heavier = weights * (far + TINY)
+            weights = heavier / heavier.sum(axis=1, keepdims=True)
+        return widths, weights
 
-    def _products(self) -> FloatArray:
-        return np.einsum("knp,knq->npq", self.derivatives, self.derivatives).reshape(self.derivatives.shape[1], -1)
+    def ranges(self, heights_mm: FloatArray, weights: FloatArray) -> FloatArray:
+        """Return the ranges (D,) of heights (D, K, N) about their fits by weights (N,)."""
+        return self._width(self._rest(heights_mm, np.broadcast_to(weights, (len(heights_mm), len(weights)))))
 
-    def _rest(self, heights_mm: FloatArray, weights: FloatArray, products: FloatArray) -> FloatArray:
-        """Heights from their weighted least-squares fits."""
+    @staticmethod
+    def _width(rest_mm: FloatArray) -> FloatArray:
+        """Range of distances (D, 1, N); for an axis in space twice the greatest distance."""
+        if rest_mm.shape[1] == 1:
+            return np.asarray(np.ptp(rest_mm[:, 0], axis=1))
+        return np.asarray(2 * np.sqrt(np.sum(rest_mm**2, axis=1)).max(axis=1))
+
+    def _rest(self, heights_mm: FloatArray, weights: FloatArray) -> FloatArray:
+        """Heights (D, K, N) from their least-squares fits by weights (D, N)."""
         parameters = self.derivatives.shape[2]
+        products = np.einsum("knp,knq->npq", self.derivatives, self.derivatives).reshape(self.derivatives.shape[1], -1)
         normal = (weights @ products).reshape(len(weights), parameters, parameters)
         normal += TINY * np.trace(normal, axis1=1, axis2=2)[:, None, None] * np.eye(parameters)
-        right = np.einsum("dn,dkn,knp->dp", weights, heights_mm, self.derivatives, optimize=True)
+        derivatives = self.derivatives.reshape(-1, parameters)
+        right = (weights[:, None] * heights_mm).reshape(len(weights), -1) @ derivatives
         change = np.linalg.solve(normal, right[..., None])[..., 0]
-        return np.asarray(heights_mm - np.einsum("dp,knp->dkn", change, self.derivatives, optimize=True))
+        return np.asarray(heights_mm - (change @ derivatives.T).reshape(heights_mm.shape))
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,6 +106,7 @@ class TrueWidth:
     value_mm: float
     sigma_mm: float  # half the expanded uncertainty
     shift_mm: float  # by which noise had widened the zone: taken off
+    by_noise: bool = False  # noise alone could have made it: the interval reaches down to zero
 
 
 def width_without_noise(zones: Sequence[Zone], width_mm: float, criterion: Criterion, draws: int) -> TrueWidth:
@@ -99,9 +114,10 @@ def width_without_noise(zones: Sequence[Zone], width_mm: float, criterion: Crite
 
     A parametric bootstrap (B. Efron and R. J. Tibshirani, An Introduction to the Bootstrap, 1993, 6.5): the heights without
     noise are estimated, noise is added to them again, and what it does to their range is taken off the width measured. The same
-    evaluation, that estimate included, of ``draws`` simulated measurements of the estimated form tells by how much it errs; the
-    root mean square of those errors, bias included, is the standard uncertainty. Where noise alone could have made the
-    width, the uncertainty reaches down to zero.
+    evaluation, that estimate included, of ``draws`` simulated measurements of the estimated form tells by how much it errs. The
+    expanded uncertainty is what 95 % of those errors, bias included, do not exceed (JCGM 101, 7.7): errors of extremes are not
+    normal, and twice their root mean square would cover another share of them. Where noise alone could have made the width, the
+    interval reaches down to zero; a form is never negative, so that it is then one-sided.
 
     Parameters
     ----------
@@ -111,19 +127,17 @@ def width_without_noise(zones: Sequence[Zone], width_mm: float, criterion: Crite
     if max(float(zone.noise_mm.max()) for zone in zones) <= TINY:
         return TrueWidth(width_mm, 0.0, 0.0)
     rng = np.random.default_rng(SEED)
-    heights = _Heights.of(zones, rng)
-    form = heights.noise_free([zone.distances_mm for zone in zones])
+    shifted = _Shift.of(zones, criterion, rng)
+    form = noise_free(zones, [zone.distances_mm for zone in zones])
     noise = [zone.noise_mm * rng.standard_normal((draws, *zone.distances_mm.shape)) for zone in zones]
     made = [one[None] + added for one, added in zip(form, noise, strict=True)]
     true = _greatest(zones, [one[None] for one in form], criterion)[0]
-    fitted = [zone.fitted(one) for zone, one in zip(zones, made, strict=True)]
-    shifts = np.array([heights.shift([one[number] for one in fitted]) for number in range(draws)])
+    shifts = shifted.by([zone.fitted(one) for zone, one in zip(zones, made, strict=True)])
     errors = _greatest(zones, made, criterion) - shifts - true
-    shift = heights.shift([zone.distances_mm for zone in zones])
-    value, sigma = max(width_mm - shift, 0.0), float(np.sqrt(np.mean(errors**2)))
-    if width_mm <= float(np.quantile(_greatest(zones, noise, criterion), NOISE_ALONE)):
-        sigma = max(sigma, value / 2)
-    return TrueWidth(value, sigma, width_mm - value)
+    shift = shifted.by([zone.distances_mm[None] for zone in zones])[0]
+    value, reach = max(width_mm - shift, 0.0), float(np.quantile(np.abs(errors), COVERAGE))
+    by_noise = width_mm <= float(np.quantile(_greatest(zones, noise, criterion), NOISE_ALONE))
+    return TrueWidth(value, (max(reach, value) if by_noise else reach) / 2, width_mm - value, by_noise)
 
 
 def _greatest(zones: Sequence[Zone], heights_mm: Sequence[FloatArray], criterion: Criterion) -> FloatArray:
@@ -131,33 +145,38 @@ def _greatest(zones: Sequence[Zone], heights_mm: Sequence[FloatArray], criterion
     return np.asarray(np.max([zone.widths(one, criterion) for zone, one in zip(zones, heights_mm, strict=True)], axis=0))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Heights:
-    """The heights of all zones side by side, and the noise by which their range is shifted."""
+def noise_free(zones: Sequence[Zone], heights_mm: Sequence[FloatArray]) -> list[FloatArray]:
+    """Return the heights (K, N) of all zones without noise: those of all zones come from one distribution."""
+    together = noise_free_heights(np.concatenate(heights_mm, axis=1), np.concatenate([zone.noise_mm for zone in zones]))
+    return np.split(together, np.cumsum([one.shape[1] for one in heights_mm[:-1]]), axis=1)
 
-    starts: IntArray  # (Z,), first column of each zone
-    noise_mm: FloatArray  # (N,)
-    draws_mm: FloatArray  # (SHIFT_DRAWS, K, N)
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Shift:
+    """By how much noise widens the greatest of the zones."""
+
+    zones: Sequence[Zone]
+    criterion: Criterion
+    draws_mm: Sequence[FloatArray]  # (SHIFT_DRAWS, K, N) for each zone
 
     @classmethod
-    def of(cls, zones: Sequence[Zone], rng: np.random.Generator) -> _Heights:
-        counts = [zone.distances_mm.shape[1] for zone in zones]
-        noise = np.concatenate([zone.noise_mm for zone in zones])
-        draws = noise * rng.standard_normal((SHIFT_DRAWS, len(zones[0].distances_mm), len(noise)))
-        return cls(np.cumsum([0, *counts[:-1]]), noise, draws)
+    def of(cls, zones: Sequence[Zone], criterion: Criterion, rng: np.random.Generator) -> _Shift:
+        return cls(zones, criterion, [zone.noise_mm * rng.standard_normal((SHIFT_DRAWS, *zone.distances_mm.shape)) for zone in zones])
 
-    def noise_free(self, heights_mm: Sequence[FloatArray]) -> list[FloatArray]:
-        together = noise_free_heights(np.concatenate(heights_mm, axis=1), self.noise_mm)
-        return np.split(together, self.starts[1:], axis=1)
+    def by(self, heights_mm: Sequence[FloatArray]) -> FloatArray:
+        """Return the mean shift for each of D measured heights (D, K, N).
 
-    def shift(self, heights_mm: Sequence[FloatArray]) -> float:
-        """Return by how much noise widens the greatest range, on average."""
-        form = np.concatenate(self.noise_free(heights_mm), axis=1)
-        return float(self._ranges(form[None] + self.draws_mm).mean() - self._ranges(form[None])[0])
+        A zone follows the noise of its contacts, so that the fewer they are the less noise widens it: the fits of all draws weigh
+        the contacts that the form has without noise.
+        """
+        forms = [noise_free(self.zones, [one[number] for one in heights_mm]) for number in range(len(heights_mm[0]))]
+        weights = [zone.tightened(np.stack(own), self.criterion)[1] for zone, *own in zip(self.zones, *forms, strict=True)]
+        return np.array([self._mean(form, [one[number] for one in weights]) for number, form in enumerate(forms)])
 
-    def _ranges(self, heights_mm: FloatArray) -> FloatArray:
-        """Greatest range (D,) of the heights (D, K, N) of any zone; for an axis in space twice the greatest distance."""
-        if heights_mm.shape[1] > 1:
-            return np.asarray(2 * np.sqrt(np.sum(heights_mm**2, axis=1)).max(axis=1))
-        flat = heights_mm[:, 0]
-        return np.asarray((np.maximum.reduceat(flat, self.starts, axis=1) - np.minimum.reduceat(flat, self.starts, axis=1)).max(axis=1))
+    def _mean(self, form_mm: Sequence[FloatArray], weights: Sequence[FloatArray]) -> float:
+        ranges = [
+            zone.ranges(np.concatenate([form[None], form + draws]), weight)
+            for zone, form, draws, weight in zip(self.zones, form_mm, self.draws_mm, weights, strict=True)
+        ]
+        greatest = np.max(ranges, axis=0)
+        return float(greatest[1:].mean() - greatest[0])

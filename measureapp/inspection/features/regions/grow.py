@@ -13,8 +13,8 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.data.cut import Grow
 from measureapp.data.feature import Feature
-from measureapp.data.inspection_program import Grow
 from measureapp.errors import FitError, InspectionError
 from measureapp.geometry.feature import Shape
 from measureapp.geometry.fits import fit

@@ -1,0 +1,139 @@
+"""Location (ISO 1101): position of what the drawing places, coaxiality and concentricity."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.data.feature import Feature
+from measureapp.data.inspection_program import DimensionProgram
+from measureapp.errors import InspectionError
+from measureapp.inspection.features.found import Found
+from measureapp.inspection.propagation import propagated
+from measureapp.inspection.settings import InspectionSettings
+from measureapp.inspection.tolerances.datum_shift import Play, across, plays_of, shifted_system
+from measureapp.inspection.tolerances.datums import DatumSystem, datum_system, nominals_of
+from measureapp.inspection.tolerances.form import extracted
+from measureapp.inspection.tolerances.material import WORDS, bonus_of
+from measureapp.inspection.tolerances.profiles import surface_value
+from measureapp.inspection.value import AXES, CENTRES, Value, direction_of, feature_of, nominal_of, placement_of
+
+Width = Callable[[Sequence[Feature]], float]
+
+
+def position(described: DimensionProgram, found: Found, datums: tuple[Found, ...], settings: InspectionSettings) -> Value:
+    """Return the width of the zone about the exact place: of a sphere for a centre, a cylinder for an axis, two planes for a plane.
+
+    Raises
+    ------
+    InspectionError
+        The datums do not fix the place, the feature has no position, or a material condition is asked of what has no size.
+    """
+    feature, nominal, drawn = feature_of(found), nominal_of(found), nominals_of(datums)
+    datum_system(drawn, [feature_of(one) for one in datums]).require_place(nominal, found.name)
+    if feature.shape == "plane" and not described.datum_material:
+        return surface_value(found, datums, extracted(found, settings), settings)
+    if feature.shape not in (*AXES, *CENTRES):
+        shapes = "axes and centres where a datum has a material condition" if described.datum_material else "planes, axes and centres"
+        raise InspectionError(f"{found.name} is a {feature.shape}: position is defined for {shapes}")
+    zone = _Zone(nominal, drawn, ends_of(found, feature), plays_of(described.datum_material, described.datums, datums, drawn, settings))
+    made = _widened(described, zone.width, found, datums, settings, _words(feature, zone.ends_mm))
+    return zone.with_shift(made, [feature, *(feature_of(one) for one in datums)])
+
+
+class _Zone:
+    """The zone of an axis or a centre about its place in the drawing, as datums that may shift have it."""
+
+    def __init__(self, nominal: Feature, drawn: Sequence[Feature], ends_mm: FloatArray, plays: tuple[Play, ...]) -> None:
+        self.nominal, self.drawn, self.ends_mm, self.plays = nominal, drawn, ends_mm, plays
+
+    def width(self, features: Sequence[Feature], more_mm: float = 0.0) -> float:
+        """Width of the zone that the feature needs, the part shifted as best it can be."""
+        points = points_of(features[0], self.ends_mm)
+        system = shifted_system(self.drawn, features[1:], self.plays, lambda made: self._offsets(made, points), more_mm)
+        return self._width(system, points)
+
+    def with_shift(self, made: Value, features: Sequence[Feature]) -> Value:
+        """Say what the datums' sizes gained, and count how uncertain those are by noise."""
+        if not self.plays:
+            return made
+        noise = float(np.linalg.norm([play.noise_mm for play in self.plays]))
+        best = self.width(features)
+        change = max(abs(self.width(features, sign * noise) - best) for sign in (1.0, -1.0))
+        unshifted = self._width(datum_system(self.drawn, features[1:]), points_of(features[0], self.ends_mm))
+        sizes = ", ".join(f"{play.nominal.name} loose by {2 * play.radius_mm(features[1 + play.number]):.4f} mm" for play in self.plays)
+        words = f"{made.how}; datum shift: {sizes}, {unshifted:.4f} mm without it"
+        return Value(made.value, float(np.hypot(made.sigma, change)), words, made.bonus)
+
+    def _width(self, system: DatumSystem, points_mm: FloatArray) -> float:
+        return 2 * float(np.linalg.norm(self._offsets(system, points_mm), axis=1).max())
+
+    def _offsets(self, system: DatumSystem, points_mm: FloatArray) -> FloatArray:
+        away = system.apply(points_mm) - self.nominal.point_mm
+        return across(away, direction_of(self.nominal)) if self.nominal.shape in AXES else away
+
+
+def _widened(
+    described: DimensionProgram, width: Width, found: Found, datums: tuple[Found, ...], settings: InspectionSettings, how: str
+) -> Value:
+    """Return the width with the bonus that the feature's own size gives."""
+    if described.size_limits_mm is None or described.material_condition == "regardless":
+        return placed_value(width, found, datums, settings, how)
+    bonus, noise = bonus_of(described.material_condition, described.size_limits_mm, found, settings)
+    left = placed_value(lambda features: width(features) - bonus(features[0]), found, datums, settings, how)
+    gained = bonus(feature_of(found))
+    words = f"{how}; {WORDS[described.material_condition]}: {gained:.4f} mm more than {described.upper_tolerance:g} mm"
+    return Value(left.value + gained, float(np.hypot(left.sigma, noise)), words, gained)
+
+
+def _words(feature: Feature, ends_mm: FloatArray) -> str:
+    return "associated centre" if feature.shape in CENTRES else f"associated axis over {float(np.ptp(ends_mm)):.1f} mm"
+
+
+def common_centre(kind: str, found: Found, datum: Found, settings: InspectionSettings) -> Value:
+    """Return twice the greatest distance of an axis (coaxiality) or a centre (concentricity) from the datum's axis or centre.
+
+    Raises
+    ------
+    InspectionError
+        The feature or its datum has no axis or centre.
+    """
+    feature, base = feature_of(found), feature_of(datum)
+    wanted = AXES if kind == "coaxiality" else CENTRES
+    if feature.shape not in wanted:
+        raise InspectionError(f"{found.name} is a {feature.shape}: {kind} is defined for {'axes' if kind == 'coaxiality' else 'centres'}")
+    if base.shape not in (*AXES, *(CENTRES if kind == "concentricity" else ())):
+        raise InspectionError(f"{datum.name} is a {base.shape} and no datum for {kind}")
+    ends = ends_of(found, feature)
+
+    def width(features: Sequence[Feature]) -> float:
+        away: FloatArray = points_of(features[0], ends) - features[1].point_mm
+        if base.shape in AXES:
+            away = across(away, direction_of(features[1]))
+        return 2 * float(np.linalg.norm(away, axis=1).max())
+
+    return placed_value(width, found, (datum,), settings, _words(feature, ends))
+
+
+def placed_value(width: Width, found: Found, datums: tuple[Found, ...], settings: InspectionSettings, how: str) -> Value:
+    """Return the width with its uncertainty from all fits and from where the views of each lie."""
+    value, sigma = propagated(width, (found, *datums))
+    places = [2 * placement_of(one, settings) for one in (found, *datums)]
+    return Value(value, float(np.linalg.norm([sigma, *places])), how)
+
+
+def ends_of(found: Found, feature: Feature) -> FloatArray:
+    """Return where the measured part of an axis begins and ends along it (2,); a centre and a constructed axis are their point alone."""
+    if feature.shape in CENTRES or feature.direction is None or len(found.points_mm) == 0:
+        return np.zeros(1)
+    along = (found.points_mm - feature.point_mm) @ feature.direction
+    return np.array([along.min(), along.max()])
+
+
+def points_of(feature: Feature, ends: FloatArray) -> FloatArray:
+    """Return the places (N, 3) of an axis at its ends, or of a centre."""
+    if feature.direction is None:
+        return np.asarray(feature.point_mm)[None]
+    return feature.point_mm + ends[:, None] * feature.direction
