@@ -10,7 +10,7 @@ from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.geometry.fits import fit
 from measureapp.inspection.dimensions import inspect
-from measureapp.inspection.features.cells import cell_means, noise_reach, surface_keys
+from measureapp.inspection.features.cells import cell_means, greatest_noise, noise_reach, surface_keys
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 from measureapp.inspection.tolerances.noise_free import noise_free_heights
 from measureapp.inspection.tolerances.zone_noise import Zone, width_without_noise
@@ -182,6 +182,36 @@ def test_the_noise_of_means_is_that_of_their_points():
     # 12 × 12 to 13 × 13 cells; the scatter of 140 means is known to 6 %
     assert np.std(cells.deviations_mm) == pytest.approx(cells.noise_mm, rel=0.2)
     assert cells.noise_mm == pytest.approx(NOISE_MM / np.sqrt(20_000 / 144), rel=0.1)
+
+
+def test_the_slope_of_a_form_across_a_cell_is_no_noise():
+    """Waves climb by 0.03 mm across a cell, six times the noise; what their bend leaves in a cell is a twentieth of that."""
+    noise_mm, amplitude, length = 0.005, 0.1, 5.0 * np.pi
+    part = Part(np.random.default_rng(6), noise_mm)
+    part.square([0, 0, 0], [0, 0, 1], [1, 0, 0], height=lambda u, v: amplitude * np.sin(u / length), count=20_000)
+    points = part.at_its_place().points_mm
+    feature = fit("plane", points)
+    cells = cell_means(points, feature, surface_keys(points, feature, 5.0), "top")
+    slope = amplitude / length * 5.0 / np.sqrt(12)  # scatter about the mean of a cell at the steepest places
+    bend = amplitude / length**2 * 5.0**2 / np.sqrt(720)  # of a parabola about its straight line, where it bends most
+    alone = noise_mm / np.sqrt(20_000 / 144)
+    assert slope > 1.5 * noise_mm
+    assert cells.noise_mm == pytest.approx(alone, rel=0.1 + (bend / noise_mm) ** 2)
+
+
+def test_the_greatest_noise_of_unlike_means_is_exceeded_in_5_of_100_cases():
+    noises = np.r_[np.full(60, 1.0), np.full(20, 2.0)]
+    greatest = np.abs(noises * np.random.default_rng(1).standard_normal((4000, 80))).max(axis=1)
+    assert np.mean(greatest > greatest_noise(noises)) == pytest.approx(0.05, abs=0.015)
+    assert greatest_noise(np.ones(80)) == pytest.approx(noise_reach(80))
+
+
+def test_a_form_that_noise_alone_could_have_made_says_that_its_interval_is_one_sided():
+    part = Part(np.random.default_rng(0), NOISE_MM)
+    part.square([0, 0, 0], [0, 0, 1], [1, 0, 0])
+    flat, wavy = measured(part, [TOP], kind="flatness"), measured(wavy_top(0), [TOP], kind="flatness")
+    assert f"one-sided, at most {flat.measured + flat.uncertainty:.4f} mm" in flat.origin
+    assert flat.measured <= flat.uncertainty and "one-sided" not in wavy.origin
 
 
 def test_the_reach_of_noise_is_exceeded_in_5_of_100_cases():
