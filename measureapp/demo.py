@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +13,7 @@ from measureapp.acquire.events import Event
 from measureapp.arrays import FloatArray
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
+from measureapp.data.length_unit import LengthUnit
 from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
 from measureapp.data.pattern_sets import DEFAULT_NAME
@@ -59,6 +60,7 @@ class DemoRequest:
     viewpoints: int | None = None  # None: what the part needs
     seed: int = 1  # draws the rig's hidden errors and all noise
     patterns: str = DEFAULT_NAME
+    unit: LengthUnit = LengthUnit.MM  # of a mesh file's lengths
     bracket_s: float | None = None  # time for the images of a viewpoint, in which a probe chooses the exposures; None: the usual ones
 
 
@@ -76,9 +78,10 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
     Cancelled
         From ``progress``.
     """
-    part = make_part(request.part)
+    part = make_part(request.part, request.unit)
     description = read_rig("paper").at_resolution(request.resolution)
-    description = description.model_copy(update={"driver_settings": {"part": request.part, "seed": request.seed}})
+    unit = {} if request.unit is LengthUnit.MM else {"unit": str(request.unit)}
+    description = description.model_copy(update={"driver_settings": {"part": request.part, "seed": request.seed, **unit}})
     plan = plan_around_part(
         description,
         part.name,
@@ -122,7 +125,7 @@ def _with_truth(outcome: Outcome, world: World, project: ProjectFolder) -> Outco
         "truth_deviation": deviation,
         "files": {name: str(file) for name, file in files.items()},
     }
-    return Outcome(measurement, document, files)
+    return replace(outcome, document=document, files=files)
 
 
 def truth_deviation(measurement: Measurement, world: World) -> tuple[Mesh, dict[str, Any]]:

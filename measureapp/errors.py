@@ -53,6 +53,21 @@ class InspectionError(MeasureError):
     """A feature or dimension has no answer."""
 
 
+class UnitQuestion(InspectionError):
+    """Lengths look like another unit than they were taken in; only the user can say which it is.
+
+    Parameters
+    ----------
+    what : "points" or "nominal"
+    unit : the likely unit, as `measureapp.data.length_unit.LengthUnit` names it
+    finding : why it looks so, a sentence without its stop
+    """
+
+    def __init__(self, message: str, hint: str, what: str, unit: str, finding: str) -> None:
+        super().__init__(message, hint)
+        self.what, self.unit, self.finding = what, unit, finding
+
+
 class FitError(MeasureError):
     """Points do not determine the shape asked for."""
 

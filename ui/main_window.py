@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QFileDialog, QMainWindow, QMessageBox, QStackedWidget, QWidget
 
+from measureapp.data.length_unit import LengthUnit
 from ui.controllers.controllers import Controllers
+from ui.controllers.files import FileQuestion, FilesToMeasure
 from ui.look.look import Look
 from ui.look.wording import part_words, several, storage
 from ui.pages.calibration import CalibrationPage
@@ -29,7 +32,10 @@ from ui.widgets.job_strip import JobStrip
 from ui.widgets.messages_dialog import MessagesDialog
 from ui.widgets.properties_panel import PropertiesPanel
 from ui.widgets.rail import Rail
+from ui.widgets.unit_dialog import UnitDialog
 
+CLOUDS = "Clouds and meshes (*.ply *.stl *.obj *.pcd *.xyz *.txt *.csv *.asc *.pts)"
+DRAWINGS = "Drawings and programs (*.stl *.ply *.obj *.step *.stp *.toml)"
 PAGES = (RigPage, CalibrationPage, PlanPage, ScanPage, CloudsPage, InspectionPage, ReportPage)
 SMALLEST = (1366, 768)
 TITLE_BARS = 72  # what desktops take of the screen's height
@@ -132,6 +138,9 @@ class MainWindow(QMainWindow):
         self.properties.actionClicked.connect(self._act)
         self.properties.decisionClicked.connect(self._decide)
         self.header.openClicked.connect(self._choose_project)
+        self.header.fileClicked.connect(self._choose_files)
+        controllers.files.unitAsked.connect(self._ask_unit)
+        controllers.files.measured.connect(lambda: self.show_page("inspection"))
         self.header.helpClicked.connect(self._show_help)
         self.header.role.valueChanged.connect(self._change_role)
         self.strip.cancelClicked.connect(controllers.jobs.cancel)
@@ -145,6 +154,11 @@ class MainWindow(QMainWindow):
         scan = self.pages["scan"]
         assert isinstance(scan, ScanPage)
         scan.next_step.clicked.connect(self._go_on)
+        inspection = self.pages["inspection"]
+        assert isinstance(inspection, InspectionPage)
+        inspection.see_report.clicked.connect(lambda: self.show_page("report"))
+        session.reportChanged.connect(self._follow_operator)
+        inspection.measure_file.clicked.connect(self._choose_files)
         QShortcut(QKeySequence.StandardKey.HelpContents, self, self._show_help)
         QShortcut(QKeySequence.StandardKey.Open, self, self._choose_project)
 
@@ -165,6 +179,16 @@ class MainWindow(QMainWindow):
 
     def _show_busy(self) -> None:
         self.strip.show_job(self.session.busy_with)
+        if self.session.busy_with and self.session.role == "operator" and self.page is self.pages["rig"]:
+            self.show_page("scan")
+
+    def _follow_operator(self) -> None:
+        """Take an operator from the scan to the verdict."""
+        inspection = self.pages["inspection"]
+        assert isinstance(inspection, InspectionPage)
+        if self.session.role == "operator" and self.session.inspection is not None and self.page is self.pages["scan"]:
+            self.show_page("inspection")
+            inspection.show_failing()
 
     def _show_message(self, message: Message) -> None:
         self.strip.show_message(message.text, message.hint, message.level)
@@ -213,6 +237,23 @@ class MainWindow(QMainWindow):
             self.rail.buttons[name].setVisible(role == "engineer" or page.for_operator)
         if role == "operator" and not self.page.for_operator:
             self.show_page("scan")
+
+    def _choose_files(self) -> None:
+        cloud, _ = QFileDialog.getOpenFileName(self, "Choose the cloud or mesh to measure", str(Path.home()), CLOUDS)
+        drawing = (
+            QFileDialog.getOpenFileName(self, "Choose its drawing or inspection program", str(Path(cloud).parent), DRAWINGS)[0]
+            if cloud
+            else ""
+        )
+        if drawing:
+            self.controllers.files.measure(FilesToMeasure(Path(cloud), Path(drawing)))
+
+    def _ask_unit(self, asked: FileQuestion) -> None:
+        question, kept = asked.question, "unit" if asked.question.what == "points" else "drawing_unit"
+        self.unit_dialog = UnitDialog(self.look, question.what, question.finding, LengthUnit(question.unit), parent=self)
+        self.unit_dialog.chosen.connect(lambda unit: self.controllers.files.measure(replace(asked.files, **{kept: unit})))
+        self.unit_dialog.finished.connect(self.unit_dialog.deleteLater)
+        self.unit_dialog.open()
 
     def _choose_project(self) -> None:
         start = self.session.folder.parent if self.session.folder is not None else Path.home()

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from measureapp.inspection.drawn_sections import DrawnSections
     from measureapp.inspection.surface.deviation import Deviation
     from measureapp.inspection.surface.nominal import NominalSurface
+    from measureapp.register.sieve import FilterChain
 
 Level = Literal["info", "done", "warning", "error"]
 ViewpointStatus = Literal["waiting", "moving", "capturing", "stored", "processed", "failed"]
@@ -125,7 +126,8 @@ class Session(QObject):
         self.viewpoints: dict[str, ViewpointState] = {}
         self.views: tuple[ViewResult, ...] = ()
         self.stitched: StitchedCloud | None = None
-        self.filtered: StitchedCloud | None = None  # what filters left of the stitched cloud, beside it
+        self.filters: FilterChain | None = None  # of the stitched cloud
+        self.filtered: StitchedCloud | None = None  # what they left of it
         self.inspection: Inspection | None = None
         self.measurement: Measurement | None = None
         self.comparison: Comparison | None = None
@@ -190,13 +192,17 @@ class Session(QObject):
 
     def set_stitched(self, stitched: StitchedCloud | None) -> None:
         """Tell the cloud of all views."""
-        self.stitched, self.filtered = stitched, None
+        self.stitched, self.filters, self.filtered = stitched, None, None
         self.cloudsChanged.emit()
 
-    def set_filtered(self, filtered: StitchedCloud | None) -> None:
-        """Tell what filters left of the stitched cloud; None where none was applied."""
-        self.filtered = filtered
+    def set_filters(self, filters: FilterChain | None) -> None:
+        """Tell which filters are applied to the stitched cloud; None or an empty chain: none."""
+        self._filter(filters)
         self.cloudsChanged.emit()
+
+    def _filter(self, filters: FilterChain | None) -> None:
+        self.filters = filters if filters is not None and filters.filters else None
+        self.filtered = None if self.filters is None or self.stitched is None else self.stitched.where(self.filters.stays)
 
     def set_inspection(self, inspection: Inspection | None) -> None:
         """Tell the dimensions."""
@@ -208,15 +214,16 @@ class Session(QObject):
         self.comparison = comparison
         self.comparisonChanged.emit()
 
-    def set_measurement(self, measurement: Measurement, files: Mapping[str, Path]) -> None:
-        """Take over everything one measurement gave."""
+    def set_measurement(self, measurement: Measurement, files: Mapping[str, Path], filters: FilterChain | None = None) -> None:
+        """Take over everything one measurement gave, and the filters of its stitched cloud."""
         self.measurement = measurement
         self.files = dict(files)
         self.calibration = measurement.calibration
         self.validity = measurement.validity
         self.cameras = measurement.calibration.cameras
         self.views = measurement.views
-        self.stitched, self.filtered = measurement.stitched, None
+        self.stitched = measurement.stitched
+        self._filter(filters)
         self.inspection = measurement.inspection
         self.comparison = None
         for view in measurement.views:

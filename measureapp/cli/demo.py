@@ -9,7 +9,9 @@ import typer
 
 from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.cli.outcome import measurement_lines, passed, tell_failures
-from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+from measureapp.cli.reply import UNIT_HELP, JsonOption, TerminalProgress, reply
+from measureapp.data.length_unit import LengthUnit, likely_unit
+from measureapp.errors import InputError
 
 
 def register(app: typer.Typer) -> None:
@@ -26,13 +28,16 @@ def register(app: typer.Typer) -> None:
         auto_bracket: Annotated[
             float | None, typer.Option("--auto-bracket", min=0.1, help="Let a probe choose the exposures, for so many seconds a viewpoint.")
         ] = None,
+        unit: Annotated[LengthUnit | None, typer.Option(help=UNIT_HELP)] = None,
         as_json: JsonOption = False,
     ) -> None:
         """Calibrate, scan, stitch, measure and report on the virtual rig, and compare with its hidden truth."""
         from measureapp.demo import DemoRequest, run_demo
 
+        if unit is None:
+            _ask_unit(Path(part))
         folder = out or Path(f"demo-{Path(part).stem}-{resolution}")
-        request = DemoRequest(folder, part, resolution, viewpoints, seed, patterns, auto_bracket)
+        request = DemoRequest(folder, part, resolution, viewpoints, seed, patterns, unit or LengthUnit.MM, auto_bracket)
         outcome = run_demo(request, tell_failures, TerminalProgress())
         deviation = outcome.document["truth_deviation"]
         lines = [
@@ -44,3 +49,18 @@ def register(app: typer.Typer) -> None:
         reply(outcome.document, "\n".join(lines), as_json)
         if not passed(outcome.measurement):
             raise typer.Exit(OUT_OF_TOLERANCE)
+
+
+def _ask_unit(mesh: Path) -> None:
+    """Ask about the unit of a mesh file that is no part of the rig's size in millimetres. Raises InputError."""
+    from measureapp.simulate.part_file import mesh_span
+
+    if not mesh.is_file():
+        return
+    span = mesh_span(mesh)
+    unit = likely_unit(span)
+    if unit is not LengthUnit.MM:
+        raise InputError(
+            f"{mesh} spans {span:.4g}: it looks like {unit.words}, {span * unit.in_mm:.4g} mm.",
+            f"Say so with `--unit {unit}`, or with `--unit mm` if the part is that small.",
+        )

@@ -248,7 +248,7 @@ class InspectionProgram(Model):
     nominal: str | None = Field(default=None, description="mesh file of the nominal, relative to the program's file")
     nominal_unit: LengthUnit = Field(default=LengthUnit.MM, description="unit of the nominal's file; the program itself is in mm")
     alignment: AlignmentProgram = Field(default=BestFit(), description="a word like best-fit, or a table with `method`")
-    features: tuple[Annotated[MeasuredFeature | ConstructedFeature | BladeSection, Field(discriminator="shape")], ...] = Field(min_length=1)
+    features: tuple[Annotated[MeasuredFeature | ConstructedFeature | BladeSection, Field(discriminator="shape")], ...] = ()
     dimensions: tuple[DimensionProgram, ...] = ()
 
     @field_validator("alignment", mode="before")

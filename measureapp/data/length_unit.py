@@ -32,4 +32,17 @@ class LengthUnit(StrEnum):
         return _WORDS[self.value]
 
 
+PLAUSIBLE_MM = (30.0, 1500.0)  # parts that a rig for parts of this size measures
+
+
+def likely_unit(span: float) -> LengthUnit:
+    """Return the first unit in which a part of this span (the longest side of its box) has a size that a rig measures.
+
+    >>> [str(likely_unit(span)) for span in (180.0, 7.1, 0.18, 180000.0)]
+    ['mm', 'inch', 'm', 'um']
+    """
+    low, high = PLAUSIBLE_MM
+    return next((unit for unit in LengthUnit if low <= span * unit.in_mm <= high), LengthUnit.MM)
+
+
 OTHER_UNITS = tuple(unit for unit in LengthUnit if unit is not LengthUnit.MM)

@@ -30,6 +30,7 @@ from measureapp.planning.reach import check_reach
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.register.groundwork import Groundwork
+from measureapp.register.sieve import FilterChain
 
 OnEvent = Callable[[Event], None]
 
@@ -41,6 +42,7 @@ class Outcome:
     measurement: Measurement
     document: dict[str, Any]
     files: dict[str, Path]
+    filters: FilterChain | None = None  # applied to the stitched cloud, as the project keeps them
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,4 +170,4 @@ def finished(project: ProjectFolder, measurement: Measurement, watch: Stopwatch)
     with watch.stage("report"):
         files = {"project": project.path, **write_reports(project, measurement)}
     document = outcome_document(measurement, files, watch.seconds)
-    return Outcome(measurement, document, files)
+    return Outcome(measurement, document, files, project.filters(measurement.stitched))

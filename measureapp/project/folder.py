@@ -5,9 +5,9 @@ plan.json           the scan plan
 calibration/        views/ (images of the board and read-backs), cameras.json, rig.json, rig_uncertainty.npz,
                     former/, checks/, history.jsonl
 stacks/             raw fringe images: permanent
-inspection/         program.toml and the nominal it names
+inspection/         program.toml and the nominal it names, in mm; former/: nominals before it
 view_choices.json   views used or refused by hand
-results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`
+results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`; filters.npz, filtered_cloud.ply
 report/             documents
 """
 
@@ -24,26 +24,32 @@ from pydantic import BaseModel, ValidationError
 from measureapp.data.board import AnyBoard, BoardView, CheckerboardDescription
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
+from measureapp.data.mesh import Mesh
 from measureapp.data.model import Model, first_problem
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.data.validity import CheckRecord
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import CalibrationError, InputError, StorageError
-from measureapp.project import results
-from measureapp.project.atomic import write_text
-from measureapp.project.calibration import board_views, store
+from measureapp.progress import NoProgress
+from measureapp.project import board_views, filter_file, results
+from measureapp.project.atomic import replacing, write_text
 from measureapp.project.calibration.store import RIG_UNCERTAINTY
 from measureapp.project.claim import claimed
 from measureapp.project.frame_store import FrameStore
+from measureapp.project.geometry.files import write_mesh
+from measureapp.project.geometry.step_files import STEP_KINDS
 
 if TYPE_CHECKING:
     from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty
+    from measureapp.data.cloud import StitchedCloud
+    from measureapp.progress import Progress
+    from measureapp.register.sieve import FilterChain
 
 FORMAT = 1  # of the project's own files
 DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
 ModelT = TypeVar("ModelT", bound=BaseModel)
-PROGRAM, NOMINAL = "program.toml", "nominal"
+PROGRAM, NOMINAL, FORMER = "program.toml", "nominal", "former"
 VIEW_CHOICES = "view_choices.json"
 
 
@@ -186,6 +192,41 @@ class ProjectFolder:
         if nominal is not None:
             shutil.copyfile(nominal, folder / f"{NOMINAL}{nominal.suffix.lower()}")
 
+    def program_text(self, *, has_nominal: bool) -> str:
+        """Return the inspection program as it is written; where there is none one without features. Raises StorageError."""
+        if self.program is None:
+            return f'name = {json.dumps(self.settings.part)}\nalignment = "{"best-fit" if has_nominal else "none"}"\n'
+        try:
+            return self.program.read_text(encoding="utf-8")
+        except (OSError, UnicodeDecodeError) as error:
+            raise StorageError(f"{self.program} cannot be read: {error}.", "Restore it from a backup, or write it anew.") from error
+
+    def save_program(self, text: str) -> None:
+        """Keep another inspection program. Raises StorageError."""
+        write_text(self.path / "inspection" / PROGRAM, text)
+
+    def save_drawing(self, drawing: Path, nominal: Mesh) -> None:
+        """Keep another drawing, read from the file ``drawing`` already; a mesh is kept in millimetres, STEP states its unit itself.
+
+        The one before is set aside.
+        """
+        folder = self.path / "inspection"
+        if self.nominal is not None:
+            with replacing(folder / FORMER / f"{len(self.former_drawings()) + 1:04d}{self.nominal.suffix}") as temporary:
+                shutil.copyfile(self.nominal, temporary)
+        kept = folder / (f"{NOMINAL}{drawing.suffix.lower()}" if drawing.suffix.lower() in STEP_KINDS else f"{NOMINAL}.stl")
+        if kept.suffix == ".stl":
+            write_mesh(kept, nominal)
+        else:
+            with replacing(kept) as temporary:
+                shutil.copyfile(drawing, temporary)
+        for other in set(folder.glob(f"{NOMINAL}.*")) - {kept}:
+            other.unlink()
+
+    def former_drawings(self) -> tuple[Path, ...]:
+        """Return the drawings that were set aside, oldest first."""
+        return tuple(sorted((self.path / "inspection" / FORMER).glob("[0-9]*")))
+
     @property
     def program(self) -> Path | None:
         """The inspection program, if there is one."""
@@ -211,9 +252,18 @@ class ProjectFolder:
         """The folder of what was computed."""
         return self.path / "results"
 
-    def save_measurement(self, measurement: Measurement) -> None:
-        """Keep everything a measurement gave."""
+    def save_measurement(self, measurement: Measurement, progress: Progress = NoProgress()) -> None:  # noqa: B008 - stateless
+        """Keep everything a measurement gave, and apply the filters of the cloud before to its stitched one."""
         results.save(self.results, measurement)
+        filter_file.filter_again(self.results, measurement.stitched, progress)
+
+    def save_inspected(self, measurement: Measurement) -> None:
+        """Keep a measurement of which only the inspection is another."""
+        results.save_document(self.results, measurement)
+
+    def filters(self, stitched: StitchedCloud) -> FilterChain | None:
+        """Return the filters of the stitched cloud, if there are any. Raises StorageError when they are damaged or of another cloud."""
+        return filter_file.load_filters(self.results, stitched)
 
     def measurement(self) -> Measurement | None:
         """Return the last measurement, if there is one. Raises StorageError when it is damaged."""

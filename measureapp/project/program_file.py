@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -26,11 +27,23 @@ def read_program(path: Path) -> InspectionProgram:
         (the place is named).
     """
     path = Path(path)
-    document = read_toml(path, "Give an inspection program in TOML.")
+    return _validated(read_toml(path, "Give an inspection program in TOML."), str(path))
+
+
+def program_from(text: str) -> InspectionProgram:
+    """Return the program that a text in TOML is; raises InputError as `read_program`."""
+    try:
+        document = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(f"The inspection program is not valid TOML: {error}.", "Correct the line named.") from error
+    return _validated(document, "The inspection program")
+
+
+def _validated(document: dict[str, Any], where: str) -> InspectionProgram:
     try:
         return InspectionProgram.model_validate(document)
     except ValidationError as error:
-        raise InputError(f"{path}: {_first_problem(error, document)}.", "Correct this entry of the inspection program.") from error
+        raise InputError(f"{where}: {_first_problem(error, document)}.", "Correct this entry of the inspection program.") from error
 
 
 def with_alignment(program: InspectionProgram, words: str) -> InspectionProgram:

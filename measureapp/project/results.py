@@ -46,6 +46,11 @@ def save(folder: Path, measurement: Measurement) -> None:
         (folder / MESH).unlink(missing_ok=True)
     else:
         write_mesh(folder / MESH, measurement.mesh)
+    save_document(folder, measurement)
+
+
+def save_document(folder: Path, measurement: Measurement) -> None:
+    """Write all of a measurement but its clouds and mesh, which are there already."""
     document = {
         "schema_version": 1,
         **{name: getattr(measurement, name) for name in ("project", "part", "rig", "measured_at", "settings", "timings_s")},

@@ -12,7 +12,9 @@ from scipy.spatial import cKDTree
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.errors import RegistrationError
+from measureapp.progress import NoProgress, Progress
 
+AT_ONCE = 200_000  # points between two occasions to cancel
 ISLAND_CELLS = 3.0  # in spacings: points in touching cells of this size hang together
 
 
@@ -23,7 +25,23 @@ def _refuse_too_few(points_mm: FloatArray, neighbours: int) -> None:
         )
 
 
-def statistical(points_mm: FloatArray, neighbours: int = 20, sigmas: float = 2.0) -> BoolArray:
+def _distances(points_mm: FloatArray, ranks: list[int], most_mm: float, progress: Progress) -> FloatArray:
+    """Return the distance of every point to its neighbours of these ranks (1: the point itself), infinite beyond ``most_mm``."""
+    progress.report(0, 1, "ordering the points")
+    tree, found = cKDTree(points_mm), np.empty((len(points_mm), len(ranks)))
+    for start in range(0, len(points_mm), AT_ONCE):
+        progress.report(start, len(points_mm), "looking at neighbours")
+        part = slice(start, start + AT_ONCE)
+        found[part] = tree.query(points_mm[part], ranks, distance_upper_bound=most_mm, workers=-1)[0]
+    return found
+
+
+def statistical(
+    points_mm: FloatArray,
+    neighbours: int = 20,
+    sigmas: float = 2.0,
+    progress: Progress = NoProgress(),  # noqa: B008 - stateless
+) -> BoolArray:
     """Return which points have a mean distance to their neighbours within ``sigmas`` standard deviations of the cloud's mean [1]_.
 
     Raises
@@ -36,16 +54,19 @@ def statistical(points_mm: FloatArray, neighbours: int = 20, sigmas: float = 2.0
     .. [1] R. B. Rusu et al., Robotics and Autonomous Systems 56(11), 927-941, 2008.
     """
     _refuse_too_few(points_mm, neighbours)
-    distances, _ = cKDTree(points_mm).query(points_mm, neighbours + 1, workers=-1)
-    mean = distances[:, 1:].mean(axis=1)
+    mean = _distances(points_mm, list(range(2, neighbours + 2)), np.inf, progress).mean(axis=1)
     return np.asarray(mean <= mean.mean() + sigmas * mean.std())
 
 
-def crowded(points_mm: FloatArray, radius_mm: float, least: int) -> BoolArray:
+def crowded(
+    points_mm: FloatArray,
+    radius_mm: float,
+    least: int,
+    progress: Progress = NoProgress(),  # noqa: B008 - stateless
+) -> BoolArray:
     """Return which points have at least ``least`` others within a radius; raises RegistrationError as `statistical`."""
     _refuse_too_few(points_mm, least)
-    distances, _ = cKDTree(points_mm).query(points_mm, [least + 1], distance_upper_bound=np.nextafter(radius_mm, np.inf), workers=-1)
-    return np.asarray(np.isfinite(distances[:, 0]))
+    return np.asarray(np.isfinite(_distances(points_mm, [least + 1], float(np.nextafter(radius_mm, np.inf)), progress)[:, 0]))
 
 
 def in_box(points_mm: FloatArray, low_mm: FloatArray, high_mm: FloatArray) -> BoolArray:

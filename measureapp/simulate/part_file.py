@@ -1,4 +1,4 @@
-"""A part from a mesh file: STL, PLY or OBJ, in millimetres."""
+"""A part from a mesh file: STL, PLY or OBJ."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray
+from measureapp.data.length_unit import LengthUnit
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InputError
 from measureapp.simulate.part import MATT_WHITE, Part
@@ -18,8 +19,8 @@ PLY_HEADER_BYTES = 65536
 SMALLEST_MM, LARGEST_MM = 1.0, 2000.0
 
 
-def part_from_file(path: Path) -> Part:
-    """Read a mesh as a part that stands on the table, its centre on the axis; it is taken as matt white.
+def part_from_file(path: Path, unit: LengthUnit = LengthUnit.MM) -> Part:
+    """Read a mesh, whose lengths are in ``unit``, as a part that stands on the table, its centre on the axis; it is taken as matt white.
 
     Raises
     ------
@@ -27,19 +28,23 @@ def part_from_file(path: Path) -> Part:
         The file is missing, of another kind, damaged, cut off, empty, or its size makes no sense in millimetres.
     """
     if path.suffix.lower() not in KINDS:
-        raise InputError(
-            f"{path} is not a mesh the simulator reads.", "Give an STL, PLY or OBJ file in millimetres, or the name of a sample part."
-        )
+        raise InputError(f"{path} is not a mesh the simulator reads.", "Give an STL, PLY or OBJ file, or the name of a sample part.")
     vertices, triangles, closed = _read(path)
+    vertices = vertices * unit.in_mm
     size = np.ptp(vertices, axis=0)
     if not SMALLEST_MM <= size.max() <= LARGEST_MM:
         raise InputError(
-            f"{path}: the part would be {size.max():.3g} mm long.", f"Scale it to millimetres ({SMALLEST_MM:g}…{LARGEST_MM:g} mm)."
+            f"{path}: the part would be {size.max():.3g} mm long.", f"State its unit, or scale it to {SMALLEST_MM:g}…{LARGEST_MM:g} mm."
         )
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     standing = vertices - [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]]
     mesh = Mesh(standing, triangles, "nominal")
     return Part(path.stem, mesh, (MATT_WHITE,), np.zeros(len(triangles), np.uint8), watertight=closed)
+
+
+def mesh_span(path: Path) -> float:
+    """Return the longest side of the box around a mesh file, in the file's own unit; raises InputError as `part_from_file`."""
+    return float(np.ptp(_read(path)[0], axis=0).max())
 
 
 def _read(path: Path) -> tuple[FloatArray, IntArray, bool]:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from measureapp.data.length_unit import LengthUnit
 from measureapp.errors import InputError
 from measureapp.simulate.part import Part
 from measureapp.simulate.part_blocks import flat, gypsum
@@ -26,8 +27,8 @@ SAMPLES: dict[str, Callable[[], Part]] = {
 STL_RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 
 
-def make_part(name_or_path: str) -> Part:
-    """Return a sample part by its name, or the part in an STL, PLY or OBJ file.
+def make_part(name_or_path: str, unit: LengthUnit = LengthUnit.MM) -> Part:
+    """Return a sample part by its name, or the part in an STL, PLY or OBJ file whose lengths are in ``unit``.
 
     Raises
     ------
@@ -39,7 +40,7 @@ def make_part(name_or_path: str) -> Part:
     path = Path(name_or_path)
     if not path.suffix:
         raise InputError(f"There is no sample part {name_or_path!r}.", f"Name one of {', '.join(SAMPLES)}, or a mesh file (STL, PLY, OBJ).")
-    return part_from_file(path)
+    return part_from_file(path, unit)
 
 
 def stl_bytes(part: Part) -> bytes:

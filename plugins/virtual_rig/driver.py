@@ -41,7 +41,7 @@ def connect(description: RigDescription, settings: Mapping[str, object]) -> Rig:
     strangers = sorted(set(chosen.world.knocked_deg) - {camera.name for camera in description.cameras})
     if strangers:
         raise DeviceError(f"Virtual rig: setting world.knocked_deg names camera {strangers[0]!r}.", "Name cameras of this rig.")
-    world = World(description, make_part(chosen.part), chosen.seed, chosen.board, chosen.world)
+    world = World(description, make_part(chosen.part, chosen.unit), chosen.seed, chosen.board, chosen.world)
     return rig_of(world, ScaledClock(chosen.time_scale))
 
 

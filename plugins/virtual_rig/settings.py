@@ -5,6 +5,7 @@ from __future__ import annotations
 from pydantic import Field
 
 from measureapp.data.board import AnyBoard
+from measureapp.data.length_unit import LengthUnit
 from measureapp.data.model import Model
 from measureapp.simulate.options import WorldOptions
 from measureapp.simulate.world import PAPER_BOARD
@@ -14,6 +15,7 @@ class VirtualRigSettings(Model):
     """What the virtual rig measures and how fast its time runs."""
 
     part: str = Field(default="gypsum", description="impeller, gypsum, gear, sphere_plate, flat, or a mesh file (STL, PLY, OBJ)")
+    unit: LengthUnit = Field(default=LengthUnit.MM, description="of the mesh file's lengths: mm, inch, m, cm or um")
     seed: int = Field(default=1, ge=0, description="draws the hidden errors and all noise")
     time_scale: float = Field(default=0.0, ge=0, description="1: moves and exposures last as long as on the real rig; 0: no waiting")
     board: AnyBoard = PAPER_BOARD

@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+import trimesh
 from demo_fixture import Demo
 
 from measureapp.cli import main
@@ -61,3 +62,13 @@ def test_one_dimension_that_does_not_pass_is_the_exit_code(verdict: Verdict, fin
     finished_as(Verdict.PASS, Verdict.PASS, verdict, Verdict.PASS)
     assert main(["demo"]) == 1
     assert main(["demo", "--json"]) == 1
+
+
+def test_a_mesh_that_is_no_part_in_millimetres_is_asked_about_before_anything_starts(finished_as, capsys, tmp_path) -> None:
+    asked, path = finished_as(*[Verdict.PASS] * 4), tmp_path / "block.stl"
+    trimesh.creation.box([4.0, 2.0, 1.0]).export(path)
+    assert main(["demo", "--part", str(path)]) == 2
+    assert asked == [] and "--unit inch" in capsys.readouterr().err
+    for unit in ("inch", "mm"):
+        assert main(["demo", "--part", str(path), "--unit", unit]) == 0
+        assert asked[-1].unit == unit

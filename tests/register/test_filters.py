@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 from measureapp.errors import RegistrationError
+from measureapp.progress import CallbackProgress, Cancelled
 from measureapp.register import filters
+from measureapp.register.sieve import Filter
 
 SPACING = 0.5
 
@@ -82,3 +84,28 @@ def test_clouds_of_no_points_are_refused_or_stay_empty(count: int) -> None:
 def test_a_plane_without_a_direction_is_refused() -> None:
     with pytest.raises(RegistrationError, match="no sides"):
         filters.above_plane(np.zeros((3, 3)), np.zeros(3), 0.0)
+
+
+@pytest.mark.parametrize("kind", ["statistical", "radius"])
+def test_a_filter_can_be_cancelled_in_the_middle_of_a_large_cloud(kind, monkeypatch):
+    monkeypatch.setattr(filters, "AT_ONCE", 100)
+    points = np.random.default_rng(1).uniform(0, 10, (1000, 3))
+    heard = []
+
+    def listen(done, total, _note):
+        heard.append(done / total)
+        if done / total > 0.5:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        Filter(kind, (2.0, 5)).keeps(points, CallbackProgress(listen))
+    assert heard == pytest.approx([0.0, *np.arange(0, 0.61, 0.1)])
+
+
+def test_pieces_of_a_large_cloud_are_filtered_as_the_whole(monkeypatch):
+    points = np.random.default_rng(2).uniform(0, 10, (1000, 3))
+    asked = (Filter("statistical", (1.0, 8)), Filter("radius", (1.5, 9)))
+    whole = [one.keeps(points) for one in asked]
+    monkeypatch.setattr(filters, "AT_ONCE", 77)
+    assert all(np.array_equal(one.keeps(points), before) for one, before in zip(asked, whole, strict=True))
+    assert all(0 < mask.sum() < len(points) for mask in whole)

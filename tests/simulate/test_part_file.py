@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 import trimesh
 
+from measureapp.data.length_unit import LengthUnit
 from measureapp.errors import InputError
+from measureapp.simulate.part_file import mesh_span
 from measureapp.simulate.parts import make_part
 
 
@@ -85,3 +87,11 @@ def test_a_missing_file_and_a_foreign_kind_are_refused(tmp_path: Path) -> None:
         make_part(str(tmp_path / "missing.stl"))
     with pytest.raises(InputError, match="not a mesh"):
         make_part(str(tmp_path / "part.docx"))
+
+
+def test_a_mesh_in_a_stated_unit_has_the_size_it_has_in_millimetres(block: trimesh.Trimesh, tmp_path: Path) -> None:
+    whole, path = np.ptp(block.vertices, axis=0), tmp_path / "block.stl"
+    block.copy().apply_scale(1 / 25.4).export(path)
+    assert mesh_span(path) == pytest.approx(whole.max() / 25.4, rel=1e-5)
+    part = make_part(str(path), LengthUnit.INCH)
+    assert np.ptp(part.mesh.vertices_mm, axis=0) == pytest.approx(whole, rel=1e-5)

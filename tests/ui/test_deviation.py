@@ -70,6 +70,26 @@ def test_the_card_sums_up_the_deviations_in_words(qtbot, compared):
     assert card.isHidden()
 
 
+def test_a_tolerance_is_marked_on_the_scale_and_shares_are_told(qtbot, compared):
+    card = DeviationCard(Look("light"))
+    qtbot.addWidget(card)
+    card.show_comparison(compared)
+    card.resize(500, 400)
+    distances = compared.deviation.distances_mm
+    limit = round(float(np.percentile(np.abs(distances), 80)), 3)
+    card.histogram.end_mm = 2 * limit
+    card.tolerance.setValue(2 * limit)  # at the end of the scale: nothing to mark
+    plain = card.histogram.grab().toImage()
+    card.tolerance.setValue(limit)
+    share = 100 * np.mean(np.abs(distances) <= limit)
+    assert card.bands.text().replace("\u00a0", " ").startswith(f"{share:.1f} % within")
+    marked = card.histogram.grab().toImage()
+    changed = {x for x in range(plain.width()) for y in range(20) if plain.pixel(x, y) != marked.pixel(x, y)}
+    ratio = plain.width() / card.histogram.width()
+    expected = [ratio * card.histogram.width() * place for place in (0.25, 0.75)]
+    assert changed and all(min(abs(x - one) for one in expected) <= 3 * ratio for x in changed)
+
+
 def test_the_histogram_counts_what_lies_beyond_its_scale_in_the_outermost_bars(qtbot):
     histogram = Histogram(Look("light"))
     qtbot.addWidget(histogram)
@@ -137,7 +157,7 @@ def test_the_inspection_page_cuts_where_the_bar_says_and_labels_all_dimensions(q
     before = len(page.view._lines)
     for place_mm in (-20.0, 5.0, 0.0):  # each is cut on a thread; the last wish is what is shown in the end
         page.cut.setValue(CutPlane("x", place_mm))
-    qtbot.waitUntil(lambda: page.cut.words.text().startswith("x = 0") and not page._is_cutting, timeout=20_000)
+    qtbot.waitUntil(lambda: page.cut.words.text().startswith("x = 0") and not page.cutting._is_cutting, timeout=20_000)
     assert len(page.view._lines) > before and "deviations" in page.cut.words.text()
     page.cut.button.setChecked(False)
     assert len(page.view._lines) == before

@@ -9,12 +9,15 @@ import pytest
 
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.feature import Feature
+from measureapp.data.measurement import Alignment
+from measureapp.geometry.transform import RigidTransform
 from ui.look.look import Look
 from ui.pages.dimension_rows import branches_of, datum_words, dimension_properties, tolerance
 from ui.pages.layers import filled_share
 from ui.widgets.data_table import Cell
 from ui.widgets.data_tree import Branch, DataTree
 
+ALIGNMENT = Alignment("best fit", RigidTransform.identity("nominal", "part"), 0.021, 0.93, ("turn about z",), {"bore": 0.004})
 ZONE = Dimension(
     "boss_position", 0.0, 0.005, 0.077, 0.0, 0.2, Verdict.PASS,
     features=("boss",), kind="position", datums=("gear face", "bore"), origin="boss: 1372 points, 99 left out; associated axis; datums gear face|bore",
@@ -42,7 +45,7 @@ def test_below_a_dimension_lie_its_features_and_its_datums_with_their_letters():
 
 
 def test_the_properties_of_a_zone_name_kind_datums_origin_and_rule():
-    shown = dimension_properties(ZONE, [feature("boss", "cylinder")], "By a rule.")
+    shown = dimension_properties(ZONE, [feature("boss", "cylinder")], ALIGNMENT, "By a rule.")
     groups = {group.heading: [(name, plain(value)) for name, value in group.rows] for group in shown.groups}
     assert ("Kind", "Position") in groups["Result"]
     assert ("Datums", "A Gear face, B Bore") in groups["Result"]

@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from PySide6.QtWidgets import QFileDialog
 
 from measureapp.data.board import CharucoDescription, CheckerboardDescription, CirclesDescription
+from measureapp.data.length_unit import LengthUnit
 from measureapp.data.pattern_sets import DEFAULT_NAME, PATTERN_SETS
 from ui.look.demo_settings import DemoSettings
 from ui.look.paths import demo_folder
@@ -23,9 +24,10 @@ ANY_SETTINGS = st.builds(
     st.integers(1, 9999),
     st.sampled_from(sorted(PATTERN_SETS)),
 )
+MESHES = st.builds(DemoSettings, st.just("somewhere/bracket.stl"), unit=st.sampled_from(LengthUnit))
 
 
-@given(wanted=ANY_SETTINGS)
+@given(wanted=st.one_of(ANY_SETTINGS, MESHES))
 @settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_the_demo_form_gives_back_what_it_was_given(qtbot, wanted):
     form = DemoForm()
@@ -92,9 +94,12 @@ def test_a_mesh_of_the_users_own_becomes_an_entry_of_the_list(qtbot, monkeypatch
     path = str(tmp_path / "bracket.stl")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (path, ""))
     place = form._part.findText(OWN_MESH)
-    with qtbot.waitSignal(form.valueChanged):
+    with qtbot.waitSignal(form.meshChosen) as told:
         form._part.setCurrentIndex(place)
         form._part.activated.emit(place)
+    assert form.value().part == DemoSettings().part  # until the mesh was looked at
+    with qtbot.waitSignal(form.valueChanged):
+        form.show_mesh(told.args[0], LengthUnit.MM)
     assert form.value().part == path
     assert form._part.currentText() == "bracket.stl"
     assert form._part.itemText(form._part.count() - 1) == OWN_MESH

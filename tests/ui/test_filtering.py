@@ -65,7 +65,7 @@ def test_filters_add_up_beside_the_stitched_cloud_and_are_taken_back_one_by_one(
         assert kept.points_mm[:, 2].min() >= left and len(kept) == np.count_nonzero(stitched.points_mm[:, 2] >= left)
         assert kept.view_names == stitched.view_names
         assert len(read_stitched(beside)) == len(kept) and read_stitched(beside).view_names == kept.view_names
-    assert clouds.stage.value() == "filtered" and "after filtering" in clouds.state.text()
+    assert clouds.stage.value() == "filtered" and ", filtered " in clouds.state.text()
     assert application.session.stitched is stitched
     clouds.undo.click()
     settled(application, qtbot)

@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from measureapp.errors import InputError, StorageError
 from measureapp.pipeline import process_project
 from measureapp.progress import NoProgress
+from measureapp.project import filter_file
+from measureapp.project.filter_file import FILTERED, FILTERS, save_filters
 from measureapp.project.folder import ProjectFolder, ProjectSettings
+from measureapp.project.geometry.files import read_stitched, write_cloud
+from measureapp.project.results import STITCHED
+from measureapp.register.sieve import Filter, FilterChain
 
 PATIENCE_MS = 30_000
 
@@ -64,3 +71,68 @@ def test_an_operator_goes_on_to_the_dimensions_and_an_engineer_to_the_clouds(app
     assert scan.next_step.text().strip() == "See the dimensions"
     scan.next_step.click()
     assert window.page is window.pages["inspection"]
+
+
+def measured(project, measurement):
+    stored = replace(measurement, inspection=None)
+    project.save_measurement(stored)
+    return stored
+
+
+def test_filters_come_back_with_the_project_and_can_be_taken_back_one_by_one(qtbot, application, window, project, measurement):
+    stitched = measured(project, measurement).stitched
+    chain = FilterChain.of((Filter("plane", (0, 0, 1, 30.0)), Filter("plane", (0, 0, 1, 60.0))), stitched.points_mm)
+    save_filters(project.results, chain, stitched)
+    assert opened(qtbot, application, project.path).level == "done"
+    session, filtering = application.session, application.controllers.filtering
+    window.show_page("clouds")
+    assert window.pages["clouds"].stage.value() == "filtered" and session.filters.filters == chain.filters
+    for least_mm in (60.0, 30.0):
+        left = stitched.points_mm[stitched.points_mm[:, 2] >= least_mm]
+        assert session.filtered.points_mm == pytest.approx(left, abs=1e-4)
+        assert len(read_stitched(project.results / FILTERED)) == len(left)
+        filtering.undo()
+        qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy and not session.busy_with, timeout=PATIENCE_MS)
+    assert session.filtered is None and not (project.results / FILTERED).exists()
+
+
+@pytest.mark.parametrize("harm", ["damaged", "of another cloud"])
+def test_filters_that_do_not_fit_are_told_and_the_cloud_is_shown_whole(qtbot, application, window, project, measurement, harm):
+    stitched = measured(project, measurement).stitched
+    save_filters(project.results, FilterChain.of((Filter("plane", (0, 0, 1, 60.0)),), stitched.points_mm), stitched)
+    if harm == "damaged":
+        (project.results / FILTERS).write_bytes(b"PK\x03\x04 no archive")
+    else:
+        moved = replace(stitched, points_mm=stitched.points_mm + 1.0)
+        write_cloud(project.results / STITCHED, moved)
+    told = opened(qtbot, application, project.path)
+    assert told.level == "warning" and "shown unfiltered" in told.text and "page Clouds" in told.hint
+    assert application.session.filtered is None and len(application.session.stitched) == len(stitched)
+
+
+def test_filters_are_applied_again_to_a_cloud_that_is_computed_again(project, measurement):
+    before = measured(project, measurement).stitched
+    save_filters(project.results, FilterChain.of((Filter("plane", (0, 0, 1, 60.0)),), before.points_mm), before)
+    after = replace(before, points_mm=before.points_mm + np.array([0, 0, 20.0]))
+    project.save_measurement(replace(measurement, inspection=None, stitched=after))
+    assert np.array_equal(project.filters(after).stays, after.points_mm[:, 2] >= 60.0)
+    far = replace(before, points_mm=before.points_mm - np.array([0, 0, 500.0]))
+    project.save_measurement(replace(measurement, inspection=None, stitched=far))  # nothing is left of it
+    assert project.filters(far) is None and not (project.results / FILTERED).exists()
+
+
+def test_a_project_that_cannot_be_written_is_filtered_for_looking_and_says_so(
+    qtbot, application, window, project, measurement, monkeypatch
+):
+    measured(project, measurement)
+    opened(qtbot, application, project.path)
+
+    def refuse(*_arguments):
+        raise StorageError("results cannot be written: Permission denied.", "Check the permissions, or choose another folder.")
+
+    monkeypatch.setattr(filter_file, "save_filters", refuse)
+    application.controllers.filtering.apply(Filter("plane", (0, 0, 1, 60.0)))
+    qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy and not application.session.busy_with, timeout=PATIENCE_MS)
+    told = application.session.messages[-1]
+    assert told.level == "warning" and "not kept" in told.text and "permissions" in told.hint
+    assert application.session.filtered.points_mm[:, 2].min() >= 60.0

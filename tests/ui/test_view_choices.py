@@ -24,7 +24,7 @@ def kept(application, window, measurement, tmp_path, monkeypatch):
         if store.fails:
             raise RegistrationError("No view can be used.", "Use another one.")
         store.choices = choices
-        return SimpleNamespace(measurement=measurement, files={})
+        return SimpleNamespace(measurement=measurement, files={}, filters=None)
 
     monkeypatch.setattr(folders.ProjectFolder, "open", lambda _path: SimpleNamespace(view_choices=lambda: store.choices, nominal=None))
     monkeypatch.setattr(stitching_again, "restitch", restitch)

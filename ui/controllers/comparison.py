@@ -14,7 +14,10 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from measureapp.data.cloud import StitchedCloud
+    from measureapp.data.inspection_program import InspectionProgram
     from measureapp.data.measurement import Alignment
+    from measureapp.data.mesh import Mesh
+    from measureapp.progress import Progress
     from ui.workers.job import Job
 
 NEAR_MM = 2.0  # a place of the drawing without a point this close counts as not measured
@@ -32,13 +35,12 @@ class ComparisonController(QObject):
 
     @Slot()
     def compare(self) -> None:
-        """Compare the stitched cloud with the nominal of the open project, once for every cloud."""
+        """Compare the stitched cloud with the nominal of the open project, once for every cloud and drawing."""
         session = self._session
         stitched, inspection, folder = session.stitched, session.inspection, session.folder
-        if stitched is None or inspection is None or folder is None or self._asked is stitched:
+        if stitched is None or inspection is None or folder is None or self._asked is inspection.alignment:
             return
-        self._asked = stitched
-        alignment = inspection.alignment
+        alignment = self._asked = inspection.alignment  # of one cloud, laid onto one drawing
         self._runner.run(
             "Comparing with the drawing",
             lambda job: compared(stitched, alignment, folder, job),
@@ -48,18 +50,12 @@ class ComparisonController(QObject):
 
     @Slot(object)
     def _show(self, found: Comparison | None) -> None:
-        if found is not None and found.stitched is self._session.stitched:
+        if found is not None and found.stitched is self._session.stitched and found.deviation.alignment is self._asked:
             self._session.set_comparison(found)
 
 
 def compared(stitched: StitchedCloud, alignment: Alignment, folder: Path, job: Job) -> Comparison | None:
     """Return the deviations, or None where the project has no nominal; runs on a job's thread."""
-    from scipy.spatial import cKDTree
-
-    from measureapp.inspection.drawn_sections import drawn_sections
-    from measureapp.inspection.measured import sampled
-    from measureapp.inspection.surface.deviation import deviation
-    from measureapp.inspection.surface.nominal import NominalSurface
     from measureapp.project.folder import ProjectFolder
     from measureapp.project.geometry.files import read_mesh
     from measureapp.project.program_file import read_program
@@ -67,13 +63,26 @@ def compared(stitched: StitchedCloud, alignment: Alignment, folder: Path, job: J
     project = ProjectFolder.open(folder) if (folder / "project.json").exists() else None
     if project is None or project.nominal is None:
         return None
-    nominal = read_mesh(project.nominal, "nominal")
-    found = deviation(stitched, nominal, alignment, near_mm=NEAR_MM, progress=job)
+    program = None if project.program is None else read_program(project.program)
+    return comparison_of(stitched, read_mesh(project.nominal, "nominal"), alignment, program, job)
+
+
+def comparison_of(
+    stitched: StitchedCloud, nominal: Mesh, alignment: Alignment, program: InspectionProgram | None, progress: Progress
+) -> Comparison:
+    """Return how far a cloud is from a nominal, what was not measured of it, and the sections of the program; for a job's thread."""
+    from scipy.spatial import cKDTree
+
+    from measureapp.inspection.drawn_sections import drawn_sections
+    from measureapp.inspection.measured import sampled
+    from measureapp.inspection.surface.deviation import deviation
+    from measureapp.inspection.surface.nominal import NominalSurface
+
+    found = deviation(stitched, nominal, alignment, near_mm=NEAR_MM, progress=progress)
     places = sampled(nominal, PLACES)
     distance, _ = cKDTree(found.points_mm).query(places.points_mm, distance_upper_bound=NEAR_MM)
     missing = ~np.isfinite(distance)
     normals = np.zeros_like(places.points_mm) if places.normals is None else places.normals
     surface = NominalSurface(nominal)
-    program = None if project.program is None else read_program(project.program)
-    sections = None if program is None else drawn_sections(found, surface, program, progress=job)
+    sections = None if program is None else drawn_sections(found, surface, program, progress=progress)
     return Comparison(stitched, found, places.points_mm[missing], normals[missing], surface, sections)

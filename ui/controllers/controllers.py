@@ -9,10 +9,12 @@ from ui.controllers.collecting_nouns import Kind
 from ui.controllers.comparison import ComparisonController
 from ui.controllers.demo import DemoController
 from ui.controllers.documents import DocumentsController
+from ui.controllers.files import FilesController
 from ui.controllers.filtering import FilteringController
 from ui.controllers.growing import GrowingController
 from ui.controllers.holes import HolesController
 from ui.controllers.jobs import JobRunner
+from ui.controllers.programming import ProgrammingController
 from ui.controllers.project import ProjectController
 from ui.controllers.recent_calibration import RecentCalibrationController
 from ui.controllers.startup import StartupController
@@ -38,8 +40,10 @@ class Controllers(QObject):
         self.stored_images = StoredImagesController(session, self.background, self)
         self.holes = HolesController(session, self.explaining, self)
         self.view_choices = ViewChoicesController(session, self.jobs, self)
+        self.files = FilesController(session, self.jobs, self)
         self.filtering = FilteringController(session, self.jobs, self)
         self.growing = GrowingController(session, self.jobs, self)
+        self.programming = ProgrammingController(session, self.jobs, self)
         kinds: tuple[Kind, ...] = ("cameras", "projector", "axis", "hand-eye", "guide", "rig")
         self.calibrating = {kind: CalibratingController(kind, session, self.demo, self.jobs, self.solving, self) for kind in kinds}
         self.recent_calibration = RecentCalibrationController(session, self.background, self)

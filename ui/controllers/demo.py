@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QObject, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
+from measureapp.data.length_unit import LengthUnit, likely_unit
 from ui.controllers.jobs import JobRunner
 from ui.controllers.run_events import RunEvents
 from ui.look.demo_settings import DemoSettings
@@ -19,8 +21,20 @@ if TYPE_CHECKING:
     from ui.workers.job import Job
 
 
+@dataclass(frozen=True)
+class MeshQuestion:
+    """A mesh file, the longest side of its box as the file has it, and the unit in which it is a part of the rig's size."""
+
+    path: Path
+    span: float
+    likely: LengthUnit
+
+
 class DemoController(QObject):
     """Runs the demo and shows it as it goes."""
+
+    meshReady = Signal(object, object)  # Path, LengthUnit
+    unitAsked = Signal(object)  # MeshQuestion
 
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -34,6 +48,18 @@ class DemoController(QObject):
     def choose(self, settings: DemoSettings) -> None:
         """Take other settings for the next run."""
         self.settings = settings
+
+    @Slot(object)
+    def look_at(self, path: Path) -> None:
+        """Look whether a mesh can be used as a part, and whether its unit has to be asked for."""
+        self._runner.run("Reading the mesh", lambda job: looked_at(path, job), self._judge)
+
+    @Slot(object)
+    def _judge(self, found: MeshQuestion) -> None:
+        if found.likely is LengthUnit.MM:
+            self.meshReady.emit(found.path, found.likely)
+        else:
+            self.unitAsked.emit(found)
 
     @Slot()
     def run(self) -> None:
@@ -58,7 +84,9 @@ class DemoController(QObject):
             job.report(0, 1, "Preparing the virtual rig")
             from measureapp.demo import DemoRequest, run_demo
 
-            request = DemoRequest(folder, settings.part, settings.resolution, settings.viewpoints, settings.seed, settings.patterns)
+            request = DemoRequest(
+                folder, settings.part, settings.resolution, settings.viewpoints, settings.seed, settings.patterns, settings.unit
+            )
             return run_demo(request, events.sink(job), job)
 
         return work
@@ -81,8 +109,17 @@ class DemoController(QObject):
     @Slot(object)
     def _finish(self, outcome: Outcome) -> None:
         self._read_plan()
-        self._session.set_measurement(outcome.measurement, outcome.files)
+        self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
         inspection = outcome.measurement.inspection
         proven = sum(1 for dimension in inspection.dimensions if dimension.verdict == "pass") if inspection else 0
         summary = f" {proven} of {len(inspection.dimensions)} dimensions pass." if inspection else ""
         self._session.tell(f"The demo is complete.{summary}", "", "done")
+
+
+def looked_at(path: Path, job: Job) -> MeshQuestion:
+    """Return the size of a mesh; runs on a job's thread. Raises InputError where it cannot be used."""
+    from measureapp.simulate.part_file import mesh_span
+
+    job.report(0, 1, path.name)
+    span = mesh_span(path)
+    return MeshQuestion(path, span, likely_unit(span))

@@ -24,7 +24,7 @@ FORMATS = {  # words, the file of the project, ending
     "json": ("Everything as JSON", "report_json", "json"),
     "ply": ("Stitched cloud (PLY)", "stitched_cloud", "ply"),
     "stl": ("Surface mesh (STL)", "mesh", "stl"),
-    "open": ("Open patch, holes kept (STL)", "", "stl"),
+    "open": ("Open patch (STL)", "", "stl"),
 }
 
 

@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from measureapp.errors import InspectionError
 from ui.controllers.jobs import JobRunner
+from ui.look.wording import sentence
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -31,14 +32,10 @@ class GrownFeature:
     @property
     def entry(self) -> str:
         """The lines that measure it in an inspection program."""
-        x, y, z = (f"{value:.3f}" for value in self.seed_mm)
-        lines = (
-            "[[features]]",
-            f'name = "{self.feature.name}"',
-            f'shape = "{self.feature.shape}"',
-            f"grow = {{ seed_mm = [{x}, {y}, {z}] }}",
-        )
-        return "\n".join((*lines, ""))
+        from measureapp.project.program_text import entry
+
+        seed = tuple(round(value, 3) for value in self.seed_mm)
+        return entry("features", {"name": self.feature.name, "shape": self.feature.shape, "grow": {"seed_mm": seed}})
 
 
 class GrowingController(QObject):
@@ -52,6 +49,7 @@ class GrowingController(QObject):
         self.grown: list[GrownFeature] = []
         self._of: StitchedCloud | None = None
         session.cloudsChanged.connect(self._forget)
+        session.inspectionChanged.connect(self._leave_to_program)
 
     @Slot(object, str)
     def grow(self, place_mm: np.ndarray, shape: GrownShape) -> None:
@@ -70,6 +68,16 @@ class GrowingController(QObject):
         """Forget the feature that grew last."""
         if self.grown:
             self.grown.pop()
+            self.changed.emit()
+
+    @Slot()
+    def _leave_to_program(self) -> None:
+        """Forget features that the program has now."""
+        inspection = self._session.inspection
+        known = set() if inspection is None else {feature.name for feature in inspection.features}
+        left = [one for one in self.grown if one.feature.name not in known]
+        if len(left) < len(self.grown):
+            self.grown = left
             self.changed.emit()
 
     @Slot(object)
@@ -99,5 +107,6 @@ def grown_feature(
     points = MeasuredPoints.of(stitched).seen_from(alignment.nominal_from_part)
     found = find_all(points, program, None, InspectionSettings(), job)[name]
     if found.feature is None:
-        raise InspectionError(f"{found.reason}.", "Click another place, or choose another shape.")
+        reason, _, remedy = found.reason.removeprefix(f"{name}: ").rstrip(".").partition(". ")
+        raise InspectionError(f"No {shape} grows there: {reason}.", sentence(remedy) or "Click another place, or choose another shape.")
     return GrownFeature(found.feature, seed_mm)

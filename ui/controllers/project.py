@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from measureapp.data.rig import RigDescription
     from measureapp.data.validity import Validity
     from measureapp.pipeline import Outcome
+    from measureapp.register.sieve import FilterChain
     from ui.workers.job import Job
 
 
@@ -37,7 +38,9 @@ class ReadProject:
     measurement: Measurement | None
     files: dict[str, Path]
     validity: Validity | None
+    filters: FilterChain | None = None  # of the stitched cloud
     damage: StorageError | None = None  # why the results there cannot be shown
+    lost: StorageError | None = None  # why the filters there cannot be applied
 
 
 class ProjectController(QObject):
@@ -84,15 +87,17 @@ class ProjectController(QObject):
         for id_ in read.stored:
             session.set_viewpoint(id_, "stored")
         if read.measurement is not None:
-            session.set_measurement(read.measurement, read.files)
+            session.set_measurement(read.measurement, read.files, read.filters)
         session.set_validity(read.validity)
         session.tell(f"{read.name} is open.", "", "done")
         if read.damage is not None:
             session.tell(read.damage.message, "Press Compute again on the page Scan; nothing has to be scanned again.", "warning")
+        if read.lost is not None:
+            session.tell(read.lost.message, read.lost.hint, "warning")
 
     @Slot(object)
     def _recomputed(self, outcome: Outcome) -> None:
-        self._session.set_measurement(outcome.measurement, outcome.files)
+        self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
         self._session.tell("Everything was computed again from the stored images.", "", "done")
 
 
@@ -112,6 +117,11 @@ def read_project(folder: Path, job: Job) -> ReadProject:
     except StorageError as error:  # results can be computed again, so the rest is opened
         damage = error
     job.report(2, 3, "Reading clouds")
+    filters, lost = None, None
+    try:
+        filters = None if measurement is None else project.filters(measurement.stitched)
+    except StorageError as error:
+        lost = error
     files = {
         "project": folder,
         "report_pdf": project.report_pdf,
@@ -131,5 +141,7 @@ def read_project(folder: Path, job: Job) -> ReadProject:
         measurement,
         {name: path for name, path in files.items() if path.exists()},
         None if calibration is None else known_validity(project, calibration, None if measurement is None else measurement.validity),
+        filters,
         damage,
+        lost,
     )

@@ -68,7 +68,7 @@ class ViewChoicesController(QObject):
         self._show(outcome, "The choice is taken back, and the views are stitched again.")
 
     def _show(self, outcome: Outcome, words: str) -> None:
-        self._session.set_measurement(outcome.measurement, outcome.files)
+        self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
         self._session.tell(words, "", "done")
         self.undoChanged.emit()
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from measureapp.data.length_unit import LengthUnit
 from ui.look.pattern_words import RECOMMENDED
 
 Resolution = Literal["full", "half", "quarter"]
@@ -12,10 +13,11 @@ Resolution = Literal["full", "half", "quarter"]
 
 @dataclass(frozen=True)
 class DemoSettings:
-    """Part, image resolution, number of viewpoints, the seed of the virtual rig's hidden errors, and the pattern set by its name."""
+    """What the demo measures, and how."""
 
-    part: str = "gypsum"
+    part: str = "gypsum"  # a sample part, or a mesh file
     resolution: Resolution = "half"
     viewpoints: int = 8
-    seed: int = 1
-    patterns: str = RECOMMENDED
+    seed: int = 1  # of the virtual rig's hidden errors
+    patterns: str = RECOMMENDED  # by its name
+    unit: LengthUnit = LengthUnit.MM  # of the mesh file's lengths

@@ -15,6 +15,8 @@ NAMES = {
     "run": "play",
     "cancel": "x-circle",
     "open": "folder-open",
+    "file": "cube",
+    "add": "plus-circle",
     "again": "arrows-clockwise",
     "export": "download-simple",
     "pdf": "file-pdf",

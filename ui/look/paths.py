@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from measureapp.data.length_unit import LengthUnit
 from ui.look.demo_settings import DemoSettings
 from ui.look.pattern_words import RECOMMENDED
 
@@ -13,6 +14,8 @@ def demo_folder(settings: DemoSettings) -> Path:
     name = f"demo-{Path(settings.part).stem}-{settings.resolution}-{settings.viewpoints}-views-rig-{settings.seed}"
     if settings.patterns != RECOMMENDED:
         name += f"-{settings.patterns}"
+    if settings.unit is not LengthUnit.MM:
+        name += f"-{settings.unit}"
     return Path.home() / "MeasureApp" / name
 
 

@@ -39,19 +39,22 @@ class Distance:
     first: ClickedPoint
     second: ClickedPoint
     length_mm: float
-    uncertainty_mm: float  # k = 2
+    uncertainty_mm: float | None  # k = 2; None where the points' own is not known
 
     @classmethod
     def between(cls, first: ClickedPoint, second: ClickedPoint) -> Distance:
         """Measure from one point to the other."""
         from measureapp.inspection.point_distance import point_distance
 
-        places = np.stack([first.position_mm, second.position_mm])
-        return cls(first, second, *point_distance(places, (first.sigma_mm, second.sigma_mm), first.view == second.view))
+        places, sigmas = np.stack([first.position_mm, second.position_mm]), (first.sigma_mm, second.sigma_mm)
+        length, uncertainty = point_distance(places, sigmas, first.view == second.view)
+        return cls(first, second, length, uncertainty if min(sigmas) > 0 else None)
 
     @property
     def words(self) -> str:
         """Return value and uncertainty in one line."""
+        if self.uncertainty_mm is None:
+            return millimetres(self.length_mm).replace("\u00a0", " ")
         return f"{quantity(self.length_mm, '')} ± {millimetres(self.uncertainty_mm)}".replace("\u00a0", " ").strip()
 
 
@@ -67,6 +70,7 @@ class DistanceTool(QObject):
         self.button.toggled.connect(self._begin)
         self.distances: list[Distance] = []
         self._first: ClickedPoint | None = None
+        self._where: object = None
 
     @property
     def is_on(self) -> bool:
@@ -101,11 +105,11 @@ class DistanceTool(QObject):
             self.distances.pop()
         self.changed.emit()
 
-    @Slot()
-    def clear(self) -> None:
-        """Forget everything; the points belong to clouds that are no longer shown."""
-        self._first, self.distances = None, []
-        self.changed.emit()
+    def keep_for(self, where: object) -> None:
+        """Forget what was clicked elsewhere: in another cloud, or under another alignment."""
+        if where != self._where:
+            self._where, self._first, self.distances = where, None, []
+            self.changed.emit()
 
     def lines(self, colour: tuple[int, int, int]) -> list[LineLayer]:
         """Return what was measured as lines, with a cross at each point."""

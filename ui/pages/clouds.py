@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QHeaderView
 
 from measureapp.errors import InputError
@@ -43,6 +44,21 @@ SCALE_NAMES = {"sigma": "Standard deviation σ", "residual": "Residual"}
 MERGED_RESIDUAL = "Residual (rms)"
 UNDO_FILTER = "Take the last filter back"
 UNDO_CHOICE, UNDO_DISTANCE = "Take the last choice of a view back", "Take the last measured point or distance back"
+STAGES = {"before": "By the axes", "after": "Fine stitched", "merged": "Merged", "filtered": "Filtered"}
+STAGE_TIPS = {
+    "before": "The clouds as robot, guide and table placed them",
+    "after": "Each cloud moved until it fits its neighbours",
+    "merged": "One cloud; where clouds overlap, the better points weigh more",
+    "filtered": "What filters left of the merged cloud",
+}
+COLOURS = {"view": "View", "sigma": "σ", "grey": "Grey", "residual": "Residual"}
+COLOUR_TIPS = {
+    "view": "A colour for each view",
+    "sigma": "Standard deviation of each point, in mm",
+    "grey": "Brightness in the images",
+    "residual": "Distance from the merged surface, in mm",
+}
+TABLE_WIDTH, POINTS_COLUMN = 512, 2
 ACTION = "Images and holes"
 HEADERS = ["", "View", "Points", "Correction", "Residual", "Verdict"]
 
@@ -54,11 +70,13 @@ class CloudsPage(ViewportPage):
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
         super().__init__(look, session, controllers, EmptyState(look, "clouds", *EMPTY, "Run the demo"))
-        self.stage = Segments({"before": "By the axes", "after": "Fine stitched", "merged": "Merged", "filtered": "Filtered"})
-        self.colour_by = Segments({"view": "View", "sigma": "σ", "grey": "Grey", "residual": "Residual"})
+        self.stage = Segments(STAGES, name="Clouds shown", tips=STAGE_TIPS)
+        self.colour_by = Segments(COLOURS, name="Colour by", tips=COLOUR_TIPS)
         self.scale = ColourScale(look)
         self.table = DataTable(look, HEADERS, numeric=(2, 3, 4), stretch=5)
-        self.table.setFixedWidth(512)
+        self.table.setAccessibleName("Views")
+        self.table.setAccessibleDescription("The space bar shows or hides the selected view.")
+        self.side, self.side_width = self.table, TABLE_WIDTH
         self.table.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.Fixed)
         self.table.setColumnWidth(0, 40)
         self.hidden: set[str] = set()
@@ -71,7 +89,6 @@ class CloudsPage(ViewportPage):
         self.undo.clicked.connect(self._undo)
         self.action_row.insertWidget(0, self.undo)
         controllers.view_choices.undoChanged.connect(self._show_undo)
-        controllers.filtering.undoChanged.connect(self._show_undo)
         self._placed, self._residuals = PlacedClouds(), Residuals()
         self._extent_of: StitchedCloud | None = None  # whose extent the filters begin with
         self._seen_filtered: StitchedCloud | None = None
@@ -89,10 +106,15 @@ class CloudsPage(ViewportPage):
         self.view.pointPicked.connect(self._show_point)
         self.stage.valueChanged.connect(self._forget_point)
         session.cloudsChanged.connect(self._show)
-        session.cloudsChanged.connect(self.distance.clear)
+        session.cloudsChanged.connect(lambda: self.distance.keep_for(session.stitched or session.views))
         session.projectChanged.connect(self.hidden.clear)
         session.busyChanged.connect(self._show_busy)
         self._show()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave the number of points to the properties where the table is narrow."""
+        super().resizeEvent(event)
+        self.table.setColumnHidden(POINTS_COLUMN, self.table.width() < TABLE_WIDTH)
 
     def _tools(self, look: Look) -> QHBoxLayout:
         """Return what stands above the picture."""
@@ -109,7 +131,8 @@ class CloudsPage(ViewportPage):
         self.hint = label("", "soft")
         self.action_row.insertWidget(0, self.hint)
         self.action_row.insertWidget(1, self.scale)
-        return row(self.stage, 12, label("Colour by", "soft"), self.colour_by, 0, self.filter_button, self.distance.button, fit)
+        self.tool_buttons = (self.filter_button, self.distance.button, fit)
+        return row(self.stage, 12, label("Colour by", "soft"), self.colour_by, 0, *self.tool_buttons)
 
     def _show_busy(self) -> None:
         if self.session.busy_with and not self.session.views:
@@ -126,6 +149,15 @@ class CloudsPage(ViewportPage):
         can_undo = choices.can_undo or self.distance.can_undo or filtering.can_undo
         self.undo.setVisible(bool(self.session.views) and can_undo)
         self.undo.setToolTip(UNDO_DISTANCE if self.distance.can_undo else UNDO_FILTER if filtering.can_undo else UNDO_CHOICE)
+
+    def undo_last(self) -> None:
+        """Take back what the button names."""
+        if self.undo.isVisible() and self.undo.isEnabled():
+            self._undo()
+
+    def end_clicking(self) -> None:
+        """Stop measuring by clicking."""
+        self.distance.button.setChecked(False)
 
     def _undo(self) -> None:
         """Take back what was measured by clicking; when nothing of that is left, the last filter, then the last choice of a view."""
@@ -164,10 +196,11 @@ class CloudsPage(ViewportPage):
             self.stage.setValue("merged")
         self._seen_stitched = stitched is not None
         total = sum(len(view.cloud) for view in views)
-        words = f"{several(len(views), 'view')} with {counted(total)} points"
-        merged = "" if stitched is None else f"{words}; {counted(len(stitched))} after merging"
-        left = "" if filtered is None else f", {counted(len(filtered))} after filtering"
-        self.state.setText(f"{merged}{left}." if stitched is not None else f"{words}, placed by the axes.")
+        words = f"{several(len(views), 'view')}, {counted(total)} points"
+        merged = "" if stitched is None else f"{words}; merged {counted(len(stitched))}"
+        left = "" if filtered is None else f", filtered {counted(len(filtered))}"
+        told = f"{merged}{left}." if stitched is not None else f"{words}, placed by the axes."
+        self.state.setText(told if views else "No view is scanned.")
         placements = self.placements()
         self.table.set_rows([self._cells(index, view, placements.get(view.viewpoint_id)) for index, view in enumerate(views)])
         self._select(max(0, self.table.currentIndex().row()))
@@ -282,6 +315,8 @@ class CloudsPage(ViewportPage):
 
     def composer(self) -> Composer | None:
         """Compose the visible views as chosen."""
+        if not self.session.views:  # what is measured of a file has none
+            return None
         colour_by: ColourBy = self.colour_by.value()  # type: ignore[assignment]
         stitched, placements, views = self.session.stitched, self.placements(), self.session.views
         end = scale_end(colour_by, [view.cloud for view in views], placements.values()) if colour_by in SCALE_NAMES else 1.0

@@ -4,17 +4,22 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QFrame
+import numpy as np
+from PySide6.QtWidgets import QDoubleSpinBox, QFrame
 
 from ui.look.look import Look
 from ui.look.wording import millimetres, percent
 from ui.viewport.colouring import DIVERGING, upper_end
-from ui.widgets.basic import column, label
+from ui.widgets.basic import column, label, row
 from ui.widgets.histogram import Histogram
 from ui.widgets.not_measured import NotMeasuredLegend
 
 if TYPE_CHECKING:
     from ui.session import Comparison
+
+
+USUAL_TOLERANCE_MM = 0.1  # what a dimension has that states none
+TOLERANCE = "Tolerance to both sides of the drawing, in mm; it marks the scale and changes no verdict"
 
 
 class DeviationCard(QFrame):
@@ -26,8 +31,22 @@ class DeviationCard(QFrame):
         self.histogram = Histogram(look)
         self.words = label("", "soft", wrap=True)
         self.unmeasured = NotMeasuredLegend(look)
+        self.tolerance, self.bands = QDoubleSpinBox(), label("", "soft", wrap=True)
+        self.tolerance.setRange(0.001, 100.0)
+        self.tolerance.setDecimals(3)
+        self.tolerance.setSingleStep(0.01)
+        self.tolerance.setSuffix(" mm")
+        self.tolerance.setValue(USUAL_TOLERANCE_MM)
+        self.tolerance.lineEdit().setTextMargins(6, 0, 0, 0)
+        self.tolerance.setFixedWidth(112)
+        self.tolerance.setAccessibleName(TOLERANCE)
+        self.tolerance.setToolTip(TOLERANCE)
+        self.tolerance.valueChanged.connect(self._show_bands)
+        self._distances_mm: np.ndarray = np.empty(0)
         heading = label("Deviation from the drawing", "heading")
-        self.setLayout(column(heading, self.words, self.histogram, self.unmeasured, margin=16, spacing=8))
+        limits = row(label("Tolerance ±", "soft"), self.tolerance, self.bands)
+        limits.setStretch(2, 1)
+        self.setLayout(column(heading, self.words, limits, self.histogram, self.unmeasured, margin=16, spacing=8))
 
     def show_comparison(self, comparison: Comparison | None) -> None:
         """Show these deviations, or nothing."""
@@ -35,11 +54,23 @@ class DeviationCard(QFrame):
         if comparison is None:
             return
         found = comparison.deviation
+        self._distances_mm = found.distances_mm
+        self._show_bands()
         self.histogram.show_values(found.distances_mm, DIVERGING, scale_end_mm(comparison))
         self.words.setText(
             f"Mean {millimetres(found.mean_mm, signed=True)}, rms {millimetres(found.rms_mm)}; 95 % lie within {millimetres(found.p95_mm)}."
         )
         self.unmeasured.say(f"Not measured: {percent(found.unmeasured_share)} of the drawing's surface")
+
+    def _show_bands(self) -> None:
+        """Mark the tolerance, and tell how many of the points lie within it."""
+        from measureapp.inspection.surface.histogram import histogram
+
+        limit = self.tolerance.value()
+        self.histogram.mark(limit)
+        if len(self._distances_mm):
+            found = histogram(self._distances_mm, -limit, limit)
+            self.bands.setText(f"{percent(found.within)} within, {percent(found.below)} below, {percent(found.above)} above")
 
 
 def scale_end_mm(comparison: Comparison) -> float:

@@ -13,6 +13,7 @@ from ui.widgets.properties_panel import Group, Properties
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
     from measureapp.data.feature import Feature
+    from measureapp.data.measurement import Alignment
 
 DIGITS = {"mm": 3, "deg": 3, "°": 3}
 OTHERS = "Other features"
@@ -111,8 +112,20 @@ def quantity_with_unit(words: str, unit: str) -> str:
     return f"{words}{unit}" if unit in {"", "°"} else f"{words}\u00a0{unit}"
 
 
-def dimension_properties(dimension: Dimension, features: Sequence[Feature], rule: str) -> Properties:
-    """Return what there is to know about one dimension, and by which ``rule`` it was judged."""
+def alignment_group(alignment: Alignment) -> Group:
+    """Return how the part was laid onto the drawing, and what that leaves open."""
+    rows = [
+        ("Method", sentence_case(alignment.name)),
+        ("Residual (rms)", millimetres(alignment.rms_mm)),
+        ("Overlap", percent(alignment.overlap, 0)),
+    ]
+    rows += [(f"Off at {name}", millimetres(off)) for name, off in alignment.residuals_mm.items()]
+    rows += [("", sentence(f"left open: {motion}")) for motion in alignment.undetermined]
+    return Group("Alignment", (*rows, *(("", note) for note in alignment.notes)))
+
+
+def dimension_properties(dimension: Dimension, features: Sequence[Feature], alignment: Alignment, rule: str) -> Properties:
+    """Return what there is to know about one dimension, how the part was aligned, and by which ``rule`` it was judged."""
     unit = unit_of(dimension)
     kind = sentence_case(dimension.kind)
     values = Group(
@@ -133,6 +146,7 @@ def dimension_properties(dimension: Dimension, features: Sequence[Feature], rule
     if taken:
         groups.append(Group("Where the value comes from", taken))
     groups += [feature_group(feature) for feature in features]
+    groups.append(alignment_group(alignment))
     if rule:
         groups.append(Group("Decision rule", (("", rule),)))
     return Properties(dimension_words(dimension.name), tuple(groups), dimension.reason)
@@ -150,3 +164,11 @@ def feature_group(feature: Feature) -> Group:
             *([("Radius", millimetres(feature.radius_mm))] if feature.radius_mm is not None else []),
         ),
     )
+
+
+def decision_rule() -> str:
+    """Return the rule by which the dimensions are judged, in words."""
+    from measureapp.inspection.settings import InspectionSettings
+    from measureapp.inspection.verdict import RULES
+
+    return RULES[InspectionSettings().verdict_rule]

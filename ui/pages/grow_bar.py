@@ -25,8 +25,9 @@ if TYPE_CHECKING:
 SHAPES = {"plane": "Plane", "cylinder": "Cylinder", "sphere": "Sphere", "cone": "Cone"}
 TIP = "Find the face, bore or ball around a place you click"
 HINT = "Click a place on the measured points"
-COPY = "Copy for the program"
-NOTE = "Paste the copied lines into the inspection program (TOML) to measure this feature every time."
+COPY = "Copy its lines"
+ADD = "Add to the inspection program"
+NOTE = "Added to the inspection program it is measured every time; the lines can also be copied into another one."
 
 
 class GrowBar(QWidget):
@@ -40,7 +41,7 @@ class GrowBar(QWidget):
         self.button = Button("Feature", look, "grow", "quiet", TIP)
         self.button.setCheckable(True)
         self.button.toggled.connect(self._show)
-        self.shape = Segments(SHAPES)
+        self.shape = Segments(SHAPES, name="Shape to grow")
         self.words = ElidedLabel(HINT, "small")
         self.setLayout(row(label("Grow a", "soft"), self.shape, self.words, margin=8, spacing=12))
         self.layout().setStretch(2, 1)
@@ -80,7 +81,7 @@ class GrowBar(QWidget):
         angle = () if feature.half_angle_rad is None else (("Cone angle", quantity(float(np.degrees(2 * feature.half_angle_rad)), "°")),)
         place = Group("Place", tuple((axis, millimetres(float(value))) for axis, value in zip("xyz", feature.point_mm, strict=True)))
         how = Group("How it was found", (*angle, ("", f"{feature.how[:1].upper()}{feature.how[1:]}.")))
-        return Properties(feature.name.capitalize(), (feature_group(feature), place, how), NOTE, COPY)
+        return Properties(feature.name.capitalize(), (feature_group(feature), place, how), NOTE, COPY, ADD)
 
     def _show(self) -> None:
         self.setVisible(self.button.isChecked())

@@ -6,36 +6,33 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import Slot
-from PySide6.QtGui import QGuiApplication, QShowEvent
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication, QResizeEvent, QShortcut, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.wording import millimetres, percent, sentence_case
 from ui.pages.clicked_distance import ClickedPoint, DistanceTool
+from ui.pages.cutting import Cutting
 from ui.pages.deviation_card import DeviationCard, scale_end_mm
-from ui.pages.dimension_rows import (
-    branches_of,
-    dimension_properties,
-    feature_group,
-    features_of,
-    other_features,
-)
+from ui.pages.dimension_rows import branches_of, decision_rule, dimension_properties, feature_group, features_of, other_features
 from ui.pages.feature_lines import OUTLINE, dimension_labels, feature_lines, verdict_rgb
 from ui.pages.grow_bar import GrowBar
 from ui.pages.layers import deviation_layers, filled_share, mesh_layer, points_layer, rgb
 from ui.pages.picked_point import merged_point, point_properties
-from ui.pages.section_bar import SectionBar, cut_lines
+from ui.pages.program_tools import ProgramTools
+from ui.pages.section_bar import SectionBar
 from ui.pages.viewport_page import Composer, Picture, ViewportPage
 from ui.session import Session
-from ui.viewport.layers import Label, LineLayer
+from ui.viewport.layers import Label
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.data_tree import DataTree
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.not_measured import NotMeasuredLegend
 from ui.widgets.properties_panel import Properties
 from ui.widgets.segments import Segments
+from ui.widgets.verdict_banner import VerdictBanner
 from ui.workers.job import Job
 
 if TYPE_CHECKING:
@@ -48,11 +45,19 @@ EMPTY = (
     "An inspection program fits features to the measured points and compares their distances with the drawing.",
 )
 HEADERS = ["Dimension", "Nominal", "Measured", "Error", "U", "Verdict"]
+UNDO = "Take the last point, distance, feature or change of the program back"
+REMOVE = "Take out of the program"
 FILLED = "Filled without points, never measured on"
+SHAPES = {"surface": "Surface", "points": "Points", "deviation": "Deviation"}
+SHAPE_TIPS = {
+    "surface": "The measured surface; hatched where it was filled in without points",
+    "points": "The merged points",
+    "deviation": "Distance of each point from the drawing, in mm",
+}
 UNLIMITED = 16_777_215  # Qt's largest height of a widget
-UNITS = "Lengths in mm, U for k = 2"
+UNITS = "Lengths in mm."
 TABLE_WIDTH, DEVIATION_HEIGHT = 584, 400
-SIDE_SHARES = (0, 1000, 0, 500, 1)  # the rest stays empty only when table and histogram have what they can use
+SIDE_SHARES = (0, 0, 1000, 0, 500, 1)  # the rest stays empty only when table and histogram have what they can use
 
 
 class InspectionPage(ViewportPage):
@@ -63,15 +68,19 @@ class InspectionPage(ViewportPage):
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
         super().__init__(look, session, controllers, EmptyState(look, "inspection", *EMPTY, "Run the demo"))
-        self.shape = Segments({"surface": "Surface", "points": "Points", "deviation": "Deviation"})
+        self.measure_file = Button("Measure a file…", look, "file", tip="A cloud or mesh, by a drawing or an inspection program")
+        self.empty.add_quiet(self.measure_file)
+        self.shape = Segments(SHAPES, name="Picture", tips=SHAPE_TIPS)
         self.shape.set_available("deviation", False)
         self.shape.valueChanged.connect(self.redraw)
         self._point: Label | None = None  # of the point that was clicked last
-        self._cut_lines: list[LineLayer] = []
-        self._is_cutting = self._cut_again = False
+        self._entry: tuple[Properties, str] | None = None  # of the program, while its properties are shown
         self.deviation = DeviationCard(look)
         self.summary = {verdict: label("", "strong") for verdict in ("pass", "fail", "not proven", "not measured")}
         self.table = DataTree(look, HEADERS, numeric=(1, 2, 3, 4), stretch=0)
+        self.table.setAccessibleName("Dimensions")
+        self.table.setAccessibleDescription("The right arrow opens a row, Enter comes closer to what it measures.")
+        QShortcut(Qt.Key.Key_Return, self.table, self._look_closer, context=Qt.ShortcutContext.WidgetShortcut)
         self.table.rowSelected.connect(self._select)
         self.table.heightChanged.connect(self._share_height)
         self.table.setExpandsOnDoubleClick(False)
@@ -80,25 +89,27 @@ class InspectionPage(ViewportPage):
         self.filled = NotMeasuredLegend(look)
         self.filled.setContentsMargins(12, 4, 12, 4)
         tools = self._tools(look)
-        side = QWidget()
-        side.setFixedWidth(TABLE_WIDTH)
-        counts = row(*self.summary.values(), 0, label(UNITS, "small"), spacing=16)
-        beside = column(counts, self.table, self.rule, self.deviation, 0, spacing=12)
+        self.side = side = QWidget()
+        self.side_width = TABLE_WIDTH
+        counts = row(*self.summary.values(), 0, spacing=16)
+        self.banner = VerdictBanner(look)
+        beside = column(self.banner, counts, self.table, self.rule, self.deviation, 0, spacing=12)
         for place, share in enumerate(SIDE_SHARES):
             beside.setStretch(place, share)
         side.setLayout(beside)
         self.deviation.setMaximumHeight(DEVIATION_HEIGHT)
-        middle = row(card(self.view, self.filled, self.cut, self.grow, margin=1, spacing=4), side, spacing=16)
+        middle = row(card(self.view, self.filled, self.cut, self.grow, self.program.bar, margin=1, spacing=4), side, spacing=16)
         middle.setStretch(0, 1)
         layout = column(tools, middle, spacing=12)
         layout.setStretch(1, 1)
         self.body.setLayout(layout)
         session.inspectionChanged.connect(self._show)
         session.cloudsChanged.connect(self.redraw)
-        session.cloudsChanged.connect(self.distance.clear)
+        session.cloudsChanged.connect(self._forget_distances)
         session.comparisonChanged.connect(self._show_comparison)
         look.changed.connect(self._highlight)
         session.busyChanged.connect(self._show_busy)
+        session.appearanceChanged.connect(self._show_undo)
         self._show_comparison()
         self._show_distances()
         self._show()
@@ -112,34 +123,40 @@ class InspectionPage(ViewportPage):
         self.labels.toggled.connect(self._highlight)
         self.distance = DistanceTool(look, self)
         self.distance.changed.connect(self._show_distances)
-        self.undo = Button("Undo", look, "undo", "quiet", "Take the last point, distance or feature back")
+        self.undo = Button("Undo", look, "undo", "quiet", UNDO)
         self.undo.clicked.connect(self._undo)
         self.hint = label("", "soft")
-        self.action_row.addWidget(self.hint)
-        self.action_row.addWidget(self.undo)
+        self.program = ProgramTools(look, self.session, self.controllers.programming, self)
+        self.see_report = Button("See the report", look, "report", "primary")
+        for widget in (self.hint, self.undo, self.program.text, self.program.drawing, self.see_report):
+            self.action_row.addWidget(widget)
+        self.controllers.programming.changed.connect(self._show_undo)
         self.cut = SectionBar(look)
-        self.cut.changed.connect(self._cut)
+        self.cutting = Cutting(self.session, self.cut, self.controllers.drawing, self)
+        self.cutting.changed.connect(self._highlight)
         self.grow = GrowBar(look, self.controllers.growing)
         self.grow.changed.connect(self._show_grown)
         self.grow.button.toggled.connect(lambda on: self.distance.button.setChecked(self.distance.is_on and not on))
         self.distance.button.toggled.connect(lambda on: self.grow.button.setChecked(self.grow.is_on and not on))
         self.view.pointPicked.connect(self._show_point)
-        return row(
-            self.shape,
-            fit,
-            self.labels,
-            self.distance.button,
-            self.cut.button,
-            self.grow.button,
-            0,
-            spacing=16,
-        )
+        self.tool_buttons = (fit, self.labels, self.distance.button, self.cut.button, self.grow.button, self.program.bar.button)
+        return row(self.shape, *self.tool_buttons, 0)
 
     def _show_busy(self) -> None:
         if self.session.busy_with and self.session.inspection is None:
             self.empty.say("Nothing measured yet", "The dimensions appear here when the surface is complete.", offer=False)
         else:
             self.empty.say(*EMPTY)
+        self._show_undo()
+        if self._entry is not None:  # what can be done with it is another while a job runs
+            self._show_entry(*self._entry)
+        elif self.grow.is_on:
+            self._show_grown()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave the nominal values to the properties where the table is narrow."""
+        super().resizeEvent(event)
+        self.table.setColumnHidden(HEADERS.index("Nominal"), self.side is not None and self.side.width() < TABLE_WIDTH)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Compare with the drawing when it is first looked at."""
@@ -156,7 +173,7 @@ class InspectionPage(ViewportPage):
             self.shape.setValue("deviation")
         elif self.shape.value() == "deviation":
             self.shape.setValue("surface")
-        self._cut()
+        self.cutting.cut()
 
     def _share_height(self) -> None:
         """Give the histogram what the table does not need."""
@@ -183,11 +200,14 @@ class InspectionPage(ViewportPage):
         self.state.setText(
             f"{sentence_case(self.session.inspection.program)}. Aligned by {alignment.name}, {millimetres(alignment.rms_mm)} rms."
         )
-        self.rule.setText(decision_rule())
+        self.rule.setText(f"{UNITS} {decision_rule()}")
         self.table.set_branches(branches_of(dimensions, self.session.inspection.features))
+        self.program.show_inspection(self.session.inspection)
+        self.banner.show_verdicts([found.verdict for found in dimensions])
         self._share_height()
-        if self.table.selected()[0] < 0 and dimensions:
-            self.table.select(0)
+        new = self.program.newest(dimensions)
+        if new is not None or (self.table.selected()[0] < 0 and dimensions):
+            self.table.select(new or 0)
         self._select(*self.table.selected())
         if self.isVisible():
             self.controllers.comparison.compare()
@@ -195,12 +215,24 @@ class InspectionPage(ViewportPage):
 
     def _select(self, place: int, leaf: int = -1) -> None:
         self._point = None
-        dimension, features = self._chosen(place, leaf)
-        if dimension is not None and leaf < 0:
-            self.show_properties(dimension_properties(dimension, features, decision_rule()))
+        inspection, (dimension, features) = self.session.inspection, self._chosen(place, leaf)
+        if inspection is not None and dimension is not None and leaf < 0:
+            self._show_entry(dimension_properties(dimension, features, inspection.alignment, decision_rule()), dimension.name)
         elif features and leaf >= 0:
-            self.show_properties(Properties(sentence_case(features[0].name), (feature_group(features[0]),)))
+            self._show_entry(Properties(sentence_case(features[0].name), (feature_group(features[0]),)), features[0].name)
+            self.program.bar.take(features[0].name)
         self._highlight()
+
+    def _show_entry(self, properties: Properties, name: str) -> None:
+        """Show an entry of the program, with the button that takes it out."""
+        can_change = self.program.programming.can_change
+        self.show_properties(replace(properties, decision=REMOVE) if can_change else properties)
+        self._entry = properties, name
+
+    def show_properties(self, properties: Properties) -> None:
+        """Show these properties; whoever shows an entry of the program says so after."""
+        self._entry = None
+        super().show_properties(properties)
 
     def _chosen(self, place: int, leaf: int) -> tuple[Dimension | None, list[Feature]]:
         """Return the dimension of a row, if it is one, and the features found that it or its leaf stands for."""
@@ -254,7 +286,7 @@ class InspectionPage(ViewportPage):
             labels = dimension_labels(theme, self.dimensions(), inspection.features, self._sections())
         elif chosen is not None:
             labels = dimension_labels(theme, (chosen,), inspection.features, self._sections())
-        self.view.set_lines([*lines, *self._cut_lines, *self.distance.lines(accent), *self.grow.lines(accent)])
+        self.view.set_lines([*lines, *self.cutting.lines, *self.distance.lines(accent), *self.grow.lines(accent)])
         clicked = [*self.distance.labels(theme), *self.grow.labels(theme)]
         self.view.set_labels([*labels, *clicked, *([self._point] if self._point is not None else [])])
 
@@ -269,41 +301,52 @@ class InspectionPage(ViewportPage):
     def _sections(self) -> DrawnSections | None:
         return None if self.session.comparison is None else self.session.comparison.sections
 
-    def _cut(self) -> None:
-        """Cut the drawing and the measured points where the bar says, on a thread; while one cut is made only the last wish waits."""
-        comparison, plane = self.session.comparison, self.cut.value()
-        self._cut_again = self._is_cutting
-        if comparison is None or comparison.surface is None or plane is None:
-            self._cut_lines = []
-            self._highlight()
-        elif not self._is_cutting:
-            self._is_cutting = True
-            cutting = self.controllers.drawing
-            cutting.run("Cutting", lambda _job: cut_lines(comparison, plane), self._show_cut, on_stopped=self._stop_cutting, quiet=True)
-
-    @Slot(object)
-    def _show_cut(self, found: tuple[list[LineLayer], str]) -> None:
-        if self.session.comparison is not None and self.cut.value() is not None:
-            self._cut_lines, words = found
-            self.cut.say(words)
-            self._highlight()
-        self._stop_cutting()
-
-    @Slot()
-    def _stop_cutting(self) -> None:
-        self._is_cutting = False
-        if self._cut_again:
-            self._cut()
-
     def _show_undo(self) -> None:
-        self.undo.setVisible(self.distance.can_undo or self.grow.last is not None)
+        self.undo.setVisible(self.distance.can_undo or self.grow.last is not None or self.program.programming.can_undo)
+        self.program.show_state()
+        is_operator = self.session.role == "operator"
+        self.see_report.setVisible(is_operator and self.session.measurement is not None)
+        self.banner.setVisible(is_operator and bool(self.dimensions()))
+        self.grow.button.setVisible(self.program.is_offered)
+        if not self.program.is_offered:
+            self.grow.button.setChecked(False)
+
+    def undo_last(self) -> None:
+        """Take back what the button would."""
+        if self.undo.isVisible() and self.undo.isEnabled():
+            self._undo()
+
+    def end_clicking(self) -> None:
+        """Stop measuring and growing by clicking."""
+        for button in (self.distance.button, self.grow.button):
+            button.setChecked(False)
 
     def _undo(self) -> None:
-        """Take back what was measured by clicking; when nothing of that is left, the feature that grew last."""
+        """Take back what was measured by clicking; then the feature that grew last; then the last change of the program."""
         if self.distance.can_undo:
             self.distance.undo()
-        else:
+        elif self.grow.last is not None:
             self.controllers.growing.undo()
+        else:
+            self.program.programming.undo()
+
+    def _forget_distances(self) -> None:
+        """Forget distances between points of a cloud, or of an alignment, that is no longer there."""
+        inspection, cloud = self.session.inspection, self.session.stitched
+        self.distance.keep_for(None if inspection is None else (cloud, inspection.alignment.nominal_from_part.matrix.tobytes()))
+
+    def show_failing(self) -> None:
+        """Show the first dimension that does not pass on the part, and the values of all."""
+        failing = [place for place, found in enumerate(self.dimensions()) if found.verdict != "pass"]
+        self.table.select(failing[0] if failing else 0)
+        self.labels.setChecked(True)
+
+    def decide(self) -> None:
+        """Put the feature that grew last into the program, or take the selected entry out of it."""
+        if self._entry is not None:
+            self.program.programming.remove(self._entry[1])
+        elif self.grow.last is not None:
+            self.program.add_feature(self.grow.last)
 
     def _show_grown(self) -> None:
         """Show the features that grew, and what to click next."""
@@ -312,7 +355,8 @@ class InspectionPage(ViewportPage):
             self.shape.setValue("points")  # the surface has no measured points to click
         if self.grow.is_on:
             self._point = None
-            self.show_properties(self.grow.properties())
+            shown = self.grow.properties()
+            self.show_properties(shown if self.program.programming.can_change else replace(shown, decision=""))
         self._highlight()
 
     def act(self) -> None:
@@ -352,11 +396,3 @@ class InspectionPage(ViewportPage):
         words = words.replace("\u00a0", " ").replace("\u2212", "-")
         self._point = Label(words, position, rgb(self.look.theme, "text"), rgb(self.look.theme, "surface"))
         self._highlight()
-
-
-def decision_rule() -> str:
-    """Return the rule by which the dimensions are judged, in words."""
-    from measureapp.inspection.settings import InspectionSettings
-    from measureapp.inspection.verdict import RULES
-
-    return RULES[InspectionSettings().verdict_rule]

@@ -62,8 +62,10 @@ def view_point(viewpoint_id: str, cloud: PointCloud, place: int) -> PickedPoint:
 
 def merged_point(stitched: StitchedCloud, row: int, views: Sequence[ViewResult]) -> PickedPoint:
     """Return one point of the merged cloud, with the pixel of the measured point next to it in the view that weighs most."""
-    position, placement = stitched.points_mm[row], stitched.placements[int(stitched.view[row])]
-    sigma, grey = float(stitched.sigma_mm[row]), float(stitched.grey[row])
+    position, sigma, grey = stitched.points_mm[row], float(stitched.sigma_mm[row]), float(stitched.grey[row])
+    if not stitched.placements:  # of a file
+        return PickedPoint(stitched.view_names[int(stitched.view[row])], position, sigma, grey, None, 0)
+    placement = stitched.placements[int(stitched.view[row])]
     seen = _sightings(stitched, row, views)
     cloud = next((view.cloud for view in views if view.viewpoint_id == placement.viewpoint_id), None)
     if cloud is None or not len(cloud):
@@ -105,7 +107,7 @@ def point_properties(point: PickedPoint) -> Properties:
     measured = [
         ("View", point.viewpoint_id),
         ("Pixel (row, column)", pixel),
-        ("Standard deviation σ", millimetres(point.sigma_mm)),
+        ("Standard deviation σ", millimetres(point.sigma_mm) if point.sigma_mm > 0 else NOTHING),
         ("Brightness", percent(point.grey, 0)),
         ("Seen by", several(point.cameras, "camera") if point.cameras else NOTHING),
     ]

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QSize, Slot
 
 from ui.controllers.controllers import Controllers
+from ui.controllers.demo import MeshQuestion
 from ui.look.look import Look
 from ui.look.wording import exposure, millimetres, quantity, sentence_case, several
 from ui.pages.page import Page
@@ -15,6 +16,7 @@ from ui.widgets.demo_form import DemoForm
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.properties_panel import Group, Properties
 from ui.widgets.rig_drawing import RigDrawing
+from ui.widgets.unit_dialog import UnitDialog
 
 DEMO_WORDS = (
     "Calibrates a virtual rig with hidden errors, scans the part, stitches the views, measures the dimensions and writes the report."
@@ -33,7 +35,11 @@ class RigPage(Page):
         self.drawing = RigDrawing(look)
         self.devices = DataTable(look, ["Device", "Model", "Properties", "Driver"], stretch=2)
         self.form = DemoForm()
+        self.unit_dialog: UnitDialog | None = None
         self.form.valueChanged.connect(controllers.demo.choose)
+        self.form.meshChosen.connect(controllers.demo.look_at)
+        controllers.demo.meshReady.connect(self.form.show_mesh)
+        controllers.demo.unitAsked.connect(self._ask_unit)
         self.run_demo = Button("Run the demo", look, "run", "primary")
         self.run_demo.clicked.connect(controllers.demo.run)
         self.run_demo.setIconSize(QSize(20, 20))
@@ -54,6 +60,14 @@ class RigPage(Page):
     def _show_busy(self) -> None:
         self.run_demo.setEnabled(not self.session.busy_with)
         self.empty.button.setEnabled(not self.session.busy_with)
+
+    @Slot(object)
+    def _ask_unit(self, asked: MeshQuestion) -> None:
+        finding = f"{asked.path.name} spans {asked.span:.4g}"
+        dialog = self.unit_dialog = UnitDialog(self.look, "mesh", finding, asked.likely, asked.span, self)
+        dialog.chosen.connect(lambda unit: self.form.show_mesh(asked.path, unit))
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
 
     def _show(self) -> None:
         rig = self.session.rig

@@ -70,9 +70,11 @@ def view_properties(view: ViewResult, placement: ViewPlacement | None) -> Proper
             Group(
                 "Fine stitching",
                 (
-                    ("Correction", f"{millimetres(placement.correction_mm)} · {quantity(placement.correction_deg, '°')}"),
-                    ("Neighbours allow", f"{millimetres(placement.bound_mm)} · {quantity(placement.bound_deg, '°')}"),
-                    ("To other views ± σ", f"{millimetres(placement.sigma_mm, 4)} · {quantity(placement.sigma_deg, '°')}"),
+                    ("Correction", millimetres(placement.correction_mm)),
+                    ("Correction, turn", quantity(placement.correction_deg, "°")),
+                    ("Neighbours allow", millimetres(placement.bound_mm)),
+                    ("To other views ± σ", millimetres(placement.sigma_mm, 4)),
+                    ("To other views ± σ, turn", quantity(placement.sigma_deg, "°")),
                     ("Residual (rms)", millimetres(placement.residual_mm)),
                     ("Overlap", percent(placement.overlap, 0)),
                     ("Used", "Yes" if placement.used else "No"),

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from PySide6.QtCore import Slot
-from PySide6.QtGui import QShowEvent
+from PySide6.QtCore import Qt, Slot
+from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut, QShowEvent
+from PySide6.QtWidgets import QWidget
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
@@ -15,8 +16,12 @@ from ui.session import Session
 from ui.viewport.cloud_view import CloudView
 from ui.viewport.layers import CloudLayer, SurfaceLayer
 from ui.viewport.shuffled import ShuffledCloud, shuffled
+from ui.widgets.basic import Button
 from ui.widgets.empty_state import EmptyState
 from ui.workers.job import Job
+
+ROOM_FOR_WORDS = 1150  # px
+LEAST_PICTURE, LEAST_SIDE = 556, 400  # px, the page's margins included
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,6 +43,11 @@ class ViewportPage(Page):
         self.view = CloudView(look)
         self.is_composing = False
         self._stale = True
+        self.tool_buttons: tuple[Button, ...] = ()  # above the picture; icons alone where the page is narrow
+        self.side: QWidget | None = None  # beside the picture; gives way to it where the page is narrow
+        self.side_width = 0
+        QShortcut(QKeySequence.StandardKey.Undo, self, self.undo_last, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        QShortcut(Qt.Key.Key_Escape, self, self.end_clicking, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
         session.graphicsChanged.connect(self._use_graphics)
         look.changed.connect(self.redraw)
         self._use_graphics()
@@ -45,6 +55,12 @@ class ViewportPage(Page):
     def composer(self) -> Composer | None:
         """Return what composes the picture on a thread, out of nouns that never change; None where there is nothing to show."""
         raise TypeError(f"{type(self).__name__} does not draw")
+
+    def undo_last(self) -> None:
+        """Take back what was done last on this page, where there is something."""
+
+    def end_clicking(self) -> None:
+        """Let clicks into the picture tell about points again."""
 
     @Slot()
     def redraw(self) -> None:
@@ -78,6 +94,14 @@ class ViewportPage(Page):
         super().showEvent(event)
         if self._stale:
             self.redraw()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave out the words of the tools where they have no room, and give the picture what it needs."""
+        super().resizeEvent(event)
+        if self.side is not None:
+            self.side.setFixedWidth(max(LEAST_SIDE, min(self.side_width, self.width() - LEAST_PICTURE)))
+        for button in self.tool_buttons:
+            button.set_compact(self.width() < ROOM_FOR_WORDS)
 
     def close_page(self) -> None:
         """Release the graphics memory."""

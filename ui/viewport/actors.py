@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from functools import cache
+from importlib.util import find_spec
+from pathlib import Path
+
 import numpy as np
 import vtkmodules.vtkRenderingFreeType
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  registers the OpenGL classes
@@ -10,11 +14,13 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkRenderingAnnotation import vtkCaptionActor2D
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPointGaussianMapper, vtkPolyDataMapper
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPointGaussianMapper, vtkPolyDataMapper, vtkTextProperty
 
 from ui.viewport.colouring import HATCH_SHADE, UNKNOWN
 from ui.viewport.layers import Label, LineLayer, SurfaceLayer
 
+LETTERS = Path("mpl-data") / "fonts" / "ttf" / "DejaVuSans.ttf"
+LETTERS_PX, FONT_FILE = 13, 4  # VTK_FONT_FILE, which Python is not told
 HATCH_PERIOD_PX = 9.0
 IS_UNKNOWN = "all(lessThan(abs(vertexColorVSOutput.rgb - vec3({}, {}, {}) / 255.0), vec3(0.012)))".format(*UNKNOWN)
 HATCHED = (  # stripes of the screen, so that what was not measured is told apart at every distance
@@ -103,8 +109,7 @@ def label_actor(label: Label) -> vtkCaptionActor2D:
     actor.SetPosition(24, 32)
     actor.GetTextActor().SetTextScaleModeToNone()
     text = actor.GetCaptionTextProperty()
-    text.SetFontFamilyToArial()
-    text.SetFontSize(15)
+    set_letters(text)
     text.BoldOff()
     text.ItalicOff()
     text.ShadowOff()
@@ -115,6 +120,25 @@ def label_actor(label: Label) -> vtkCaptionActor2D:
     text.SetFrameColor(*(value / 255 for value in label.colour))
     actor.GetProperty().SetColor(*(value / 255 for value in label.colour))
     return actor
+
+
+def set_letters(text: vtkTextProperty) -> None:
+    """Choose letters as people know them; VTK's own are hard to read and lack many signs."""
+    letters = letters_file()
+    if letters is None:
+        text.SetFontFamilyToArial()
+    else:
+        text.SetFontFamily(FONT_FILE)
+        text.SetFontFile(str(letters))
+    text.SetFontSize(LETTERS_PX)
+
+
+@cache
+def letters_file() -> Path | None:
+    """Return the font file that Matplotlib brings, which comes with PyVista; None where it is not there."""
+    found = find_spec("matplotlib")
+    path = None if found is None or found.origin is None else Path(found.origin).parent / LETTERS
+    return path if path is not None and path.is_file() else None
 
 
 def _poly_data(points: np.ndarray) -> vtkPolyData:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QColor, QImage, QShowEvent
+from PySide6.QtGui import QColor, QImage, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QStackedLayout, QWidget
 
 from ui.look.look import Look
@@ -20,11 +20,24 @@ if TYPE_CHECKING:
     from ui.viewport.off_screen import OffScreenView
     from ui.viewport.scene import Scene
 
+STEP_DEG = 15.0
+TURNS = {
+    Qt.Key.Key_Left: (-STEP_DEG, 0.0),
+    Qt.Key.Key_Right: (STEP_DEG, 0.0),
+    Qt.Key.Key_Up: (0.0, STEP_DEG),
+    Qt.Key.Key_Down: (0.0, -STEP_DEG),
+}
+ZOOMS = {Qt.Key.Key_Plus: 1.25, Qt.Key.Key_Equal: 1.25, Qt.Key.Key_Minus: 0.8}
+PICKS = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+KEYS = "Arrow keys turn, plus and minus zoom, Home shows everything, Enter picks the point in the middle."
 PREPARING = "Preparing 3-D view…"
 
 
 class CloudView(QWidget):
-    """Shows clouds, a surface, lines and labels; drag turns, Shift and drag moves, the wheel zooms, a click picks a point."""
+    """Shows clouds, a surface, lines and labels; drag turns, Shift and drag moves, the wheel zooms, a click picks a point.
+
+    With the keys: arrows turn, + and − zoom, Home shows everything, Enter picks the point in the middle.
+    """
 
     pointPicked = Signal(int, int)  # layer, place in the layer
 
@@ -45,6 +58,9 @@ class CloudView(QWidget):
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self._placeholder)
         self.setMinimumSize(280, 240)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.setAccessibleName("3-D view")
+        self.setAccessibleDescription(KEYS)
         look.changed.connect(self._dress)
 
     @property
@@ -114,6 +130,23 @@ class CloudView(QWidget):
             self._stack.removeWidget(self._view)
             self._view.deleteLater()
         self._view, self._scene, self._allowed = None, None, False
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Turn, zoom and pick without a mouse."""
+        key, scene = Qt.Key(event.key()), self._scene
+        if scene is None or not (key in TURNS or key in ZOOMS or key in PICKS or key == Qt.Key.Key_Home):
+            super().keyPressEvent(event)
+        elif key in PICKS:
+            width, height = scene.renderer.GetSize()
+            self._pick(width / 2, height / 2)
+        else:
+            if key in TURNS:
+                scene.turn(*TURNS[key])
+            elif key in ZOOMS:
+                scene.approach(ZOOMS[key])
+            else:
+                scene.keep_framed = True
+            self._refresh()
 
     def showEvent(self, event: QShowEvent) -> None:
         """Create the 3-D view the first time it is seen."""

@@ -19,7 +19,7 @@ FRAMING_POINTS = 4_000
 FILLED_SHARE = 0.86  # of the picture's width or height, whichever is reached first
 CLOSEST_MM, ROOM = 15.0, 1.8
 PICK_REACH_PX = 5.0
-LABEL_PX = (8.6, 26)  # about as wide as a letter and as high as a label is drawn
+LABEL_PX = (7.6, 24)  # about as wide as a letter and as high as a label is drawn
 PICK_CHUNK = 2_000_000
 
 
@@ -66,6 +66,19 @@ class Scene:
         """Draw only what one frame's time allows while the camera moves, everything when it rests."""
         self.keep_framed = self.keep_framed and not moving
         self._moving = moving
+
+    def turn(self, right_deg: float, up_deg: float) -> None:
+        """Turn the part to the right and up, as the mouse does."""
+        camera = self.renderer.GetActiveCamera()
+        camera.Azimuth(-right_deg)
+        camera.Elevation(-up_deg)
+        camera.OrthogonalizeViewUp()
+        self.keep_framed = False
+
+    def approach(self, times: float) -> None:
+        """Come closer by a factor."""
+        self.renderer.GetActiveCamera().Dolly(times)
+        self.keep_framed = False
 
     def begin_picture(self) -> None:
         """Let the next frame erase what was drawn, and draw as many points as its time allows."""

@@ -54,7 +54,8 @@ class Button(QPushButton):
 
     def __init__(self, text: str, look: Look, icon: str = "", role: ButtonRole = "normal", tip: str = "") -> None:
         super().__init__(f"\u2009{text}" if icon and text else text)
-        self._look, self._icon, self._role = look, icon, role
+        self._look, self._icon, self._role, self._words, self._tip = look, icon, role, text, tip
+        self.setAccessibleName(text or tip)
         self.setProperty("role", role)
         self.setToolTip(tip)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
@@ -63,6 +64,11 @@ class Button(QPushButton):
         self.setIconSize(QSize(20, 20))
         look.changed.connect(self._redraw)
         self._redraw()
+
+    def set_compact(self, compact: bool) -> None:
+        """Show the icon alone where room is scarce; the words are then the tip."""
+        self.setText("" if compact else f"\u2009{self._words}")
+        self.setToolTip(f"{self._words}: {self._tip[:1].lower()}{self._tip[1:]}" if compact else self._tip)
 
     def set_icon(self, name: str) -> None:
         """Show another icon."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, QRect, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QPainter
+from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QTableView, QWidget
 
 from ui.look.look import Look
@@ -159,6 +159,13 @@ class DataTable(QTableView):
         self._model.set_rows(rows)
         if 0 <= chosen < len(rows):
             self.selectRow(chosen)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Let the space bar do what a click on the first cell of the row does."""
+        if event.key() == Qt.Key.Key_Space and self.currentIndex().isValid():
+            self.cellClicked.emit(self.currentIndex().row(), 0)
+        else:
+            super().keyPressEvent(event)
 
     def texts(self) -> list[list[str]]:
         """Return what the rows say."""

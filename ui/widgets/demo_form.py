@@ -8,6 +8,7 @@ from typing import cast
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QFileDialog, QSpinBox, QWidget
 
+from measureapp.data.length_unit import LengthUnit
 from ui.look.demo_settings import DemoSettings, Resolution
 from ui.look.pattern_words import PATTERN_WORDS
 from ui.widgets.basic import Form, label
@@ -15,15 +16,16 @@ from ui.widgets.segments import Segments
 
 PARTS = {"gypsum": "Gypsum cross", "impeller": "Impeller", "gear": "Gear", "sphere_plate": "Sphere plate", "flat": "Flat plate"}
 OWN_MESH = "Own mesh file…"
-MESH_FILES = "Meshes in mm (*.stl *.ply *.obj)"
+MESH_FILES = "Meshes (*.stl *.ply *.obj)"
 VIEWPOINTS = {"impeller": 26}
 OTHER_VIEWPOINTS = 8
 
 
 class DemoForm(QWidget):
-    """Edits `DemoSettings`: value(), setValue(settings), valueChanged."""
+    """Edits `DemoSettings`: value(), setValue(settings), valueChanged. A mesh is looked at first, then `show_mesh` takes it."""
 
     valueChanged = Signal(object)
+    meshChosen = Signal(object)  # Path
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -31,8 +33,9 @@ class DemoForm(QWidget):
         for name, words in PARTS.items():
             self._part.addItem(words, name)
         self._part.addItem(OWN_MESH, "")
-        self._part.setToolTip("A sample part, or a closed mesh of your own with millimetres as its unit")
+        self._part.setToolTip("A sample part, or a closed mesh of your own; its unit is asked for where it is not plainly millimetres")
         self._chosen = 0
+        self._units: dict[str, LengthUnit] = {}  # of mesh files
         self._resolution = Segments({"quarter": "Quarter", "half": "Half", "full": "Full"})
         self._patterns, self._pattern_line = QComboBox(), label("", "small", wrap=True)
         for name, (title, line) in PATTERN_WORDS.items():
@@ -68,21 +71,33 @@ class DemoForm(QWidget):
         """Return what is set."""
         resolution = cast(Resolution, self._resolution.value())
         patterns = self._patterns.currentData()
-        return DemoSettings(self._part.currentData(), resolution, self._viewpoints.value(), self._seed.value(), patterns)
+        part = self._part.currentData()
+        unit = self._units.get(part, LengthUnit.MM)
+        return DemoSettings(part, resolution, self._viewpoints.value(), self._seed.value(), patterns, unit)
 
     def setValue(self, settings: DemoSettings) -> None:
         """Show other settings."""
-        self._show_part(settings.part)
+        self._show_part(settings.part, settings.unit)
         self._resolution.setValue(settings.resolution)
         self._viewpoints.setValue(settings.viewpoints)
         self._seed.setValue(settings.seed)
         self._patterns.setCurrentIndex(self._patterns.findData(settings.patterns))
         self._say_patterns()
 
-    def _show_part(self, part: str) -> None:
+    def show_mesh(self, path: Path, unit: LengthUnit) -> None:
+        """Take a mesh file whose lengths are in this unit."""
+        self._show_part(str(path), unit)
+        self._suggest_viewpoints()
+        self._tell()
+
+    def _show_part(self, part: str, unit: LengthUnit) -> None:
         """Choose a part; a mesh file becomes an entry of its own."""
         if self._part.findData(part) < 0:
-            self._part.insertItem(self._part.count() - 1, Path(part).name, part)
+            self._part.insertItem(self._part.count() - 1, "", part)
+        if part not in PARTS:
+            self._units[part] = unit
+            words = Path(part).name if unit is LengthUnit.MM else f"{Path(part).name}, in {unit.words}"
+            self._part.setItemText(self._part.findData(part), words)
         self._chosen = self._part.findData(part)
         self._part.setCurrentIndex(self._chosen)
 
@@ -94,8 +109,7 @@ class DemoForm(QWidget):
         self._part.setCurrentIndex(self._chosen)
         path, _ = QFileDialog.getOpenFileName(self, "Choose a mesh of the part", str(Path.home()), MESH_FILES)
         if path:
-            self._show_part(path)
-            self._suggest_viewpoints()
+            self.meshChosen.emit(Path(path))
 
     def _suggest_viewpoints(self) -> None:
         self._viewpoints.setValue(VIEWPOINTS.get(self._part.currentData(), OTHER_VIEWPOINTS))

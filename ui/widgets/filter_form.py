@@ -16,10 +16,17 @@ if TYPE_CHECKING:
     from measureapp.register.sieve import Filter
 
 KINDS = {"statistical": "Statistical", "radius": "Radius", "islands": "Islands", "box": "Box", "plane": "Plane"}
+TIPS = {
+    "statistical": "Drop points that stand further from their neighbours than usual",
+    "radius": "Drop points with few others near",
+    "islands": "Drop small connected patches",
+    "box": "Keep what lies inside a box",
+    "plane": "Keep what lies on one side of a plane",
+}
 SIDES = {
     f"{side} {axis}": tuple(sign * int(axis == other) for other in "xyz") for axis in "zxy" for side, sign in (("above", 1), ("below", -1))
 }
-LIMIT_MM, FIELD_WIDTH = 20_000.0, 80
+LIMIT_MM, FIELD_WIDTH, SIDE_WIDTH = 20_000.0, 80, 64
 
 
 class FilterForm(QWidget):
@@ -30,13 +37,18 @@ class FilterForm(QWidget):
 
     def __init__(self, look: Look) -> None:
         super().__init__()
-        self.kind = Segments(KINDS)
+        self.kind = Segments(KINDS, name="Kind of filter", tips=TIPS)
         self.sigmas, self.neighbours = _length(2.0, 0.0, 100.0, ""), _count(20)
         self.radius, self.least = _length(2.0, 0.01, LIMIT_MM, " mm"), _count(5)
         self.area = _length(25.0, 0.0, 1e6, " mm²")
         self.sides = [_length(sign * 1000.0, -LIMIT_MM, LIMIT_MM, "") for _ in "xyz" for sign in (-1, 1)]
+        for side in self.sides:
+            side.setFixedWidth(SIDE_WIDTH)
         self.side, self.offset = QComboBox(), _length(0.0, -LIMIT_MM, LIMIT_MM, " mm")
         self.side.addItems(list(SIDES))
+        for field, words in self._named():
+            field.setAccessibleName(words)
+            field.setToolTip(words)
         self.fields = QStackedWidget()
         for line in self._lines():
             shown = QWidget()
@@ -51,13 +63,27 @@ class FilterForm(QWidget):
             field.valueChanged.connect(self._change)
         self.side.currentIndexChanged.connect(self._change)
 
+    def _named(self) -> list[tuple[QWidget, str]]:
+        """The editors with what they mean, and their units."""
+        ends = [(f"{end} of the box along {axis}, in mm") for axis in "xyz" for end in ("Beginning", "End")]
+        return [
+            (self.sigmas, "How many standard deviations beyond the usual distance"),
+            (self.neighbours, "To how many neighbours the mean distance is taken"),
+            (self.radius, "Radius in mm"),
+            (self.least, "How many others have to lie within the radius"),
+            (self.area, "Smallest area of a patch that stays, in mm²"),
+            (self.side, "Which side of the plane stays"),
+            (self.offset, "Where the plane lies along its axis, in mm"),
+            *zip(self.sides, ends, strict=True),
+        ]
+
     def _lines(self) -> list[list[QWidget]]:
         """The editors of each kind, with words about them."""
         box: list[QWidget] = []
         for axis, (low, high) in zip("xyz", (self.sides[0:2], self.sides[2:4], self.sides[4:6]), strict=True):
             box += [label(axis, "soft"), low, high]
         return [
-            [label("Drop beyond", "soft"), self.sigmas, label("σ of the mean distance to", "soft"), self.neighbours, label("neighbours", "soft")],
+            [label("Drop beyond", "soft"), self.sigmas, label("σ over", "soft"), self.neighbours, label("neighbours", "soft")],
             [label("Drop with fewer than", "soft"), self.least, label("others within", "soft"), self.radius],
             [label("Drop connected patches below", "soft"), self.area],
             [*box, label("mm", "soft")],
@@ -122,6 +148,7 @@ def _length(value: float, least: float, most: float, unit: str) -> QDoubleSpinBo
     made.setSuffix(unit)
     made.setValue(value)
     made.setFixedWidth(FIELD_WIDTH + (16 if unit else 0))
+    made.lineEdit().setTextMargins(6, 0, 0, 0)
     made.setProperty("plain", True)  # without arrows, which a row of six has no room for
     return made
 
@@ -130,6 +157,7 @@ def _count(value: int) -> QSpinBox:
     made = QSpinBox()
     made.setRange(1, 1000)
     made.setFixedWidth(FIELD_WIDTH)
+    made.lineEdit().setTextMargins(6, 0, 0, 0)
     made.setProperty("plain", True)  # without arrows, which a row of six has no room for
     made.setValue(value)
     return made

@@ -15,6 +15,7 @@ class HeaderBar(QFrame):
     """Project and part on the left, chips in the middle, role and theme on the right."""
 
     openClicked = Signal()
+    fileClicked = Signal()
     helpClicked = Signal()
 
     def __init__(self, look: Look, parent: QWidget | None = None) -> None:
@@ -30,12 +31,14 @@ class HeaderBar(QFrame):
         self.role.setValue("engineer")
         self.open = Button("Open project…", look, "open", "quiet", "Open a project folder (Ctrl+O)")
         self.open.clicked.connect(self.openClicked)
+        self.file = Button("", look, "file", "quiet", "Measure a cloud or mesh from a file, by a drawing or a program")
+        self.file.clicked.connect(self.fileClicked)
         self._shade = Button("", look, "dark", "quiet", "Change between the light and the dark theme")
         self._shade.clicked.connect(self._other_shade)
         self._help = Button("", look, "help", "quiet", "Help for this page (F1)")
         self._help.clicked.connect(self.helpClicked)
         names = column(0, self.project, self.part, 0, spacing=0)
-        layout = row(names, 16, self.devices, self.calibration, self.disk, 8, self.open, self.role, self._shade, self._help)
+        layout = row(names, 16, self.devices, self.calibration, self.disk, 8, self.open, self.file, self.role, self._shade, self._help)
         layout.setContentsMargins(24, 0, 16, 0)
         layout.setStretch(0, 1)
         layout.setAlignment(Qt.AlignmentFlag.AlignVCenter)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.look.look import Look
@@ -13,7 +13,7 @@ from ui.look.wording import millimetres
 
 BINS = 48
 SCALE_HEIGHT, NUMBERS_HEIGHT = 12, 20
-TICKS = 5
+TICKS, TICK_GAP = 5, 12
 
 
 class Histogram(QWidget):
@@ -24,7 +24,7 @@ class Histogram(QWidget):
         self._look = look
         self._colours = np.zeros((2, 3))
         self.counts = np.zeros(BINS, int)
-        self.end_mm = 0.0
+        self.end_mm = self.limit_mm = 0.0
         self.setMinimumSize(240, 132)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         look.changed.connect(self.update)
@@ -33,6 +33,11 @@ class Histogram(QWidget):
         """Show these values from −end to +end; those beyond are counted in the outermost bars."""
         self._colours, self.end_mm = colours, end_mm
         self.counts, _ = np.histogram(np.clip(values_mm, -end_mm, end_mm), BINS, (-end_mm, end_mm))
+        self.update()
+
+    def mark(self, limit_mm: float) -> None:
+        """Mark a tolerance to both sides, where it lies on the scale."""
+        self.limit_mm = limit_mm
         self.update()
 
     def colour_at(self, share: float) -> QColor:
@@ -57,7 +62,16 @@ class Histogram(QWidget):
         painter.setPen(self._look.theme.colour("line"))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(QRectF(0.5, base + 4.5, self.width() - 1, SCALE_HEIGHT - 1))
+        self._marks(painter, base)
         self._numbers(painter)
+
+    def _marks(self, painter: QPainter, base: float) -> None:
+        if not 0 < self.limit_mm < self.end_mm:
+            return
+        painter.setPen(QPen(self._look.theme.colour("text"), 1.5, Qt.PenStyle.DashLine))
+        for side in (-1, 1):
+            x = self.width() * (1 + side * self.limit_mm / self.end_mm) / 2
+            painter.drawLine(QPointF(x, 2), QPointF(x, base + 4 + SCALE_HEIGHT))
 
     def _bar(self, painter: QPainter, box: QRectF, place: int) -> None:
         if box.height() <= 0:
@@ -71,7 +85,9 @@ class Histogram(QWidget):
         set_letters(painter, theme.sizes["small"])
         painter.setPen(theme.colour("soft"))
         top = float(self.height() - NUMBERS_HEIGHT)
-        for tick in range(TICKS):
+        widest = painter.fontMetrics().horizontalAdvance(millimetres(-self.end_mm, 3)) + TICK_GAP
+        step = 1 if TICKS * widest <= self.width() else TICKS // 2  # where there is little room, the ends and the middle alone
+        for tick in range(0, TICKS, step):
             share = tick / (TICKS - 1)
             words = millimetres(self.end_mm * (2 * share - 1), 3, signed=True)
             width = painter.fontMetrics().horizontalAdvance(words) + 2.0

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QWidget
@@ -12,23 +14,29 @@ class Segments(QWidget):
 
     valueChanged = Signal(object)
 
-    def __init__(self, options: dict[str, str], parent: QWidget | None = None) -> None:
+    def __init__(
+        self, options: dict[str, str], parent: QWidget | None = None, *, name: str = "", tips: Mapping[str, str] | None = None
+    ) -> None:
+        """``name`` says what is chosen, for those who do not see it; ``tips`` say more about options."""
         super().__init__(parent)
+        self.setAccessibleName(name)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
         self._group = QButtonGroup(self)
         self._buttons: dict[str, QPushButton] = {}
         last = len(options) - 1
-        for place, (name, text) in enumerate(options.items()):
+        for place, (key, text) in enumerate(options.items()):
             made = QPushButton(text)
             made.setCheckable(True)
+            made.setAccessibleName(f"{name}: {text}" if name else text)
+            made.setToolTip((tips or {}).get(key, ""))
             made.setAutoDefault(False)
             made.setProperty("role", "segment")
             made.setProperty("place", "first" if place == 0 else "last" if place == last else "middle")
             made.setCursor(Qt.CursorShape.PointingHandCursor)
             self._group.addButton(made)
-            self._buttons[name] = made
+            self._buttons[key] = made
             layout.addWidget(made)
         next(iter(self._buttons.values())).setChecked(True)
         self._keep_focus_on_chosen()

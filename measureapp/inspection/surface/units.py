@@ -10,7 +10,7 @@ from scipy.spatial import cKDTree
 from measureapp.arrays import FloatArray
 from measureapp.data.length_unit import OTHER_UNITS, LengthUnit
 from measureapp.data.mesh import Mesh
-from measureapp.errors import InspectionError
+from measureapp.errors import InspectionError, UnitQuestion
 from measureapp.inspection.measured import MeasuredPoints, sampled
 from measureapp.inspection.surface.nominal import NominalSurface
 
@@ -87,18 +87,15 @@ def check_unit_on(points: MeasuredPoints, surface: NominalSurface) -> None:
     check_unit(agreeing, "of the nominal and of the points meet")
 
 
-def points_look_like(unit: LengthUnit, finding: str) -> InspectionError:
+def points_look_like(unit: LengthUnit, finding: str) -> UnitQuestion:
     """Return the question whether the points are in ``unit``."""
-    return InspectionError(
-        f"{finding}: the points look like {unit.words}.", f"Say so with `--unit {unit}`, or scale the cloud to millimetres."
-    )
+    hint = f"Say so with `--unit {unit}`, or scale the cloud to millimetres."
+    return UnitQuestion(f"{finding}: the points look like {unit.words}.", hint, "points", unit, finding)
 
 
-def _nominal_looks_like(unit: LengthUnit, finding: str) -> InspectionError:
-    return InspectionError(
-        f"{finding}: the nominal looks like {unit.words}.",
-        f'Say so with `--nominal-unit {unit}`, in a program with `nominal_unit = "{unit}"`, or export the nominal in millimetres.',
-    )
+def _nominal_looks_like(unit: LengthUnit, finding: str) -> UnitQuestion:
+    hint = f'Say so with `--nominal-unit {unit}`, in a program with `nominal_unit = "{unit}"`, or export the nominal in millimetres.'
+    return UnitQuestion(f"{finding}: the nominal looks like {unit.words}.", hint, "nominal", unit, finding)
 
 
 def _diagonal(vertices_mm: FloatArray) -> float:

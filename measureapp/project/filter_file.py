@@ -1,0 +1,92 @@
+"""The filters of the stitched cloud on disk, beside it: which they are and how many of them each point passed."""
+
+from __future__ import annotations
+
+import json
+import zipfile
+import zlib
+from dataclasses import asdict
+from pathlib import Path
+
+import numpy as np
+
+from measureapp.data.cloud import StitchedCloud
+from measureapp.errors import InputError, RegistrationError, StorageError
+from measureapp.progress import Progress
+from measureapp.project.atomic import replacing
+from measureapp.project.geometry.files import write_cloud
+from measureapp.register.sieve import Filter, FilterChain
+
+FILTERS, FILTERED = "filters.npz", "filtered_cloud.ply"
+SCHEMA_VERSION = 1
+
+
+def save_filters(folder: Path, chain: FilterChain, stitched: StitchedCloud) -> None:
+    """Keep the filters of ``stitched`` and what they leave of it in ``folder``; raises StorageError where that cannot be written."""
+    forget_filters(folder)
+    if not chain.filters:
+        return
+    write_cloud(folder / FILTERED, stitched.where(chain.stays))
+    filters = json.dumps([asdict(one) for one in chain.filters])
+    with replacing(folder / FILTERS) as temporary, temporary.open("wb") as file:
+        np.savez_compressed(file, schema_version=SCHEMA_VERSION, filters=filters, passed=chain.passed, cloud=_checksum(stitched))
+
+
+def forget_filters(folder: Path) -> None:
+    """Take the filters away, and the cloud that they left; raises StorageError where they cannot be removed."""
+    try:
+        for name in (FILTERS, FILTERED):  # without the first the second is a file like any other
+            (folder / name).unlink(missing_ok=True)
+    except OSError as error:
+        raise StorageError(f"{folder} cannot be written: {error.strerror or error}.", "Check the permissions of the project.") from error
+
+
+def load_filters(folder: Path, stitched: StitchedCloud) -> FilterChain | None:
+    """Return the filters that were kept of ``stitched``, None where there are none.
+
+    Raises
+    ------
+    StorageError
+        The file is damaged, of another format, or of another cloud.
+    """
+    kept = _read(folder / FILTERS)
+    if kept is None:
+        return None
+    chain, cloud = kept
+    if len(chain.passed) != len(stitched) or cloud != _checksum(stitched) or not chain.stays.any():
+        raise _unusable(folder / FILTERS, "belongs to another stitched cloud")
+    return chain
+
+
+def filter_again(folder: Path, stitched: StitchedCloud, progress: Progress) -> None:
+    """Apply the filters that were kept of a former cloud to ``stitched``; they are forgotten where they leave nothing or cannot be read."""
+    try:
+        kept = _read(folder / FILTERS)
+        chain = FilterChain.none(0) if kept is None else FilterChain.of(kept[0].filters, stitched.points_mm, progress)
+    except (StorageError, InputError, RegistrationError):
+        chain = FilterChain.none(0)
+    save_filters(folder, chain, stitched)
+
+
+def _read(path: Path) -> tuple[FilterChain, int] | None:
+    """Return what a file says: the filters, and the checksum of their cloud."""
+    if not path.exists():
+        return None
+    try:
+        with path.open("rb") as file, np.load(file, allow_pickle=False) as kept:
+            version, passed, cloud = int(kept["schema_version"]), np.asarray(kept["passed"], np.uint8), int(kept["cloud"])
+            filters = tuple(Filter(one["kind"], tuple(one["numbers"])) for one in json.loads(str(kept["filters"])))
+    except (OSError, EOFError, ValueError, KeyError, TypeError, zipfile.BadZipFile, zlib.error, InputError) as error:
+        raise _unusable(path, "cannot be read") from error
+    if version != SCHEMA_VERSION:
+        raise _unusable(path, f"has format {version}; this version reads format {SCHEMA_VERSION}")
+    return FilterChain(filters, passed), cloud
+
+
+def _unusable(path: Path, why: str) -> StorageError:
+    return StorageError(f"{path} {why}: the stitched cloud is shown unfiltered.", "Filter it again on the page Clouds.")
+
+
+def _checksum(stitched: StitchedCloud) -> int:
+    """Return what tells clouds apart, the same for a cloud and its file, which has single precision."""
+    return zlib.crc32(np.ascontiguousarray(stitched.points_mm, np.float32).tobytes())

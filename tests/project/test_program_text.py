@@ -1,0 +1,62 @@
+"""Entries join an inspection program, and leave it, without touching what people wrote around them."""
+
+from __future__ import annotations
+
+import pytest
+
+from measureapp.errors import InputError
+from measureapp.project.program_file import program_from
+from measureapp.project.program_text import entry, with_entry, without_entry
+
+TEXT = """# of the bracket
+name = "bracket"
+alignment = "none"
+
+[[features]]
+name = "top"  # milled
+shape = "plane"
+point_mm = [0, 0, 50]
+direction = [0, 0, 1]
+
+[features.cut]
+edge_mm = 3
+
+[[features]]
+name = "base"
+shape = "plane"
+point_mm = [0, 0, 0]
+direction = [0, 0, -1]
+
+[[dimensions]]
+name = "height"
+kind = "distance"
+features = ["top", "base"]
+nominal = 50
+"""
+SEED = {"name": 'a "b"', "shape": "plane", "grow": {"seed_mm": (1.0, -2.5, 0.125)}}
+
+
+def test_an_entry_joins_and_leaves_and_the_text_is_as_before():
+    longer = with_entry(TEXT, entry("features", SEED))
+    grown = program_from(longer).features[-1]
+    assert (grown.name, grown.grow.seed_mm) == ('a "b"', (1.0, -2.5, 0.125))
+    assert longer.startswith(TEXT)
+    assert without_entry(longer, 'a "b"').rstrip() == TEXT.rstrip()
+
+
+def test_an_entry_leaves_with_its_tables():
+    left = without_entry(without_entry(TEXT, "height"), "top")
+    assert [feature.name for feature in program_from(left).features] == ["base"] and "edge_mm" not in left and "# of the bracket" in left
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        (lambda: without_entry(TEXT, "top"), "'height' needs feature 'top'"),
+        (lambda: without_entry(TEXT, "lid"), "no entry 'lid'"),
+        (lambda: with_entry(TEXT, entry("features", SEED | {"name": "top"})), "two features are called 'top'"),
+    ],
+)
+def test_a_change_that_does_not_fit_is_refused(change, told):
+    with pytest.raises(InputError, match=told):
+        change()

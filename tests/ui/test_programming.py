@@ -1,0 +1,228 @@
+"""The inspection program and the drawing are changed in the window, and the part is measured again at once."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import trimesh
+
+from measureapp.data.length_unit import LengthUnit
+from measureapp.inspection.dimensions import inspect
+from measureapp.pipeline.measure_again import measure_again
+from measureapp.progress import CallbackProgress, Cancelled
+from measureapp.project.folder import ProjectFolder, ProjectSettings
+from measureapp.project.geometry.files import read_mesh
+from measureapp.project.program_file import program_from
+from ui.pages.grow_bar import ADD
+from ui.pages.inspection import REMOVE
+
+PATIENCE_MS = 60_000
+PROGRAM = """# by hand
+name = "ball"
+alignment = "none"
+
+[[features]]
+name = "ball"  # the only one
+shape = "sphere"
+point_mm = [0, 0, 60]
+radius_mm = 60
+
+[[dimensions]]
+name = "size"
+kind = "diameter"
+features = ["ball"]
+nominal = 120
+"""
+
+
+@pytest.fixture
+def project(tmp_path, rig, measurement) -> ProjectFolder:
+    """A measured ball of 120 mm with its middle at a height of 60 mm, and a plate beside it at 10 mm; the points have no noise."""
+    made = ProjectFolder.create(tmp_path / "ball", ProjectSettings(name="ball", part="ball", rig=rig))
+    made.save_calibration(measurement.calibration)
+    made.save_program(PROGRAM)
+    stitched = with_plate(measurement.stitched)
+    made.save_measurement(replace(measurement, stitched=stitched, inspection=inspect(stitched, program_from(PROGRAM))))
+    return made
+
+
+def with_plate(ball):
+    x, y = (axis.ravel() for axis in np.meshgrid(np.arange(100.0, 180.0), np.arange(-40.0, 40.0)))
+    count = len(x)
+    more = {
+        "points_mm": np.column_stack([x, y, np.full(count, 10.0)]),
+        "normals": np.tile([0.0, 0.0, 1.0], (count, 1)),
+        "sigma_mm": np.full(count, 0.01),
+        "grey": np.full(count, 0.5),
+        "view": np.zeros(count, int),
+    }
+    return replace(ball, **{name: np.concatenate([getattr(ball, name), values]) for name, values in more.items()})
+
+
+@pytest.fixture
+def opened(application, window, project, qtbot, monkeypatch):
+    """The page Inspect with the project open."""
+    monkeypatch.setattr(application.controllers.documents, "preview", lambda: None)
+    application.controllers.project.open(project.path)
+    settled(application, qtbot)
+    window.show_page("inspection")
+    return window.pages["inspection"]
+
+
+def settled(application, qtbot):
+    runners = (application.controllers.jobs, application.controllers.background)
+    qtbot.waitUntil(lambda: not any(one.queue.busy for one in runners) and not application.session.busy_with, timeout=PATIENCE_MS)
+    return application.session.messages[-1]
+
+
+def ball_mesh(path, *, scale=1.0, radius=60.0):
+    ball = trimesh.creation.icosphere(subdivisions=4, radius=radius)
+    ball.apply_translation([0, 0, 60.0])
+    plate = trimesh.creation.box([79, 79, 2], trimesh.transformations.translation_matrix([139.5, -0.5, 9.0]))
+    mesh = trimesh.util.concatenate([ball, plate] if radius == 60.0 else [ball])
+    mesh.apply_scale(scale)
+    mesh.export(path)
+    return path
+
+
+def test_what_grew_joins_the_program_with_a_dimension_of_it_and_both_are_taken_back(application, opened, project, qtbot):
+    session = application.session
+    opened.grow.button.setChecked(True)
+    application.controllers.growing.grow(np.array([140.0, 0, 10.0]), "plane")
+    settled(application, qtbot)
+    assert opened.properties.decision == ADD
+    opened.decide()
+    assert "Plane 1 is added" in settled(application, qtbot).text
+    assert [feature.name for feature in session.inspection.features] == ["ball", "plane 1"] and opened.grow.last is None
+    bar = opened.program.bar
+    bar.button.setChecked(True)
+    bar.first.setCurrentText("plane 1")
+    bar.second.setCurrentText("ball")
+    assert not bar.add.isEnabled() and "nominal" in bar.add.toolTip()
+    bar.nominal.setValue(50.0)
+    bar.tolerance.setValue(0.25)
+    bar.add.click()
+    settled(application, qtbot)
+    added = session.inspection.dimensions[-1]
+    assert (added.name, added.nominal, added.upper_tolerance, added.features) == ("distance 1", 50.0, 0.25, ("plane 1", "ball"))
+    assert added.measured == pytest.approx(50.0, abs=1e-3)  # the points are exact to single precision
+    assert opened.table.selected() == (1, -1)
+    assert project.program_text(has_nominal=False).startswith(PROGRAM)
+    assert [one.name for one in project.measurement().inspection.dimensions] == ["size", "distance 1"]
+    for left in (["size"], ["size"]):
+        opened.undo.click()
+        settled(application, qtbot)
+        assert [one.name for one in session.inspection.dimensions] == left
+    assert project.program_text(has_nominal=False) == PROGRAM and not application.controllers.programming.can_undo
+
+
+def test_a_dimension_is_taken_out_and_a_feature_that_it_rests_on_is_not(application, opened, project, qtbot):
+    opened.table.select(0, 0)
+    assert opened.properties.title == "Ball" and opened.properties.decision == REMOVE
+    opened.decide()
+    told = settled(application, qtbot)
+    assert told.level == "error" and "'size' needs feature 'ball'" in told.text
+    assert project.program_text(has_nominal=False) == PROGRAM
+    opened.table.select(0)
+    opened.decide()
+    settled(application, qtbot)
+    assert application.session.inspection.dimensions == () and "# the only one" in project.program_text(has_nominal=False)
+
+
+def test_a_click_on_a_feature_of_the_list_chooses_it_for_the_dimension(application, opened):
+    bar = opened.program.bar
+    bar.show_features(["ball", "top", "side"], [])
+    for name in ("side", "top"):
+        bar.take(name)
+    assert bar.value().features == ("side", "top") and bar.value().name == "distance 1"
+    bar.kind.setCurrentText("Parallelism")
+    assert (bar.value().features, bar.value().datums, bar.value().nominal) == (("side",), ("top",), None)
+
+
+def test_a_program_that_is_none_stays_in_its_window_with_the_reason(application, opened, project, qtbot):
+    dialog = opened.program.dialog
+    opened.program.text.click()
+    assert dialog.text.toPlainText() == PROGRAM
+    dialog.text.setPlainText(PROGRAM.replace('"sphere"', '"spere"'))
+    dialog.measure.click()
+    assert dialog.isVisible() and "features.0" in dialog.problem.text() and "Correct" in dialog.problem.text()
+    dialog.text.setPlainText(PROGRAM.replace("nominal = 120", "nominal = 119"))
+    dialog.measure.click()
+    settled(application, qtbot)
+    assert not dialog.isVisible() and application.session.inspection.dimensions[0].nominal == 119
+    opened.undo.click()
+    settled(application, qtbot)
+    assert project.program_text(has_nominal=False) == PROGRAM
+
+
+def test_the_unit_of_a_drawing_in_inches_is_asked_for_and_never_assumed(application, opened, project, qtbot, tmp_path):
+    path = ball_mesh(tmp_path / "ball.stl", scale=1 / 25.4)
+    take, dialog_of = application.controllers.programming.take_drawing, opened.program.drawing
+    take(path)
+    settled(application, qtbot)
+    assert dialog_of.dialog.value() is LengthUnit.INCH and project.nominal is None
+    dialog_of.dialog.reject()
+    settled(application, qtbot)
+    assert project.nominal is None and application.session.comparison is None
+    take(path)
+    settled(application, qtbot)
+    dialog_of.dialog.accept_button.click()
+    assert settled(application, qtbot).level == "done"
+    assert np.ptp(read_mesh(project.nominal).vertices_mm, axis=0) == pytest.approx([239.0, 120.0, 120.0], abs=0.05)
+    qtbot.waitUntil(lambda: application.session.comparison is not None, timeout=PATIENCE_MS)
+    assert abs(application.session.comparison.deviation.mean_mm) < 0.2  # the sag of the drawing's triangles
+
+
+def test_a_drawing_that_replaces_another_can_be_taken_back(application, opened, project, qtbot, tmp_path):
+    take = application.controllers.programming.take_drawing
+    take(ball_mesh(tmp_path / "first.stl"))
+    settled(application, qtbot)
+    assert not application.controllers.programming.can_undo  # there was none before
+    first = read_mesh(project.nominal).vertices_mm
+    take(ball_mesh(tmp_path / "second.stl", scale=1.004))
+    assert "second.stl" in settled(application, qtbot).text
+    assert np.ptp(read_mesh(project.nominal).vertices_mm, axis=0) == pytest.approx(1.004 * np.ptp(first, axis=0), rel=1e-5)
+    opened.undo.click()
+    settled(application, qtbot)
+    assert read_mesh(project.nominal).vertices_mm == pytest.approx(first) and not application.controllers.programming.can_undo
+
+
+@pytest.mark.parametrize("content", ["another part", "nothing", "one point", "cut off"])
+def test_a_drawing_that_cannot_be_used_is_told_and_changes_nothing(application, opened, project, qtbot, tmp_path, content):
+    path = tmp_path / ("point.ply" if content == "one point" else "drawing.stl")
+    if content == "another part":
+        ball_mesh(path, radius=14.0)
+    elif content == "cut off":
+        path.write_bytes(ball_mesh(tmp_path / "whole.stl").read_bytes()[:5000])
+    else:
+        header = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n"
+        path.write_text("" if content == "nothing" else header, encoding="ascii")
+    before = application.session.inspection
+    application.controllers.programming.take_drawing(path)
+    told = settled(application, qtbot)
+    assert told.level == "error" and told.text.endswith(".") and told.hint
+    assert project.nominal is None and application.session.inspection is before and opened.program.drawing.isEnabled()
+
+
+def test_measuring_again_that_is_cancelled_leaves_everything_as_it_was(project):
+    before, text = project.measurement(), project.program_text(has_nominal=False)
+
+    def cancel(done, total, _note):
+        if done / total > 0.3:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        measure_again(project, before, CallbackProgress(cancel), program=text.replace("120", "121"))
+    assert project.program_text(has_nominal=False) == text
+    assert project.measurement().inspection.dimensions[0].nominal == 120
+
+
+def test_operators_are_not_offered_to_change_the_program(application, opened, window):
+    opened.program.bar.button.setChecked(True)
+    window.header.role.setValue("operator")
+    tools = opened.program
+    assert not any(one.isVisible() for one in (tools.text, tools.drawing, tools.bar.button, tools.bar, opened.grow.button))
+    window.header.role.setValue("engineer")
+    assert tools.text.isVisible() and tools.bar.button.isVisible()

@@ -1,0 +1,133 @@
+"""Measuring a cloud or mesh from a file, without a project: by a drawing, or by an inspection program."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from measureapp.data.length_unit import LengthUnit
+from measureapp.errors import InputError, UnitQuestion
+from ui.controllers.comparison import comparison_of
+from ui.controllers.jobs import JobRunner
+from ui.session import Comparison, Session
+
+if TYPE_CHECKING:
+    from measureapp.data.cloud import StitchedCloud
+    from measureapp.data.inspection_program import InspectionProgram
+    from measureapp.data.measurement import Inspection
+    from measureapp.data.mesh import Mesh
+    from measureapp.project.geometry.files import PlainPoints
+    from ui.workers.job import Job
+
+PROGRAMS = (".toml",)
+
+
+@dataclass(frozen=True)
+class FilesToMeasure:
+    """A cloud or mesh, the drawing or program it is measured by, and the units of both, where they were told."""
+
+    cloud: Path
+    drawing: Path
+    unit: LengthUnit | None = None
+    drawing_unit: LengthUnit | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class FileQuestion:
+    """Files of which a unit is asked for."""
+
+    files: FilesToMeasure
+    question: UnitQuestion
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredFile:
+    """What measuring a file gave."""
+
+    files: FilesToMeasure
+    cloud: StitchedCloud
+    inspection: Inspection
+    comparison: Comparison | None
+
+
+class FilesController(QObject):
+    """Shows a measured file in place of the project; where it cannot be measured, the project stays."""
+
+    measured = Signal()
+    unitAsked = Signal(object)  # FileQuestion
+
+    def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session, self._runner = session, runner
+
+    @Slot(object)
+    def measure(self, files: FilesToMeasure) -> None:
+        """Read the files, align, measure and compare."""
+        if self._session.busy_with:
+            self._session.tell(f"{self._session.busy_with} is still running.", "Wait for it, or cancel it first.", "warning")
+            return
+        self._runner.run(f"Measuring {files.cloud.name}", lambda job: measured_file(files, job), self._show)
+
+    @Slot(object)
+    def _show(self, found: MeasuredFile | FileQuestion) -> None:
+        if isinstance(found, FileQuestion):
+            self.unitAsked.emit(found)
+            return
+        session, files = self._session, found.files
+        session.open_project(files.cloud.name, files.drawing.stem, None)
+        session.set_stitched(found.cloud)
+        session.set_inspection(found.inspection)
+        session.set_comparison(found.comparison)
+        session.tell(f"{files.cloud.name} is measured by {files.drawing.name}.", "", "done")
+        self.measured.emit()
+
+
+def measured_file(files: FilesToMeasure, job: Job) -> MeasuredFile | FileQuestion:
+    """Measure a file, or return the question for a unit; runs on a job's thread."""
+    from measureapp.inspection.dimensions import inspect
+    from measureapp.inspection.settings import InspectionSettings
+    from measureapp.progress import PartOf
+    from measureapp.project.geometry.files import read_cloud_or_mesh
+
+    job.report(0, 10, "Reading the files")
+    cloud = _cloud(files, read_cloud_or_mesh(files.cloud, unit=files.unit or LengthUnit.MM))
+    program, nominal = _drawing(files)
+    try:
+        inspection = inspect(cloud, program, nominal, InspectionSettings(), PartOf(job, 0.2, 0.7))
+    except UnitQuestion as question:
+        if (files.unit if question.what == "points" else files.drawing_unit) is None:
+            return FileQuestion(files, question)
+        raise InputError(question.message, "Choose the files of one part, or other units.") from question
+    comparison = None if nominal is None else comparison_of(cloud, nominal, inspection.alignment, program, PartOf(job, 0.7, 1.0))
+    return MeasuredFile(files, cloud, inspection, comparison)
+
+
+def _drawing(files: FilesToMeasure) -> tuple[InspectionProgram, Mesh | None]:
+    from measureapp.data.inspection_program import InspectionProgram
+    from measureapp.project.geometry.files import read_mesh
+    from measureapp.project.program_file import read_program, read_program_nominal
+
+    if files.drawing.suffix.lower() not in PROGRAMS:
+        return InspectionProgram(name=files.drawing.stem), read_mesh(files.drawing, unit=files.drawing_unit or LengthUnit.MM)
+    program = read_program(files.drawing)
+    if files.drawing_unit is not None:
+        program = program.model_copy(update={"nominal_unit": files.drawing_unit})
+    return program, read_program_nominal(files.drawing, program)
+
+
+def _cloud(files: FilesToMeasure, read: PlainPoints | Mesh) -> StitchedCloud:
+    """Return the points as a cloud of one view that has the file's name; a σ that the file does not say is 0."""
+    import numpy as np
+
+    from measureapp.data.cloud import StitchedCloud
+    from measureapp.inspection.measured import MeasuredPoints
+
+    points = MeasuredPoints.of(read)
+    count = len(points)
+    normals = np.zeros((count, 3)) if points.normals is None else points.normals
+    sigma = np.zeros(count) if points.sigma_mm is None else points.sigma_mm
+    view = np.zeros(count, np.int16)
+    return StitchedCloud(points.points_mm, normals, sigma, np.full(count, np.nan), view, (), view_names=(files.cloud.name,))

@@ -1,0 +1,171 @@
+"""Adding a dimension by clicking: its kind, the features it is taken of, nominal and tolerance."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QWidget
+
+from ui.look.look import Look
+from ui.widgets.basic import Button, column, label, row
+
+TIP = "Add a dimension to the inspection program, from features of the list"
+HOW = "Choose features here, or click them in the list"
+UNSET = -1e6  # below every nominal: the field says that it waits for one
+LIMIT = 20_000.0
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of dimension: how it is called, and what it needs."""
+
+    words: str
+    joined: str = ""  # the word before the second feature; empty: there is none
+    is_zone: bool = False  # the width of a zone, which has no nominal
+    unit: str = " mm"
+
+
+KINDS = {
+    "distance": Kind("Distance", "to"),
+    "angle": Kind("Angle", "to", unit="°"),
+    "diameter": Kind("Diameter"),
+    "radius": Kind("Radius"),
+    "flatness": Kind("Flatness", is_zone=True),
+    "roundness": Kind("Roundness", is_zone=True),
+    "cylindricity": Kind("Cylindricity", is_zone=True),
+    "parallelism": Kind("Parallelism", "to datum", is_zone=True),
+    "perpendicularity": Kind("Perpendicularity", "to datum", is_zone=True),
+}
+
+
+@dataclass(frozen=True)
+class NewDimension:
+    """A dimension as the bar asks for it."""
+
+    name: str
+    kind: str
+    features: tuple[str, ...]
+    datums: tuple[str, ...]
+    nominal: float | None  # None: the width of a zone
+    tolerance: float
+
+    @property
+    def lines(self) -> str:
+        """The lines that ask for it in an inspection program."""
+        from measureapp.project.program_text import Value, entry
+
+        values: dict[str, Value] = {"name": self.name, "kind": self.kind, "features": self.features}
+        if self.datums:
+            values["datums"] = self.datums
+        if self.nominal is not None:
+            values |= {"nominal": self.nominal, "lower_tolerance": -self.tolerance}
+        return entry("dimensions", values | {"upper_tolerance": self.tolerance})
+
+
+class DimensionBar(QWidget):
+    """Chooses a dimension: `value()` is a `NewDimension`; asked when the button is pressed."""
+
+    asked = Signal()
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self.button = Button("Dimension", look, "add", "quiet", TIP)
+        self.button.setCheckable(True)
+        self.button.toggled.connect(self.setVisible)
+        self.kind, self.first, self.second = QComboBox(), QComboBox(), QComboBox()
+        for name, kind in KINDS.items():
+            self.kind.addItem(kind.words, name)
+        for box, words in ((self.kind, "Kind of dimension"), (self.first, "First feature"), (self.second, "Second feature or datum")):
+            box.setAccessibleName(words)
+            box.setToolTip(f"{words}. {HOW}." if box is not self.kind else words)
+            box.setMinimumContentsLength(5)
+            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.joined, self.plus_minus = label("to", "soft"), label("±", "soft")
+        self.nominal, self.tolerance = _number("Nominal value of the drawing"), _number("Tolerance to both sides")
+        self.nominal.setRange(UNSET, LIMIT)
+        self.nominal.setSpecialValueText("Nominal")
+        self.nominal.setValue(UNSET)
+        self.tolerance.setRange(0.001, LIMIT)
+        self.tolerance.setValue(0.1)
+        self.add = Button("Add", look, "", tip="Add it to the inspection program and measure again")
+        self.add.clicked.connect(self.asked)
+        above = row(self.kind, self.first, self.joined, self.second, spacing=8)
+        above.setStretch(1, 1)
+        above.setStretch(3, 1)
+        self.setLayout(column(above, row(self.nominal, self.plus_minus, self.tolerance, 0, self.add, spacing=8), margin=8))
+        self._names: tuple[str, ...] = ()
+        self._next_is_second = False
+        self.kind.currentIndexChanged.connect(self._show_kind)
+        self.nominal.valueChanged.connect(self._show_ready)
+        self.hide()
+        self._show_kind()
+
+    def show_features(self, names: Sequence[str], taken: Sequence[str]) -> None:
+        """Offer these features; ``taken`` are the names that dimensions have already."""
+        self._names = tuple(taken)
+        if names != [self.first.itemText(place) for place in range(self.first.count())]:
+            for box in (self.first, self.second):
+                chosen = box.currentText()
+                box.clear()
+                box.addItems(list(names))
+                box.setCurrentText(chosen)
+            self.second.setCurrentIndex(max(self.second.currentIndex(), min(1, len(names) - 1)))
+        self._show_ready()
+
+    def take(self, feature: str) -> None:
+        """Choose a feature that was clicked: the first one, then the second, and so on."""
+        second = self._next_is_second and bool(self._kind.joined)
+        (self.second if second else self.first).setCurrentText(feature)
+        self._next_is_second = not second
+
+    def value(self) -> NewDimension:
+        """Return the dimension as chosen."""
+        kind, name = self._kind, self.kind.currentData()
+        number = next(place for place in range(1, len(self._names) + 2) if f"{name} {place}" not in self._names)
+        others = (self.second.currentText(),) if kind.joined else ()
+        features, datums = ((self.first.currentText(),), others) if kind.is_zone else ((self.first.currentText(), *others), ())
+        nominal = None if kind.is_zone else self.nominal.value()
+        return NewDimension(f"{name} {number}", name, features, datums, nominal, self.tolerance.value())
+
+    @property
+    def _kind(self) -> Kind:
+        return KINDS[self.kind.currentData()]
+
+    def _show_kind(self) -> None:
+        kind = self._kind
+        self.joined.setText(kind.joined)
+        for widget in (self.joined, self.second):
+            widget.setVisible(bool(kind.joined))
+        self.nominal.setVisible(not kind.is_zone)
+        self.plus_minus.setText("Width of the zone" if kind.is_zone else "±")
+        for number in (self.nominal, self.tolerance):
+            number.setSuffix(kind.unit)
+        self._next_is_second = False
+        self._show_ready()
+
+    def _show_ready(self) -> None:
+        kind = self._kind
+        has_features = self.first.count() > (1 if kind.joined else 0)
+        has_nominal = kind.is_zone or self.nominal.value() > UNSET
+        self.add.setEnabled(has_features and has_nominal)
+        missing = (
+            "There are too few features: grow some first"
+            if not has_features
+            else ""
+            if has_nominal
+            else "Give the nominal value of the drawing"
+        )
+        self.add.setToolTip(missing or "Add it to the inspection program and measure again")
+
+
+def _number(words: str) -> QDoubleSpinBox:
+    made = QDoubleSpinBox()
+    made.setDecimals(3)
+    made.setFixedWidth(128)
+    made.lineEdit().setTextMargins(6, 0, 0, 0)
+    made.setProperty("plain", True)
+    made.setAccessibleName(words)
+    made.setToolTip(words)
+    return made

@@ -1,0 +1,55 @@
+"""The inspection program as text: everything that cannot be clicked, such as the alignment, is changed here."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Slot
+from PySide6.QtGui import QFontDatabase
+from PySide6.QtWidgets import QDialog, QPlainTextEdit, QWidget
+
+from measureapp.errors import InputError
+from ui.controllers.programming import ProgrammingController
+from ui.look.look import Look
+from ui.widgets.basic import Button, column, label, row
+
+HOW = "Features and dimensions in TOML; the help of the page Inspect lists what can be asked for."
+SIZE = (760, 640)
+
+
+class ProgramDialog(QDialog):
+    """Edits the program of the open project; "Measure again" first checks it, and names the entry that is wrong."""
+
+    def __init__(self, look: Look, programming: ProgrammingController, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Inspection program")
+        self._programming = programming
+        self.text = QPlainTextEdit()
+        self.text.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
+        self.text.setAccessibleName("Inspection program")
+        self.text.setTabChangesFocus(True)
+        self.problem = label("", wrap=True)
+        self.measure = Button("Measure again", look, "again", "primary", "Check the program, measure with it and keep it with the project")
+        self.measure.clicked.connect(self._measure)
+        close = Button("Close", look, "", "normal", "Leave the program as it is")
+        close.clicked.connect(self.reject)
+        self.setLayout(
+            column(
+                label("Inspection program", "title"), label(HOW, "soft"), self.text, self.problem, row(0, close, self.measure), margin=24
+            )
+        )
+        self.resize(*SIZE)
+
+    def show_program(self) -> None:
+        """Show the program as the project has it."""
+        self.text.setPlainText(self._programming.text())
+        self.problem.hide()
+        self.open()
+
+    @Slot()
+    def _measure(self) -> None:
+        try:
+            self._programming.replace(self.text.toPlainText())
+        except InputError as error:
+            self.problem.setText(str(error))
+            self.problem.show()
+        else:
+            self.accept()

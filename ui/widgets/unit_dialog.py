@@ -1,0 +1,63 @@
+"""Asks for the unit of a file that looks like another one than millimetres; nothing is ever scaled without an answer."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QButtonGroup, QDialog, QRadioButton, QWidget
+
+from measureapp.data.length_unit import LengthUnit
+from ui.look.look import Look
+from ui.look.wording import quantity
+from ui.widgets.basic import Button, column, label, row
+
+WIDTH = 480
+WHY = "Files of points and meshes do not say their unit. Lengths and verdicts follow from it, so it is asked, not assumed."
+KIND = {"points": "points", "nominal": "drawing", "mesh": "mesh"}
+
+
+class UnitDialog(QDialog):
+    """One question about one file: `chosen` fires with the unit, or nothing where it is closed."""
+
+    chosen = Signal(object)  # LengthUnit
+
+    def __init__(
+        self, look: Look, what: str, finding: str, likely: LengthUnit, span: float | None = None, parent: QWidget | None = None
+    ) -> None:
+        """``what`` is "points", "nominal" or "mesh"; ``span`` the longest side of its box as the file has it, where that is known."""
+        super().__init__(parent)
+        self.setWindowTitle("Unit of lengths")
+        self.units, self._group = {}, QButtonGroup(self)
+        for unit in LengthUnit:
+            made = QRadioButton(_words(unit, span))
+            made.setAccessibleName(made.text())
+            self._group.addButton(made)
+            self.units[unit] = made
+        self.units[likely].setChecked(True)
+        question = label(f"In which unit is the {KIND[what]}?", "heading")
+        said = label(f"{finding}: this looks like {likely.words}.", wrap=True)
+        self.accept_button = Button("Use this unit", look, "", "primary")
+        self.accept_button.clicked.connect(self._accept)
+        self.accept_button.setDefault(True)
+        cancel = Button("Cancel", look, "", "normal", "Leave everything as it is")
+        cancel.clicked.connect(self.reject)
+        choices = column(*self.units.values(), spacing=4)
+        layout = column(question, said, 8, choices, 8, label(WHY, "small", wrap=True), 8, row(0, cancel, self.accept_button), margin=24)
+        self.setLayout(layout)
+        self.setFixedWidth(WIDTH)
+        self.setModal(True)
+
+    def value(self) -> LengthUnit:
+        """Return the unit that is marked."""
+        return next(unit for unit, made in self.units.items() if made.isChecked())
+
+    def _accept(self) -> None:
+        self.accept()
+        self.chosen.emit(self.value())
+
+
+def _words(unit: LengthUnit, span: float | None) -> str:
+    """Return a unit, with the size that the part then has."""
+    words = unit.words[0].upper() + unit.words[1:]
+    return (
+        words if span is None else f"{words} – the longest side is {quantity(span * unit.in_mm, 'mm', 1 if span * unit.in_mm < 1e4 else 0)}"
+    )

@@ -1,0 +1,60 @@
+"""The verdict on the whole part, large enough to be read from a step away."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtWidgets import QFrame, QLabel
+
+from ui.look.look import Look
+from ui.look.wording import several
+from ui.widgets.basic import column, label, row
+
+Verdict = Literal["pass", "fail", "not proven"]
+SIGN_PX = 48
+
+
+def verdict_on(verdicts: Sequence[str]) -> Verdict | None:
+    """Return the verdict on a part: it fails with one dimension, and passes with all; None where there are none.
+
+    >>> verdict_on(["pass", "not measured", "pass"]), verdict_on(["pass", "fail", "not proven"])
+    ('not proven', 'fail')
+    """
+    if not verdicts:
+        return None
+    return "fail" if "fail" in verdicts else "pass" if set(verdicts) == {"pass"} else "not proven"
+
+
+class VerdictBanner(QFrame):
+    """Sign, word and colour; and how many dimensions stand in the way."""
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self.setObjectName("card")
+        self._look, self._verdict = look, None
+        self._sign, self.word, self.words = QLabel(), label("", "title"), label("", "soft", wrap=True)
+        layout = row(self._sign, column(self.word, self.words, spacing=0), spacing=16)
+        layout.setContentsMargins(16, 16, 16, 16)
+        layout.setStretch(1, 1)
+        layout.setAlignment(self._sign, Qt.AlignmentFlag.AlignVCenter)
+        self.setLayout(layout)
+        look.changed.connect(self._redraw)
+
+    def show_verdicts(self, verdicts: Sequence[str]) -> None:
+        """Show what these verdicts on dimensions make together."""
+        self._verdict = verdict_on(verdicts)
+        count = sum(one == self._verdict if self._verdict == "fail" else one != "pass" for one in verdicts)
+        self.word.setText((self._verdict or "").upper())
+        passed = f"All {several(len(verdicts), 'dimension')} pass."
+        open_ = f"{count} of {several(len(verdicts), 'dimension')} {'fail' if self._verdict == 'fail' else 'not proven or not measured'}."
+        self.words.setText(passed if self._verdict == "pass" else open_)
+        self.setAccessibleName(f"{self.word.text()}. {self.words.text()}")
+        self._redraw()
+
+    def _redraw(self) -> None:
+        if self._verdict is not None:
+            colour = "verdict_" + self._verdict.replace(" ", "_")
+            self._sign.setPixmap(self._look.icon(self._verdict, colour).pixmap(QSize(SIGN_PX, SIGN_PX)))
+            self.word.setStyleSheet(f"color: {self._look.theme.verdict(self._verdict).name()}")
