@@ -23,7 +23,7 @@ from measureapp.inspection.uncertainty import COVERAGE_FACTOR, expanded
 from measureapp.inspection.value import Value
 from measureapp.inspection.values import value_of
 from measureapp.inspection.verdict import judge
-from measureapp.progress import NoProgress, Progress
+from measureapp.progress import NoProgress, PartOf, Progress
 
 FEW = 4  # features that are named one by one in where a value came from
 
@@ -53,7 +53,7 @@ def inspect(
     points = MeasuredPoints.of(measured)
     surface = None if nominal is None else NominalSurface(nominal)
     progress.report(0, 3, "alignment")
-    placed = alignment or align(points, program, surface, settings, getattr(measured, "frame", "part"))
+    placed = alignment or align(points, program, surface, settings, getattr(measured, "frame", "part"), PartOf(progress, 0.0, 1 / 3))
     progress.report(1, 3, "features")
     in_place = points.seen_from(placed.nominal_from_part)
     found = find_all(in_place, program, surface, settings, progress)

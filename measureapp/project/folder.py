@@ -5,7 +5,7 @@ plan.json           the scan plan
 calibration/        views/ (images of the board and read-backs), cameras.json, rig.json, rig_uncertainty.npz,
                     former/, checks/, history.jsonl
 stacks/             raw fringe images: permanent
-inspection/         program.toml and the nominal it names
+inspection/         program.toml and the nominal it names, in mm; former/: nominals before it
 view_choices.json   views used or refused by hand
 results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`; filters.npz, filtered_cloud.ply
 report/             documents
@@ -50,7 +50,7 @@ if TYPE_CHECKING:
 FORMAT = 1  # of the project's own files
 DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
 ModelT = TypeVar("ModelT", bound=BaseModel)
-PROGRAM, NOMINAL = "program.toml", "nominal"
+PROGRAM, NOMINAL, FORMER = "program.toml", "nominal", "former"
 VIEW_CHOICES = "view_choices.json"
 
 
@@ -207,8 +207,14 @@ class ProjectFolder:
         write_text(self.path / "inspection" / PROGRAM, text)
 
     def save_drawing(self, drawing: Path, nominal: Mesh) -> None:
-        """Keep another drawing, read from the file ``drawing`` already; a mesh is kept in millimetres, STEP states its unit itself."""
+        """Keep another drawing, read from the file ``drawing`` already; a mesh is kept in millimetres, STEP states its unit itself.
+
+        The one before is set aside.
+        """
         folder = self.path / "inspection"
+        if self.nominal is not None:
+            with replacing(folder / FORMER / f"{len(self.former_drawings()) + 1:04d}{self.nominal.suffix}") as temporary:
+                shutil.copyfile(self.nominal, temporary)
         kept = folder / (f"{NOMINAL}{drawing.suffix.lower()}" if drawing.suffix.lower() in STEP_KINDS else f"{NOMINAL}.stl")
         if kept.suffix == ".stl":
             write_mesh(kept, nominal)
@@ -217,6 +223,10 @@ class ProjectFolder:
                 shutil.copyfile(drawing, temporary)
         for other in set(folder.glob(f"{NOMINAL}.*")) - {kept}:
             other.unlink()
+
+    def former_drawings(self) -> tuple[Path, ...]:
+        """Return the drawings that were set aside, oldest first."""
+        return tuple(sorted((self.path / "inspection" / FORMER).glob("[0-9]*")))
 
     @property
     def program(self) -> Path | None:

@@ -175,6 +175,20 @@ def test_the_unit_of_a_drawing_in_inches_is_asked_for_and_never_assumed(applicat
     assert abs(application.session.comparison.deviation.mean_mm) < 0.2  # the sag of the drawing's triangles
 
 
+def test_a_drawing_that_replaces_another_can_be_taken_back(application, opened, project, qtbot, tmp_path):
+    take = application.controllers.programming.take_drawing
+    take(ball_mesh(tmp_path / "first.stl"))
+    settled(application, qtbot)
+    assert not application.controllers.programming.can_undo  # there was none before
+    first = read_mesh(project.nominal).vertices_mm
+    take(ball_mesh(tmp_path / "second.stl", scale=1.004))
+    assert "second.stl" in settled(application, qtbot).text
+    assert np.ptp(read_mesh(project.nominal).vertices_mm, axis=0) == pytest.approx(1.004 * np.ptp(first, axis=0), rel=1e-5)
+    opened.undo.click()
+    settled(application, qtbot)
+    assert read_mesh(project.nominal).vertices_mm == pytest.approx(first) and not application.controllers.programming.can_undo
+
+
 @pytest.mark.parametrize("content", ["another part", "nothing", "one point", "cut off"])
 def test_a_drawing_that_cannot_be_used_is_told_and_changes_nothing(application, opened, project, qtbot, tmp_path, content):
     path = tmp_path / ("point.ply" if content == "one point" else "drawing.stl")

@@ -107,8 +107,6 @@ def grown_feature(
     points = MeasuredPoints.of(stitched).seen_from(alignment.nominal_from_part)
     found = find_all(points, program, None, InspectionSettings(), job)[name]
     if found.feature is None:
-        reason = found.reason.removeprefix(f"{name}: ")
-        raise InspectionError(
-            f"No {shape} grows there: {sentence(reason)}", "" if reason.count(". ") else "Click another place, or choose another shape."
-        )
+        reason, _, remedy = found.reason.removeprefix(f"{name}: ").rstrip(".").partition(". ")
+        raise InspectionError(f"No {shape} grows there: {reason}.", sentence(remedy) or "Click another place, or choose another shape.")
     return GrownFeature(found.feature, seed_mm)

@@ -23,11 +23,19 @@ if TYPE_CHECKING:
 TITLE = "Measuring again"
 
 
+@dataclass(frozen=True)
+class Former:
+    """A program, and the drawing, where that was another one."""
+
+    program: str
+    drawing: Path | None = None
+
+
 @dataclass(frozen=True, eq=False)
 class Changed:
-    """What measuring with another program gave, and the program before it."""
+    """What measuring with another program or drawing gave, and what there was before."""
 
-    former: str
+    former: Former | None  # None: what cannot be gone back to, as there was no drawing
     outcome: Outcome
     words: str
 
@@ -49,7 +57,7 @@ class ProgrammingController(QObject):
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._session, self._runner = session, runner
-        self._former: list[str] = []
+        self._former: list[Former] = []
         session.projectChanged.connect(self._forget)
 
     @property
@@ -61,7 +69,7 @@ class ProgrammingController(QObject):
 
     @property
     def can_undo(self) -> bool:
-        """Whether a change of the program can be taken back."""
+        """Whether a change of program or drawing can be taken back."""
         return bool(self._former) and self.can_change
 
     @Slot(str, str)
@@ -99,8 +107,8 @@ class ProgrammingController(QObject):
         """Take the last change of the program back."""
         folder, measurement = self._session.folder, self._session.measurement
         if folder is not None and measurement is not None and self.can_undo:
-            former, words = self._former[-1], "The last change is taken back."
-            self._runner.run(TITLE, lambda job: changed(folder, measurement, lambda _text: former, words, job), self._take_back)
+            former = self._former[-1]
+            self._runner.run(TITLE, lambda job: taken_back(folder, measurement, former, job), self._take_back)
 
     @Slot(object)
     def take_drawing(self, path: Path, unit: LengthUnit = LengthUnit.MM) -> None:
@@ -116,20 +124,21 @@ class ProgrammingController(QObject):
 
     @Slot(object)
     def _keep(self, found: Changed) -> None:
-        self._former.append(found.former)
+        if found.former is not None:
+            self._former.append(found.former)
         self._show(found.outcome, found.words)
 
     @Slot(object)
-    def _take_back(self, found: Changed) -> None:
+    def _take_back(self, outcome: Outcome) -> None:
         self._former.pop()
-        self._show(found.outcome, found.words)
+        self._show(outcome, "The last change is taken back.")
 
     @Slot(object)
-    def _draw(self, found: Outcome | Asked) -> None:
+    def _draw(self, found: Changed | Asked) -> None:
         if isinstance(found, Asked):
             self.unitAsked.emit(found)
         else:
-            self._show(found, "The part is compared with the new drawing. It is kept with the project.")
+            self._keep(found)
 
     def _show(self, outcome: Outcome, words: str) -> None:
         self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
@@ -149,17 +158,31 @@ def changed(folder: Path, measurement: Measurement, edit: Callable[[str], str], 
 
     project = ProjectFolder.open(folder)
     former = project.program_text(has_nominal=project.nominal is not None)
-    return Changed(former, measure_again(project, measurement, job, program=edit(former)), words)
+    return Changed(Former(former), measure_again(project, measurement, job, program=edit(former)), words)
 
 
-def drawn(folder: Path, measurement: Measurement, path: Path, unit: LengthUnit, job: Job) -> Outcome | Asked:
+def taken_back(folder: Path, measurement: Measurement, former: Former, job: Job) -> Outcome:
+    """Return what measuring as before a change gives; runs on a job's thread."""
+    from measureapp.pipeline.measure_again import Drawing, measure_again
+    from measureapp.project.folder import ProjectFolder
+
+    drawing = None if former.drawing is None else Drawing(former.drawing)
+    return measure_again(ProjectFolder.open(folder), measurement, job, program=former.program, drawing=drawing)
+
+
+def drawn(folder: Path, measurement: Measurement, path: Path, unit: LengthUnit, job: Job) -> Changed | Asked:
     """Return what measuring with another drawing gives, or the question for its unit; runs on a job's thread."""
     from measureapp.pipeline.measure_again import Drawing, measure_again
     from measureapp.project.folder import ProjectFolder
 
+    project = ProjectFolder.open(folder)
+    had_one, former = project.nominal is not None, project.program_text(has_nominal=True)
     try:
-        return measure_again(ProjectFolder.open(folder), measurement, job, drawing=Drawing(path, unit))
+        outcome = measure_again(project, measurement, job, drawing=Drawing(path, unit))
     except UnitQuestion as question:
         if question.what == "nominal" and unit is LengthUnit.MM:
             return Asked(path, question)
         raise InputError(question.message, "Choose the drawing of this part, or export it in millimetres.") from question
+    return Changed(
+        Former(former, project.former_drawings()[-1]) if had_one else None, outcome, f"The part is compared with {path.name} from now on."
+    )

@@ -13,10 +13,16 @@ from measureapp.inspection.alignment.local_fit import local_fit
 from measureapp.inspection.measured import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.nominal import NominalSurface
+from measureapp.progress import NoProgress, Progress
 
 
 def align(
-    points: MeasuredPoints, program: InspectionProgram, surface: NominalSurface | None, settings: InspectionSettings, frame: str
+    points: MeasuredPoints,
+    program: InspectionProgram,
+    surface: NominalSurface | None,
+    settings: InspectionSettings,
+    frame: str,
+    progress: Progress = NoProgress(),  # noqa: B008 - stateless
 ) -> Alignment:
     """Lay ``points`` onto the nominal as ``program`` says.
 
@@ -41,8 +47,8 @@ def align(
             return cyclic_fit(points, surface, asked, settings, frame)
         if asked.features or asked.regions:
             return local_fit(points, program, asked, surface, settings, frame)
-        return best_fit(points, surface, settings.alignment, frame)
-    start = no_alignment(frame) if surface is None else best_fit(points, surface, settings.alignment, frame)
+        return best_fit(points, surface, settings.alignment, frame, progress)
+    start = no_alignment(frame) if surface is None else best_fit(points, surface, settings.alignment, frame, progress)
     if isinstance(asked, ThreeTwoOne):
         return three_two_one(points, program, asked, start, surface, settings)
     if isinstance(asked, DatumAlignment):

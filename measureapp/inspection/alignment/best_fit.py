@@ -18,6 +18,7 @@ from measureapp.inspection.measured import HasPoints, MeasuredPoints
 from measureapp.inspection.settings import AlignmentSettings
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.inspection.surface.units import check_size
+from measureapp.progress import NoProgress, PartOf, Progress
 
 FINALISTS = 4
 AS_GOOD = 1.1  # costs within 10 % are the same answer of a symmetric part
@@ -50,6 +51,7 @@ def best_fit(
     nominal: Mesh | NominalSurface,
     settings: AlignmentSettings = AlignmentSettings(),  # noqa: B008 - frozen
     frame: str = "part",
+    progress: Progress = NoProgress(),  # noqa: B008 - stateless
 ) -> Alignment:
     """Find the rigid motion that lays points onto a nominal mesh, without any start.
 
@@ -65,33 +67,36 @@ def best_fit(
     points = MeasuredPoints.of(measured)
     surface = nominal if isinstance(nominal, NominalSurface) else NominalSurface(nominal)
     check_size(points.points_mm, surface.vertices_mm)
-    best = _search(points, surface, settings)
+    best = _search(points, surface, settings, progress)
     fine = register(points.thinned(settings.fine_points), surface, best.matrix, settings)
     _refuse_another_part(fine, surface, settings)
     transform = RigidTransform(orthonormalised(fine.matrix), "nominal", frame)
     return Alignment("best fit", transform, fine.rms_mm, fine.overlap, fine.undetermined)
 
 
-def _search(points: MeasuredPoints, surface: NominalSurface, settings: AlignmentSettings) -> _Candidate:
+def _search(points: MeasuredPoints, surface: NominalSurface, settings: AlignmentSettings, progress: Progress) -> _Candidate:
     """Try the starts of an upright part first; all directions only when none of those is convincing."""
     sample, finer = points.thinned(settings.coarse_points), points.thinned(4 * settings.coarse_points)
 
-    def finished(starts: list[FloatArray]) -> list[_Candidate]:
-        best = _improved(sample, surface, starts, settings)[:FINALISTS]
+    def finished(starts: list[FloatArray], part: Progress) -> list[_Candidate]:
+        best = _improved(sample, surface, starts, settings, part)[:FINALISTS]
         return [_finish(finer, surface, candidate, settings) for candidate in best]
 
-    finalists = finished(upright_starts(sample.points_mm, surface)) if settings.upright else []
+    finalists = finished(upright_starts(sample.points_mm, surface), PartOf(progress, 0.0, 0.3)) if settings.upright else []
     if not finalists or min(candidate.cost for candidate in finalists) > POOR_COST:
-        finalists += finished(all_round_starts(sample.points_mm, surface))
+        finalists += finished(all_round_starts(sample.points_mm, surface), PartOf(progress, 0.3, 1.0))
     limit = AS_GOOD * min(candidate.cost for candidate in finalists)
     return min((candidate for candidate in finalists if candidate.cost <= limit), key=lambda c: c.turn_rad)
 
 
-def _improved(sample: MeasuredPoints, surface: NominalSurface, starts: list[FloatArray], settings: AlignmentSettings) -> list[_Candidate]:
+def _improved(
+    sample: MeasuredPoints, surface: NominalSurface, starts: list[FloatArray], settings: AlignmentSettings, progress: Progress
+) -> list[_Candidate]:
     """Improve every start by a few coarse steps; the best come first, near-duplicates are dropped."""
     radius = 0.05 * surface.diagonal_mm
     found = []
-    for start in starts:
+    for number, start in enumerate(starts):
+        progress.report(number, len(starts), "laying the points onto the nominal")
         matrix = register(sample, surface, start, settings, iterations=10, reach_mm=2 * radius).matrix
         found.append(_Candidate(matrix, cost(sample, surface, matrix, 0.02 * surface.diagonal_mm, settings)))
     distinct: list[_Candidate] = []

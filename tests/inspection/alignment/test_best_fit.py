@@ -11,6 +11,8 @@ from measureapp.errors import InspectionError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.alignment.best_fit import best_fit
 from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.settings import AlignmentSettings
+from measureapp.progress import CallbackProgress, Cancelled
 
 NOISE_MM = 0.02
 PLACE_BOUND_MM = 0.005  # noise 0.02 mm over 20 000 points, ten standard deviations and more of any of the six unknowns
@@ -94,3 +96,21 @@ def test_the_nominal_of_another_part_is_refused(samples, scan, on_table) -> None
 def test_an_empty_cloud_is_refused(samples: Callable) -> None:
     with pytest.raises(InspectionError, match="no measured points"):
         best_fit(MeasuredPoints(np.empty((0, 3))), samples("gypsum").nominal)
+
+
+def test_a_search_in_all_directions_can_be_cancelled(samples, scan, on_table) -> None:
+    nominal, heard = samples("gypsum").nominal, list[float]()
+
+    def listen(done: float, total: float, _note: str) -> None:
+        heard.append(done / total)
+        if done / total > 0.4:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        best_fit(
+            scan(nominal, on_table(70.0), NOISE_MM, count=5_000),
+            nominal,
+            AlignmentSettings(upright=False),
+            progress=CallbackProgress(listen),
+        )
+    assert heard == sorted(heard) and heard[0] < 0.35 and len(heard) > 3
