@@ -101,7 +101,7 @@ def errors_of(rng: np.random.Generator, own: float = 1.0) -> ViewErrors:
     for axis, power in enumerate(((1, 0, 0), (0, 1, 0), (0, 0, 1))):
         grown[POWERS.index(power), axis, 0] = SCALE * own * 100.0
     held = np.zeros((6 * VIEWS, 1))  # the poses follow the scale so that the middle of the part stays in its place
-    for number, (pose, centre) in enumerate(zip(poses, centres, strict=True)):
+    for number, pose in enumerate(poses):
         held[6 * number : 6 * number + 3, 0] = SCALE * own * pose.translation_mm
     return ViewErrors(poses, centres, np.hstack([common, mixed]), held, CloudBends(np.zeros(3), np.full(3, 100.0), grown))
 
