@@ -139,9 +139,9 @@ def _placed_by_axes(project: ProjectFolder, views: Sequence[ViewResult]) -> Floa
 def _left_open(project: ProjectFolder, views: Sequence[ViewResult]) -> CalibrationErrors | None:
     """Return how the cameras' calibration errs in clouds and poses; None where the project's calibration did not keep it."""
     rig = project.rig_uncertainty()
-    if rig is None:
-        return None
     clouds = [np.asarray(view.cloud.points_mm) for view in views if len(view.cloud)]
+    if rig is None or not clouds:
+        return None
     corners = np.stack([np.min([cloud.min(axis=0) for cloud in clouds], axis=0), np.max([cloud.max(axis=0) for cloud in clouds], axis=0)])
     return calibration_errors(rig, [view.readback for view in views], corners)
 
