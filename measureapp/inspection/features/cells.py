@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 from scipy.special import ndtri
 
-from measureapp.arrays import FloatArray, IntArray
+from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.feature import Feature
 from measureapp.errors import InspectionError
 from measureapp.geometry.shapes import tangents
+from measureapp.inspection.features.errors import Source
+from measureapp.inspection.features.found import Found
 from measureapp.inspection.features.shapes import along_and_off, outward_normals, signed_distances
 
 LEAST_CELLS = 12
@@ -29,9 +32,17 @@ class Cells:
     keys: IntArray  # (K, D), which cell
     noise_mm: float  # typical standard deviation of a mean, from the scatter within the cells
     noises_mm: FloatArray  # (K,), of each mean: cells at the rim hold fewer points
+    normals: FloatArray  # (K, 3), of the shape
+    by_views: Mapping[Source, FloatArray] = field(
+        default_factory=dict
+    )  # (K, M), errors of the means along the normals because of their views
 
     def __len__(self) -> int:
         return len(self.points_mm)
+
+    def raised(self, heights_mm: FloatArray) -> FloatArray:
+        """Return the means (K, 3) displaced along their normals."""
+        return np.asarray(self.points_mm + heights_mm[:, None] * self.normals)
 
     @property
     def form_sigma_mm(self) -> float:
@@ -48,26 +59,30 @@ def noise_reach(count: int) -> float:
     return float(ndtri((1 + COVERAGE ** (1 / max(count, 1))) / 2))
 
 
-def cell_means(points_mm: FloatArray, feature: Feature, keys: IntArray, name: str) -> Cells:
+def cell_means(found: Found, feature: Feature, keys: IntArray, chosen: BoolArray | None = None) -> Cells:
     """Return the means over all cells that hold enough points.
 
     Parameters
     ----------
-    points_mm : (N, 3), on the surface of ``feature``
+    found : whose points are extracted
+    feature : on whose surface they lie
     keys : (N, D), the cell of each point
+    chosen : mask of the points of ``found`` that are meant; None: all
 
     Raises
     ------
     InspectionError
         Fewer than twelve cells are filled.
     """
+    points_mm = found.points_mm if chosen is None else found.points_mm[chosen]
+    view = found.view if chosen is None or found.view is None else found.view[chosen]
     deviations = signed_distances(feature, points_mm)
-    found, cell = np.unique(keys, axis=0, return_inverse=True)
+    cells, cell = np.unique(keys, axis=0, return_inverse=True)
     cell = cell.ravel()
     counts = np.bincount(cell)
     full = counts >= max(LEAST_IN_CELL, WELL_FILLED * float(np.median(counts)))
     if np.count_nonzero(full) < LEAST_CELLS:
-        raise InspectionError(f"{name}: its points fill only {np.count_nonzero(full)} cells, {LEAST_CELLS} are needed")
+        raise InspectionError(f"{found.name}: its points fill only {np.count_nonzero(full)} cells, {LEAST_CELLS} are needed")
     mean = np.bincount(cell, weights=deviations) / counts
     places = np.column_stack([np.bincount(cell, weights=points_mm[:, k]) / counts for k in range(3)])[full]
     scatter = np.bincount(cell, weights=(deviations - mean[cell]) ** 2)[full] / (counts[full] - 1)
@@ -76,7 +91,26 @@ def cell_means(points_mm: FloatArray, feature: Feature, keys: IntArray, name: st
     freedoms = float(np.median(counts[full])) - 1
     variance = float(np.median(scatter)) / (1 - 2 / (9 * freedoms)) ** 3  # of χ² the median lies below the mean (Wilson and Hilferty)
     noise = float(np.sqrt(variance / np.median(counts[full])))
-    return Cells(places, mean[full], found[full], noise, np.sqrt(variance / counts[full]))
+    normals = outward_normals(feature, places)
+    number = np.where(full, np.cumsum(full) - 1, -1)[cell]
+    return Cells(
+        places, mean[full], cells[full], noise, np.sqrt(variance / counts[full]), normals, _by_views(found, places, normals, number, view)
+    )
+
+
+def _by_views(
+    found: Found, places_mm: FloatArray, normals: FloatArray, number: IntArray, view: IntArray | None
+) -> dict[Source, FloatArray]:
+    """Return the errors of means at ``places_mm`` whose points, ``number`` (N,) saying which mean each is part of, were measured in ``view``."""
+    if found.view_errors is None or view is None:
+        return {}
+    inside = number >= 0
+    pairs, counts = np.unique(np.column_stack([number[inside], view[inside]]), axis=0, return_counts=True)
+    place = pairs[:, 0]
+    share = counts / np.bincount(place, counts)[place]
+    begins = np.flatnonzero(np.diff(place, prepend=-1))
+    moved = found.view_errors.along(places_mm[place], normals[place], pairs[:, 1])
+    return {Source(name): np.add.reduceat(share[:, None] * columns, begins) for name, columns in moved.items()}
 
 
 def surface_keys(points_mm: FloatArray, feature: Feature, cell_mm: float) -> IntArray:

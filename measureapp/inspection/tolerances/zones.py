@@ -11,15 +11,16 @@ from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import PROFILES, DimensionProgram, Section
 from measureapp.errors import InspectionError
 from measureapp.inspection.features.cells import Cells, cell_means, surface_keys
+from measureapp.inspection.features.errors import NOISE, STITCHING
 from measureapp.inspection.features.found import Found
 from measureapp.inspection.features.shapes import signed_distances
-from measureapp.inspection.propagation import propagated
+from measureapp.inspection.propagation import propagated, propagated_on
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.tolerances.datums import DatumSystem, datum_system, nominals_of
-from measureapp.inspection.tolerances.form import extracted, filter_words
+from measureapp.inspection.tolerances.form import across_views, extracted, filter_words
 from measureapp.inspection.tolerances.material import WORDS, bonus_of
 from measureapp.inspection.tolerances.run_out import run_out
-from measureapp.inspection.value import AXES, CENTRES, Value, direction_of, feature_of, nominal_of, placement_of
+from measureapp.inspection.value import AXES, CENTRES, Value, direction_of, feature_of, nominal_of, placement_of, summed
 
 GREATEST_LEAN_DEG = 30.0
 TINY = 1e-12
@@ -40,7 +41,7 @@ def tolerance_value(described: DimensionProgram, found: Found, datums: tuple[Fou
     if kind == "position":
         return _position(described, found, datums, settings)
     if kind in ("concentricity", "coaxiality"):
-        return _common_centre(kind, found, datums[0], settings)
+        return _common_centre(kind, found, datums[0])
     if kind in PROFILES:
         return _profile(described, found, datums, settings)
     return run_out(kind, found, datums[0], settings)
@@ -52,11 +53,11 @@ def _orientation(kind: str, found: Found, datums: tuple[Found, ...], settings: I
     if feature.shape not in ("plane", *AXES):
         raise InspectionError(f"{found.name} is a {feature.shape}: {kind} is defined for planes and axes")
     toward = _exact_direction(kind, found, datums)
-    across_views = placement_of(found, settings) if found.views > 1 else 0.0
+    apart = {STITCHING: across_views(found, settings)}
     if feature.shape == "plane":
         cells = extracted(found, settings)
-        width, sigma = propagated(lambda features: float(np.ptp(cells.points_mm @ toward(features))), (found, *datums))
-        return Value(width, float(np.linalg.norm([sigma, cells.form_sigma_mm, across_views])), filter_words(settings))
+        width, budget = propagated_on(lambda features, points_mm: float(np.ptp(points_mm @ toward(features))), (found, *datums), cells)
+        return Value(width, summed(budget, {NOISE: cells.form_sigma_mm}, apart), filter_words(settings))
     length = float(np.ptp(_ends(found, feature)))
     if length <= 0:
         raise InspectionError(f"{found.name} was made from other features and has no length over which its {kind} could be taken")
@@ -64,8 +65,8 @@ def _orientation(kind: str, found: Found, datums: tuple[Found, ...], settings: I
     def lean(features: Sequence[Feature]) -> float:
         return length * float(np.linalg.norm(np.cross(direction_of(features[0]), toward(features))))
 
-    value, sigma = propagated(lean, (found, *datums))
-    return Value(value, float(np.hypot(sigma, across_views)), f"associated axis over {length:.1f} mm")
+    value, budget = propagated(lean, (found, *datums))
+    return Value(value, summed(budget, apart), f"associated axis over {length:.1f} mm")
 
 
 def _exact_direction(kind: str, found: Found, datums: tuple[Found, ...]) -> Callable[[Sequence[Feature]], FloatArray]:
@@ -122,15 +123,15 @@ def _position(described: DimensionProgram, found: Found, datums: tuple[Found, ..
 
     how = "associated centre" if feature.shape in CENTRES else f"associated axis over {float(np.ptp(ends)):.1f} mm"
     if described.material_condition == "regardless":
-        return _placed_value(width, found, datums, settings, how)
+        return _placed_value(width, found, datums, how)
     bonus, noise = bonus_of(described, found, settings)
-    left = _placed_value(lambda features: width(features) - bonus(features[0]), found, datums, settings, how)
+    left = _placed_value(lambda features: width(features) - bonus(features[0]), found, datums, how)
     gained = bonus(feature)
     words = f"{how}; {WORDS[described.material_condition]}: {gained:.4f} mm more than {described.upper_tolerance:g} mm"
-    return Value(left.value + gained, float(np.hypot(left.sigma, noise)), words, gained)
+    return Value(left.value + gained, summed(left.budget, {NOISE: noise}), words, gained)
 
 
-def _common_centre(kind: str, found: Found, datum: Found, settings: InspectionSettings) -> Value:
+def _common_centre(kind: str, found: Found, datum: Found) -> Value:
     """Twice the greatest distance of an axis (coaxiality) or a centre (concentricity) from the datum's axis or centre."""
     feature, base = feature_of(found), feature_of(datum)
     wanted = AXES if kind == "coaxiality" else CENTRES
@@ -148,7 +149,7 @@ def _common_centre(kind: str, found: Found, datum: Found, settings: InspectionSe
         return 2 * float(np.linalg.norm(away, axis=1).max())
 
     how = "associated centre" if kind == "concentricity" else f"associated axis over {float(np.ptp(ends)):.1f} mm"
-    return _placed_value(width, found, (datum,), settings, how)
+    return _placed_value(width, found, (datum,), how)
 
 
 def _profile(described: DimensionProgram, found: Found, datums: tuple[Found, ...], settings: InspectionSettings) -> Value:
@@ -157,7 +158,7 @@ def _profile(described: DimensionProgram, found: Found, datums: tuple[Found, ...
         datum_system(nominals_of(datums), [feature_of(one) for one in datums]).require_place(nominal_of(found), found.name)
     cells = extracted(found, settings) if described.section is None else _cut(found, described.section, settings)
     made = _surface_value(found, datums, cells, settings)
-    return made if datums else Value(made.value, made.sigma, f"{made.how}, placed by the alignment")
+    return made if datums else Value(made.value, made.budget, f"{made.how}, placed by the alignment")
 
 
 def _surface_value(found: Found, datums: tuple[Found, ...], cells: Cells, settings: InspectionSettings) -> Value:
@@ -166,14 +167,14 @@ def _surface_value(found: Found, datums: tuple[Found, ...], cells: Cells, settin
         raise InspectionError(f"{found.name} is a {feature_of(found).shape}: it has no surface that the drawing places")
     drawn = nominals_of(datums)
 
-    def width(features: Sequence[Feature]) -> float:
+    def width(features: Sequence[Feature], points_mm: FloatArray) -> float:
         system = datum_system(drawn, features) if datums else NO_DATUM
-        return 2 * float(np.abs(signed_distances(nominal, system.apply(cells.points_mm))).max())
+        return 2 * float(np.abs(signed_distances(nominal, system.apply(points_mm))).max())
 
-    value, sigma = propagated(width, datums)
-    places = [2 * placement_of(one, settings) for one in (found, *datums)]
+    value, budget = propagated_on(width, datums, cells)
     # the greatest distance is off by no more than the greatest noise, the width by twice that
-    return Value(value, float(np.linalg.norm([sigma, 2 * cells.form_sigma_mm, *places])), filter_words(settings))
+    own = {NOISE: 2 * cells.form_sigma_mm, STITCHING: 2 * placement_of(found, settings)}
+    return Value(value, summed(budget, own), filter_words(settings))
 
 
 def _cut(found: Found, section: Section, settings: InspectionSettings) -> Cells:
@@ -181,19 +182,14 @@ def _cut(found: Found, section: Section, settings: InspectionSettings) -> Cells:
     feature = feature_of(found)
     normal = np.asarray(section.normal, float)
     off = (found.points_mm - np.asarray(section.point_mm, float)) @ (normal / np.linalg.norm(normal))
-    near = found.points_mm[np.abs(off) < settings.form_cell_mm / 2]
-    if len(near) == 0:
+    near = np.abs(off) < settings.form_cell_mm / 2
+    if not near.any():
         raise InspectionError(f"{found.name} was not measured where the section cuts it")
-    keys = surface_keys(near, feature, settings.form_cell_mm)
-    return cell_means(near, feature, keys, found.name)
+    return cell_means(found, feature, surface_keys(found.points_mm[near], feature, settings.form_cell_mm), near)
 
 
-def _placed_value(
-    width: Callable[[Sequence[Feature]], float], found: Found, datums: tuple[Found, ...], settings: InspectionSettings, how: str
-) -> Value:
-    value, sigma = propagated(width, (found, *datums))
-    places = [2 * placement_of(one, settings) for one in (found, *datums)]
-    return Value(value, float(np.linalg.norm([sigma, *places])), how)
+def _placed_value(width: Callable[[Sequence[Feature]], float], found: Found, datums: tuple[Found, ...], how: str) -> Value:
+    return Value(*propagated(width, (found, *datums)), how)
 
 
 def _ends(found: Found, feature: Feature) -> FloatArray:
