@@ -86,6 +86,9 @@ def _chosen(plain: PlainPoints, stays: Any) -> PointCloud | StitchedCloud:
     sigma, grey = column(plain.sigma_mm, np.zeros(count)), column(plain.grey, np.full(count, 0.5))
     if plain.view is not None:
         view, frame = plain.view[stays], plain.frame or "part"
-        return StitchedCloud(points, normals, sigma, grey, view, (), frame, view_names=plain.view_names)
+        drawn = None if plain.drawn_view is None else plain.drawn_view[stays]
+        return StitchedCloud(
+            points, normals, sigma, grey, view, (), frame, view_names=plain.view_names, drawn_view=drawn, errors=plain.errors
+        )
     pixel, cameras = column(plain.pixel, np.full((count, 2), -1)), column(plain.cameras, np.ones(count, np.uint8))
     return PointCloud(points, normals, sigma, grey, pixel, cameras, plain.frame, plain.viewpoint_id)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
+from measureapp.data.view_errors import ViewErrors
 from measureapp.errors import FrameMismatch
 from measureapp.geometry.transform import RigidTransform
 
@@ -141,6 +142,8 @@ class StitchedCloud:
     notes: Mapping[str, float] = field(default_factory=dict)
     ring: RingClosure | None = None  # the one that closes worst; None where no pairs lead around the part
     view_names: tuple[str, ...] = ()  # what `view` counts; those of the placements where these are known
+    drawn_view: IntArray | None = None  # (N,) int16, a view drawn for each point as often as it weighs in it; None where not known
+    errors: ViewErrors | None = None  # of the views that `view` counts; None where not known
 
     def __post_init__(self) -> None:
         count = len(self.points_mm)
@@ -149,6 +152,8 @@ class StitchedCloud:
         object.__setattr__(self, "sigma_mm", read_only(self.sigma_mm, np.float32, (count,)))
         object.__setattr__(self, "grey", read_only(self.grey, np.float32, (count,)))
         object.__setattr__(self, "view", read_only(self.view, np.int16, (count,)))
+        if self.drawn_view is not None:
+            object.__setattr__(self, "drawn_view", read_only(self.drawn_view, np.int16, (count,)))
         if self.placements:
             object.__setattr__(self, "view_names", tuple(placement.viewpoint_id for placement in self.placements))
 
@@ -157,6 +162,6 @@ class StitchedCloud:
 
     def where(self, keep: BoolArray | IntArray) -> StitchedCloud:
         """Return the points chosen by a mask or by indices; the views keep their numbers and names."""
-        names = ("points_mm", "normals", "sigma_mm", "grey", "view")
-        arrays: dict[str, Any] = {name: getattr(self, name)[keep] for name in names}
+        names = ("points_mm", "normals", "sigma_mm", "grey", "view", "drawn_view")
+        arrays: dict[str, Any] = {name: values[keep] for name in names if (values := getattr(self, name)) is not None}
         return replace(self, **arrays)

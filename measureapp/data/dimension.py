@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from enum import StrEnum
 
 
@@ -31,7 +32,10 @@ class Dimension:
     features: tuple[str, ...] = ()
     kind: str = ""  # "distance", "flatness", …
     datums: tuple[str, ...] = ()  # A, B, C
-    origin: str = ""  # where the value came from: points, filter, criterion, datums
+    origin: str = ""  # where the value came from: points, filter, criterion, datums, and what was assumed for its uncertainty
+    budget: Mapping[str, float] = field(
+        default_factory=dict
+    )  # shares of `uncertainty`, k = 2: "noise", "stitching", "calibration"; their squares add up
 
     @property
     def error(self) -> float | None:

@@ -93,6 +93,25 @@ def distances_mm(feature: Feature, points_mm: FloatArray) -> FloatArray:
     return distances[0] if len(distances) == 1 else np.hypot(*distances)
 
 
+def following_points(feature: Feature, points_mm: FloatArray, weights: FloatArray | None = None) -> FloatArray:
+    """Return how point (mm), direction and sizes of a fitted feature, in the order of its ``covariance``, follow its points, (6 + S, N).
+
+    Column n is what 1 mm does by which point n moves away from the shape along its normal (to where distances are positive). Where the
+    sum of squares is least its gradient stays zero: dθ = -(Jᵀ W J)⁻¹ Jᵀ W dd.
+
+    Parameters
+    ----------
+    feature : as `fit` found it; a shape with one distance per point
+    weights : (N,), as they were in the fit; None: all equal
+    """
+    model, scaled = MODELS[feature.shape], Scaled.of(points_mm)
+    state = state_of(feature, scaled)
+    _, derivatives = model.evaluate(state, scaled.points)
+    root = np.sqrt(np.ones(len(points_mm)) if weights is None else weights)
+    follows = -np.linalg.pinv(derivatives[0] * root[:, None]) * root / scaled.scale_mm
+    return np.asarray(_spread(feature.shape, model, state, scaled.scale_mm) @ follows)
+
+
 def _checked(shape: Shape, points_mm: FloatArray, weights: FloatArray | None) -> tuple[FloatArray, FloatArray]:
     if shape not in MODELS:
         raise FitError(f"A {shape} cannot be fitted.", "Use one of: " + ", ".join(MODELS) + ".")

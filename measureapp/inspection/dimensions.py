@@ -13,15 +13,17 @@ from measureapp.data.measurement import Alignment, Inspection
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
 from measureapp.inspection.alignment.align import align
+from measureapp.inspection.budget import completed
+from measureapp.inspection.features.errors import NOISE
 from measureapp.inspection.features.found import Found
 from measureapp.inspection.find_all import find_all
 from measureapp.inspection.measured import HasPoints, MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.inspection.surface.units import check_unit, check_unit_on
-from measureapp.inspection.uncertainty import COVERAGE_FACTOR, expanded
-from measureapp.inspection.value import Value
-from measureapp.inspection.values import value_of
+from measureapp.inspection.uncertainty import COVERAGE_FACTOR
+from measureapp.inspection.value import Budget, Value
+from measureapp.inspection.values import mean_value, value_of
 from measureapp.inspection.verdict import judge
 from measureapp.progress import NoProgress, PartOf, Progress
 
@@ -92,28 +94,45 @@ def _dimension(described: DimensionProgram, found: dict[str, Found], settings: I
         value = _combined(described, found, settings)
     except InspectionError as error:
         return _stated(described, found, None, None, Verdict.NOT_MEASURED, error.message)
-    uncertainty = COVERAGE_FACTOR * value.sigma if described.unit == "°" else expanded(value.sigma, value.value, settings.uncertainty)
+    budget, assumptions = completed(value, described.unit, [found[name] for names in described.feature_sets for name in names], settings)
+    uncertainty = COVERAGE_FACTOR * float(np.linalg.norm(list(budget.values())))
     if not (np.isfinite(value.value) and np.isfinite(uncertainty)):
         return _stated(described, found, None, None, Verdict.NOT_MEASURED, "the points do not determine this value")
     lower, upper = (-np.inf if described.kind in ZONES else described.lower_tolerance), described.upper_tolerance + value.bonus
     # no zone is too narrow
     verdict = judge(value.value - described.nominal, uncertainty, lower, upper, settings.verdict_rule)
-    return _stated(described, found, value.value, uncertainty, verdict, "", value.how, value.bonus)
+    how = "; ".join(filter(None, (value.how, _budget_words(budget, described.unit), *assumptions)))
+    made = _stated(described, found, value.value, uncertainty, verdict, "", how, value.bonus)
+    return replace(made, budget={share: COVERAGE_FACTOR * sigma for share, sigma in budget.items()})
 
 
 def _combined(described: DimensionProgram, found: dict[str, Found], settings: InspectionSettings) -> Value:
-    """The value, or mean, least or greatest value of a pattern; the random errors of a mean average out, those of an extreme do not."""
+    """The value, or mean, least or greatest value of a pattern; the noise of a mean averages out, that of an extreme does not."""
     values = [
         value_of(described, tuple(found[name] for name in names), tuple(found[name] for name in datums), settings)
         for names, datums in zip(described.feature_sets, described.datum_sets, strict=True)
     ]
     if len(values) == 1:
         return values[0]
-    numbers, sigmas = np.array([v.value for v in values]), np.array([v.sigma for v in values])
+    numbers = np.array([v.value for v in values])
     if described.statistic == "mean":
-        return Value(float(numbers.mean()), float(np.linalg.norm(sigmas)) / len(values), values[0].how)
+        together = mean_value(described, [tuple(found[name] for name in names) for names in described.feature_sets], settings)
+        return together or Value(float(numbers.mean()), _of_mean([v.budget for v in values]), values[0].how)
     left = numbers - np.array([v.bonus for v in values])
     return values[int(left.argmin() if described.statistic == "min" else left.argmax())]
+
+
+def _budget_words(budget: Budget, unit: str) -> str:
+    """Say where an expanded uncertainty comes from, the largest share first."""
+    shares = sorted(((COVERAGE_FACTOR * sigma, share) for share, sigma in budget.items() if sigma > 0), reverse=True)
+    return "U from " + ", ".join(f"{share} {size:.4f} {unit}" for size, share in shares) if shares else ""
+
+
+def _of_mean(budgets: list[Budget]) -> Budget:
+    """Shares of a mean: noise averages out, what comes from the views may be alike in all copies and is taken to be."""
+    noise = float(np.linalg.norm([budget.get(NOISE, 0.0) for budget in budgets])) / len(budgets)
+    others = {share for budget in budgets for share in budget} - {NOISE}
+    return {NOISE: noise} | {share: float(np.mean([budget.get(share, 0.0) for budget in budgets])) for share in sorted(others)}
 
 
 def _stated(

@@ -9,6 +9,7 @@ import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
 from measureapp.data.mesh import Mesh
+from measureapp.data.view_errors import ViewErrors
 from measureapp.errors import InspectionError
 from measureapp.geometry.transform import RigidTransform
 
@@ -31,7 +32,8 @@ class MeasuredPoints:
     points_mm: FloatArray  # (N, 3) float64
     normals: FloatArray | None = None  # (N, 3), unit, outwards
     sigma_mm: FloatArray | None = None  # (N,)
-    view: IntArray | None = None  # (N,), index of the view that weighs most
+    view: IntArray | None = None  # (N,), index of a view it was measured in: each as often as it weighs, where that is known
+    errors: ViewErrors | None = None  # of those views
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "points_mm", read_only(self.points_mm, np.float64, (None, 3)))
@@ -63,7 +65,8 @@ class MeasuredPoints:
     def seen_from(self, transform: RigidTransform) -> MeasuredPoints:
         """Return the same points in ``transform.to_frame``."""
         normals = None if self.normals is None else transform.rotate(np.asarray(self.normals, np.float64))
-        return replace(self, points_mm=transform.apply(self.points_mm), normals=normals)
+        errors = None if self.errors is None else self.errors.seen_from(transform)
+        return replace(self, points_mm=transform.apply(self.points_mm), normals=normals, errors=errors)
 
     def thinned(self, count: int) -> MeasuredPoints:
         """Return about ``count`` points spread evenly over the surface: one of each cell of a grid."""
@@ -91,12 +94,12 @@ def _first_of_each_cell(offsets_mm: FloatArray, size_mm: float) -> IntArray:
 
 
 def _from_cloud(source: HasPoints) -> MeasuredPoints:
-    normals, sigma, view = (getattr(source, name, None) for name in ("normals", "sigma_mm", "view"))
+    normals, sigma, view, drawn, errors = (getattr(source, name, None) for name in ("normals", "sigma_mm", "view", "drawn_view", "errors"))
     if sigma is not None and not bool(np.all(np.isfinite(sigma) & (np.asarray(sigma) > 0))):
         sigma = None
     if normals is not None and not bool(np.all(np.any(np.asarray(normals) != 0, axis=1))):
         normals = None  # a file without normals for some points: better judged by place alone
-    return MeasuredPoints(source.points_mm, normals, sigma, view)
+    return MeasuredPoints(source.points_mm, normals, sigma, view if drawn is None else drawn, None if view is None else errors)
 
 
 def sampled(mesh: Mesh, count: int = MESH_SAMPLES) -> MeasuredPoints:

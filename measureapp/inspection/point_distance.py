@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from measureapp.arrays import FloatArray
+from measureapp.data.view_errors import ViewErrors
 from measureapp.inspection.settings import UncertaintySettings
-from measureapp.inspection.uncertainty import expanded
+from measureapp.inspection.uncertainty import COVERAGE_FACTOR, expanded
 
 
 def point_distance(
@@ -14,19 +15,28 @@ def point_distance(
     sigmas_mm: tuple[float, float],
     same_view: bool,
     settings: UncertaintySettings = UncertaintySettings(),  # noqa: B008 - frozen
+    views: tuple[int, int] | None = None,
+    errors: ViewErrors | None = None,
 ) -> tuple[float, float]:
     """Return the distance of two points in mm and its expanded uncertainty (k = 2).
 
-    The noise of both points counts in full, as if the distance ran along their viewing rays; two views stand off
-    independently of each other, one view alone does not change its own lengths. Which place of the surface was clicked
-    is not part of it.
+    The noise of both points counts in full, as if the distance ran along their viewing rays. How two views lie to each other is taken
+    from the stitched cloud's errors; where these are not known, the views stand off independently of each other. One view alone
+    does not change its own lengths. Which place of the surface was clicked is not part of it.
 
     Parameters
     ----------
     points_mm : (2, 3)
     sigmas_mm : standard deviation of each point along its viewing ray
     same_view : whether one view measured both points
+    views, errors : by number the views of both points, and how the views of the stitched cloud err; None where not known
     """
     length = float(np.linalg.norm(points_mm[1] - points_mm[0]))
+    if errors is not None and views is not None and length > 0:
+        along = np.tile((points_mm[1] - points_mm[0]) / length, (2, 1))
+        shares = {share: columns[1] - columns[0] for share, columns in errors.along(points_mm, along, np.array(views)).items()}
+        known = [float(np.linalg.norm(change)) for change in shares.values()]
+        noise = float(np.linalg.norm([*sigmas_mm, *known]))
+        return length, COVERAGE_FACTOR * noise if "calibration" in shares else expanded(noise, length, settings)
     placed = 0.0 if same_view else np.sqrt(2.0) * settings.placement_mm
     return length, expanded(float(np.linalg.norm([*sigmas_mm, placed])), length, settings)

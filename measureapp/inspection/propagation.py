@@ -1,67 +1,65 @@
-"""From the covariance of features to the uncertainty of what is computed from them."""
+"""From the errors of features and of extracted surfaces to the uncertainty of what is computed from them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
+from measureapp.inspection.features.cells import Cells
+from measureapp.inspection.features.errors import TURN_MM, Errors, Source, moved, principal, sizes_of
 from measureapp.inspection.features.found import Found
-from measureapp.inspection.value import feature_of
-
-NEGLIGIBLE = 1e-12  # of the largest variance
+from measureapp.inspection.value import Budget, feature_of
 
 
-def propagated(value: Callable[[Sequence[Feature]], float], found: Sequence[Found]) -> tuple[float, float]:
-    """Return ``value`` of the features and its standard uncertainty from their covariances.
+def propagated(value: Callable[[Sequence[Feature]], float], found: Sequence[Found]) -> tuple[float, Budget]:
+    """Return ``value`` of the features and what each share of their errors adds to its standard uncertainty.
 
-    Each feature is moved by one standard deviation to either side along every principal direction of its covariance, and
-    the larger change counts; the squares are summed. Where the value is smooth this is the law of propagation
-    (JCGM 100, 5.1.2); at a kink, like a distance that is zero, it keeps the uncertainty that the derivative loses.
+    All features are moved together by one standard deviation to either side along every principal direction of each source of
+    errors, and the larger change counts; the squares are summed. Errors that features share so cancel as far as they do in the
+    value. Where the value is smooth this is the law of propagation with correlations (JCGM 100, 5.2.2); at a kink, like a distance
+    that is zero, it keeps the uncertainty that the derivative loses.
     """
+    return _propagated(lambda features, _: value(features), found, None)
+
+
+def propagated_on(value: Callable[[Sequence[Feature], FloatArray], float], found: Sequence[Found], cells: Cells) -> tuple[float, Budget]:
+    """Return the same for a value of features and of the means (K, 3) of a surface, which moves with the views it was measured in."""
+    return _propagated(lambda features, heights: value(features, cells.raised(heights)), found, cells)
+
+
+def _propagated(
+    value: Callable[[Sequence[Feature], FloatArray], float], found: Sequence[Found], cells: Cells | None
+) -> tuple[float, Budget]:
     features = [feature_of(one) for one in found]
-    base, variance = value(features), 0.0
-    for number, one in enumerate(found):
-        for change in _principal_changes(one):
-            moved = [[*features[:number], _changed(features[number], sign * change), *features[number + 1 :]] for sign in (1.0, -1.0)]
-            variance += max((value(changed) - base) ** 2 for changed in moved)
-    return base, float(np.sqrt(variance))
+    ends = np.cumsum([0, *(6 + len(sizes_of(feature)) for feature in features)])
+    still = np.zeros(0 if cells is None else len(cells))
+    base = value(features, still)
+    scale = np.concatenate([*(_scale(feature) for feature in features), np.ones(len(still))])
+    variances: dict[str, float] = {}
+    for source, columns in _together(
+        [*(one.errors for one in found), *([] if cells is None else [cells.by_views])], [*np.diff(ends), len(still)]
+    ):
+        variance = 0.0
+        for change in principal(columns, scale).T:
+            sides = [
+                ([moved(feature, sign * change[ends[i] : ends[i + 1]]) for i, feature in enumerate(features)], sign * change[ends[-1] :])
+                for sign in (1.0, -1.0)
+            ]
+            variance += max((value(*side) - base) ** 2 for side in sides)
+        variances[source.share] = variances.get(source.share, 0.0) + variance
+    return base, {share: float(np.sqrt(variance)) for share, variance in variances.items()}
 
 
-def _principal_changes(found: Found) -> list[FloatArray]:
-    values, vectors = np.linalg.eigh(_covariance(found))
-    largest = max(float(values[-1]), 0.0)
-    return [np.sqrt(size) * vector for size, vector in zip(values, vectors.T, strict=True) if size > NEGLIGIBLE * largest]
+def _together(errors: Sequence[Errors | Mapping[Source, FloatArray]], sizes: Sequence[int]) -> Iterable[tuple[Source, FloatArray]]:
+    """Give the errors of everything below each other, by source; zero for what does not have them."""
+    for source in dict.fromkeys(source for own in errors for source in own):
+        width = next(own[source].shape[1] for own in errors if source in own)
+        yield source, np.vstack([own.get(source, np.zeros((size, width))) for own, size in zip(errors, sizes, strict=False)])
 
 
-def _covariance(found: Found) -> FloatArray:
-    """Covariance of point and direction, and of the sizes of a fit; that of a constructed feature is the same in all its directions."""
-    feature = feature_of(found)
-    if feature.covariance is not None:
-        size = len(feature.covariance) - (0 if feature.direction is not None else 3)
-        rows = np.r_[0:3, 6 : len(feature.covariance)] if feature.direction is None else np.arange(size)
-        kept = np.zeros_like(feature.covariance)
-        kept[np.ix_(rows, rows)] = feature.covariance[np.ix_(rows, rows)]
-        return kept * found.error_factor**2
-    made = np.zeros((6, 6))
-    made[:3, :3] = found.position_sigma**2 * np.eye(3)
-    if feature.direction is not None:
-        made[3:, 3:] = found.direction_sigma**2 * (np.eye(3) - np.outer(feature.direction, feature.direction))
-    return made
-
-
-def _changed(feature: Feature, by: FloatArray) -> Feature:
-    sizes = dict(zip(_sizes(feature), by[6:], strict=False))
-    direction = feature.direction
-    if direction is not None:
-        direction = direction + by[3:6]
-        direction = direction / np.linalg.norm(direction)
-    grown = {name: getattr(feature, name) + size for name, size in sizes.items()}
-    return replace(feature, point_mm=feature.point_mm + by[:3], direction=direction, **grown)
-
-
-def _sizes(feature: Feature) -> tuple[str, ...]:
-    return tuple(name for name in ("radius_mm", "half_angle_rad", "minor_radius_mm") if getattr(feature, name) is not None)
+def _scale(feature: Feature) -> FloatArray:
+    """What makes point, direction and sizes comparable."""
+    return np.array([1.0] * 3 + [TURN_MM] * 3 + [TURN_MM if name.endswith("_rad") else 1.0 for name in sizes_of(feature)])

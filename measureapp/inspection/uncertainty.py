@@ -1,11 +1,14 @@
 """How sure a dimension is: from the scatter of its points, and from what the scatter does not show.
 
-Standard uncertainties are combined in quadrature (JCGM 100):
+Standard uncertainties are combined in quadrature (JCGM 100), by shares:
 
-- fit: standard deviations of the fit from the points' residuals, widened by a factor when neighbouring points
+- noise: standard deviations of the fit from the points' residuals, widened by a factor when neighbouring points
   err together (see `shared_error_factor`);
-- placement: each view stands off by `placement_mm`; a feature seen by n views averages over n;
-- calibration: `systematic_mm` for every length and `systematic_relative` of the length.
+- stitching: where the views lie, by the joint covariance of their poses; what moves features alike drops out;
+- calibration: how the cameras' calibration bends all clouds alike, while poses follow.
+
+Where a cloud does not know of its views or of the calibration, the settings stand in and every result says so: each view stands off
+by `placement_mm` on its own, and lengths by `systematic_mm` and `systematic_relative` of the length.
 
 The expanded uncertainty is twice the result (k = 2).
 """
@@ -58,6 +61,10 @@ def effective_views(view: IntArray | None) -> float:
 
 
 def expanded(random_mm: float, length_mm: float, settings: UncertaintySettings) -> float:
-    """Return the expanded uncertainty (k = 2) of a length from its random part and the calibration."""
-    systematic = np.hypot(settings.systematic_mm, settings.systematic_relative * abs(length_mm))
-    return float(COVERAGE_FACTOR * np.hypot(random_mm, systematic))
+    """Return the expanded uncertainty (k = 2) of a length from its random part and what is assumed of the calibration."""
+    return float(COVERAGE_FACTOR * np.hypot(random_mm, assumed_calibration(length_mm, settings)))
+
+
+def assumed_calibration(length_mm: float, settings: UncertaintySettings) -> float:
+    """Return the standard uncertainty of a length by the settings, where nothing is known of the calibration."""
+    return float(np.hypot(settings.systematic_mm, settings.systematic_relative * abs(length_mm)))

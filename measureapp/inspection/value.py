@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+
+import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
@@ -14,14 +17,33 @@ AXES = ("cylinder", "cone", "line")
 CENTRES = ("point", "sphere", "circle", "torus")
 
 
+Budget = Mapping[str, float]  # what each share ("noise", "stitching", "calibration") adds to a standard uncertainty, in the value's unit
+
+
 @dataclass(frozen=True, slots=True)
 class Value:
-    """A value in mm (angles: degrees), the standard uncertainty of its random part, and filter and criterion in words."""
+    """A value in mm (angles: degrees), where its standard uncertainty comes from, and filter and criterion in words."""
 
     value: float
-    sigma: float
+    budget: Budget
     how: str = ""
-    bonus: float = 0.0  # by how much the tolerance is wider; `sigma` is then that of the value less the bonus
+    bonus: float = 0.0  # by how much the tolerance is wider; the uncertainty is then that of the value less the bonus
+
+    @property
+    def sigma(self) -> float:
+        """The standard uncertainty: of all shares together."""
+        return float(np.linalg.norm(list(self.budget.values())))
+
+
+def summed(*budgets: Budget) -> Budget:
+    """Return the shares of several independent contributions together."""
+    shares = dict.fromkeys(share for budget in budgets for share in budget)
+    return {share: float(np.linalg.norm([budget.get(share, 0.0) for budget in budgets])) for share in shares}
+
+
+def times(budget: Budget, factor: float) -> Budget:
+    """Return the shares of a value that is multiplied."""
+    return {share: factor * sigma for share, sigma in budget.items()}
 
 
 def feature_of(found: Found) -> Feature:
@@ -46,5 +68,7 @@ def direction_of(feature: Feature) -> FloatArray:
 
 
 def placement_of(found: Found, settings: InspectionSettings) -> float:
-    """Return the standard uncertainty in mm of where the views of a feature lie."""
+    """Return the standard uncertainty in mm of where the views of a feature lie, where the settings have to tell; 0 where the cloud does."""
+    if found.view_errors is not None:
+        return 0.0
     return float(settings.uncertainty.placement_mm / max(found.views, 1.0) ** 0.5)

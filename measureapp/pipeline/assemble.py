@@ -10,6 +10,7 @@ import numpy as np
 
 from measureapp.acquire.events import Event, InspectionReady, StitchReady, ValidityKnown
 from measureapp.arrays import FloatArray
+from measureapp.calibrate.rig.cloud_errors import calibration_errors
 from measureapp.calibrate.rig.stitch_uncertainty import view_uncertainty
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
@@ -18,6 +19,7 @@ from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.data.validity import Validity
 from measureapp.data.view_choices import ViewChoices
+from measureapp.data.view_errors import CalibrationErrors
 from measureapp.errors import RegistrationError
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 from measureapp.pipeline.chosen_views import chosen, with_refused
@@ -120,6 +122,7 @@ def _stitched(
         progress,
         stations=stations([view.readback for view in good]),
         prior_covariance=_placed_by_axes(project, good),
+        calibration=_left_open(project, good),
         accepted=choices.used,
         groundwork=groundwork,
     )
@@ -131,6 +134,16 @@ def _placed_by_axes(project: ProjectFolder, views: Sequence[ViewResult]) -> Floa
     if rig is None:
         return None
     return view_uncertainty(rig, [view.readback for view in views], _approaches(project, views)).pose_covariance
+
+
+def _left_open(project: ProjectFolder, views: Sequence[ViewResult]) -> CalibrationErrors | None:
+    """Return how the cameras' calibration errs in clouds and poses; None where the project's calibration did not keep it."""
+    rig = project.rig_uncertainty()
+    clouds = [np.asarray(view.cloud.points_mm) for view in views if len(view.cloud)]
+    if rig is None or not clouds:
+        return None
+    corners = np.stack([np.min([cloud.min(axis=0) for cloud in clouds], axis=0), np.max([cloud.max(axis=0) for cloud in clouds], axis=0)])
+    return calibration_errors(rig, [view.readback for view in views], corners)
 
 
 def _approaches(project: ProjectFolder, views: Sequence[ViewResult]) -> list[str] | None:
@@ -147,7 +160,7 @@ def stitch_settings(calibration: RigCalibration, views: Sequence[ViewResult]) ->
 
 
 def inspection_settings(calibration: RigCalibration, rig: RigDescription, views: Sequence[ViewResult]) -> InspectionSettings:
-    """Return the settings of inspection with what calibration and axes leave unknown, for the uncertainty of every dimension.
+    """Return the settings of inspection with what is assumed of axes and calibration where stitched clouds do not know how their views err.
 
     Where the robot's error was measured at the stations of the scan, a view is placed as well as the robot repeats and the
     table turns; elsewhere only as well as the robot's absolute accuracy. The scale is known as well as the focal lengths.

@@ -23,6 +23,7 @@ GRAZING = 0.15  # cosine below which a point counts no less than this
 LEAST_SIGMA_MM = 0.005
 LAYER_GAP = 1.5  # in voxels: layers of one face nearer than this along its axis are one surface
 SPARSE_FACTOR = 3.0
+GOLDEN = (5**0.5 - 1) / 2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -34,10 +35,13 @@ class MergedPoints:
     sigma_mm: FloatArray
     grey: FloatArray
     view: IntArray
+    drawn_view: IntArray
 
     def where(self, keep: BoolArray) -> MergedPoints:
         """Return the points chosen by a mask."""
-        return MergedPoints(self.points_mm[keep], self.normals[keep], self.sigma_mm[keep], self.grey[keep], self.view[keep])
+        return MergedPoints(
+            self.points_mm[keep], self.normals[keep], self.sigma_mm[keep], self.grey[keep], self.view[keep], self.drawn_view[keep]
+        )
 
 
 def merge(
@@ -75,8 +79,7 @@ def merge(
                 sums.add(keys, rows)
                 parts.append((keys, rows[:, WEIGHT].astype(np.float32)))
     keys, rows = sums.sorted()
-    view = _heaviest(keys, parts, numbers)
-    merged = _layers(keys, rows, view, voxel_mm)
+    merged = _layers(keys, rows, parts, numbers, voxel_mm)
     merged = merged.where(_dense(merged.points_mm)) if len(merged.points_mm) > 10 else merged
     merged = merged.where(in_large_patches(merged.points_mm, voxel_mm, island_mm2)) if island_mm2 > 0 else merged
     progress.report(1, 1, "merged")
@@ -120,10 +123,29 @@ def _heaviest(keys: IntArray, parts: list[tuple[IntArray, FloatArray]], numbers:
     return view
 
 
-def _layers(keys: IntArray, rows: FloatArray, view: IntArray, voxel_mm: float) -> MergedPoints:
+def _drawn(keys: IntArray, group: IntArray, weight: FloatArray, parts: list[tuple[IntArray, FloatArray]], numbers: list[int]) -> IntArray:
+    """Return for every group of keys, of ``weight`` (G,), one of its views, each as often as it weighs.
+
+    Neighbouring groups draw evenly spread numbers (multiples of the golden ratio) instead of random ones, so that the shares over few
+    points come out right already.
+    """
+    wanted, below = np.arange(len(weight)) * GOLDEN % 1.0 * weight, np.zeros(len(weight))
+    view = np.full(len(weight), numbers[0], np.int16)
+    for number, (own, part) in zip(numbers, parts, strict=True):
+        added = np.bincount(group[np.searchsorted(keys, own)], part, len(weight))
+        view[(added > 0) & (below <= wanted)] = number
+        below += added
+    return view
+
+
+def _layers(
+    keys: IntArray, rows: FloatArray, parts: list[tuple[IntArray, FloatArray]], numbers: list[int], voxel_mm: float
+) -> MergedPoints:
     """Join voxels that lie on each other in one column of one face and hold the same surface."""
     if len(keys) == 0:
-        return MergedPoints(np.empty((0, 3)), np.empty((0, 3)), np.empty(0), np.empty(0), np.empty(0, np.int16))
+        none = np.empty(0, np.int16)
+        return MergedPoints(np.empty((0, 3)), np.empty((0, 3)), np.empty(0), np.empty(0), none, none)
+    view = _heaviest(keys, parts, numbers)
     axis = (keys >> 61).astype(np.int64)
     depth = np.take_along_axis(rows[:, POSITION], axis[:, None], axis=1)[:, 0] / rows[:, WEIGHT]
     same_column = (keys[1:] >> 20) == (keys[:-1] >> 20)
@@ -141,6 +163,7 @@ def _layers(keys: IntArray, rows: FloatArray, view: IntArray, voxel_mm: float) -
         (np.sqrt(total[:, NOISE]) / weight).astype(np.float32),
         np.clip(total[:, GREY] / weight, 0, 1).astype(np.float32),
         view[heaviest],
+        _drawn(keys, group, weight, parts, numbers),
     )
 
 

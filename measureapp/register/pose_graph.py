@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import cho_factor, cho_solve
+from scipy.linalg import block_diag, cho_factor, cho_solve
 from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import FloatArray
@@ -24,9 +24,13 @@ class PoseGraphSolution:
     """The poses and how certain they are."""
 
     part_from_camera: tuple[RigidTransform, ...]
-    covariances: FloatArray  # (N, 6, 6) of small motions in the part's frame about each view's centre, beside what all views have in common
+    covariance: FloatArray  # (6N, 6N) of small motions in the part's frame about each view's centre, beside what all views have in common
     edge_sigmas: FloatArray  # (E,) residual of each pair in standard deviations
     surface_information: FloatArray  # (N, 6, 6) of the same motions by the pairs alone, were the other views certain
+
+    def of_view(self, index: int) -> FloatArray:
+        """Return the covariance (6, 6) of one view."""
+        return self.covariance[6 * index : 6 * index + 6, 6 * index : 6 * index + 6]
 
 
 def solve(
@@ -55,9 +59,8 @@ def solve(
             break
     matrix, _, sigmas, surface = _normal_equations(poses, kinematic, prior_information, pairs, centres_mm)
     apart = beside_each_other(centres_mm)
-    inverse = apart @ np.linalg.inv(matrix) @ apart.T
-    covariances = np.stack([inverse[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] for i in range(len(poses))])
-    return PoseGraphSolution(tuple(poses), covariances, sigmas, surface)
+    covariance = apart @ np.linalg.inv(matrix) @ apart.T
+    return PoseGraphSolution(tuple(poses), (covariance + covariance.T) / 2, sigmas, surface)
 
 
 def beside_each_other(centres_mm: FloatArray) -> FloatArray:
@@ -92,11 +95,8 @@ def _normal_equations(
     matrix = jacobian.T @ prior_information @ jacobian
     right = -jacobian.T @ (prior_information @ errors)
     surface = np.zeros((count, 6, 6))
-    parts = [edge_error(poses, pair, centres_mm) for pair in pairs]
-    squares = np.array([error @ pair.information @ error for pair, (error, _, _) in zip(pairs, parts, strict=True)])
-    usual = max(1.0, float(np.median(squares)) / CHI_SQUARE_MEDIAN) if len(squares) else 1.0
-    for pair, square, (error, by_target, by_source) in zip(pairs, squares, parts, strict=True):
-        weighted = pair.information / usual / (1 + square / usual / (CAUCHY**2 * CHI_SQUARE_MEDIAN))
+    parts, weights, squares = _weighted(poses, pairs, centres_mm)
+    for pair, weighted, (error, by_target, by_source) in zip(pairs, weights, parts, strict=True):
         blocks = ((pair.target, by_target), (pair.source, by_source))
         for a, left in blocks:
             right[6 * a : 6 * a + 6] -= left.T @ weighted @ error
@@ -104,6 +104,49 @@ def _normal_equations(
             for b, other in blocks:
                 matrix[6 * a : 6 * a + 6, 6 * b : 6 * b + 6] += left.T @ weighted @ other
     return matrix, right, np.sqrt(squares), surface
+
+
+def _weighted(
+    poses: Sequence[RigidTransform], pairs: Sequence[PairMeasurement], centres_mm: FloatArray
+) -> tuple[list[tuple[FloatArray, FloatArray, FloatArray]], list[FloatArray], FloatArray]:
+    """Return every pair's `edge_error`, its information (6, 6) as it counts among the others, and its weighted square (E,)."""
+    parts = [edge_error(poses, pair, centres_mm) for pair in pairs]
+    squares = np.array([error @ pair.information @ error for pair, (error, _, _) in zip(pairs, parts, strict=True)])
+    usual = max(1.0, float(np.median(squares)) / CHI_SQUARE_MEDIAN) if len(squares) else 1.0
+    weights = [
+        pair.information / usual / (1 + square / usual / (CAUCHY**2 * CHI_SQUARE_MEDIAN))
+        for pair, square in zip(pairs, squares, strict=True)
+    ]
+    return parts, weights, squares
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Following:
+    """How poses of least squares follow small changes of what they are estimated from, beside what all views have in common."""
+
+    inverse: FloatArray  # (6N, 6N), takes changes of the right side of the normal equations to motions about the centres
+    by_axes: FloatArray  # (6N, 6N), right side by motions of the poses by the axes, each in its camera's frame
+    by_pairs: tuple[FloatArray, ...]  # (12, 6), right side of target and source by motions of a pair's source as measured
+
+
+def following(
+    poses: Sequence[RigidTransform],
+    kinematic: Sequence[RigidTransform],
+    prior_information: FloatArray,
+    pairs: Sequence[PairMeasurement],
+    centres_mm: FloatArray,
+) -> Following:
+    """Return how the poses that `solve` leads to follow the poses by the axes and the pairs; arguments as there."""
+    matrix = _normal_equations(poses, kinematic, prior_information, pairs, centres_mm)[0]
+    carry = block_diag(
+        *(
+            turned(axes.rotation.T) @ moved_to(pose.translation_mm, centre)
+            for pose, axes, centre in zip(poses, kinematic, centres_mm, strict=True)
+        )
+    )
+    parts, weights, _ = _weighted(poses, pairs, centres_mm)
+    by_pairs = tuple(np.hstack([own, other]).T @ weight for (_, own, other), weight in zip(parts, weights, strict=True))
+    return Following(beside_each_other(centres_mm) @ np.linalg.inv(matrix), carry.T @ prior_information, by_pairs)
 
 
 def edge_error(poses: Sequence[RigidTransform], pair: PairMeasurement, centres_mm: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:

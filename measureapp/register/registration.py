@@ -10,13 +10,15 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.data.cloud import RingClosure, ViewPlacement
+from measureapp.data.view_errors import CalibrationErrors, ViewErrors, independent
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Progress
 from measureapp.register.contradiction import free_correction, quantile
 from measureapp.register.groundwork import Groundwork, PlacedCloud, in_parallel
 from measureapp.register.icp import LEAST_MATCHES, PairMeasurement, gicp, gicp_model, measure_pair, register_pair
 from measureapp.register.observability import unheld
-from measureapp.register.pose_graph import PoseGraphSolution, beside_each_other, solve
+from measureapp.register.pose_errors import PairInfluence, by_calibration, by_points_and_axes
+from measureapp.register.pose_graph import PoseGraphSolution, beside_each_other, following, solve
 from measureapp.register.pose_prior import KinematicPrior, about_centres, largest_sigmas, with_cloud_errors
 from measureapp.register.prepare import PreparedCloud
 from measureapp.register.ring import largest_gap
@@ -82,9 +84,11 @@ class Registration:
         progress: Progress,
         *,
         prior_covariance: FloatArray | None = None,
+        calibration: CalibrationErrors | None = None,
         accepted: Collection[str] = (),
     ) -> None:
         self.views, self.groundwork, self.settings, self.progress, self.accepted = views, groundwork, settings, progress, accepted
+        self.calibration = calibration
         self.kinematic = [view.kinematic for view in views]
         self.centres = np.stack([view.kinematic.apply(view.prepared.centroid_mm) for view in views])
         self.radii = np.array([view.prepared.radius_mm for view in views])
@@ -94,8 +98,8 @@ class Registration:
 
     def _expect(self, clouds_mm: FloatArray) -> None:
         """Take what is expected of the poses by the axes, where each cloud errs by ``clouds_mm`` as a whole."""
-        covariance = self._prior_by_settings() if self.given is None else self.given
-        covariance = with_cloud_errors(covariance, self.kinematic, self.centres, self.radii, clouds_mm)
+        self.axes = self._prior_by_settings() if self.given is None else np.asarray(self.given)
+        covariance = with_cloud_errors(self.axes, self.kinematic, self.centres, self.radii, clouds_mm)
         self.prior = np.asarray(np.linalg.inv(covariance))
         self.by_axes = about_centres(covariance, self.kinematic, self.centres)
 
@@ -112,8 +116,8 @@ class Registration:
         )
         return prior.covariance([view.station for view in self.views])
 
-    def result(self) -> tuple[list[ViewPlacement], RingClosure | None]:
-        """Register and judge every view, and see how well the pairs of those that are used close around the part."""
+    def result(self) -> tuple[list[ViewPlacement], RingClosure | None, ViewErrors]:
+        """Register and judge every view, see how well the pairs of those that are used close around the part, and how all views err."""
         pairs = self._overlapping()
         poses = list(self.kinematic)
         contradictions: dict[int, Contradiction] = {}
@@ -126,7 +130,20 @@ class Registration:
         known = self._solve(poses, fitted)
         ring = largest_gap(poses, fitted, self.centres, self.radii, self.by_axes, [view.cloud.viewpoint_id for view in self.views])
         moved = self._corrections(poses, fitted)
-        return [self._judged(i, poses[i], moved[i], contradictions.get(i), measured, known) for i in range(len(self.views))], ring
+        judged = [self._judged(i, poses[i], moved[i], contradictions.get(i), measured, known) for i in range(len(self.views))]
+        return judged, ring, self._errors(poses, fitted)
+
+    def _errors(self, poses: Sequence[RigidTransform], edges: Sequence[PairMeasurement]) -> ViewErrors:
+        """Return how the views err together: by pairs and axes, and by the calibration of the cameras, which bends all clouds alike."""
+        clouds = [view.prepared for view in self.views]
+        linear = following(poses, self.kinematic, self.prior, edges, self.centres)
+        influences = in_parallel(lambda edge: PairInfluence.of(edge, clouds[edge.target], clouds[edge.source]), edges)
+        by_stitching = independent(by_points_and_axes(linear, influences, clouds, self.axes))
+        if self.calibration is None:
+            return ViewErrors(tuple(poses), self.centres, by_stitching, np.zeros((len(by_stitching), 0)))
+        bends = self.calibration.bends
+        moved = by_calibration(linear, influences, clouds, poses, self.calibration.by_axes, bends)
+        return ViewErrors(tuple(poses), self.centres, by_stitching, moved, bends)
 
     def _overlapping(self) -> list[tuple[int, int]]:
         """Return the pairs that share enough surface by the axes alone, the best of every view."""
@@ -254,7 +271,7 @@ class Registration:
         counts = np.array([len(edge.matched_source) for edge in own], float)
         residual = float(np.sqrt(np.average([edge.residual_mm**2 for edge in own], weights=counts))) if own else 0.0
         free = contradiction or self._freed(i, own)
-        sigma_mm, sigma_rad = largest_sigmas(known.covariances[i])
+        sigma_mm, sigma_rad = largest_sigmas(known.of_view(i))
         held = self.settings.fine and own and not refused
         return ViewPlacement(
             viewpoint_id=view.cloud.viewpoint_id,

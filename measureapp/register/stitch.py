@@ -9,6 +9,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.data.cloud import PointCloud, StitchedCloud, ViewPlacement
+from measureapp.data.view_errors import CalibrationErrors, ViewErrors, motions_of
 from measureapp.errors import RegistrationError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import NoProgress, PartOf, Progress
@@ -26,6 +27,7 @@ def stitch(
     *,
     stations: Sequence[Hashable] | None = None,
     prior_covariance: FloatArray | None = None,
+    calibration: CalibrationErrors | None = None,
     accepted: Collection[str] = (),
     groundwork: Groundwork | None = None,
 ) -> StitchedCloud:
@@ -44,6 +46,7 @@ def stitch(
         these share the robot's error. None: every view stands alone.
     prior_covariance : (6N, 6N), of the errors of all poses by the axes, as motions of each camera in its own frame (shift mm,
         turn rad), from the joint calibration of the rig. None: by the standard deviations of the settings and the stations.
+    calibration : what the cameras' calibration leaves open, as errors of the clouds and of the poses by the axes; None where not known
     accepted : viewpoints that are used however far they have to move
     groundwork : where these clouds were added while the scan went on; the result is the same without
 
@@ -74,11 +77,31 @@ def stitch(
     ]
     rows = (6 * np.array(chosen)[:, None] + np.arange(6)).ravel()
     prior = None if prior_covariance is None else np.asarray(prior_covariance)[np.ix_(rows, rows)]
-    registration = Registration(views, groundwork, settings, PartOf(progress, 0.15, 0.7), prior_covariance=prior, accepted=accepted)
-    placed, ring = registration.result()
+    own = None if calibration is None else replace(calibration, by_axes=np.asarray(calibration.by_axes)[rows])
+    registration = Registration(
+        views, groundwork, settings, PartOf(progress, 0.15, 0.7), prior_covariance=prior, calibration=own, accepted=accepted
+    )
+    placed, ring, errors = registration.result()
     by_cloud = dict(zip(chosen, placed, strict=True))
     placements = tuple(by_cloud.get(i) or _left_out(clouds[i], kinematic[i]) for i in range(len(clouds)))
-    return replace(_merged(clouds, placements, settings, spacing, PartOf(progress, 0.7, 1.0)), ring=ring)
+    merged = _merged(clouds, placements, settings, spacing, PartOf(progress, 0.7, 1.0))
+    return replace(merged, ring=ring, errors=_of_all(errors, chosen, placements))
+
+
+def _of_all(errors: ViewErrors, chosen: Sequence[int], placements: Sequence[ViewPlacement]) -> ViewErrors:
+    """Return the errors of the chosen views as those of all placements; views that were left out have no points to err."""
+    centres = np.zeros((len(placements), 3))
+    centres[chosen] = errors.centres_mm
+    by_stitching, by_calibration = (
+        motions_of(chosen, motions, len(placements)) for motions in (errors.by_stitching, errors.by_calibration)
+    )
+    return replace(
+        errors,
+        poses=tuple(placement.part_from_camera for placement in placements),
+        centres_mm=centres,
+        by_stitching=by_stitching,
+        by_calibration=by_calibration,
+    )
 
 
 def _left_out(cloud: PointCloud, kinematic: RigidTransform) -> ViewPlacement:
@@ -105,4 +128,6 @@ def _merged(
     )
     notes = {"spacing_mm": spacing_mm, "merge_voxel_mm": voxel, "views_used": float(len(used))}
     frame = poses[0].to_frame
-    return StitchedCloud(merged.points_mm, merged.normals, merged.sigma_mm, merged.grey, merged.view, placements, frame, notes)
+    return StitchedCloud(
+        merged.points_mm, merged.normals, merged.sigma_mm, merged.grey, merged.view, placements, frame, notes, drawn_view=merged.drawn_view
+    )

@@ -26,6 +26,7 @@ def dimension_document(dimension: Dimension) -> dict[str, Any]:
         "error": dimension.error,
         "relative_error": dimension.relative_error,
         "uncertainty": dimension.uncertainty,
+        "uncertainty_budget": dict(dimension.budget),
         "tolerance": [dimension.lower_tolerance, dimension.upper_tolerance],
         "unit": dimension.unit,
         "verdict": dimension.verdict.value,

@@ -6,15 +6,9 @@ import numpy as np
 import pytest
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.rig.stitch_uncertainty import uncertainty_of, view_uncertainty
 from measureapp.data.cloud import StitchedCloud
 from measureapp.geometry.transform import RigidTransform
-from measureapp.planning.viewpoints import plan_around_part
-from measureapp.register.place import stations
-from measureapp.register.stitch import stitch
-from measureapp.simulate.parts import make_part
-from tests.calibrate.paper_rig import RIG, calibrated
-from tests.register.conftest import seen
+from tests.pipeline.scanned_clouds import scanned_part
 from tests.register.test_stitch import best_fit
 
 SEEDS = range(1, 9)
@@ -39,28 +33,9 @@ def errors_mm(truth: list[RigidTransform], poses: list[RigidTransform], clouds) 
 
 def scanned(seed: int) -> tuple[FloatArray, FloatArray, StitchedCloud]:
     """Return the errors of a, b and c by the axes and stitched, and what was stitched."""
-    import open3d as o3d
-
-    part = make_part("gypsum")
-    scene = o3d.t.geometry.RaycastingScene()
-    scene.add_triangles(
-        o3d.core.Tensor(np.asarray(part.mesh.vertices_mm, np.float32)), o3d.core.Tensor(np.asarray(part.mesh.triangles, np.uint32))
-    )
-    run = calibrated(seed, camera_errors=False, camera_prior_used=False)
-    rng = np.random.default_rng([seed, 33])
-    plan = plan_around_part(RIG, "gypsum", radius_mm=part.radius_mm, height_mm=part.height_mm, count=8)
-    board_on_part = run.cell.truth.table_from_nominal.inverse() @ run.cell.truth.table_from_board
-    truth, clouds, readbacks = [], [], []
-    for name, readback, camera_from_board in run.cell.placed(tuple(plan)):
-        matrix = (board_on_part @ camera_from_board.inverse()).matrix
-        truth.append(RigidTransform(matrix, "part", "camera"))
-        clouds.append(seen(scene, truth[-1], STEP_MM, NOISE_MM, rng, name))
-        readbacks.append(readback)
-    covariance = view_uncertainty(uncertainty_of(run.solution), readbacks).pose_covariance
-    kinematic = [run.solution.calibration.part_from_camera(readback) for readback in readbacks]
-    stitched = stitch(clouds, kinematic, stations=stations(readbacks), prior_covariance=covariance)
-    placed = [placement.part_from_camera for placement in stitched.placements]
-    return errors_mm(truth, kinematic, clouds), errors_mm(truth, placed, clouds), stitched
+    made = scanned_part(seed, "gypsum", step_mm=STEP_MM, noise_mm=NOISE_MM, camera_errors=False, camera_prior_used=False)
+    placed = [placement.part_from_camera for placement in made.stitched.placements]
+    return errors_mm(made.truth, made.kinematic, made.clouds), errors_mm(made.truth, placed, made.clouds), made.stitched
 
 
 @pytest.mark.slow

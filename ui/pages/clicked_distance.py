@@ -15,6 +15,7 @@ from ui.widgets.basic import Button
 from ui.widgets.properties_panel import Group, Properties
 
 if TYPE_CHECKING:
+    from measureapp.data.view_errors import ViewErrors
     from ui.look.theme import Theme
 
 FIRST, SECOND = "Click the first point", "Click the second point"
@@ -30,6 +31,8 @@ class ClickedPoint:
     position_mm: np.ndarray  # (3,)
     sigma_mm: float
     view: str
+    number: int | None = None  # which of the errors' views that is; None where no errors are known
+    errors: ViewErrors | None = None  # of the stitched views, in the frame of the position
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +50,8 @@ class Distance:
         from measureapp.inspection.point_distance import point_distance
 
         places, sigmas = np.stack([first.position_mm, second.position_mm]), (first.sigma_mm, second.sigma_mm)
-        length, uncertainty = point_distance(places, sigmas, first.view == second.view)
+        views = None if first.number is None or second.number is None else (first.number, second.number)
+        length, uncertainty = point_distance(places, sigmas, first.view == second.view, views=views, errors=first.errors)
         return cls(first, second, length, uncertainty if min(sigmas) > 0 else None)
 
     @property

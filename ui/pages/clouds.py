@@ -300,7 +300,11 @@ class CloudsPage(ViewportPage):
         """Tell where a point of the picture comes from: its view, pixel and standard deviation; or measure from it."""
         point = self._picked(layer, place)
         if self.distance.is_on:
-            self.distance.click(ClickedPoint(point.position_mm, point.sigma_mm, point.viewpoint_id))
+            known = self.session.stitched if self.stage.value() == "after" else None
+            names = () if known is None else known.view_names
+            number = names.index(point.viewpoint_id) if point.viewpoint_id in names else None
+            errors = None if known is None else known.errors
+            self.distance.click(ClickedPoint(point.position_mm, point.sigma_mm, point.viewpoint_id, number, errors))
             return
         self._asked = (point.viewpoint_id, point.camera, point.pixel)
         self.show_properties(self._with_action(point_properties(point)))

@@ -384,7 +384,8 @@ class InspectionPage(ViewportPage):
         point = merged_point(stitched, place, self.session.views)
         position = inspection.alignment.nominal_from_part.apply(point.position_mm[None])[0]
         if self.distance.is_on:
-            self.distance.click(ClickedPoint(position, point.sigma_mm, point.viewpoint_id))
+            errors = None if stitched.errors is None else stitched.errors.seen_from(inspection.alignment.nominal_from_part)
+            self.distance.click(ClickedPoint(position, point.sigma_mm, point.viewpoint_id, int(stitched.view[place]), errors))
             return
         if self.grow.is_on:
             self.grow.click(position)

@@ -143,7 +143,7 @@ def volume_uncertainty(
         Fewer than four points of the volume are seen by two cameras.
     """
     points = volume_points(calibration, volume)
-    by_parameters, seeing = _moved_by(calibration, points, parameters)
+    by_parameters, seeing = points_by_parameters(calibration, points, parameters)
     points, by_parameters, seeing = points[seeing >= 2], by_parameters[seeing >= 2], seeing[seeing >= 2]
     if len(points) < 4:
         raise CalibrationError(
@@ -212,8 +212,11 @@ def _head_frame(calibration: CameraArrayCalibration) -> tuple[FloatArray, FloatA
     return np.mean([place.translation_mm for place in places], axis=0), np.stack([x, np.cross(z, x), z])
 
 
-def _moved_by(calibration: CameraArrayCalibration, points: FloatArray, parameters: Sequence[str]) -> tuple[FloatArray, IntArray]:
-    """How triangulated points move with the parameters, (N, 3, P), and how many cameras see each, (N,)."""
+def points_by_parameters(calibration: CameraArrayCalibration, points: FloatArray, parameters: Sequence[str]) -> tuple[FloatArray, IntArray]:
+    """Return how triangulated points (N, 3) move with the parameters, (N, 3, P), and how many cameras see each, (N,).
+
+    Points that fewer than two see do not move with anything: they are not measured.
+    """
     normal, mixed = np.zeros((len(points), 3, 3)), np.zeros((len(points), 3, len(parameters)))
     seeing = np.zeros(len(points), int)
     for camera in calibration.cameras.values():
@@ -232,7 +235,7 @@ def _moved_by(calibration: CameraArrayCalibration, points: FloatArray, parameter
         mixed[:, :, columns] += np.swapaxes(by_reference, 1, 2) @ own[:, :, known]
         normal += np.swapaxes(by_reference, 1, 2) @ by_reference
         seeing += seen
-    normal[seeing < 2] = np.eye(3)  # not determined, and not used
+    normal[seeing < 2], mixed[seeing < 2] = np.eye(3), 0.0
     return -np.linalg.solve(normal, mixed), seeing
 
 

@@ -32,12 +32,20 @@ def cost_beyond_cameras(
     return max(minimum.cost - float(pull @ np.linalg.solve(normal, pull)), 0.0)
 
 
-def with_cameras(
-    chain: Chain, minimum: Minimum[ChainState], covariance: FloatArray, variance: float, camera_prior: LabelledCovariance | None
-) -> FloatArray:
-    """Add K Σ Kᵀ for cameras that are not freed, K being the change of the solution with their parameters."""
-    if camera_prior is None or chain.cameras_freed or chain.by_cameras is None:
+def following_cameras(chain: Chain, minimum: Minimum[ChainState], covariance: FloatArray, variance: float) -> FloatArray | None:
+    """Return how the solution follows the parameters of cameras that are not freed, (P, C); None where the sightings do not say.
+
+    Parameters
+    ----------
+    covariance : (P, P), of the solution for cameras without error, ``variance`` times the inverse of the normal matrix
+    """
+    if chain.cameras_freed or chain.by_cameras is None:
+        return None
+    return np.asarray(covariance / variance @ (chain.jacobian(minimum.state).T @ _by_cameras(chain)))
+
+
+def with_cameras(covariance: FloatArray, gain: FloatArray | None, camera_prior: LabelledCovariance | None) -> FloatArray:
+    """Add K Σ Kᵀ for cameras that are not freed, K being the change of the solution with their parameters (`following_cameras`)."""
+    if camera_prior is None or gain is None:
         return covariance
-    jacobian, seen = chain.jacobian(minimum.state), _by_cameras(chain)
-    gain = covariance / variance @ (jacobian.T @ seen)
     return np.asarray(covariance + gain @ camera_prior.covariance @ gain.T)

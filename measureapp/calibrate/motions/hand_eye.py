@@ -12,7 +12,7 @@ from measureapp.arrays import FloatArray
 from measureapp.calibrate.boards.pose import BoardPose
 from measureapp.calibrate.least_squares import Minimum
 from measureapp.calibrate.motions.axis_noise import AxisNoise
-from measureapp.calibrate.motions.cameras_carried import cost_beyond_cameras, with_cameras
+from measureapp.calibrate.motions.cameras_carried import cost_beyond_cameras, following_cameras, with_cameras
 from measureapp.calibrate.motions.chain import POSE_LABELS, Chain, Free, poses_of, roots_of
 from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.motions.hand_eye_methods import METHODS
@@ -184,7 +184,9 @@ def _refined(
     )
     beyond = cost_beyond_cameras(chain, minimum, minimum.covariance(1.0), problem.camera_prior)
     variance = max(beyond / max(chain.freedom(), 1), 1.0)
-    covariance = with_cameras(chain, minimum, minimum.covariance(variance), variance, problem.camera_prior)[:6, :6]
+    covariance = minimum.covariance(variance)
+    by_cameras = following_cameras(chain, minimum, covariance, variance)
+    covariance = with_cameras(covariance, by_cameras, problem.camera_prior)[:6, :6]
     deviations = np.sqrt(np.diag(covariance))
     refined = _estimate(minimum.state.flange_from_camera, robot, camera)
     hand_eye = HandEye(

@@ -11,7 +11,7 @@ from measureapp.arrays import FloatArray
 from measureapp.calibrate.cameras.prior import cameras_moved
 from measureapp.calibrate.least_squares import Minimum
 from measureapp.calibrate.motions.axis_noise import SAME_POSE
-from measureapp.calibrate.motions.cameras_carried import cost_beyond_cameras, with_cameras
+from measureapp.calibrate.motions.cameras_carried import cost_beyond_cameras, following_cameras, with_cameras
 from measureapp.calibrate.motions.chain import POSE_LABELS, Chain, groups_of
 from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.motions.linear_guide import paper_error_mm
@@ -68,6 +68,8 @@ class RigSolution:
     weak_directions: tuple[WeakDirection, ...] = ()
     not_observable: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()
+    cameras: LabelledCovariance | None = None  # what the calibration of the cameras left uncertain; None where they were freed or not told
+    by_cameras: FloatArray | None = None  # (P, C), how the rows of `joint_given_cameras` follow the parameters of `cameras`
 
 
 def solution_of(
@@ -94,7 +96,8 @@ def solution_of(
     count = len(chain.labels)
     variance = _variance(ratio, chain.freedom())
     given_cameras = plain * variance
-    joint = with_cameras(chain, minimum, given_cameras, variance, camera_prior)
+    by_cameras = None if camera_prior is None else following_cameras(chain, minimum, given_cameras, variance)
+    joint = with_cameras(given_cameras, by_cameras, camera_prior)
     covariance = joint[:count, :count]
     if camera_prior is not None and chain.cameras_freed:
         cameras = cameras_moved(cameras, camera_prior.parameters, state.camera_changes)
@@ -128,6 +131,8 @@ def solution_of(
         weak_directions=weakest(covariance, chain.labels),
         not_observable=not_seen,
         warnings=_warnings(ratio),
+        cameras=None if by_cameras is None else camera_prior,
+        by_cameras=by_cameras,
     )
 
 

@@ -17,7 +17,7 @@ from measureapp.calibrate.poses import change_between, inverted, moved
 from measureapp.calibrate.projection import cross_matrices
 from measureapp.calibrate.rig.joint import SAME_ANGLE_RAD
 from measureapp.calibrate.rig.joint_solution import RigSolution, repeatable_errors
-from measureapp.data.calibration import RigCalibration, RotationAxis
+from measureapp.data.calibration import LabelledCovariance, RigCalibration, RotationAxis
 from measureapp.data.fringe import AxisReadback
 from measureapp.geometry.transform import RigidTransform
 
@@ -34,11 +34,15 @@ class RigUncertainty:
     chain: Chain
     state: ChainState
     covariance: FloatArray  # (P, P) of the chain's parameters, for cameras without error
+    cameras: LabelledCovariance | None = None  # what the calibration of the cameras leaves open; None where not known
+    by_cameras: FloatArray | None = None  # (P, C), how the chain's parameters follow those of the cameras
 
 
 def uncertainty_of(solution: RigSolution) -> RigUncertainty:
     """Return what a solution leaves open."""
-    return RigUncertainty(solution.calibration, solution.chain, solution.state, solution.joint_given_cameras)
+    return RigUncertainty(
+        solution.calibration, solution.chain, solution.state, solution.joint_given_cameras, solution.cameras, solution.by_cameras
+    )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -73,9 +77,7 @@ class ViewUncertainty:
     @property
     def pose_covariance(self) -> FloatArray:
         """The same (6 V, 6 V) as motions of each camera in its own frame: shifts x, y, z (mm), then turns about x, y, z (rad), view by view."""
-        turned = np.zeros((len(self.part_from_camera), POSE, POSE))
-        for index, pose in enumerate(self.part_from_camera):
-            turned[index, :3, 3:] = turned[index, 3:, :3] = pose.rotation.T
+        turned = _in_cameras(self.part_from_camera)
         full = np.einsum("aij,ajbk,blk->aibl", turned, self.covariance, turned)
         return np.asarray(full.reshape(POSE * len(turned), -1))
 
@@ -98,6 +100,29 @@ class ViewUncertainty:
         points = np.asarray(points_in_part_mm, float).reshape(-1, 3)
         away = points - self.part_from_camera[index].translation_mm
         return np.concatenate([-cross_matrices(away), np.tile(np.eye(3), (len(points), 1, 1))], axis=2)
+
+
+def _in_cameras(part_from_camera: Sequence[RigidTransform]) -> FloatArray:
+    """Return the matrices (V, 6, 6) that take (ω, τ) in the frame `part` to shift and turn of each camera in its own frame."""
+    turned = np.zeros((len(part_from_camera), POSE, POSE))
+    for index, pose in enumerate(part_from_camera):
+        turned[index, :3, 3:] = turned[index, 3:, :3] = pose.rotation.T
+    return turned
+
+
+def poses_by_cameras(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> FloatArray | None:
+    """Return how ``part_from_camera`` of all views follows the parameters of `RigUncertainty.cameras`, (6 V, C); None where not known.
+
+    As motions of each camera in its own frame, like `ViewUncertainty.pose_covariance`: the chain was calibrated with the same cameras,
+    so that it takes back most of what their errors do to the clouds.
+    """
+    if rig.by_cameras is None:
+        return None
+    by_named, by_own = zip(*(_derivatives(rig, readback) for readback in readbacks), strict=True)
+    followed = _joint_sources(rig, readbacks) @ rig.by_cameras
+    moved = (np.hstack([np.vstack(by_named), block_diag(*by_own)]) @ followed).reshape(len(readbacks), POSE, -1)
+    turned = _in_cameras([rig.calibration.part_from_camera(readback) for readback in readbacks])
+    return np.asarray((turned @ moved).reshape(POSE * len(readbacks), -1))
 
 
 def point_sigma_mm(rig: RigUncertainty, readback: AxisReadback, points_in_part_mm: FloatArray) -> FloatArray:
@@ -132,12 +157,10 @@ def view_uncertainty(
 
 def _sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback], approaches: Sequence[Hashable] | None) -> FloatArray:
     """Covariance of the named parameters (without the board), then of robot and table errors of every view; estimated minus true."""
-    chain, joint = rig.chain, rig.covariance
+    chain = rig.chain
     named = len(chain.labels) - POSE
-    robot = np.arange(POSE * chain.robot_poses) + named + POSE
     poses = np.array([readback.base_from_flange.matrix for readback in readbacks])
-    gain = np.zeros((named + OWN * len(poses), len(joint)))
-    gain[:named, :named] = np.eye(named)
+    gain = _joint_sources(rig, readbacks)
     rest = np.zeros((len(gain), len(gain)))
     mean = np.zeros(len(gain))
     turn, shift = repeatable_errors(chain, poses)
@@ -145,13 +168,38 @@ def _sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback], approaches:
     together = np.array([[a == b for b in approach] for a in approach])
     at_station = np.array([rig.calibration.station(readback) is not None for readback in readbacks])
     for part in range(POSE):
-        rows, columns = named + part + OWN * np.arange(len(poses)), robot[part::POSE]
+        rows = named + part + OWN * np.arange(len(poses))
         follows = turn if part < 3 else shift
-        gain[np.ix_(rows, columns)] = follows
         rest[np.ix_(rows, rows)] = _unexplained(chain, poses, follows, together, rotation=part < 3)
         mean[rows] = -np.where(at_station, 0.0, follows @ rig.state.robot_changes[:, part])  # known, but not undone
-    _table_sources(rig, readbacks, gain, rest, mean)
-    return np.asarray(gain @ joint @ gain.T + rest + np.outer(mean, mean))
+    _table_sources(rig, readbacks, rest, mean)
+    return np.asarray(gain @ rig.covariance @ gain.T + rest + np.outer(mean, mean))
+
+
+def _joint_sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> FloatArray:
+    """Return how the rows of `_sources` follow the joint solution."""
+    chain = rig.chain
+    named = len(chain.labels) - POSE
+    robot = np.arange(POSE * chain.robot_poses) + named + POSE
+    poses = np.array([readback.base_from_flange.matrix for readback in readbacks])
+    gain = np.zeros((named + OWN * len(poses), len(rig.covariance)))
+    gain[:named, :named] = np.eye(named)
+    turn, shift = repeatable_errors(chain, poses)
+    for part in range(POSE):
+        rows, columns = named + part + OWN * np.arange(len(poses)), robot[part::POSE]
+        gain[np.ix_(rows, columns)] = turn if part < 3 else shift
+    first = len(chain.labels) + POSE * chain.robot_poses
+    for row, number in zip(named + OWN * np.arange(len(poses)) + POSE, _angles_seen(chain, readbacks), strict=True):
+        if number is not None:
+            gain[row, first + number] = 1.0
+    return gain
+
+
+def _angles_seen(chain: Chain, readbacks: Sequence[AxisReadback]) -> list[int | None]:
+    """Return for every view which of the table's angles in the calibration it stands at."""
+    seen = np.array([chain.table_rad[chain.table_group == number][0] for number in range(chain.table_angles)])
+    matches = [np.flatnonzero(np.abs(seen - readback.table_rad) <= SAME_ANGLE_RAD) for readback in readbacks]
+    return [int(found[0]) if len(found) else None for found in matches]
 
 
 def _unexplained(chain: Chain, poses: FloatArray, follows: FloatArray, together: BoolArray, rotation: bool) -> FloatArray:
@@ -163,19 +211,15 @@ def _unexplained(chain: Chain, poses: FloatArray, follows: FloatArray, together:
     return np.asarray(large**2 * (left + left.T) / 2 + small**2 * together)
 
 
-def _table_sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback], gain: FloatArray, rest: FloatArray, mean: FloatArray) -> None:
-    """Fill in the table's errors: those of angles the calibration used are correlated with its result, equal angles share theirs."""
+def _table_sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback], rest: FloatArray, mean: FloatArray) -> None:
+    """Fill in the table's errors at angles that the calibration did not use, equal angles share theirs; of the others their mean."""
     chain = rig.chain
     named = len(chain.labels) - POSE
-    seen = np.array([chain.table_rad[chain.table_group == number][0] for number in range(chain.table_angles)])
     angles = np.array([readback.table_rad for readback in readbacks])
     rows = named + OWN * np.arange(len(angles)) + POSE
-    first = len(chain.labels) + POSE * chain.robot_poses
-    for row, angle in zip(rows, angles, strict=True):
-        matches = np.flatnonzero(np.abs(seen - angle) <= SAME_ANGLE_RAD)
-        if len(matches):
-            gain[row, first + matches[0]] = 1.0
-            mean[row] = -rig.state.table_changes[matches[0]]
+    for row, angle, number in zip(rows, angles, _angles_seen(chain, readbacks), strict=True):
+        if number is not None:
+            mean[row] = -rig.state.table_changes[number]
         else:
             rest[np.ix_([row], rows[np.abs(angles - angle) <= SAME_ANGLE_RAD])] = chain.noise.table_rad**2
 

@@ -13,6 +13,7 @@ from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import copy_names
 from measureapp.errors import FitError
 from measureapp.inspection.blades.average import Against, against_average
+from measureapp.inspection.blades.by_views import BladeErrors, blade_errors
 from measureapp.inspection.blades.cut import SectionFrame
 from measureapp.inspection.blades.profile import Profile, profile
 from measureapp.inspection.features.found import Found
@@ -37,6 +38,7 @@ class FoundBlade(Found):
     against: Against | None = None
     number: int = 0  # from 0
     to_nominal_mm: FloatArray | None = None  # (K,) signed, of the points; None without a nominal mesh
+    by_errors: BladeErrors | None = None  # what the errors of its views do to it; None where these are not known
 
 
 def find_blades(
@@ -88,7 +90,21 @@ def _found(
     feature = Feature(name, "point", middle, None, points=len(flat), left_out=max(left_out, 0), rms_mm=made.scatter_mm)
     sigmas = {key: factor * sigma for key, sigma in _scatter(flat, made, frame, settings.blade_trials).items()}
     away = None if surface is None else distances_and_normals(own.points_mm, own.normals, surface)[0]
-    return FoundBlade(name, feature, "", factor, effective_views(own.view), own.points_mm, None, made, frame, sigmas, None, number, away)
+    return FoundBlade(
+        name,
+        feature,
+        "",
+        factor,
+        effective_views(own.view),
+        own.points_mm,
+        view_errors=own.errors,
+        profile=made,
+        frame=frame,
+        sigmas=sigmas,
+        number=number,
+        to_nominal_mm=away,
+        by_errors=blade_errors(own, number, frame),
+    )
 
 
 def numbers(made: Profile, frame: SectionFrame) -> dict[str, float]:

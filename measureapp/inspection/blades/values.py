@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray
@@ -9,13 +11,15 @@ from measureapp.data.inspection_program import DimensionProgram
 from measureapp.errors import InspectionError
 from measureapp.inspection.blades.find import FoundBlade, numbers
 from measureapp.inspection.features.cells import LEAST_IN_CELL, noise_reach
+from measureapp.inspection.features.errors import NOISE, STITCHING
 from measureapp.inspection.features.found import Found
 from measureapp.inspection.settings import InspectionSettings
-from measureapp.inspection.value import Value, placement_of
+from measureapp.inspection.value import Budget, Value, placement_of, summed, times
 
 LEAST_CELLS = 6
 GAUSSIAN = 1.4826  # standard deviation over the median absolute deviation of normal errors
 OF_A_MEDIAN = float(np.sqrt(np.pi / 2))  # standard deviation of a median over that of a mean
+DEGREES = 180 / np.pi
 MISSING = {
     "chord": ("leading", "trailing"),
     "camber": ("leading", "trailing"),
@@ -37,13 +41,33 @@ def blade_value(described: DimensionProgram, found: tuple[Found, ...], settings:
     if described.kind == "pitch":
         return _pitch(blades[0], blades[1], settings)
     if described.kind == "twist":
-        first, second = (_single("stagger", one, settings) for one in blades)
-        return Value((second.value - first.value + 180) % 360 - 180, float(np.hypot(first.sigma, second.sigma)), "Monte Carlo")
+        return _twist(blades[0], blades[1], settings)
     if described.kind == "blade_form":
         return _form(blades[0], settings)
     if described.kind == "blade_profile":
         return _profile(blades[0], settings)
     return _single(described.kind, blades[0], settings)
+
+
+def _twist(one: FoundBlade, other: FoundBlade, settings: InspectionSettings) -> Value:
+    """Difference of two staggers; what turns both sections alike drops out."""
+    first, second = (_single("stagger", blade, settings) for blade in (one, other))
+    budget = summed(first.budget, second.budget)
+    if one.by_errors is not None and other.by_errors is not None:
+        budget = {**budget, **_between(one.by_errors.lean_rad, other.by_errors.lean_rad)}
+    return Value((second.value - first.value + 180) % 360 - 180, budget, "Monte Carlo")
+
+
+def _between(one: Mapping[str, FloatArray], other: Mapping[str, FloatArray]) -> Budget:
+    """Shares in degrees of the difference of two angles that share their errors."""
+    return {share: DEGREES * float(np.linalg.norm(other[share] - one[share])) for share in one}
+
+
+def _apart(blade: FoundBlade, settings: InspectionSettings, factor: float) -> Budget:
+    """Shares of a length in the section whose ends move by ``factor`` times what moves the sides on their own."""
+    if blade.by_errors is None:
+        return {STITCHING: factor * placement_of(blade, settings)}
+    return times(blade.by_errors.apart_mm, factor)
 
 
 def _single(kind: str, blade: FoundBlade, settings: InspectionSettings) -> Value:
@@ -55,13 +79,15 @@ def _single(kind: str, blade: FoundBlade, settings: InspectionSettings) -> Value
             raise InspectionError(f"{blade.name} has no {kind.replace('_', ' ')}: at its {name} end {edge.reason}")
     if kind not in sigmas:
         raise InspectionError(f"{blade.name}: its points do not determine the {kind.replace('_', ' ')}, simulated noise made it fail")
-    value, sigma, placed = numbers(made, frame)[kind], sigmas[kind], placement_of(blade, settings)
+    value, sigma = numbers(made, frame)[kind], sigmas[kind]
     how = f"Monte Carlo, {settings.blade_trials} trials"
-    if kind == "stagger":
-        lean = float(np.sqrt(2)) * placed / float(np.linalg.norm(made.chord))
-        return Value(float(np.degrees(value)), float(np.degrees(np.hypot(sigma, lean))), how)
     sides = 1.0 if kind.endswith("radius") else float(np.sqrt(2))  # two places, each seen by views of its own
-    return Value(value, float(np.hypot(sigma, sides * placed)), how)
+    if kind != "stagger":
+        return Value(value, {NOISE: sigma, **_apart(blade, settings, sides)}, how)
+    lean = times(_apart(blade, settings, sides), 1 / float(np.linalg.norm(made.chord)))
+    if blade.by_errors is not None:
+        lean = {share: float(np.linalg.norm(columns)) for share, columns in blade.by_errors.lean_rad.items()}
+    return Value(float(np.degrees(value)), times({NOISE: sigma, **lean}, DEGREES), how)
 
 
 def _pitch(one: FoundBlade, other: FoundBlade, settings: InspectionSettings) -> Value:
@@ -75,15 +101,18 @@ def _pitch(one: FoundBlade, other: FoundBlade, settings: InspectionSettings) -> 
     count = one.frame.described.count
     steps = (other.number - one.number) % count or count
     turn = 2 * np.pi * steps / count + other.against.turn_rad - one.against.turn_rad
-    return Value(float(np.degrees(turn)), float(np.degrees(np.hypot(_turn_sigma(one, settings), _turn_sigma(other, settings)))))
+    budget = times(summed(_turn_budget(one, settings), _turn_budget(other, settings)), DEGREES)
+    if one.by_errors is not None and other.by_errors is not None:
+        budget = {**budget, **_between(one.by_errors.turn_rad, other.by_errors.turn_rad)}
+    return Value(float(np.degrees(turn)), budget)
 
 
-def _turn_sigma(blade: FoundBlade, settings: InspectionSettings) -> float:
-    """Standard uncertainty in rad of how far a blade is turned about the axis."""
+def _turn_budget(blade: FoundBlade, settings: InspectionSettings) -> Budget:
+    """Shares of the standard uncertainty in rad of how far a blade is turned about the axis."""
     assert blade.against is not None and blade.frame is not None
     points = blade.frame.turned_back(blade.points_mm[blade.against.on_side], blade.number)
     lever = float(np.sqrt(np.mean(np.sum(blade.frame.effect_of_turn(points) ** 2, axis=1))))
-    return float(np.hypot(blade.error_factor * blade.against.turn_sigma_rad, placement_of(blade, settings) / lever))
+    return {NOISE: blade.error_factor * blade.against.turn_sigma_rad, STITCHING: placement_of(blade, settings) / lever}
 
 
 def _form(blade: FoundBlade, settings: InspectionSettings) -> Value:
@@ -92,7 +121,14 @@ def _form(blade: FoundBlade, settings: InspectionSettings) -> Value:
         raise InspectionError(f"{blade.name}: an average blade needs at least two measured blades of this section")
     against = blade.against
     where = np.floor(against.lengths_mm / settings.form_cell_mm).astype(int) * 2 + against.upper
-    return _zone(blade, where, against.deviations_mm, settings, "about the average blade, turned onto it about the axis")
+    return _zone(
+        blade,
+        where,
+        against.deviations_mm,
+        settings,
+        _apart(blade, settings, 2.0),
+        "about the average blade, turned onto it about the axis",
+    )
 
 
 def _profile(blade: FoundBlade, settings: InspectionSettings) -> Value:
@@ -105,10 +141,13 @@ def _profile(blade: FoundBlade, settings: InspectionSettings) -> Value:
     where = np.floor(blade.profile.line.lengths(x) / settings.form_cell_mm).astype(int) * 2 + (heights > 0)
     line = blade.profile.line
     on_side = (x > line.first_mm) & (x < line.last_mm)
-    return _zone(blade, where[on_side], blade.to_nominal_mm[on_side], settings, "about the nominal, placed by the alignment")
+    moved = _apart(blade, settings, 2.0) if blade.by_errors is None else times(blade.by_errors.total_mm, 2.0)
+    return _zone(blade, where[on_side], blade.to_nominal_mm[on_side], settings, moved, "about the nominal, placed by the alignment")
 
 
-def _zone(blade: FoundBlade, where: IntArray, deviations_mm: FloatArray, settings: InspectionSettings, what: str) -> Value:
+def _zone(
+    blade: FoundBlade, where: IntArray, deviations_mm: FloatArray, settings: InspectionSettings, by_views: Budget, what: str
+) -> Value:
     """Twice the greatest median deviation over pieces of both sides: neither noise nor a single stray point makes it wider.
 
     What a piece is really off by is in all of its points; nothing is left out for being far away.
@@ -123,5 +162,5 @@ def _zone(blade: FoundBlade, where: IntArray, deviations_mm: FloatArray, setting
     medians = np.array([np.median(piece) for piece in chosen])
     scatter = [GAUSSIAN * np.median(np.abs(piece - median)) for piece, median in zip(chosen, medians, strict=True)]
     noise = OF_A_MEDIAN * float(np.median(scatter / np.sqrt(counts[full])))
-    sigma = np.hypot(noise_reach(int(full.sum())) * noise, 2 * placement_of(blade, settings))
-    return Value(2 * float(np.abs(medians).max()), float(sigma), f"medians over {settings.form_cell_mm:g} mm, {what}")
+    budget = {NOISE: noise_reach(int(full.sum())) * noise, **by_views}
+    return Value(2 * float(np.abs(medians).max()), budget, f"medians over {settings.form_cell_mm:g} mm, {what}")

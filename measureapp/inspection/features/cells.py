@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 from scipy.optimize import brentq
 from scipy.special import ndtr, ndtri
 
-from measureapp.arrays import FloatArray, IntArray
+from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.feature import Feature
 from measureapp.errors import InspectionError
 from measureapp.geometry.shapes import tangents
+from measureapp.inspection.features.errors import Source
+from measureapp.inspection.features.found import Found
 from measureapp.inspection.features.shapes import along_and_off, outward_normals, signed_distances
 
 LEAST_CELLS = 12
@@ -24,6 +26,10 @@ LEAST_AROUND = 24  # cells about an axis, whatever the radius
 COVERAGE = 0.95
 ALIKE = 1e-9
 
+Beside = Callable[
+    [FloatArray], tuple[FloatArray, FloatArray]
+]  # of points (N, 3) their signed distances (N,) from a surface and its unit normals (N, 3) there
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Cells:
@@ -34,9 +40,15 @@ class Cells:
     keys: IntArray  # (K, D), which cell
     noise_mm: float  # typical standard deviation of a mean, from the scatter within the cells
     noises_mm: FloatArray  # (K,), of each mean: cells at the rim hold fewer points
+    normals: FloatArray  # (K, 3), of the surface
+    by_views: Mapping[Source, FloatArray] = field(default_factory=dict)  # (K, M), errors of the means along the normals by their views
 
     def __len__(self) -> int:
         return len(self.points_mm)
+
+    def raised(self, heights_mm: FloatArray) -> FloatArray:
+        """Return the means (K, 3) displaced along their normals."""
+        return np.asarray(self.points_mm + heights_mm[:, None] * self.normals)
 
     @property
     def form_sigma_mm(self) -> float:
@@ -61,36 +73,34 @@ def greatest_noise(noises_mm: FloatArray) -> float:
     return float(brentq(lambda reach: np.log(2 * ndtr(reach / noises_mm) - 1).sum() - np.log(COVERAGE), least, most))
 
 
-def cell_means(points_mm: FloatArray, feature: Feature, keys: IntArray, name: str) -> Cells:
+def cell_means(found: Found, feature: Feature, keys: IntArray, chosen: BoolArray | None = None) -> Cells:
     """Return the means over all cells that hold enough points.
 
     Parameters
     ----------
-    points_mm : (N, 3), on the surface of ``feature``
+    found : whose points are extracted
+    feature : on whose surface they lie
     keys : (N, D), the cell of each point
+    chosen : mask of the points of ``found`` that are meant; None: all
 
     Raises
     ------
     InspectionError
         Fewer than twelve cells are filled.
     """
-    return means_over(points_mm, lambda points: (signed_distances(feature, points), outward_normals(feature, points)), keys, name)
+    return means_over(found, lambda points: (signed_distances(feature, points), outward_normals(feature, points)), keys, chosen)
 
 
-def means_over(points_mm: FloatArray, beside: Callable[[FloatArray], tuple[FloatArray, FloatArray]], keys: IntArray, name: str) -> Cells:
-    """Return the means over all cells (N, D) that hold enough points (N, 3); see `cell_means`.
-
-    Parameters
-    ----------
-    beside : gives of any points their signed distances (N,) from the surface and its unit normals (N, 3) there
-    """
+def means_over(found: Found, beside: Beside, keys: IntArray, chosen: BoolArray | None = None) -> Cells:
+    """Return the means from any surface; see `cell_means`."""
+    points_mm = found.points_mm if chosen is None else found.points_mm[chosen]
     deviations, _ = beside(points_mm)
-    found, cell = np.unique(keys, axis=0, return_inverse=True)
+    kinds, cell = np.unique(keys, axis=0, return_inverse=True)
     cell = cell.ravel()
     counts = np.bincount(cell)
     full = counts >= max(LEAST_IN_CELL, WELL_FILLED * float(np.median(counts)))
     if np.count_nonzero(full) < LEAST_CELLS:
-        raise InspectionError(f"{name}: its points fill only {np.count_nonzero(full)} cells, {LEAST_CELLS} are needed")
+        raise InspectionError(f"{found.name}: its points fill only {np.count_nonzero(full)} cells, {LEAST_CELLS} are needed")
     mean = np.bincount(cell, weights=deviations) / counts
     places = np.column_stack([np.bincount(cell, weights=points_mm[:, k]) / counts for k in range(3)])
     away, normals = beside(places)
@@ -100,7 +110,25 @@ def means_over(points_mm: FloatArray, beside: Callable[[FloatArray], tuple[Float
     freedoms = float(np.median(counts[full])) - FITTED
     variance = float(np.median(scatter[full])) / (1 - 2 / (9 * freedoms)) ** 3  # of χ² the median lies below the mean (Wilson and Hilferty)
     noise = float(np.sqrt(variance / np.median(counts[full])))
-    return Cells(places[full], mean[full], found[full], noise, np.sqrt(variance / counts[full]))
+    number = np.where(full, np.cumsum(full) - 1, -1)[cell]
+    by_views = _by_views(found, places[full], normals[full], number, chosen)
+    return Cells(places[full], mean[full], kinds[full], noise, np.sqrt(variance / counts[full]), normals[full], by_views)
+
+
+def _by_views(
+    found: Found, places_mm: FloatArray, normals: FloatArray, number: IntArray, chosen: BoolArray | None
+) -> dict[Source, FloatArray]:
+    """Return the errors of means at ``places_mm`` by the views of their points; ``number`` (N,) says which mean each is part of, -1 none."""
+    if found.view_errors is None or found.view is None:
+        return {}
+    view = found.view if chosen is None else found.view[chosen]
+    inside = number >= 0
+    pairs, counts = np.unique(np.column_stack([number[inside], view[inside]]), axis=0, return_counts=True)
+    place = pairs[:, 0]
+    share = counts / np.bincount(place, counts)[place]
+    begins = np.flatnonzero(np.diff(place, prepend=-1))
+    moved = found.view_errors.along(places_mm[place], normals[place], pairs[:, 1])
+    return {Source(name): np.add.reduceat(share[:, None] * columns, begins) for name, columns in moved.items()}
 
 
 def _scatter(cell: IntArray, offsets_mm: FloatArray, deviations_mm: FloatArray, normals: FloatArray) -> FloatArray:

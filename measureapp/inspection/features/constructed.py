@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
 from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import ConstructedFeature, copy_names, indexed
+from measureapp.errors import InspectionError
+from measureapp.inspection.features.errors import Errors, following_features
 from measureapp.inspection.features.found import Found
 
 AXES = ("cylinder", "cone", "line")
@@ -34,88 +37,84 @@ def _as_drawn(found: Found) -> Found:
 def _construct_one(shape: str, name: str, one: Found, other: Found) -> Found:
     if one.feature is None or other.feature is None:
         return Found(name, None, one.reason or other.reason)
-    if shape == "intersection":
-        return _intersection(name, one, other)
-    if shape == "projection":
-        return _projection(name, one, other)
-    first, second = one.feature, other.feature
-    position = 0.5 * float(np.hypot(one.position_sigma, other.position_sigma))
+    parents = (one.feature, other.feature)
+    make = partial(MAKERS[shape], name)
+    try:
+        made = make(parents)
+    except InspectionError as error:
+        return Found(name, None, error.message)
+    errors = following_features(make, parents, (one.errors, other.errors))
+    known = replace(made, points=sum(parent.points for parent in parents), standard_deviations=_deviations(made, errors))
+    return Found(name, known, views=min(one.views, other.views), by_views=errors, view_errors=one.view_errors or other.view_errors)
+
+
+def _deviations(made: Feature, errors: Errors) -> dict[str, float]:
+    """Standard deviations of position and direction, each in its worst direction."""
+    columns = np.hstack(list(errors.values())) if errors else np.zeros((6, 1))
+    position, direction = (float(np.linalg.norm(columns[rows], 2)) for rows in (slice(0, 3), slice(3, 6)))
+    return {"position_mm": position} | ({} if made.direction is None else {"direction_rad": direction})
+
+
+def _midpoint(name: str, of: Sequence[Feature]) -> Feature:
+    first, second = of
     direction = first.direction
     if direction is not None and second.direction is not None:
         direction = direction + np.sign(direction @ second.direction or 1.0) * second.direction
         direction = direction / np.linalg.norm(direction)
-    made = Feature(
-        name,
-        "plane" if shape == "midplane" else "point",
-        (first.point_mm + second.point_mm) / 2,
-        direction,
-        points=first.points + second.points,
-        standard_deviations={"position_mm": position, "direction_rad": 0.5 * float(np.hypot(one.direction_sigma, other.direction_sigma))},
-    )
-    if shape == "midplane" and direction is None:
-        return Found(name, None, f"{name}: a mid-plane needs two planes, {one.name} and {other.name} are not")
-    return Found(name, made, views=min(one.views, other.views))
+    return Feature(name, "point", (first.point_mm + second.point_mm) / 2, direction)
 
 
-def _intersection(name: str, one: Found, other: Found) -> Found:
+def _midplane(name: str, of: Sequence[Feature]) -> Feature:
+    made = _midpoint(name, of)
+    if made.direction is None:
+        raise InspectionError(f"{name}: a mid-plane needs two planes, {of[0].name} and {of[1].name} are not")
+    return replace(made, shape="plane")
+
+
+def _intersection(name: str, of: Sequence[Feature]) -> Feature:
     """Where an axis meets a plane (a point), or two planes meet (a line)."""
-    first, second = one.feature, other.feature
-    assert first is not None and second is not None
+    first, second = of
     if first.direction is None or second.direction is None or "plane" not in (first.shape, second.shape):
-        return Found(name, None, f"{name}: an intersection needs a plane, and a plane or an axis")
+        raise InspectionError(f"{name}: an intersection needs a plane, and a plane or an axis")
     if first.shape == second.shape == "plane":
-        return _line_of_planes(name, one, other)
+        return _line_of_planes(name, first, second)
     plane, axis = (first, second) if first.shape == "plane" else (second, first)
     assert plane.direction is not None and axis.direction is not None
     slope = float(plane.direction @ axis.direction)
     if abs(slope) < np.sin(np.radians(LEAST_CROSSING_DEG)):
-        return Found(name, None, f"{name}: the axis runs parallel to the plane and does not meet it")
+        raise InspectionError(f"{name}: the axis runs parallel to the plane and does not meet it")
     point = axis.point_mm + float(plane.direction @ (plane.point_mm - axis.point_mm)) / slope * axis.direction
-    sigma = float(np.hypot(one.position_sigma, other.position_sigma)) / abs(slope)
-    return Found(
-        name, Feature(name, "point", point, axis.direction, standard_deviations={"position_mm": sigma}), views=min(one.views, other.views)
-    )
+    return Feature(name, "point", point, axis.direction)
 
 
-def _projection(name: str, one: Found, plane: Found) -> Found:
+def _projection(name: str, of: Sequence[Feature]) -> Feature:
     """A centre or axis seen upright onto a plane: a point, or a line."""
-    first, second = one.feature, plane.feature
-    assert first is not None and second is not None
+    first, second = of
     if second.shape != "plane" or second.direction is None or first.shape == "plane":
-        return Found(name, None, f"{name}: a projection needs a point or axis, and the plane it is projected onto")
-    offset = first.point_mm - second.point_mm
-    height = float(offset @ second.direction)
-    lateral = float(np.linalg.norm(offset - height * second.direction))
-    sigma = float(
-        np.linalg.norm([one.position_sigma, plane.position_sigma, lateral * plane.direction_sigma, height * plane.direction_sigma])
-    )
-    deviations = {"position_mm": sigma}
-    point, views = first.point_mm - height * second.direction, min(one.views, plane.views)
+        raise InspectionError(f"{name}: a projection needs a point or axis, and the plane it is projected onto")
+    point = first.point_mm - float((first.point_mm - second.point_mm) @ second.direction) * second.direction
     if first.shape not in AXES or first.direction is None:
-        return Found(name, Feature(name, "point", point, second.direction, standard_deviations=deviations), views=views)
+        return Feature(name, "point", point, second.direction)
     flat = first.direction - float(first.direction @ second.direction) * second.direction
     length = float(np.linalg.norm(flat))
     if length < np.sin(np.radians(LEAST_CROSSING_DEG)):
-        return Found(
-            name, None, f"{name}: the axis {one.name} stands upright on {plane.name}; its projection is a point, their intersection"
+        raise InspectionError(
+            f"{name}: the axis {first.name} stands upright on {second.name}; its projection is a point, their intersection"
         )
-    deviations["direction_rad"] = float(np.hypot(one.direction_sigma, plane.direction_sigma)) / length
-    return Found(name, Feature(name, "line", point, flat / length, standard_deviations=deviations), views=views)
+    return Feature(name, "line", point, flat / length)
 
 
-def _line_of_planes(name: str, one: Found, other: Found) -> Found:
-    first, second = one.feature, other.feature
-    assert first is not None and second is not None and first.direction is not None and second.direction is not None
+def _line_of_planes(name: str, first: Feature, second: Feature) -> Feature:
+    assert first.direction is not None and second.direction is not None
     direction = np.cross(first.direction, second.direction)
     length = float(np.linalg.norm(direction))
     if length < np.sin(np.radians(LEAST_CROSSING_DEG)):
-        return Found(name, None, f"{name}: the planes are parallel and do not meet")
+        raise InspectionError(f"{name}: the planes are parallel and do not meet")
     direction /= length
     middle = (first.point_mm + second.point_mm) / 2
     system = np.stack([first.direction, second.direction, direction])
     offsets = np.array([first.direction @ first.point_mm, second.direction @ second.point_mm, direction @ middle])
-    sigma = float(np.hypot(one.position_sigma, other.position_sigma)) / length
-    turn = float(np.hypot(one.direction_sigma, other.direction_sigma)) / length
-    deviations = {"position_mm": sigma, "direction_rad": turn}
-    made = Feature(name, "line", np.linalg.solve(system, offsets), direction, standard_deviations=deviations)
-    return Found(name, made, views=min(one.views, other.views))
+    return Feature(name, "line", np.linalg.solve(system, offsets), direction)
+
+
+MAKERS = {"midpoint": _midpoint, "midplane": _midplane, "intersection": _intersection, "projection": _projection}

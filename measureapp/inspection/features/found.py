@@ -11,10 +11,12 @@ from scipy.spatial import cKDTree
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import MeasuredFeature
+from measureapp.data.view_errors import ViewErrors
 from measureapp.errors import FitError
 from measureapp.inspection.features.cut import NominalFeature, cut_points, nominal_features
+from measureapp.inspection.features.errors import NOISE, Errors, Source, errors_by_views, following, noise_of
 from measureapp.inspection.features.shapes import signed_distances
-from measureapp.inspection.features.surface_point import surface_point
+from measureapp.inspection.features.surface_point import surface_point, surface_point_following
 from measureapp.inspection.measured import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.uncertainty import effective_views, shared_error_factor
@@ -36,12 +38,17 @@ class Found:
     points_mm: FloatArray = field(default_factory=lambda: np.empty((0, 3)))  # the points it was fitted to
     nominal: Feature | None = None  # where the drawing has it
     hole: bool = field(default=False, kw_only=True)  # the material lies outside
+    by_views: Errors = field(default_factory=dict, kw_only=True)  # errors that its views give it; of a constructed feature all errors
+    view: IntArray | None = field(default=None, kw_only=True)  # (N,), in which view each of its points was measured
+    view_errors: ViewErrors | None = field(default=None, kw_only=True)  # of those views; None where not known
     draws: int = field(default=0, kw_only=True)  # fits to simulated points that its covariance comes from; 0: from the law of propagation
 
     @property
-    def position_sigma(self) -> float:
-        """Standard deviation of the position in mm, shared errors included."""
-        return self._sigma("position_mm")
+    def errors(self) -> Errors:
+        """Everything it errs by, by where it comes from; nothing for a feature that was not found."""
+        if self.feature is None or len(self.points_mm) == 0:
+            return self.by_views
+        return {Source(NOISE, self.name): noise_of(self.feature, self.error_factor), **self.by_views}
 
     @property
     def direction_sigma(self) -> float:
@@ -90,7 +97,27 @@ def fitted(
         return Found(name, None, f"{name}: {reason}", nominal=drawn)
     used = cut.where(kept)
     factor = shared_error_factor(used.points_mm, residuals, settings.uncertainty.correlation_mm)
-    return Found(name, feature, "", factor, effective_views(used.view), used.points_mm, drawn, hole=expected.hole)
+    views = effective_views(used.view)
+    by_views = _errors_by_views(expected, feature, used, settings.uncertainty.placement_mm, views)
+    return Found(
+        name,
+        feature,
+        "",
+        factor,
+        views,
+        used.points_mm,
+        drawn,
+        hole=expected.hole,
+        by_views=by_views,
+        view=used.view,
+        view_errors=used.errors,
+    )
+
+
+def _errors_by_views(nominal: NominalFeature, feature: Feature, used: MeasuredPoints, placement_mm: float, views: float) -> Errors:
+    if nominal.surface_point and used.errors is not None and used.view is not None:
+        return following(*surface_point_following(nominal.feature, used))
+    return errors_by_views(feature, used, _weights(used), placement_mm, views)
 
 
 def _trimmed_fit(nominal: NominalFeature, cut: MeasuredPoints, settings: InspectionSettings) -> tuple[Feature, FloatArray, IntArray]:
@@ -117,16 +144,24 @@ def _fit(nominal: NominalFeature, used: MeasuredPoints, all_points_mm: FloatArra
         return surface_point(nominal.feature, used, all_points_mm)
     from measureapp.geometry.fits import fit
 
-    weights = None if used.sigma_mm is None else _weights(np.asarray(used.sigma_mm, float))
-    feature = fit(nominal.feature.shape, used.points_mm, weights=weights, start=nominal.feature)
+    feature = fit(nominal.feature.shape, used.points_mm, weights=_weights(used), start=nominal.feature)
     expected = nominal.feature.direction
     if feature.direction is not None and expected is not None and feature.direction @ expected < 0 and feature.shape != "cone":
-        feature = replace(feature, direction=-feature.direction)
+        feature = _turned_about(feature)
     return feature, signed_distances(feature, all_points_mm)
 
 
-def _weights(sigma_mm: FloatArray) -> FloatArray:
-    """Inverse variances about 1; no point counts for more than four of the median."""
+def _turned_about(feature: Feature) -> Feature:
+    assert feature.direction is not None and feature.covariance is not None
+    signs = np.where((np.arange(len(feature.covariance)) >= 3) & (np.arange(len(feature.covariance)) < 6), -1.0, 1.0)
+    return replace(feature, direction=-feature.direction, covariance=feature.covariance * np.outer(signs, signs))
+
+
+def _weights(used: MeasuredPoints) -> FloatArray | None:
+    """Inverse variances about 1, where they are known; no point counts for more than four of the median."""
+    if used.sigma_mm is None:
+        return None
+    sigma_mm = np.asarray(used.sigma_mm, float)
     median = float(np.median(sigma_mm))
     return (median / np.maximum(sigma_mm, median / 2)) ** 2
 

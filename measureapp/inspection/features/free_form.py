@@ -78,7 +78,8 @@ def _find_one(
         form_error_mm=float(np.ptp(away)),
         boundary_mm=np.stack([used.points_mm.min(axis=0), used.points_mm.max(axis=0)]),
     )
-    return FoundSurface(name, feature, "", 1.0, effective_views(used.view), used.points_mm, None, drawn=surface)
+    views = effective_views(used.view)
+    return FoundSurface(name, feature, "", 1.0, views, used.points_mm, None, drawn=surface, view=used.view, view_errors=used.errors)
 
 
 def _belonging(described: FreeForm, turn: FloatArray, points: MeasuredPoints, surface: NominalSurface, edges: cKDTree | None) -> BoolArray:

@@ -53,6 +53,24 @@ def surface_point(nominal: Feature, used: MeasuredPoints, all_points_mm: FloatAr
     return feature, every_height - every @ solution
 
 
+def surface_point_following(nominal: Feature, used: MeasuredPoints) -> tuple[FloatArray, MeasuredPoints, FloatArray]:
+    """Return how point and direction (6, N) follow the points' displacements, the points, and along what (N, 3): upright to the fitted patch.
+
+    The height of a displaced point is read where it is displaced to, so that what it moves along the patch does not count.
+    """
+    normal = nominal.direction
+    assert normal is not None
+    across = _across(normal)
+    design, heights = _design(used.points_mm, nominal.point_mm, normal, across)
+    inverse = np.linalg.pinv(design)
+    _, slope_u, slope_v, uu, uv, vv = inverse @ heights
+    u, v = design[:, 1], design[:, 2]
+    slopes = np.column_stack([slope_u + 2 * uu * u + uv * v, slope_v + uv * u + 2 * vv * v])
+    follows = np.zeros((6, len(heights)))
+    follows[:3] = np.outer(normal, inverse[0])
+    return follows, used, normal - slopes @ across
+
+
 def _across(normal: FloatArray) -> FloatArray:
     """Two unit directions (2, 3) across ``normal``."""
     first = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])

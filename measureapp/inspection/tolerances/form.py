@@ -14,11 +14,12 @@ from measureapp.geometry.fits import fit
 from measureapp.geometry.minimum_zone import fit_minimum_zone
 from measureapp.geometry.shapes import tangents
 from measureapp.inspection.features.cells import Cells, angles, around_count, cell_means, surface_keys
+from measureapp.inspection.features.errors import NOISE, STITCHING, Source
 from measureapp.inspection.features.found import Found
 from measureapp.inspection.features.shapes import along_and_off
 from measureapp.inspection.settings import InspectionSettings
-from measureapp.inspection.tolerances.zone_noise import Zone, width_without_noise
-from measureapp.inspection.value import Value, direction_of, feature_of, placement_of
+from measureapp.inspection.tolerances.zone_noise import Zone, width_without_noise, widths_by_views
+from measureapp.inspection.value import Value, direction_of, feature_of, placement_of, summed
 
 LEAST_SECTIONS = 5
 LEAST_ON_LINE = 6
@@ -49,14 +50,18 @@ def form_value(described: DimensionProgram, found: Found, settings: InspectionSe
     else:
         _require(found, "straightness", "plane", "cylinder", "cone")
         made = _of_lines(described, found, settings) if feature.shape == "plane" else _of_axis(described.criterion, found, cells, settings)
-    across_views = placement_of(found, settings) if found.views > 1 else 0.0
     how = f"{filter_words(settings)}, {WORDS[described.criterion]}{made.how}; Monte Carlo, {settings.form_trials} draws"
-    return Value(made.value, float(np.hypot(made.sigma, across_views)), how)
+    return Value(made.value, summed(made.budget, {STITCHING: across_views(found, settings)}), how)
+
+
+def across_views(found: Found, settings: InspectionSettings) -> float:
+    """Return what several views add to the form of one surface where it is not known how they lie."""
+    return placement_of(found, settings) if found.views > 1 else 0.0
 
 
 def _zone(shape: Shape, cells: Cells, criterion: Criterion, name: str, settings: InspectionSettings) -> Value:
     width = zone_width(shape, cells.points_mm, criterion, name)
-    return _without_noise([Zone.of(shape, cells.points_mm, cells.noises_mm)], width, criterion, settings, "")
+    return _without_noise([Zone.of(shape, cells.points_mm, cells.noises_mm, cells.by_views)], width, criterion, settings, "")
 
 
 def _without_noise(zones: list[Zone], width: float, criterion: Criterion, settings: InspectionSettings, how: str) -> Value:
@@ -64,7 +69,7 @@ def _without_noise(zones: list[Zone], width: float, criterion: Criterion, settin
     words = f"{how}; {width:.4f} mm less {true.shift_mm:.4f} mm that noise adds"
     if true.by_noise:
         words += f"; noise alone could have made it: one-sided, at most {true.value_mm + 2 * true.sigma_mm:.4f} mm"
-    return Value(true.value_mm, true.sigma_mm, words)
+    return Value(true.value_mm, summed({NOISE: true.sigma_mm}, widths_by_views(zones, criterion)), words)
 
 
 def extracted(found: Found, settings: InspectionSettings) -> Cells:
@@ -72,7 +77,7 @@ def extracted(found: Found, settings: InspectionSettings) -> Cells:
     feature = feature_of(found)
     if len(found.points_mm) == 0:
         raise InspectionError(f"{found.name} was made from other features and has no measured surface")
-    return cell_means(found.points_mm, feature, surface_keys(found.points_mm, feature, settings.form_cell_mm), found.name)
+    return cell_means(found, feature, surface_keys(found.points_mm, feature, settings.form_cell_mm))
 
 
 def filter_words(settings: InspectionSettings) -> str:
@@ -134,8 +139,13 @@ def _roundness(criterion: Criterion, found: Found, cells: Cells, settings: Inspe
     whole = sections(cells, around_of(feature, settings), settings, found.name)
     profiles = [_profile(feature, cells, section)[0] for section in whole]
     widths = [zone_width("circle", profile, criterion, found.name) for profile in profiles]
-    noises = cells.noises_mm / np.cos(feature.half_angle_rad or 0.0)
-    zones = [Zone.of("circle", profile, noises[section]) for profile, section in zip(profiles, whole, strict=True)]
+    lean = np.cos(feature.half_angle_rad or 0.0)
+    zones = [
+        Zone.of(
+            "circle", profile, cells.noises_mm[section] / lean, {source: rows[section] / lean for source, rows in cells.by_views.items()}
+        )
+        for profile, section in zip(profiles, whole, strict=True)
+    ]
     return _without_noise(zones, max(widths), criterion, settings, f", the worst of {len(whole)} sections")
 
 
@@ -145,8 +155,9 @@ def _of_axis(criterion: Criterion, found: Found, cells: Cells, settings: Inspect
     whole = sections(cells, around_of(feature, settings), settings, found.name)
     if len(whole) < LEAST_SECTIONS:
         raise InspectionError(f"{found.name}: its axis has only {len(whole)} whole sections, {LEAST_SECTIONS} are needed")
-    side = tangents(direction_of(feature))
+    side, lean = tangents(direction_of(feature)), np.cos(feature.half_angle_rad or 0.0)
     centres, spreads = [], []
+    moved: dict[Source, list[FloatArray]] = {source: [] for source in cells.by_views}
     for section in whole:
         flat, height = _profile(feature, cells, section)
         turn = np.arctan2(flat[:, 1], flat[:, 0])
@@ -154,9 +165,12 @@ def _of_axis(criterion: Criterion, found: Found, cells: Cells, settings: Inspect
         centre = np.linalg.lstsq(design, np.hypot(flat[:, 0], flat[:, 1]), rcond=None)[0][:2]
         spreads.append(np.sqrt(np.linalg.inv(design.T @ design)[[0, 1], [0, 1]].max()))
         centres.append(feature.point_mm + height * direction_of(feature) + centre @ side)
+        for source, rows in cells.by_views.items():
+            moved[source].append(side.T @ (np.linalg.pinv(design)[:2] @ rows[section] / lean))
     width = zone_width("line", np.array(centres), criterion, found.name)
-    noises = cells.noise_mm / np.cos(feature.half_angle_rad or 0.0) * np.array(spreads)
-    zone = Zone.of("line", np.array(centres), noises)
+    across = tangents(direction_of(fit("line", np.array(centres))))
+    by_views = {source: np.vstack([across[k] @ np.array(shifts) for k in range(2)]) for source, shifts in moved.items()}
+    zone = Zone.of("line", np.array(centres), cells.noise_mm / lean * np.array(spreads), by_views)
     return _without_noise([zone], width, criterion, settings, f", the axis through {len(whole)} sections")
 
 
@@ -174,13 +188,21 @@ def _of_lines(described: DimensionProgram, found: Found, settings: InspectionSet
     offset = found.points_mm - feature.point_mm
     places = np.column_stack([offset @ np.cross(normal, line), offset @ line])
     keys = np.floor((places - places.min(axis=0)) / settings.form_cell_mm).astype(np.int64)
-    cells = cell_means(found.points_mm, feature, keys, found.name)
+    cells = cell_means(found, feature, keys)
     lines = [mask for key in np.unique(cells.keys[:, 0]) if np.count_nonzero(mask := cells.keys[:, 0] == key) >= LEAST_ON_LINE]
     if not lines:
         raise InspectionError(f"{found.name}: no line is long enough for {LEAST_ON_LINE} cells of {settings.form_cell_mm:g} mm")
     position = (cells.points_mm - feature.point_mm) @ line
     widths = [_line_width(position[mask], cells.deviations_mm[mask], described.criterion) for mask in lines]
-    zones = [Zone.of_profile(position[mask], cells.deviations_mm[mask], cells.noises_mm[mask]) for mask in lines]
+    zones = [
+        Zone.of_profile(
+            position[mask],
+            cells.deviations_mm[mask],
+            cells.noises_mm[mask],
+            {source: rows[mask] for source, rows in cells.by_views.items()},
+        )
+        for mask in lines
+    ]
     return _without_noise(zones, max(widths), described.criterion, settings, f", the worst of {len(lines)} lines")
 
 

@@ -10,6 +10,7 @@ from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import DimensionProgram
 from measureapp.errors import InspectionError
+from measureapp.inspection.features.errors import NOISE
 from measureapp.inspection.features.found import Found
 from measureapp.inspection.propagation import propagated
 from measureapp.inspection.settings import InspectionSettings
@@ -18,7 +19,7 @@ from measureapp.inspection.tolerances.datums import DatumSystem, datum_system, n
 from measureapp.inspection.tolerances.form import extracted
 from measureapp.inspection.tolerances.material import WORDS, bonus_of
 from measureapp.inspection.tolerances.profiles import surface_value
-from measureapp.inspection.value import AXES, CENTRES, Value, direction_of, feature_of, nominal_of, placement_of
+from measureapp.inspection.value import AXES, CENTRES, Value, direction_of, feature_of, nominal_of, summed
 
 Width = Callable[[Sequence[Feature]], float]
 
@@ -65,7 +66,7 @@ class _Zone:
         unshifted = self._width(datum_system(self.drawn, features[1:]), points_of(features[0], self.ends_mm))
         sizes = ", ".join(f"{play.nominal.name} loose by {2 * play.radius_mm(features[1 + play.number]):.4f} mm" for play in self.plays)
         words = f"{made.how}; datum shift: {sizes}, {unshifted:.4f} mm without it"
-        return Value(made.value, float(np.hypot(made.sigma, change)), words, made.bonus)
+        return Value(made.value, summed(made.budget, {NOISE: change}), words, made.bonus)
 
     def _width(self, system: DatumSystem, points_mm: FloatArray) -> float:
         return 2 * float(np.linalg.norm(self._offsets(system, points_mm), axis=1).max())
@@ -80,19 +81,19 @@ def _widened(
 ) -> Value:
     """Return the width with the bonus that the feature's own size gives."""
     if described.size_limits_mm is None or described.material_condition == "regardless":
-        return placed_value(width, found, datums, settings, how)
+        return placed_value(width, found, datums, how)
     bonus, noise = bonus_of(described.material_condition, described.size_limits_mm, found, settings)
-    left = placed_value(lambda features: width(features) - bonus(features[0]), found, datums, settings, how)
+    left = placed_value(lambda features: width(features) - bonus(features[0]), found, datums, how)
     gained = bonus(feature_of(found))
     words = f"{how}; {WORDS[described.material_condition]}: {gained:.4f} mm more than {described.upper_tolerance:g} mm"
-    return Value(left.value + gained, float(np.hypot(left.sigma, noise)), words, gained)
+    return Value(left.value + gained, summed(left.budget, {NOISE: noise}), words, gained)
 
 
 def _words(feature: Feature, ends_mm: FloatArray) -> str:
     return "associated centre" if feature.shape in CENTRES else f"associated axis over {float(np.ptp(ends_mm)):.1f} mm"
 
 
-def common_centre(kind: str, found: Found, datum: Found, settings: InspectionSettings) -> Value:
+def common_centre(kind: str, found: Found, datum: Found) -> Value:
     """Return twice the greatest distance of an axis (coaxiality) or a centre (concentricity) from the datum's axis or centre.
 
     Raises
@@ -114,14 +115,12 @@ def common_centre(kind: str, found: Found, datum: Found, settings: InspectionSet
             away = across(away, direction_of(features[1]))
         return 2 * float(np.linalg.norm(away, axis=1).max())
 
-    return placed_value(width, found, (datum,), settings, _words(feature, ends))
+    return placed_value(width, found, (datum,), _words(feature, ends))
 
 
-def placed_value(width: Width, found: Found, datums: tuple[Found, ...], settings: InspectionSettings, how: str) -> Value:
-    """Return the width with its uncertainty from all fits and from where the views of each lie."""
-    value, sigma = propagated(width, (found, *datums))
-    places = [2 * placement_of(one, settings) for one in (found, *datums)]
-    return Value(value, float(np.linalg.norm([sigma, *places])), how)
+def placed_value(width: Width, found: Found, datums: tuple[Found, ...], how: str) -> Value:
+    """Return the width with its uncertainty from all that the feature and its datums err by."""
+    return Value(*propagated(width, (found, *datums)), how)
 
 
 def ends_of(found: Found, feature: Feature) -> FloatArray:

@@ -11,14 +11,15 @@ from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import DimensionProgram, Section
 from measureapp.errors import InspectionError
 from measureapp.inspection.features.cells import Cells, cell_means, grid_keys, means_over, surface_keys
+from measureapp.inspection.features.errors import NOISE, STITCHING
 from measureapp.inspection.features.found import Found
 from measureapp.inspection.features.free_form import FoundSurface
 from measureapp.inspection.features.shapes import signed_distances
-from measureapp.inspection.propagation import propagated
+from measureapp.inspection.propagation import propagated_on
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.tolerances.datums import DatumSystem, datum_system, nominals_of
 from measureapp.inspection.tolerances.form import extracted, filter_words
-from measureapp.inspection.value import Value, feature_of, nominal_of, placement_of
+from measureapp.inspection.value import Value, feature_of, nominal_of, placement_of, summed
 
 NO_DATUM = DatumSystem((), np.eye(4), np.empty((6, 0)))
 
@@ -45,7 +46,7 @@ def profile_value(described: DimensionProgram, found: Found, datums: tuple[Found
         words.append(f"middle of the zone {abs(described.zone_offset_mm):g} mm {side} the material")
     if not datums:
         words.append("placed by the alignment")
-    return Value(made.value, made.sigma, ", ".join(words))
+    return Value(made.value, made.budget, ", ".join(words))
 
 
 def surface_value(
@@ -55,14 +56,14 @@ def surface_value(
     distances = _distances(found)
     drawn = nominals_of(datums)
 
-    def width(features: Sequence[Feature]) -> float:
+    def width(features: Sequence[Feature], points_mm: FloatArray) -> float:
         system = datum_system(drawn, features) if datums else NO_DATUM
-        return 2 * float(np.abs(distances(system.apply(cells.points_mm)) - zone_offset_mm).max())
+        return 2 * float(np.abs(distances(system.apply(points_mm)) - zone_offset_mm).max())
 
-    value, sigma = propagated(width, datums)
-    places = [2 * placement_of(one, settings) for one in (found, *datums)]
+    value, budget = propagated_on(width, datums, cells)
     # the greatest distance is off by no more than the greatest noise, the width by twice that: the range of the noise
-    return Value(value, float(np.linalg.norm([sigma, cells.form_sigma_mm, *places])), filter_words(settings))
+    own = {NOISE: cells.form_sigma_mm, STITCHING: 2 * placement_of(found, settings)}
+    return Value(value, summed(budget, own), filter_words(settings))
 
 
 def _distances(found: Found) -> Callable[[FloatArray], FloatArray]:
@@ -86,8 +87,7 @@ def _cells(found: Found, section: Section | None, settings: InspectionSettings) 
         near = np.abs(off) < settings.form_cell_mm / 2
         if not near.any():
             raise InspectionError(f"{found.name} was not measured where the section cuts it")
-    points = found.points_mm[near]
     if isinstance(found, FoundSurface):
-        return means_over(points, found.beside, grid_keys(found.feet()[near], settings.form_cell_mm), found.name)
+        return means_over(found, found.beside, grid_keys(found.feet()[near], settings.form_cell_mm), near)
     feature = feature_of(found)
-    return cell_means(points, feature, surface_keys(points, feature, settings.form_cell_mm), found.name)
+    return cell_means(found, feature, surface_keys(found.points_mm[near], feature, settings.form_cell_mm), near)

@@ -10,12 +10,13 @@ from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.feature import Feature
 from measureapp.errors import InspectionError
 from measureapp.inspection.features.cells import LEAST_AROUND, Cells, angles, around_count, cell_means, round_keys
+from measureapp.inspection.features.errors import NOISE, STITCHING
 from measureapp.inspection.features.found import Found
 from measureapp.inspection.features.shapes import along_and_off
-from measureapp.inspection.propagation import propagated
+from measureapp.inspection.propagation import propagated_on
 from measureapp.inspection.settings import InspectionSettings
-from measureapp.inspection.tolerances.form import filter_words, sections
-from measureapp.inspection.value import AXES, Value, direction_of, feature_of, placement_of
+from measureapp.inspection.tolerances.form import across_views, filter_words, sections
+from measureapp.inspection.value import AXES, Value, direction_of, feature_of, summed
 
 GREATEST_LEAN_DEG = 10.0
 
@@ -38,16 +39,14 @@ def run_out(kind: str, found: Found, datum: Found, settings: InspectionSettings)
     whole = sections(cells, around, settings, found.name)
     parts = whole if kind == "circular_runout" else [np.any(whole, axis=0)]
 
-    def width(features: Sequence[Feature]) -> float:
-        along, off, _ = along_and_off(cells.points_mm, features[0].point_mm, direction_of(features[0]))
+    def width(features: Sequence[Feature], points_mm: FloatArray) -> float:
+        along, off, _ = along_and_off(points_mm, features[0].point_mm, direction_of(features[0]))
         read = along if axial else off
         return max(float(np.ptp(read[part])) for part in parts)
 
-    value, sigma = propagated(width, (datum,))
-    across_views = placement_of(found, settings) if found.views > 1 else 0.0
-    places = [cells.form_sigma_mm, across_views] + ([] if axial else [2 * placement_of(datum, settings)])
+    value, budget = propagated_on(width, (datum,), cells)
     how = f"{filter_words(settings)}, {'axial' if axial else 'radial'}, {len(whole)} {'rings' if axial else 'sections'}"
-    return Value(value, float(np.linalg.norm([sigma, *places])), how)
+    return Value(value, summed(budget, {NOISE: cells.form_sigma_mm, STITCHING: across_views(found, settings)}), how)
 
 
 def _require(found: Found, feature: Feature, datum: Found, base: Feature) -> None:
@@ -65,9 +64,9 @@ def _extracted(found: Found, base: Feature, axial: bool, settings: InspectionSet
     if not axial:
         radius = feature.radius_mm or settings.form_cell_mm
         keys = round_keys(points, base.point_mm, axis, settings.form_cell_mm, radius)
-        return cell_means(points, feature, keys, found.name), around_count(radius, settings.form_cell_mm)
+        return cell_means(found, feature, keys), around_count(radius, settings.form_cell_mm)
     keys = _ring_keys(points, base.point_mm, axis, settings.form_cell_mm)
-    return cell_means(points, feature, keys, found.name), LEAST_AROUND
+    return cell_means(found, feature, keys), LEAST_AROUND
 
 
 def _ring_keys(points_mm: FloatArray, point_mm: FloatArray, axis: FloatArray, cell_mm: float) -> IntArray:

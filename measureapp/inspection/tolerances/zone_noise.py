@@ -7,8 +7,8 @@ themselves, see `noise_free_heights`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -18,7 +18,9 @@ from measureapp.geometry.feature import Shape
 from measureapp.geometry.fits import Scaled, fit, state_of
 from measureapp.geometry.shapes import MODELS
 from measureapp.geometry.zone_models import ZONES
+from measureapp.inspection.features.errors import Source, principal
 from measureapp.inspection.tolerances.noise_free import noise_free_heights
+from measureapp.inspection.value import Budget
 
 SHIFT_DRAWS = 40  # for the mean shift: known to a sixth of the scatter of a single width
 COVERAGE = 0.95
@@ -35,20 +37,21 @@ class Zone:
     distances_mm: FloatArray  # (K, N): K = 2 for an axis in space
     derivatives: FloatArray  # (K, N, P)
     noise_mm: FloatArray  # (N,), standard deviations of the distances
+    by_views: Mapping[Source, FloatArray] = field(default_factory=dict)  # (K N, M), errors of the distances because of the views
 
     @classmethod
-    def of(cls, shape: Shape, points_mm: FloatArray, noise_mm: FloatArray) -> Zone:
+    def of(cls, shape: Shape, points_mm: FloatArray, noise_mm: FloatArray, by_views: Mapping[Source, FloatArray]) -> Zone:
         """Linearise at the least-squares fit; form errors are small beside the shape. Raises FitError."""
         points = np.asarray(points_mm, np.float64)
         scaled = Scaled.of(points)
         model = MODELS["line"] if shape == "line" else ZONES[shape]
         distances, derivatives = model.evaluate(state_of(fit(shape, points), scaled), scaled.points)
-        return cls(distances * scaled.scale_mm, derivatives, noise_mm)
+        return cls(distances * scaled.scale_mm, derivatives, noise_mm, by_views)
 
     @classmethod
-    def of_profile(cls, position: FloatArray, height_mm: FloatArray, noise_mm: FloatArray) -> Zone:
+    def of_profile(cls, position: FloatArray, height_mm: FloatArray, noise_mm: FloatArray, by_views: Mapping[Source, FloatArray]) -> Zone:
         """The strip about a profile over a straight line."""
-        return cls(height_mm[None], np.stack([position, np.ones_like(position)], axis=1)[None], noise_mm)
+        return cls(height_mm[None], np.stack([position, np.ones_like(position)], axis=1)[None], noise_mm, by_views)
 
     def fitted(self, heights_mm: FloatArray) -> FloatArray:
         """Return heights (D, K, N) from their own least-squares fits."""
@@ -138,6 +141,29 @@ def width_without_noise(zones: Sequence[Zone], width_mm: float, criterion: Crite
     value, reach = max(width_mm - shift, 0.0), float(np.quantile(np.abs(errors), COVERAGE))
     by_noise = width_mm <= float(np.quantile(_greatest(zones, noise, criterion), NOISE_ALONE))
     return TrueWidth(value, (max(reach, value) if by_noise else reach) / 2, width_mm - value, by_noise)
+
+
+def widths_by_views(zones: Sequence[Zone], criterion: Criterion) -> Budget:
+    """Return what the errors of the views add to the standard uncertainty of the greatest of some widths, by shares.
+
+    Along every principal direction of the errors the larger change to either side counts, as in `propagated`.
+    """
+    heights = [zone.distances_mm[None] for zone in zones]
+    base = _greatest(zones, heights, criterion)[0] if zones[0].by_views else 0.0
+    variances: dict[str, float] = {}
+    for source in zones[0].by_views:
+        columns = np.vstack([zone.by_views[source] for zone in zones])
+        rows = np.cumsum([zone.distances_mm.size for zone in zones])[:-1]
+        changes = np.split(principal(columns, np.ones(len(columns))).T, rows, axis=1)
+        sides = [
+            _greatest(
+                zones, [at + sign * change.reshape(-1, *at.shape[1:]) for at, change in zip(heights, changes, strict=True)], criterion
+            )
+            for sign in (1.0, -1.0)
+        ]
+        larger = np.max([np.abs(side - base) for side in sides], axis=0)
+        variances[source.share] = variances.get(source.share, 0.0) + float(larger @ larger)
+    return {share: float(np.sqrt(variance)) for share, variance in variances.items()}
 
 
 def _greatest(zones: Sequence[Zone], heights_mm: Sequence[FloatArray], criterion: Criterion) -> FloatArray:

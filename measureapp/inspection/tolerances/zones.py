@@ -10,15 +10,16 @@ from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import PROFILES, DimensionProgram
 from measureapp.errors import InspectionError
+from measureapp.inspection.features.errors import NOISE, STITCHING
 from measureapp.inspection.features.found import Found
-from measureapp.inspection.propagation import propagated
+from measureapp.inspection.propagation import propagated, propagated_on
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.tolerances.datums import datum_system, nominals_of
-from measureapp.inspection.tolerances.form import extracted, filter_words
+from measureapp.inspection.tolerances.form import across_views, extracted, filter_words
 from measureapp.inspection.tolerances.location import common_centre, ends_of, position
 from measureapp.inspection.tolerances.profiles import profile_value
 from measureapp.inspection.tolerances.run_out import run_out
-from measureapp.inspection.value import AXES, Value, direction_of, feature_of, nominal_of, placement_of
+from measureapp.inspection.value import AXES, Value, direction_of, feature_of, nominal_of, summed
 
 GREATEST_LEAN_DEG = 30.0
 TINY = 1e-12
@@ -38,7 +39,7 @@ def tolerance_value(described: DimensionProgram, found: Found, datums: tuple[Fou
     if kind == "position":
         return position(described, found, datums, settings)
     if kind in ("concentricity", "coaxiality"):
-        return common_centre(kind, found, datums[0], settings)
+        return common_centre(kind, found, datums[0])
     if kind in PROFILES:
         return profile_value(described, found, datums, settings)
     return run_out(kind, found, datums[0], settings)
@@ -50,11 +51,11 @@ def _orientation(kind: str, found: Found, datums: tuple[Found, ...], settings: I
     if feature.shape not in ("plane", *AXES):
         raise InspectionError(f"{found.name} is a {feature.shape}: {kind} is defined for planes and axes")
     toward = _exact_direction(kind, found, datums)
-    across_views = placement_of(found, settings) if found.views > 1 else 0.0
+    apart = {STITCHING: across_views(found, settings)}
     if feature.shape == "plane":
         cells = extracted(found, settings)
-        width, sigma = propagated(lambda features: float(np.ptp(cells.points_mm @ toward(features))), (found, *datums))
-        return Value(width, float(np.linalg.norm([sigma, cells.form_sigma_mm, across_views])), filter_words(settings))
+        width, budget = propagated_on(lambda features, points_mm: float(np.ptp(points_mm @ toward(features))), (found, *datums), cells)
+        return Value(width, summed(budget, {NOISE: cells.form_sigma_mm}, apart), filter_words(settings))
     length = float(np.ptp(ends_of(found, feature)))
     if length <= 0:
         raise InspectionError(f"{found.name} was made from other features and has no length over which its {kind} could be taken")
@@ -62,8 +63,8 @@ def _orientation(kind: str, found: Found, datums: tuple[Found, ...], settings: I
     def lean(features: Sequence[Feature]) -> float:
         return length * float(np.linalg.norm(np.cross(direction_of(features[0]), toward(features))))
 
-    value, sigma = propagated(lean, (found, *datums))
-    return Value(value, float(np.hypot(sigma, across_views)), f"associated axis over {length:.1f} mm")
+    value, budget = propagated(lean, (found, *datums))
+    return Value(value, summed(budget, apart), f"associated axis over {length:.1f} mm")
 
 
 def _exact_direction(kind: str, found: Found, datums: tuple[Found, ...]) -> Callable[[Sequence[Feature]], FloatArray]:

@@ -13,7 +13,7 @@ from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.motions.chain import Chain, Free
 from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty
-from measureapp.data.calibration import RigCalibration
+from measureapp.data.calibration import LabelledCovariance, RigCalibration
 from measureapp.errors import StorageError
 from measureapp.project.atomic import replacing
 
@@ -22,13 +22,17 @@ _NOT_ARRAYS = ("noise", "free")
 
 
 def write_rig_uncertainty(path: Path, rig: RigUncertainty) -> None:
-    """Write everything but the calibration itself as npz: ``chain.…``, ``state.…``, ``noise.…``, ``free.…`` and ``covariance``."""
+    """Write everything but the calibration itself as npz: ``chain.…``, ``state.…``, ``noise.…``, ``free.…``, ``cameras.…``,
+    ``by_cameras`` and ``covariance``.
+    """
     arrays: dict[str, Any] = {"schema_version": SCHEMA_VERSION, "covariance": rig.covariance}
     for part, noun in (("chain", rig.chain), ("state", rig.state)):
         values = {field.name: getattr(noun, field.name) for field in fields(noun) if field.name not in _NOT_ARRAYS}
         arrays |= {f"{part}.{name}": value for name, value in values.items() if value is not None}
     for part, settings in (("noise", asdict(rig.chain.noise)), ("free", asdict(rig.chain.free))):
         arrays |= {f"{part}.{name}": value for name, value in settings.items()}
+    if rig.cameras is not None and rig.by_cameras is not None:
+        arrays |= {"by_cameras": rig.by_cameras, "cameras.covariance": rig.cameras.covariance, "cameras.parameters": rig.cameras.parameters}
     with replacing(Path(path)) as temporary, temporary.open("wb") as file:
         np.savez_compressed(file, **arrays)
 
@@ -42,9 +46,10 @@ def read_rig_uncertainty(path: Path, calibration: RigCalibration) -> RigUncertai
         free = Free(**{name: bool(value) for name, value in _part(arrays, "free").items()})
         state = _part(arrays, "state")
         state["guide_scale"] = float(state["guide_scale"])
-        return RigUncertainty(
-            calibration, Chain(**_part(arrays, "chain"), noise=noise, free=free), ChainState(**state), arrays["covariance"]
-        )
+        chain = Chain(**_part(arrays, "chain"), noise=noise, free=free)
+        cameras = _part(arrays, "cameras")
+        known = LabelledCovariance(tuple(map(str, cameras["parameters"])), cameras["covariance"]) if cameras else None
+        return RigUncertainty(calibration, chain, ChainState(**state), arrays["covariance"], known, arrays.get("by_cameras"))
     except (OSError, ValueError, KeyError, TypeError, EOFError, BadZipFile) as error:
         raise StorageError(f"{path} cannot be read: {error}.", "Calibrate again, or delete this file to go on without it.") from error
 

@@ -16,12 +16,14 @@ from measureapp.arrays import FloatArray, IntArray, read_only
 from measureapp.data.cloud import PointCloud, StitchedCloud
 from measureapp.data.length_unit import LengthUnit
 from measureapp.data.mesh import Mesh
+from measureapp.data.view_errors import ViewErrors
 from measureapp.errors import InputError
 from measureapp.project.atomic import replacing
 from measureapp.project.geometry.mesh_files import read_obj, read_stl, write_stl
 from measureapp.project.geometry.ply import Ply, Ragged, read_ply, write_ply
 from measureapp.project.geometry.point_files import read_pcd, read_table
 from measureapp.project.geometry.step_files import STEP_KINDS, read_step
+from measureapp.project.geometry.view_errors import error_elements, errors_from
 
 LARGEST_FILE_BYTES = 8 * 2**30
 LARGEST_MM = 1e7  # beyond ten kilometres a coordinate is garbage
@@ -45,6 +47,8 @@ class PlainPoints:
     frame: str = ""  # as our own files say
     viewpoint_id: str = ""
     view_names: tuple[str, ...] = ()  # what `view` counts, as our own files say
+    drawn_view: IntArray | None = None  # (N,) int16, a view of each point as often as it weighs in it
+    errors: ViewErrors | None = None  # of those views, as our own files say
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "points_mm", read_only(self.points_mm, np.float64, (None, 3)))
@@ -146,7 +150,18 @@ def read_stitched(path: Path) -> StitchedCloud:
     if plain.normals is None or plain.sigma_mm is None or plain.grey is None or plain.view is None:
         raise InputError(f"{path} is not a stitched cloud written by MeasureApp.", "Read it as plain points, or stitch again.")
     frame = plain.frame or "part"
-    return StitchedCloud(plain.points_mm, plain.normals, plain.sigma_mm, plain.grey, plain.view, (), frame, view_names=plain.view_names)
+    return StitchedCloud(
+        plain.points_mm,
+        plain.normals,
+        plain.sigma_mm,
+        plain.grey,
+        plain.view,
+        (),
+        frame,
+        view_names=plain.view_names,
+        drawn_view=plain.drawn_view,
+        errors=plain.errors,
+    )
 
 
 def write_cloud(path: Path, cloud: PointCloud | StitchedCloud) -> None:
@@ -156,7 +171,8 @@ def write_cloud(path: Path, cloud: PointCloud | StitchedCloud) -> None:
         if kind == ".xyz":
             np.savetxt(temporary, np.column_stack([cloud.points_mm, cloud.normals]), "%.6g")
         elif kind == ".ply":
-            write_ply(temporary, _comments(cloud), {"vertex": _cloud_columns(cloud)})
+            errors = cloud.errors if isinstance(cloud, StitchedCloud) else None
+            write_ply(temporary, _comments(cloud), {"vertex": _cloud_columns(cloud), **error_elements(errors)})
         else:
             raise InputError(f"{path}: a cloud cannot be written as {kind or 'a file without ending'}.", "Use .ply or .xyz.")
 
@@ -228,8 +244,21 @@ def _ply_points(path: Path, ply: Ply) -> PlainPoints:
         "pixel": _stacked(ply, ("row", "col"), np.int32),
         "cameras": _single(ply, "cameras", np.uint8),
         "view": _single(ply, "view", np.int16),
+        "drawn_view": _single(ply, "drawn_view", np.int16),
     }
-    return _sound(path, points, columns, frame=_label(ply, "frame"), viewpoint_id=_label(ply, "viewpoint"), view_names=_view_names(ply))
+    frame = _label(ply, "frame")
+    errors = None if columns["view"] is None else errors_from(path, ply, frame or "part")
+    plain = _sound(path, points, columns, frame=frame, viewpoint_id=_label(ply, "viewpoint"), view_names=_view_names(ply), errors=errors)
+    _check_views(path, plain)
+    return plain
+
+
+def _check_views(path: Path, plain: PlainPoints) -> None:
+    if plain.errors is None:
+        return
+    counted = [views for views in (plain.view, plain.drawn_view) if views is not None]
+    if min(int(views.min()) for views in counted) < 0 or max(int(views.max()) for views in counted) >= len(plain.errors.poses):
+        raise InputError(f"{path} has points of views that it does not describe.", EXPORT_AGAIN)
 
 
 def _ply_xyz(path: Path, ply: Ply) -> FloatArray:
@@ -330,4 +359,5 @@ def _cloud_columns(cloud: PointCloud | StitchedCloud) -> dict[str, Any]:
     columns |= {"red": byte, "green": byte, "blue": byte}
     if isinstance(cloud, PointCloud):
         return columns | {"row": cloud.pixel[:, 0], "col": cloud.pixel[:, 1], "cameras": cloud.cameras}
-    return columns | {"view": cloud.view}
+    columns |= {"view": cloud.view}
+    return columns if cloud.drawn_view is None else columns | {"drawn_view": cloud.drawn_view}

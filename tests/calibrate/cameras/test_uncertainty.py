@@ -149,13 +149,13 @@ def test_the_scale_of_the_board_goes_into_lengths():
 
 def test_derivatives_of_triangulated_points_are_those_of_differences():
     """The readable statement: change a parameter, triangulate again."""
-    from measureapp.calibrate.cameras.uncertainty import _moved_by
+    from measureapp.calibrate.cameras.uncertainty import points_by_parameters
     from measureapp.calibrate.projection import with_intrinsics_moved
 
     head, _ = run(0)
     volume = WorkingVolume(550.0, (200.0, 150.0), 60.0, (3, 3, 2))
     points = volume_points(head, volume)
-    analytic, seeing = _moved_by(head, points, ("right.fx", "upper.x_mm"))
+    analytic, seeing = points_by_parameters(head, points, ("right.fx", "upper.x_mm"))
     assert np.all(seeing == 3)
     camera = head.cameras["right"]
     step = np.zeros(9)

@@ -11,6 +11,7 @@ from measureapp.data.inspection_program import InspectionProgram
 from measureapp.geometry.fits import fit
 from measureapp.inspection.dimensions import inspect
 from measureapp.inspection.features.cells import cell_means, greatest_noise, noise_reach, surface_keys
+from measureapp.inspection.features.found import Found
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 from measureapp.inspection.tolerances.noise_free import noise_free_heights
 from measureapp.inspection.tolerances.zone_noise import Zone, width_without_noise
@@ -178,7 +179,7 @@ def test_the_noise_of_means_is_that_of_their_points():
     part.square([0, 0, 0], [0, 0, 1], [1, 0, 0], count=20_000)
     points = part.at_its_place().points_mm
     feature = fit("plane", points)
-    cells = cell_means(points, feature, surface_keys(points, feature, 5.0), "top")
+    cells = cell_means(Found("top", feature, points_mm=points), feature, surface_keys(points, feature, 5.0))
     # 12 × 12 to 13 × 13 cells; the scatter of 140 means is known to 6 %
     assert np.std(cells.deviations_mm) == pytest.approx(cells.noise_mm, rel=0.2)
     assert cells.noise_mm == pytest.approx(NOISE_MM / np.sqrt(20_000 / 144), rel=0.1)
@@ -191,7 +192,7 @@ def test_the_slope_of_a_form_across_a_cell_is_no_noise():
     part.square([0, 0, 0], [0, 0, 1], [1, 0, 0], height=lambda u, v: amplitude * np.sin(u / length), count=20_000)
     points = part.at_its_place().points_mm
     feature = fit("plane", points)
-    cells = cell_means(points, feature, surface_keys(points, feature, 5.0), "top")
+    cells = cell_means(Found("top", feature, points_mm=points), feature, surface_keys(points, feature, 5.0))
     slope = amplitude / length * 5.0 / np.sqrt(12)  # scatter about the mean of a cell at the steepest places
     bend = amplitude / length**2 * 5.0**2 / np.sqrt(720)  # of a parabola about its straight line, where it bends most
     alone = noise_mm / np.sqrt(20_000 / 144)

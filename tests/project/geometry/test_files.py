@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import struct
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +9,9 @@ import pytest
 
 from measureapp.data.cloud import PointCloud, StitchedCloud
 from measureapp.data.mesh import Mesh
+from measureapp.data.view_errors import POWERS, CloudBends, ViewErrors
 from measureapp.errors import InputError, StorageError
+from measureapp.geometry.transform import RigidTransform
 from measureapp.project.geometry.files import (
     PlainPoints,
     read_cloud_or_mesh,
@@ -66,6 +69,37 @@ def test_a_stitched_cloud_comes_back_as_it_was_written(tmp_path: Path, view: Poi
     np.testing.assert_array_equal(back.view, cloud.view)
     with pytest.raises(InputError, match="not a view's cloud"):
         read_point_cloud(tmp_path / "s.ply")
+
+
+def errors_of(count: int, frame: str = "part") -> ViewErrors:
+    rng = np.random.default_rng(5)
+    poses = tuple(RigidTransform.from_vector(rng.normal(size=3), rng.normal(size=3), frame, "camera") for _ in range(count))
+    bends = CloudBends(np.array([1.0, 2.0, 500.0]), np.array([90.0, 80.0, 70.0]), rng.normal(size=(len(POWERS), 3, 4)))
+    return ViewErrors(poses, rng.normal(size=(count, 3)), rng.normal(size=(6 * count, 9)), rng.normal(size=(6 * count, 4)), bends)
+
+
+@pytest.mark.parametrize("calibrated", [True, False])
+def test_what_the_views_err_by_comes_back_with_the_stitched_cloud(tmp_path: Path, view: PointCloud, calibrated: bool):
+    errors = errors_of(3)
+    if not calibrated:
+        errors = replace(errors, bends=None, by_calibration=np.zeros((18, 0)))
+    number = np.arange(50) % 3
+    cloud = StitchedCloud(view.points_mm, view.normals, view.sigma_mm, view.grey, number, (), drawn_view=(number + 1) % 3, errors=errors)
+    write_cloud(tmp_path / "s.ply", cloud)
+    back = read_stitched(tmp_path / "s.ply")
+    assert back.errors is not None and back.drawn_view is not None
+    np.testing.assert_array_equal(back.drawn_view, cloud.drawn_view)
+    one, other = (each.along(cloud.points_mm, np.asarray(cloud.normals, float), number) for each in (errors, back.errors))
+    assert one.keys() == other.keys() and ("calibration" in one) is calibrated
+    for share, columns in one.items():
+        np.testing.assert_allclose(other[share], columns, atol=1e-9)
+
+
+def test_points_of_views_that_a_file_does_not_describe_are_refused(tmp_path: Path, view: PointCloud):
+    cloud = StitchedCloud(view.points_mm, view.normals, view.sigma_mm, view.grey, np.arange(50) % 3, (), errors=errors_of(2))
+    write_cloud(tmp_path / "s.ply", cloud)
+    with pytest.raises(InputError, match="points of views that it does not describe"):
+        read_points(tmp_path / "s.ply")
 
 
 def test_points_written_as_text_can_be_read(tmp_path: Path, view: PointCloud):

@@ -1,0 +1,47 @@
+"""How the errors of the cameras' calibration bend all clouds alike, while the axes that were calibrated with them follow."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.calibrate.cameras.uncertainty import points_by_parameters
+from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty, poses_by_cameras
+from measureapp.data.calibration import CameraArrayCalibration
+from measureapp.data.fringe import AxisReadback
+from measureapp.data.view_errors import POWERS, CalibrationErrors, CloudBends
+
+STEPS = 9  # of the grid along each axis
+SEEN_BY = 2
+
+
+def calibration_errors(rig: RigUncertainty, readbacks: Sequence[AxisReadback], corners_mm: FloatArray) -> CalibrationErrors | None:
+    """Return what the calibration leaves open for clouds and poses of views; None where the calibration did not keep how they hang together.
+
+    Parameters
+    ----------
+    corners_mm : (2, 3), of the box that holds the points of all clouds, in the reference camera's frame
+    """
+    moved = poses_by_cameras(rig, readbacks)
+    if rig.cameras is None or moved is None:
+        return None
+    root = rig.cameras.root
+    bends = cloud_bends(rig.calibration.cameras, rig.cameras.parameters, root, corners_mm)
+    return None if bends is None else CalibrationErrors(bends, moved @ root)
+
+
+def cloud_bends(cameras: CameraArrayCalibration, parameters: Sequence[str], root: FloatArray, corners_mm: FloatArray) -> CloudBends | None:
+    """Return the displacements of triangulated points over a box by errors ``root`` (C, K) of the parameters; None where two cameras see none of it."""
+    middle, reach = corners_mm.mean(axis=0), np.maximum(np.ptp(corners_mm, axis=0) / 2, 1.0)
+    nodes = np.cos(np.pi * (np.arange(STEPS) + 0.5) / STEPS)  # Chebyshev's, for the least greatest error between them
+    points = middle + reach * np.stack(np.meshgrid(nodes, nodes, nodes, indexing="ij"), -1).reshape(-1, 3)
+    moved, seeing = points_by_parameters(cameras, points, parameters)
+    seen = seeing >= SEEN_BY
+    if np.count_nonzero(seen) < len(POWERS):
+        return None
+    empty = CloudBends(middle, reach, np.zeros((len(POWERS), 3, 0)))
+    shifts = (moved[seen] @ root).reshape(np.count_nonzero(seen), -1)
+    coefficients = np.linalg.lstsq(empty.products(points[seen]), shifts, rcond=None)[0]
+    return CloudBends(middle, reach, coefficients.reshape(len(POWERS), 3, -1))

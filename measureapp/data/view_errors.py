@@ -1,0 +1,126 @@
+"""What the views of a stitched cloud err by, all together: where each lies, and how the cameras' calibration bends its cloud."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from measureapp.arrays import FloatArray, IntArray, read_only
+from measureapp.geometry.transform import RigidTransform
+
+POSE = 6
+DEGREE = 3
+POWERS = tuple((i, j, k) for i in range(DEGREE + 1) for j in range(DEGREE + 1 - i) for k in range(DEGREE + 1 - i - j))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CloudBends:
+    """How independent errors of the cameras' calibration, of one standard deviation each, displace the points of every cloud.
+
+    Polynomials of the place in the reference camera's frame, as lenses err smoothly.
+    """
+
+    middle_mm: FloatArray  # (3,), where the polynomials are about
+    reach_mm: FloatArray  # (3,), how far along each axis
+    coefficients_mm: FloatArray  # (B, 3, K), of the products x^i y^j z^k by `POWERS`
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "middle_mm", read_only(self.middle_mm, np.float64, (3,)))
+        object.__setattr__(self, "reach_mm", read_only(self.reach_mm, np.float64, (3,)))
+        object.__setattr__(self, "coefficients_mm", read_only(self.coefficients_mm, np.float64, (len(POWERS), 3, None)))
+
+    def products(self, points_mm: FloatArray) -> FloatArray:
+        """Return the products (N, B) of points (N, 3) in the camera's frame."""
+        x, y, z = ((points_mm - self.middle_mm) / self.reach_mm).T
+        return np.column_stack([x**i * y**j * z**k for i, j, k in POWERS])
+
+    def along(self, points_mm: FloatArray, directions: FloatArray) -> FloatArray:
+        """Return the displacements (N, K) of points (N, 3) along directions (N, 3), all in the camera's frame."""
+        products = self.products(points_mm)
+        return sum(((directions[:, axis, None] * products) @ self.coefficients_mm[:, axis] for axis in range(3)), np.zeros(()))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CalibrationErrors:
+    """Independent errors of the cameras' calibration: how they bend every cloud, and move where the axes place it."""
+
+    bends: CloudBends
+    by_axes: FloatArray  # (6V, K), motions of each camera in its own frame: shift (mm), then turn (rad)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ViewErrors:
+    """Independent errors of one standard deviation each, and what each does to all views; what moves all alike may be left out.
+
+    A motion is a shift of the view's centre (mm) and a turn about it (rad), in the frame that the poses lead to.
+    """
+
+    poses: tuple[RigidTransform, ...]  # V, the cloud's frame from the camera
+    centres_mm: FloatArray  # (V, 3)
+    by_stitching: FloatArray  # (6V, M), motions of all views
+    by_calibration: FloatArray  # (6V, K), motions by the errors of the cameras' calibration
+    bends: CloudBends | None = None  # by the same K errors; None where the calibration's errors are not known
+
+    def __post_init__(self) -> None:
+        rows = POSE * len(self.poses)
+        object.__setattr__(self, "centres_mm", read_only(self.centres_mm, np.float64, (len(self.poses), 3)))
+        object.__setattr__(self, "by_stitching", read_only(self.by_stitching, np.float64, (rows, None)))
+        object.__setattr__(self, "by_calibration", read_only(self.by_calibration, np.float64, (rows, None)))
+
+    def seen_from(self, transform: RigidTransform) -> ViewErrors:
+        """Return the same errors in ``transform.to_frame``."""
+        return replace(
+            self,
+            poses=tuple(transform @ pose for pose in self.poses),
+            centres_mm=transform.apply(self.centres_mm),
+            by_stitching=_turned(transform.rotation, self.by_stitching),
+            by_calibration=_turned(transform.rotation, self.by_calibration),
+        )
+
+    def along(self, points_mm: FloatArray, directions: FloatArray, view: IntArray) -> dict[str, FloatArray]:
+        """Return the displacements of points along directions (N, 3), by "stitching" (N, M) and, where known, by "calibration" (N, K).
+
+        Parameters
+        ----------
+        view : (N,), which view measured each point
+        """
+        stitching = np.zeros((len(points_mm), self.by_stitching.shape[1]))
+        calibration = np.zeros((len(points_mm), self.by_calibration.shape[1]))
+        for number in np.unique(view):
+            rows = np.flatnonzero(view == number)
+            arms, across = points_mm[rows] - self.centres_mm[number], directions[rows]
+            lever = np.hstack([across, np.cross(arms, across)])
+            block = slice(POSE * number, POSE * number + POSE)
+            stitching[rows] = lever @ self.by_stitching[block]
+            calibration[rows] = lever @ self.by_calibration[block]
+            if self.bends is not None:
+                back = self.poses[number].inverse()
+                calibration[rows] += self.bends.along(back.apply(points_mm[rows]), back.rotate(across))
+        return {"stitching": stitching, "calibration": calibration} if self.bends is not None else {"stitching": stitching}
+
+
+def independent(covariance: FloatArray, negligible: float = 1e-10) -> FloatArray:
+    """Return columns (P, M) whose products sum to a covariance (P, P): independent errors of one standard deviation each.
+
+    Errors below the ``negligible`` share of the largest variance, in units that make the rows comparable, are left out.
+    """
+    size = np.sqrt(np.maximum(np.diag(covariance), 0))
+    size = np.where(size > 0, size, 1.0)
+    values, vectors = np.linalg.eigh(covariance / np.outer(size, size))
+    kept = values > negligible * max(float(values[-1]), 0.0) if len(values) else np.zeros(0, bool)
+    return np.asarray(size[:, None] * vectors[:, kept] * np.sqrt(values[kept]))
+
+
+def motions_of(chosen: Sequence[int], motions: FloatArray, count: int) -> FloatArray:
+    """Return motions (6C, M) of chosen views as those of all (6 ``count``, M); the others do not move."""
+    rows = (POSE * np.asarray(chosen, int)[:, None] + np.arange(POSE)).ravel()
+    every = np.zeros((POSE * count, motions.shape[1]))
+    every[rows] = motions
+    return every
+
+
+def _turned(rotation: FloatArray, motions: FloatArray) -> FloatArray:
+    vectors = motions.reshape(len(motions) // 3, 3, motions.shape[1])
+    return np.einsum("ij,vjm->vim", rotation, vectors).reshape(motions.shape)

@@ -1,0 +1,64 @@
+"""What the views of a stitched cloud err by, as elements of its PLY file that other programs pass over."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.data.view_errors import POSE, POWERS, CloudBends, ViewErrors
+from measureapp.errors import FrameMismatch, InputError
+from measureapp.geometry.transform import RigidTransform
+from measureapp.project.geometry.ply import Ply
+
+VIEW, STITCHING, CALIBRATION, BEND, BOX = "view_pose", "stitching_error", "calibration_error", "cloud_bend", "cloud_bend_box"
+MATRIX = tuple(f"m{row}{column}" for row in range(4) for column in range(4))
+CENTRE = ("x", "y", "z")
+
+
+def error_elements(errors: ViewErrors | None) -> dict[str, dict[str, Any]]:
+    """Return the elements to be written: the views with their poses and centres, and the arrays of `ViewErrors` one number a row."""
+    if errors is None:
+        return {}
+    table = np.hstack([np.array([pose.matrix.ravel() for pose in errors.poses]), errors.centres_mm])
+    elements = {VIEW: dict(zip((*MATRIX, *CENTRE), table.T, strict=True))}
+    arrays = {STITCHING: errors.by_stitching, CALIBRATION: errors.by_calibration}
+    if errors.bends is not None:
+        arrays[BEND] = errors.bends.coefficients_mm
+        elements[BOX] = dict(zip(CENTRE, np.stack([errors.bends.middle_mm, errors.bends.reach_mm]).T, strict=True))
+    return elements | {name: {"value": array.ravel()} for name, array in arrays.items() if array.size}
+
+
+def errors_from(path: Path, ply: Ply, frame: str) -> ViewErrors | None:
+    """Return what `error_elements` gave; None where the file does not have it. Raises InputError for numbers that do not go together."""
+    if VIEW not in ply.elements:
+        return None
+    try:
+        table = _table(ply.elements[VIEW], (*MATRIX, *CENTRE))
+        rows = POSE * len(table)
+        poses = tuple(RigidTransform(row[:16].reshape(4, 4), frame, "camera") for row in table)
+        by_stitching, by_calibration = (_numbers(ply, name).reshape(rows, -1) for name in (STITCHING, CALIBRATION))
+        bends = None
+        if BEND in ply.elements:
+            middle, reach = _table(ply.elements[BOX], CENTRE)
+            bends = CloudBends(middle, reach, _numbers(ply, BEND).reshape(len(POWERS), 3, by_calibration.shape[1]))
+        made = ViewErrors(poses, table[:, 16:], by_stitching, by_calibration, bends)
+    except (KeyError, ValueError, FrameMismatch) as error:
+        raise InputError(
+            f"{path} is damaged where it says what its views err by: {error}.", "Stitch again, or copy the file again."
+        ) from error
+    if not all(np.isfinite(array).all() for array in (made.by_stitching, made.by_calibration, made.centres_mm)):
+        raise InputError(f"{path} says of its views what is not a number.", "Stitch again, or copy the file again.")
+    return made
+
+
+def _table(columns: Mapping[str, Any], names: tuple[str, ...]) -> FloatArray:
+    return np.column_stack([np.asarray(columns[name], np.float64) for name in names])
+
+
+def _numbers(ply: Ply, name: str) -> FloatArray:
+    found = ply.column(name, "value")
+    return np.empty(0) if found is None else np.asarray(found, np.float64)

@@ -1,0 +1,168 @@
+"""Dimensions are as uncertain as the views they are measured in: what is common to their features drops out, what is not adds up."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+
+from measureapp.data.dimension import Dimension
+from measureapp.data.inspection_program import InspectionProgram
+from measureapp.data.view_errors import POWERS, CloudBends, ViewErrors
+from measureapp.geometry.transform import RigidTransform
+from measureapp.inspection.dimensions import inspect
+from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.point_distance import point_distance
+
+VIEWS, DRAWS = 4, 80
+NOISE_MM, SHIFT_MM, TURN_RAD, SCALE = 0.01, 0.004, 3e-5, 3e-5
+COMMON_MM, COMMON_RAD = 0.2, 1e-3  # of all views together: no dimension shows it
+
+
+def plane(name: str, point: list[float], direction: list[float]) -> dict[str, object]:
+    return {"name": name, "shape": "plane", "point_mm": point, "direction": direction, "cut": {"band_mm": 3}}
+
+
+FEATURES = [
+    plane("right", [0, 40, 0], [0, 1, 0]),
+    plane("left", [0, -40, 0], [0, -1, 0]),
+    plane("top", [0, 0, 60], [0, 0, 1]),
+    {"name": "pin", "shape": "cylinder", "point_mm": [80, 0, 0], "direction": [0, 0, 1], "radius_mm": 15, "cut": {"band_mm": 3}},
+    {"name": "small pin", "shape": "cylinder", "point_mm": [-80, 0, 0], "direction": [0, 0, 1], "radius_mm": 4, "cut": {"band_mm": 2}},
+    {"name": "ball", "shape": "sphere", "point_mm": [0, 0, 120], "radius_mm": 20, "cut": {"band_mm": 3}},
+    {"name": "spot", "shape": "surface_point", "point_mm": [5, 40, 3], "direction": [0, 1, 0], "patch_mm": 12, "cut": {"band_mm": 3}},
+    {"name": "back", "shape": "surface_point", "point_mm": [5, -40, 3], "direction": [0, -1, 0], "patch_mm": 12, "cut": {"band_mm": 3}},
+    {"name": "middle", "shape": "midplane", "of": ["right", "left"]},
+    {"name": "foot", "shape": "intersection", "of": ["pin", "top"]},
+]
+DIMENSIONS = [
+    {"name": "width", "kind": "distance", "features": ["right", "left"], "nominal": 80},
+    {"name": "half width", "kind": "distance", "features": ["right", "middle"], "nominal": 40},
+    {"name": "corner", "kind": "angle", "features": ["right", "top"], "nominal": 90},
+    {"name": "pin diameter", "kind": "diameter", "features": ["pin"], "nominal": 30},
+    {"name": "small radius", "kind": "radius", "features": ["small pin"], "nominal": 4},
+    {"name": "pins", "kind": "distance", "features": ["pin", "small pin"], "nominal": 160},
+    {"name": "ball diameter", "kind": "diameter", "features": ["ball"], "nominal": 40},
+    {"name": "ball over top", "kind": "distance", "features": ["ball", "top"], "nominal": 60},
+    {"name": "wall", "kind": "thickness", "features": ["spot", "back"], "nominal": 80},
+    {"name": "foot to wall", "kind": "distance", "features": ["foot", "right"], "nominal": 40},
+]
+PROGRAM = InspectionProgram.model_validate({"name": "test", "alignment": "none", "features": FEATURES, "dimensions": DIMENSIONS})
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """Points without error, which view measured each, and how views and calibration err."""
+
+    exact: MeasuredPoints
+
+    def measured(self, rng: np.random.Generator) -> MeasuredPoints:
+        errors, points, view = self.exact.errors, self.exact.points_mm, self.exact.view
+        assert errors is not None and view is not None and self.exact.normals is not None
+        chosen = [rng.standard_normal(columns.shape[1]) for columns in (errors.by_stitching, errors.by_calibration)]
+        moved = np.zeros_like(points)
+        for axis, direction in enumerate(np.eye(3)):
+            along = errors.along(points, np.tile(direction, (len(points), 1)), view)
+            moved[:, axis] = along["stitching"] @ chosen[0] + along["calibration"] @ chosen[1]
+        noise = NOISE_MM * rng.standard_normal(len(points))[:, None] * np.asarray(self.exact.normals, float)
+        return replace(self.exact, points_mm=points + moved + noise)
+
+
+def surfaces(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+    u, v = rng.uniform(-25, 25, (2, 300))
+    flat = np.zeros(300)
+    turn, height = rng.uniform(0, 2 * np.pi, 300), rng.uniform(-20, 20, 300)
+    round_ = np.column_stack([np.cos(turn), np.sin(turn), flat])
+    ball = rng.standard_normal((300, 3))
+    ball /= np.linalg.norm(ball, axis=1, keepdims=True)
+    parts = [
+        (np.column_stack([u, flat + 40, v]), [0, 1, 0]),
+        (np.column_stack([u, flat - 40, v]), [0, -1, 0]),
+        (np.column_stack([u, v, flat + 60]), [0, 0, 1]),
+        (15 * round_ + np.column_stack([flat + 80, flat, height]), round_),
+        (4 * round_ + np.column_stack([flat - 80, flat, height]), round_),
+        (20 * ball + [0, 0, 120], ball),
+    ]
+    return np.vstack([points for points, _ in parts]), np.vstack([np.broadcast_to(normal, (300, 3)) for _, normal in parts])
+
+
+def errors_of(rng: np.random.Generator, own: float = 1.0) -> ViewErrors:
+    poses = tuple(RigidTransform.from_vector(rng.normal(size=3), rng.normal(0, 400, 3), "part", "camera") for _ in range(VIEWS))
+    centres = rng.uniform(-40, 40, (VIEWS, 3))
+    common = np.zeros((6 * VIEWS, 6))
+    for number, centre in enumerate(centres):
+        block = common[6 * number : 6 * number + 6]
+        block[:3, :3], block[3:, 3:] = COMMON_MM * np.eye(3), COMMON_RAD * np.eye(3)
+        block[:3, 3:] = COMMON_RAD * np.cross(np.eye(3), centre).T  # about the origin
+    rows = rng.normal(size=(6 * VIEWS, 6 * VIEWS))  # correlated among views
+    sizes = own * np.tile([SHIFT_MM] * 3 + [TURN_RAD] * 3, VIEWS)
+    mixed = sizes[:, None] * rows / np.linalg.norm(rows, axis=1, keepdims=True)
+    grown = np.zeros((len(POWERS), 3, 1))
+    for axis, power in enumerate(((1, 0, 0), (0, 1, 0), (0, 0, 1))):
+        grown[POWERS.index(power), axis, 0] = SCALE * own * 100.0
+    held = np.zeros((6 * VIEWS, 1))  # the poses follow the scale so that the middle of the part stays in its place
+    for number, pose in enumerate(poses):
+        held[6 * number : 6 * number + 3, 0] = SCALE * own * pose.translation_mm
+    return ViewErrors(poses, centres, np.hstack([common, mixed]), held, CloudBends(np.zeros(3), np.full(3, 100.0), grown))
+
+
+def drawn(own: float = 1.0) -> Drawn:
+    rng = np.random.default_rng(8)
+    points, normals = surfaces(rng)
+    faced = np.arctan2(normals[:, 1], normals[:, 0]) / (2 * np.pi) * VIEWS
+    view = np.floor(faced + np.arange(len(points)) % 2 + 0.5).astype(int) % VIEWS  # two views see each place
+    return Drawn(MeasuredPoints(points, normals, np.full(len(points), NOISE_MM), view, errors_of(rng, own)))
+
+
+def inspected(points: MeasuredPoints) -> tuple[Dimension, ...]:
+    return inspect(points, PROGRAM).dimensions
+
+
+def test_intervals_hold_the_truth_in_95_of_100_cases_when_views_and_calibration_err_as_they_say() -> None:
+    made, scores = drawn(), []
+    for seed in range(DRAWS):
+        found = inspected(made.measured(np.random.default_rng(seed)))
+        scores.append([2 * (one.error or 0.0) / (one.uncertainty or np.nan) for one in found])
+    scores = np.array(scores)
+    # dimensions of one draw share errors: as if each draw counted three times, three standard deviations of a share of 95.4 %
+    within, spread = np.mean(np.abs(scores) <= 2), 3 * np.sqrt(0.954 * 0.046 / (3 * DRAWS))
+    assert abs(within - 0.954) < spread
+    worst = np.abs(np.sqrt(np.mean(scores**2, axis=0)) - 1).max()  # of a single kind, over DRAWS independent draws
+    assert worst < 4 / np.sqrt(2 * DRAWS)
+
+
+def test_a_motion_of_all_views_together_adds_nothing() -> None:
+    for one in inspected(drawn(own=1e-6).exact):
+        assert one.uncertainty is not None and one.uncertainty < 1e-3, one.name  # of 0.2 mm and 1e-3 rad
+
+
+def test_shares_add_up_and_are_told() -> None:
+    found = {one.name: one for one in inspected(drawn().measured(np.random.default_rng(1)))}
+    for one in found.values():
+        assert set(one.budget) == {"noise", "stitching", "calibration"}
+        assert np.linalg.norm(list(one.budget.values())) == pytest.approx(one.uncertainty)
+        assert "U from " in one.origin and "assumed" not in one.origin
+    assert found["width"].budget["calibration"] == pytest.approx(2 * SCALE * 80, rel=1e-3)
+    assert found["corner"].budget["calibration"] < 1e-6  # a scale turns nothing
+
+
+def test_where_nothing_is_known_of_the_views_the_result_says_what_was_assumed() -> None:
+    plain = replace(drawn().exact, errors=None)
+    width = inspected(plain)[0]
+    assert "assumed: a view lies within ± 0.01 mm (k = 1)" in width.origin and "assumed of the calibration" in width.origin
+    halves = replace(plain, errors=replace(errors_of(np.random.default_rng(8)), bends=None, by_calibration=np.zeros((6 * VIEWS, 0))))
+    width = inspected(halves)[0]
+    assert "a view lies" not in width.origin and "assumed of the calibration" in width.origin
+
+
+def test_two_clicked_points_stand_off_as_their_views_do() -> None:
+    errors = errors_of(np.random.default_rng(8))
+    places = np.array([[0.0, 40.0, 0.0], [0.0, -40.0, 0.0]])
+    along = np.tile([0.0, -1.0, 0.0], (2, 1))
+    for views in ((0, 0), (0, 2)):
+        gaps = [columns[1] - columns[0] for columns in errors.along(places, along, np.array(views)).values()]
+        length, uncertainty = point_distance(places, (0.0, 0.0), views[0] == views[1], views=views, errors=errors)
+        assert length == 80.0 and uncertainty == pytest.approx(2 * np.linalg.norm(np.hstack(gaps)))
+    within = point_distance(places, (0.0, 0.0), True, views=(0, 0), errors=errors)[1]
+    assert within == pytest.approx(2 * SCALE * 80)  # one view alone errs by the scale only
