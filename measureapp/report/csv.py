@@ -38,7 +38,8 @@ def csv_text(model: ReportModel) -> str:
         document = dimension_document(dimension)
         document["lower_tolerance"], document["upper_tolerance"] = document.pop("tolerance")
         document["datums"] = "|".join(document["datums"])
-        writer.writerow({key: round(value, DIGITS) if isinstance(value, float) else value for key, value in document.items()})
+        cells = {key: document[key] for key in COLUMNS}
+        writer.writerow({key: round(value, DIGITS) if isinstance(value, float) else value for key, value in cells.items()})
     return text.getvalue()
 
 

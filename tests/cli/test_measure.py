@@ -44,7 +44,7 @@ def test_a_dimension_out_of_tolerance_ends_with_1(clouds, capsys) -> None:
 def test_a_cloud_in_metres_is_bad_input_and_the_unit_is_named(clouds, capsys) -> None:
     assert main(["measure", str(clouds["metres"]), str(PROGRAM), "--json"]) == 2
     error = json.loads(capsys.readouterr().out)["error"]
-    assert error["type"] == "InspectionError" and "metres" in error["message"] and error["hint"]
+    assert error["type"] == "UnitQuestion" and "metres" in error["message"] and error["hint"]
 
 
 @pytest.mark.parametrize("how", ["best-fit", "none"])

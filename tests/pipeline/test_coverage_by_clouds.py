@@ -17,7 +17,7 @@ from measureapp.resources import resource
 from tests.pipeline.scanned_clouds import placed_in_drawing, scanned_part
 
 RIGS = range(1, 41)
-STEP_MM, COARSE_MM, NOISE_MM = 1.1, 2.0, 0.02
+STEP_MM, NOISE_MM = 1.1, 0.02
 STATED = 0.954  # k = 2
 ROBOT_U_MM = 0.055  # what every length was stated within when each feature stood off by the robot's repeatability
 SPOTS = [
@@ -63,7 +63,7 @@ def share_and_spread(scores: FloatArray) -> tuple[float, float]:
 
 
 def test_dimensions_of_one_rig_lie_within_three_standard_uncertainties() -> None:
-    found = dimensions(3, scanned_part(3, "gypsum", step_mm=COARSE_MM, noise_mm=NOISE_MM).stitched, gypsum())
+    found = dimensions(3, scanned_part(3, "gypsum", step_mm=STEP_MM, noise_mm=NOISE_MM).stitched, gypsum())
     assert np.abs(scores_of(found)).max() < 3
     for one in found[:4]:
         assert one.uncertainty is not None and one.uncertainty < ROBOT_U_MM / 2

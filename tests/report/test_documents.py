@@ -43,7 +43,8 @@ def test_pdf_csv_and_json_say_the_same_of_every_dimension(measured) -> None:
 def test_the_json_form_of_a_dimension_is_the_one_of_the_command_line(measured) -> None:
     first = dimension_document(measured().inspection.dimensions[0])
     assert set(first) == {
-        "name", "nominal", "measured", "error", "relative_error", "uncertainty", "tolerance", "unit", "verdict", "reason", "kind", "datums", "origin",
+        "name", "nominal", "measured", "error", "relative_error", "uncertainty", "uncertainty_budget", "tolerance", "unit", "verdict", "reason",
+        "kind", "datums", "origin",
     }  # fmt: skip
     assert first["relative_error"] == pytest.approx(0.0123456789 / 80)
     assert first["tolerance"] == [-0.1, 0.1]

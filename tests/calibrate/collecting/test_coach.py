@@ -187,7 +187,7 @@ def turned_views(shown, session, single, board, angles_deg, generator, read=True
 def test_a_short_sweep_asks_for_positions_beyond_its_end(shown, tmp_path, single, board, generator):
     session = Collection.create(tmp_path / "session", Setup("axis", board, ("left",), cameras=single))
     turned_views(shown, session, single, board, (-30, -15, 0, 30, 60), generator)
-    assert "Turn the table further: two more positions beyond -30°" in asked(session)
+    assert "Turn the table further: two more positions beyond −30°" in asked(session)
     session.solve()
     ghost = coach(session).ghost
     assert np.rad2deg(ghost.table_rad) < -30  # the end that has room
