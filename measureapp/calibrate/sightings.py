@@ -70,6 +70,7 @@ class Sighting:
     corners_px: FloatArray  # (N, 2)
     ids: IntArray | None = None  # (N,) rising, indices into ``board.corners_mm``; None: all of them
     sigma_px: FloatArray | None = None  # (N,) standard deviation of one coordinate, where it was estimated
+    edge_px: float = 0.0  # how wide edges are in the image, 10 to 90 %; 0 where not known
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "corners_px", read_only(self.corners_px, np.float64, (None, 2)))
@@ -87,7 +88,7 @@ class Sighting:
 
 def sighting_of(camera: str, view: str, found: FoundBoard) -> Sighting:
     """Return what was found in an image as the sighting of a camera."""
-    return Sighting(camera, view, found.corners_px, found.ids, found.sigma_px)
+    return Sighting(camera, view, found.corners_px, found.ids, found.sigma_px, found.edge_px)
 
 
 def spreads(sightings: Sequence[Sighting]) -> list[FloatArray | None]:

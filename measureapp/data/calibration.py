@@ -42,6 +42,7 @@ class CameraCalibration:
     rms_px: float = 0.0
     serial: str = ""
     lens: LensSetting = field(default_factory=LensSetting)  # as it was set, where the camera tells
+    blur_px: float = 0.0  # standard deviation of the blur of its images, by the edges of the board; 0 where not known
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -11,6 +11,7 @@ from measureapp.data.calibration import CameraArrayCalibration, CameraCalibratio
 from measureapp.data.cloud import PROJECTOR_BIT, PointCloud
 from measureapp.data.phase import PhaseMap
 from measureapp.errors import ReconstructError
+from measureapp.reconstruct.blur import without_blur
 from measureapp.reconstruct.clean import CleanDepth, Partner, clean
 from measureapp.reconstruct.projector_depth import ProjectorDepth, triangulate_with_projector
 from measureapp.reconstruct.rectifier import Rectifier
@@ -58,8 +59,9 @@ class LitCamera:
                 f"Camera {name!r} is not in the calibration, which knows {', '.join(cameras.names)}.",
                 "Use the calibration of the cameras that took the images.",
             )
-        rays = (rectifier or Rectifier(cameras)).rays(name)
-        return cls(phase_map, cameras.cameras[name], cameras.projector, cameras.names.index(name), rays, settings or ReconstructSettings())
+        rays, settings = (rectifier or Rectifier(cameras)).rays(name), settings or ReconstructSettings()
+        sharp = without_blur({name: phase_map}, cameras, settings.max_phase_step_rad)[name]
+        return cls(sharp, cameras.cameras[name], cameras.projector, cameras.names.index(name), rays, settings)
 
     def triangulated(self) -> ProjectorDepth:
         """Measure every pixel, see `triangulate_with_projector`. Raises ReconstructError for images of another size."""

@@ -18,6 +18,7 @@ from measureapp.errors import ReconstructError
 from measureapp.map_memory import MapMemory
 from measureapp.progress import NoProgress, Progress
 from measureapp.reconstruct import kernels
+from measureapp.reconstruct.blur import without_blur
 from measureapp.reconstruct.clean import DepthGrid, Lens, PointArrays, cleaned, gather, rejections
 from measureapp.reconstruct.coverage import check_across, keep_new
 from measureapp.reconstruct.figures import PairFigures, pair_figures
@@ -71,6 +72,7 @@ def reconstruct(
     rectifier = rectifier or Rectifier(cameras)
     memory = memory or MapMemory()
     names = _usable_names(phase_maps, cameras)
+    phase_maps = without_blur(phase_maps, cameras, settings.max_phase_step_rad, memory)
     if settings.grid == "rectified" or (settings.grid == "auto" and len(names) == 2):
         return _on_rectified_grid(names, phase_maps, rectifier, settings, progress, memory)
     return _reconstruct(names, phase_maps, rectifier, settings, progress, memory)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import cv2
 import numpy as np
 
@@ -24,6 +26,7 @@ WIDEST_EDGE_SHARE = 0.10  # of the distance of marks, where that allows more
 WORST_SIGMA_PX = 0.5
 WORST_FIT_SHARE = 0.25  # a mark may leave the homography of all by this share of the distance of marks; lenses distort by less
 STEP_PX = 0.25
+BETWEEN_PIXELS = 1 / 6  # px², of bilinear interpolation, on average over where between the pixels
 GAUSSIAN_RISE = 2.563  # from 10 to 90 % of an edge, over the standard deviation of its blur
 STRIPS, STRIP_SHARE = 12, 4
 TELLING_SHARE = 0.15  # of a board's marks: fewer in a grid may be anything
@@ -209,8 +212,18 @@ def _profile_width(profiles: FloatArray) -> float:
     end = max(1, len(profile) // 10)
     low, high = profile[:end].mean(), profile[-end:].mean()
     rise = np.maximum.accumulate((profile - low) / max(high - low, 1e-9))
-    start, stop = np.searchsorted(rise, [0.1, 0.9])
+    start, stop = np.interp([0.1, 0.9], rise, np.arange(len(rise)))
     return float((stop - start) * STEP_PX)
+
+
+def blur_px(edges_px: Sequence[float]) -> float:
+    """Return the standard deviation of the blur of a camera's images by how wide edges are in them; 0 where none is known.
+
+    Edges are read between pixels, which widens them as a blur of a sixth of a px² does.
+    """
+    known = [edge for edge in edges_px if edge > 0]
+    variance = (float(np.median(known)) / GAUSSIAN_RISE) ** 2 - BETWEEN_PIXELS if known else 0.0
+    return float(np.sqrt(max(variance, 0.0)))
 
 
 def nothing_sharp(grey: ImageArray) -> bool:

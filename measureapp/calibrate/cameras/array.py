@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 
@@ -10,6 +10,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.boards.find import require_unambiguous
+from measureapp.calibrate.boards.quality import blur_px
 from measureapp.calibrate.cameras.bundle import Bundle, BundleState, Sight, adjust
 from measureapp.calibrate.cameras.camera import FIXED_COEFFICIENTS, LEAST_VIEWS, calibrate_camera, with_known_lens
 from measureapp.calibrate.cameras.cleaning import Cleaned, CornerRejection, Names, cleaned, compacted
@@ -107,7 +108,8 @@ def solve(problem: CameraArrayProblem, progress: Progress | None = None, before:
     else:  # the last round's finds are left out as well, so the solution must not contain them
         minimum, bundle = adjust(problem.board, sights, start, free_bow=free_bow, known_cameras=known, progress=progress)
     progress.report(1, 1)
-    return _solution(bundle, minimum, names, rejected, corners, checks, problem.known)
+    edges = {name: [one.edge_px for one in sightings if one.camera == name] for name in names[0]}
+    return _solution(bundle, minimum, names, rejected, corners, checks, problem.known, edges)
 
 
 def _still_used(corners: list[CornerRejection], found: Cleaned) -> list[CornerRejection]:
@@ -192,6 +194,7 @@ def _solution(
     corners: list[CornerRejection],
     checks: tuple[LoopCheck, ...],
     known: CameraArrayCalibration | None,
+    edges_px: Mapping[str, Sequence[float]],
 ) -> CameraArraySolution:
     state, (cameras, views) = minimum.state, names
     variance = bundle.variance(state)
@@ -215,7 +218,7 @@ def _solution(
         mine = {key.removeprefix(f"{name}."): float(value) for key, value in deviations.items() if key.startswith(f"{name}.")}
         _check_lens(name, state, index, mine)
         place = RigidTransform(orthonormalised(state.reference_from_camera[index]), "camera", name)
-        calibrations[name] = CameraCalibration(name, state.pinholes[index], place, mine, rms(own))
+        calibrations[name] = CameraCalibration(name, state.pinholes[index], place, mine, rms(own), blur_px=blur_px(edges_px[name]))
     own_rows = [index for index, label in enumerate(labels) if label not in BOW_NAMES]
     left_uncertain = LabelledCovariance(tuple(labels[index] for index in own_rows), covariance[np.ix_(own_rows, own_rows)])
     if known is None:

@@ -24,7 +24,7 @@ FILE_FIELDS = {"schema_version", "reference", "cameras", "pair_rms_px", "provena
 FILE_FIELDS_SINCE_2 = {"covariance"}
 COVARIANCE_FIELDS = {"parameters", "matrix"}
 LENS_FIELDS = ("width", "height", "matrix", "distortion")
-CAMERA_FIELDS = {*LENS_FIELDS, "reference_from_camera", "standard_deviations", "rms_px", "serial", "focus_mm", "f_number"}
+CAMERA_FIELDS = {*LENS_FIELDS, "reference_from_camera", "standard_deviations", "rms_px", "serial", "focus_mm", "f_number", "blur_px"}
 PROJECTOR_FIELDS = {*LENS_FIELDS, "reference_from_projector", "name", "standard_deviations", "rms_px", "provenance"}
 PROVENANCE_FIELDS = {"created", "method", "inputs", "temperature_c", "valid_days", "arguments", "folder"}
 
@@ -108,6 +108,7 @@ def _camera_document(camera: CameraCalibration) -> dict[str, Any]:
         "rms_px": float(camera.rms_px),
         "serial": camera.serial,
         **{name: float(value) for name, value in settings.items() if value is not None},
+        **({"blur_px": float(camera.blur_px)} if camera.blur_px else {}),
     }
 
 
@@ -175,9 +176,10 @@ def _camera(name: str, entry: Any, reference: str, source: str) -> CameraCalibra
     transform = _transform(pose, name, source, f"{place}.reference_from_camera")
     deviations = _numbers(entry.get("standard_deviations", {}), source, f"{place}.standard_deviations")
     rms_px = _numbers({"rms_px": entry.get("rms_px", 0.0)}, source, place)["rms_px"]
+    blur_px = _numbers({"blur_px": entry.get("blur_px", 0.0)}, source, place)["blur_px"]
     settings = {setting: entry[setting] for setting in ("focus_mm", "f_number") if entry.get(setting) is not None}
     lens = LensSetting(**_numbers(settings, source, place))
-    return CameraCalibration(name, pinhole, transform, deviations, rms_px, str(entry.get("serial", "")), lens)
+    return CameraCalibration(name, pinhole, transform, deviations, rms_px, str(entry.get("serial", "")), lens, blur_px)
 
 
 def _projector(entry: Any, source: str) -> ProjectorCalibration:

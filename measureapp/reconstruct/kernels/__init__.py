@@ -5,6 +5,7 @@ from __future__ import annotations
 from measureapp.reconstruct.kernels.across import check_across
 from measureapp.reconstruct.kernels.band import match_and_fuse
 from measureapp.reconstruct.kernels.binning import LEAST_SINE, LINES_PER_CELL, fill_table, rectified_lines, spread_table
+from measureapp.reconstruct.kernels.blur import take_blur
 from measureapp.reconstruct.kernels.both import fuse_both
 from measureapp.reconstruct.kernels.cleaning import CHUNK, invert, judge
 from measureapp.reconstruct.kernels.covered import mark_covered
@@ -42,4 +43,5 @@ __all__ = [
     "resample",
     "slopes",
     "spread_table",
+    "take_blur",
 ]
