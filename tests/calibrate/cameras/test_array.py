@@ -10,6 +10,7 @@ import pytest
 from recorded import recorded
 
 from measureapp.calibrate.boards.find import detect
+from measureapp.calibrate.boards.quality import blur_px
 from measureapp.calibrate.cameras.array import CameraArrayProblem, left_from_right, solve
 from measureapp.calibrate.cameras.draft import CameraArrayDraft
 from measureapp.calibrate.sightings import Sighting
@@ -86,11 +87,13 @@ def test_a_camera_need_not_see_all_views(head, board, simulate, generator):
 
 
 def test_a_single_camera_can_be_calibrated(head, board, simulate, generator):
-    sightings = tuple(one for one in simulate.sightings(head, board, 10, 0.1, generator) if one.camera == "left")
+    seen = (one for one in simulate.sightings(head, board, 10, 0.1, generator) if one.camera == "left")
+    sightings = tuple(replace(one, edge_px=2.1) for one in seen)
     solution = solve(problem_of(board, sightings, ("left",)))
     own = [value for name, value in errors_over_sigma(solution, head).items() if name.startswith("left.")]
     assert max(map(abs, own)) < 4.5
     assert solution.calibration.pair_rms_px == {}
+    assert solution.calibration.cameras["left"].blur_px == blur_px([2.1])
 
 
 def test_a_view_whose_board_moved_between_cameras_is_left_out_with_its_reason(head, board, simulate, generator):

@@ -26,7 +26,7 @@ def calibration() -> CameraArrayCalibration:
     return CameraArrayCalibration(
         "left",
         {
-            "left": CameraCalibration("left", lens, RigidTransform.identity("camera", "left"), {"fx": 0.25}, 0.125, "SN1"),
+            "left": CameraCalibration("left", lens, RigidTransform.identity("camera", "left"), {"fx": 0.25}, 0.125, "SN1", blur_px=0.75),
             "right": CameraCalibration("right", lens, right),
         },
         {"left-right": 0.19},

@@ -1,0 +1,80 @@
+"""Blur shifts the phase where the light changes across the image; what is known of it is taken back."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import cv2
+import numpy as np
+import pytest
+
+from measureapp.arrays import FloatArray
+from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
+from measureapp.data.phase import PhaseMap, PixelState
+from measureapp.geometry.pinhole import PinholeCamera
+from measureapp.geometry.transform import RigidTransform
+from measureapp.reconstruct.blur import without_blur
+
+HEIGHT, WIDTH, BLUR_PX, STEP_RAD = 60, 80, 0.8, 3.0
+ROWS, COLUMNS = np.mgrid[:HEIGHT, :WIDTH].astype(float)
+PHASE = 20.0 + 0.5 * COLUMNS + 0.2 * ROWS
+INNER = (slice(6, -6), slice(6, -6))
+
+
+def camera(blur_px: float) -> CameraArrayCalibration:
+    lens = PinholeCamera(WIDTH, HEIGHT, np.array([[90.0, 0, 40], [0, 90, 30], [0, 0, 1]]), np.zeros(5))
+    return CameraArrayCalibration("one", {"one": CameraCalibration("one", lens, RigidTransform.identity("camera", "one"), blur_px=blur_px)})
+
+
+def seen(light: FloatArray) -> PhaseMap:
+    """What a blurred camera decodes: fringes of any direction add up like their complex amplitudes."""
+    amplitude = light * np.exp(1j * PHASE)
+    blurred = cv2.GaussianBlur(amplitude.real, (0, 0), BLUR_PX) + 1j * cv2.GaussianBlur(amplitude.imag, (0, 0), BLUR_PX)
+    phase = PHASE + np.angle(blurred * np.exp(-1j * PHASE))
+    grey = np.rint(cv2.GaussianBlur(light, (0, 0), BLUR_PX)).astype(np.uint16)
+    same = np.full(PHASE.shape, 0.01, np.float32)
+    nothing = np.zeros(PHASE.shape, np.uint8)
+    return PhaseMap("one", "v", phase.astype(np.float32), same, grey, grey, nothing, nothing.astype(np.int8), 16.0, 1024)
+
+
+@pytest.mark.parametrize(
+    ("light", "left"),
+    [
+        (2000 * np.exp(0.02 * COLUMNS), 0.02),  # of the shift: what is blurred by the fringes' own slope is of the second order
+        (2000 * np.exp(-0.03 * ROWS), 0.02),
+        (2000 * np.exp(0.02 * COLUMNS - 0.02 * ROWS), 0.02),
+        (3000 * (1 + 0.5 * np.tanh((COLUMNS - 40) / 4)), 0.25),  # a printed edge 8 px wide, of which slopes over 4 px lose a part
+    ],
+)
+def test_the_shift_by_changing_light_is_taken_back(light: FloatArray, left: float) -> None:
+    phase_map = seen(light)
+    before = np.abs(phase_map.phase_rad - PHASE)[INNER].max()
+    after = np.abs(without_blur({"one": phase_map}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad - PHASE)[INNER].max()
+    assert before > 0.003
+    assert after < left * before + 1e-4  # grey levels are whole numbers
+
+
+def test_evenly_lit_fringes_a_sharp_camera_and_one_of_unknown_blur_change_nothing() -> None:
+    even, steep = seen(np.full(PHASE.shape, 2000.0)), seen(2000 * np.exp(0.02 * COLUMNS))
+    np.testing.assert_allclose(without_blur({"one": even}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad, even.phase_rad, atol=2e-6)
+    assert without_blur({"one": steep}, camera(0.0), STEP_RAD)["one"] is steep
+    assert without_blur({"other": steep}, camera(BLUR_PX), STEP_RAD)["other"] is steep
+
+
+def test_pixels_without_a_phase_stay_so_and_do_not_reach_their_neighbours() -> None:
+    steep = seen(2000 * np.exp(0.02 * COLUMNS))
+    state, phase = np.array(steep.state), np.array(steep.phase_rad)
+    state[30, 40], phase[30, 40] = PixelState.SHADOW, 0.0
+    made = without_blur({"one": replace(steep, state=state, phase_rad=phase)}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad
+    assert made[30, 40] == 0.0
+    whole = without_blur({"one": steep}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad
+    touched = np.argwhere(np.abs(made - whole) > 1e-6)
+    assert {(int(y), int(x)) for y, x in touched} <= {(30, 40), (30, 38), (30, 42), (28, 40), (32, 40)}
+    np.testing.assert_allclose(made[30, [38, 42]], steep.phase_rad[30, [38, 42]], atol=1e-5)  # light changes along rows alone
+
+
+def test_horizontal_fringes_of_the_same_images_follow() -> None:
+    steep = seen(2000 * np.exp(0.02 * COLUMNS))
+    made = without_blur({"one": replace(steep, across=replace(steep, direction="horizontal"))}, camera(BLUR_PX), STEP_RAD)["one"]
+    assert made.across is not None
+    np.testing.assert_array_equal(made.across.phase_rad, made.phase_rad)
