@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import Alignment
 
 DIGITS = {"mm": 3, "deg": 3, "°": 3}
+SHARE_DIGITS = 4  # so that what a small share adds is seen
 OTHERS = "Other features"
 DATUM_LETTERS = "ABC"
 
@@ -143,6 +144,9 @@ def dimension_properties(dimension: Dimension, features: Sequence[Feature], alig
     )
     taken = tuple(("", sentence(part)) for part in dimension.origin.split("; ") if part and not part.startswith("datums "))
     groups = [values]
+    if dimension.shares:
+        rows = tuple((sentence_case(name), quantity(size, unit, SHARE_DIGITS)) for name, size in dimension.shares)
+        groups.append(Group("Shares of the uncertainty (k = 2)", rows))
     if taken:
         groups.append(Group("Where the value comes from", taken))
     groups += [feature_group(feature) for feature in features]
