@@ -10,6 +10,7 @@ from measureapp.data.dimension import Dimension, Verdict
 
 MINUS = "−"
 NONE = "–"
+TOGETHER = "\u00a0"  # a space at which no line ends
 DATUM_LETTERS = "ABC"
 SHARE_DIGITS = 4  # so that what a small share adds is seen
 SIGNS: dict[Verdict, str] = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdict.NOT_MEASURED: "–"}
@@ -71,11 +72,11 @@ def datums(names: Sequence[str]) -> str:
 def shares(dimension: Dimension) -> str:
     """Return where an uncertainty comes from: the largest share first, each k = 2.
 
-    >>> shares(Dimension("a", 10, 10, 0.05, -0.1, 0.1, Verdict.PASS, budget={"noise": 0.03, "stitching": 0.04}))
+    >>> shares(Dimension("a", 10, 10, 0.05, -0.1, 0.1, Verdict.PASS, budget={"noise": 0.03, "stitching": 0.04})).replace(TOGETHER, " ")
     'stitching 0.0400, noise 0.0300 mm'
     """
-    named = ", ".join(f"{name} {number(size, SHARE_DIGITS)}" for name, size in dimension.shares)
-    return f"{named}{'' if dimension.unit == '°' else ' '}{dimension.unit}" if named else NONE
+    named = ", ".join(f"{name}{TOGETHER}{number(size, SHARE_DIGITS)}" for name, size in dimension.shares)
+    return f"{named}{'' if dimension.unit == '°' else TOGETHER}{dimension.unit}" if named else NONE
 
 
 def setting(value: Any) -> str:

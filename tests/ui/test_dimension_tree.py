@@ -101,7 +101,7 @@ def test_the_page_prints_the_rule_and_tells_what_was_filled_without_points(appli
     application.session.set_measurement(measurement, {})
     window.show_page("inspection")
     qtbot.waitUntil(lambda: not page.is_composing, timeout=10_000)
-    assert "ISO 14253-1" in page.rule.text() and "k = 2" in page.rule.text()
+    assert "ISO 14253-1" in page.side.rule.text() and "k = 2" in page.side.rule.text()
     share = filled_share(measurement.mesh)
     assert 0.0 < share < 0.2
     assert page.filled.isVisible() and f"{100 * share:.1f}" in page.filled.words.text()
@@ -114,6 +114,6 @@ def test_a_feature_below_a_dimension_shows_its_fit(application, window, measurem
     page = window.pages["inspection"]
     application.session.set_measurement(measurement, {})
     window.show_page("inspection")
-    page.table.select(0, 1)
+    page.side.table.select(0, 1)
     assert page.properties.title == "Equator"
     assert page.view._labels == ()
