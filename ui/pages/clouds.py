@@ -81,6 +81,7 @@ class CloudsPage(ViewportPage):
         controllers.view_choices.undoChanged.connect(self._show_undo)
         self._extent_of: StitchedCloud | None = None  # whose extent the filters begin with
         self._seen_filtered: StitchedCloud | None = None
+        self._seen_stitched = False
         self._point: Label | None = None  # of the point that was clicked last
         tools = self._tools(look)
         middle = row(card(self.view, self.filters, margin=1, spacing=4), self.table, spacing=16)
@@ -176,7 +177,7 @@ class CloudsPage(ViewportPage):
             self.colour_by.setValue("view")
         if stitched is None and self.stage.value() != "before":
             self.stage.setValue("before")
-        elif stitched is not None and self.stage.value() == "before" and not self._was_stitched():
+        elif stitched is not None and self.stage.value() == "before" and not self._seen_stitched:
             self.stage.setValue("merged")
         self._seen_stitched = stitched is not None
         total = sum(len(view.cloud) for view in views)
@@ -188,9 +189,6 @@ class CloudsPage(ViewportPage):
         self.table.show_views(views, self.placements())
         self._select(max(0, self.table.currentIndex().row()))
         self.redraw()
-
-    def _was_stitched(self) -> bool:
-        return getattr(self, "_seen_stitched", False)
 
     def _select(self, place: int) -> None:
         if 0 <= place < len(self.session.views):
