@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+SHARES = ("noise", "stitching", "calibration")  # that make up the uncertainty of a dimension
+
 
 class Verdict(StrEnum):
     """Outcome of a comparison with a tolerance by ISO 14253-1."""
@@ -33,14 +35,17 @@ class Dimension:
     kind: str = ""  # "distance", "flatness", …
     datums: tuple[str, ...] = ()  # A, B, C
     origin: str = ""  # where the value came from: points, filter, criterion, datums, and what was assumed for its uncertainty
-    budget: Mapping[str, float] = field(
-        default_factory=dict
-    )  # shares of `uncertainty`, k = 2: "noise", "stitching", "calibration"; their squares add up
+    budget: Mapping[str, float] = field(default_factory=dict)  # the `SHARES` of `uncertainty`, k = 2; their squares add up
 
     @property
     def error(self) -> float | None:
         """Measured minus nominal."""
         return None if self.measured is None else self.measured - self.nominal
+
+    @property
+    def shares(self) -> list[tuple[str, float]]:
+        """The shares of the uncertainty (k = 2) that are not zero, the largest first."""
+        return sorted(((name, size) for name, size in self.budget.items() if size > 0), key=lambda share: -share[1])
 
     @property
     def relative_error(self) -> float | None:

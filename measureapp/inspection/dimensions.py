@@ -101,7 +101,7 @@ def _dimension(described: DimensionProgram, found: dict[str, Found], settings: I
     lower, upper = (-np.inf if described.kind in ZONES else described.lower_tolerance), described.upper_tolerance + value.bonus
     # no zone is too narrow
     verdict = judge(value.value - described.nominal, uncertainty, lower, upper, settings.verdict_rule)
-    how = "; ".join(filter(None, (value.how, _budget_words(budget, described.unit), *assumptions)))
+    how = "; ".join(filter(None, (value.how, *assumptions)))
     made = _stated(described, found, value.value, uncertainty, verdict, "", how, value.bonus)
     return replace(made, budget={share: COVERAGE_FACTOR * sigma for share, sigma in budget.items()})
 
@@ -120,12 +120,6 @@ def _combined(described: DimensionProgram, found: dict[str, Found], settings: In
         return together or Value(float(numbers.mean()), _of_mean([v.budget for v in values]), values[0].how)
     left = numbers - np.array([v.bonus for v in values])
     return values[int(left.argmin() if described.statistic == "min" else left.argmax())]
-
-
-def _budget_words(budget: Budget, unit: str) -> str:
-    """Say where an expanded uncertainty comes from, the largest share first."""
-    shares = sorted(((COVERAGE_FACTOR * sigma, share) for share, sigma in budget.items() if sigma > 0), reverse=True)
-    return "U from " + ", ".join(f"{share} {size:.4f} {unit}" for size, share in shares) if shares else ""
 
 
 def _of_mean(budgets: list[Budget]) -> Budget:

@@ -6,6 +6,7 @@ import csv
 import io
 from pathlib import Path
 
+from measureapp.data.dimension import SHARES
 from measureapp.project.atomic import replacing
 from measureapp.report.json_document import dimension_document
 from measureapp.report.model import ReportModel
@@ -25,6 +26,7 @@ COLUMNS = (
     "kind",
     "datums",
     "origin",
+    *(f"uncertainty_{share}" for share in SHARES),
 )
 DIGITS = 9
 
@@ -37,9 +39,10 @@ def csv_text(model: ReportModel) -> str:
     for dimension in model.dimensions:
         document = dimension_document(dimension)
         document["lower_tolerance"], document["upper_tolerance"] = document.pop("tolerance")
+        shares = document.pop("uncertainty_budget")
+        document |= {f"uncertainty_{share}": shares.get(share) for share in SHARES}
         document["datums"] = "|".join(document["datums"])
-        cells = {key: document[key] for key in COLUMNS}
-        writer.writerow({key: round(value, DIGITS) if isinstance(value, float) else value for key, value in cells.items()})
+        writer.writerow({key: round(value, DIGITS) if isinstance(value, float) else value for key, value in document.items()})
     return text.getvalue()
 
 

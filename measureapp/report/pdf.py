@@ -16,7 +16,7 @@ from measureapp.project.atomic import replacing
 from measureapp.report.compose import compose
 from measureapp.report.model import DeviationSummary, Fact, ReportModel, ViewLine
 from measureapp.report.part_pictures import diverging
-from measureapp.report.words import COLOURS, NEUTRAL, SIGNS, datums, number, percent, spoken, titled, tolerance
+from measureapp.report.words import COLOURS, NEUTRAL, SIGNS, datums, number, percent, shares, spoken, titled, tolerance
 from measureapp.resources import resource
 
 TEMPLATE = "report/report.typ"
@@ -121,6 +121,7 @@ def _origin(dimension: Dimension) -> dict[str, str]:
         "name": titled(dimension.name),
         "kind": spoken(dimension.kind),
         "datums": datums(dimension.datums),
+        "shares": shares(dimension),
         "origin": dimension.origin,
     }
 

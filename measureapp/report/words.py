@@ -6,11 +6,13 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
-from measureapp.data.dimension import Verdict
+from measureapp.data.dimension import Dimension, Verdict
 
 MINUS = "−"
 NONE = "–"
+TOGETHER = "\u00a0"  # a space at which no line ends
 DATUM_LETTERS = "ABC"
+SHARE_DIGITS = 4  # so that what a small share adds is seen
 SIGNS: dict[Verdict, str] = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdict.NOT_MEASURED: "–"}
 COLOURS: dict[Verdict, str] = {
     Verdict.PASS: "#1B998B",
@@ -65,6 +67,16 @@ def datums(names: Sequence[str]) -> str:
         return NONE
     lettered = len(names) <= len(DATUM_LETTERS)
     return ", ".join(f"{letter} {name}" for letter, name in zip(DATUM_LETTERS, names, strict=False)) if lettered else ", ".join(names)
+
+
+def shares(dimension: Dimension) -> str:
+    """Return where an uncertainty comes from: the largest share first, each k = 2.
+
+    >>> shares(Dimension("a", 10, 10, 0.05, -0.1, 0.1, Verdict.PASS, budget={"noise": 0.03, "stitching": 0.04})).replace(TOGETHER, " ")
+    'stitching 0.0400, noise 0.0300 mm'
+    """
+    named = ", ".join(f"{name}{TOGETHER}{number(size, SHARE_DIGITS)}" for name, size in dimension.shares)
+    return f"{named}{'' if dimension.unit == '°' else TOGETHER}{dimension.unit}" if named else NONE
 
 
 def setting(value: Any) -> str:

@@ -66,8 +66,9 @@ def views(count: int) -> tuple[tuple[ViewResult, ...], tuple[ViewPlacement, ...]
     return tuple(results), tuple(placements)
 
 
+SHARES_OF_LENGTH = {"noise": 0.018, "stitching": 0.024, "calibration": 0.0}
 DIMENSIONS = (
-    Dimension("length", 80.0, 80.0123456789, 0.03, -0.1, 0.1, Verdict.PASS),
+    Dimension("length", 80.0, 80.0123456789, 0.03, -0.1, 0.1, Verdict.PASS, origin="800 points", budget=SHARES_OF_LENGTH),
     Dimension("width", 60.0, 59.8, 0.03, -0.1, 0.1, Verdict.FAIL),
     Dimension("height", 40.0, 40.095, 0.03, -0.1, 0.1, Verdict.NOT_PROVEN),
     Dimension("bore", 12.0, None, None, -0.1, 0.05, Verdict.NOT_MEASURED, reason=f"bore: no points; {NASTY}"),

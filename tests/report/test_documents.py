@@ -40,11 +40,22 @@ def test_pdf_csv_and_json_say_the_same_of_every_dimension(measured) -> None:
             assert line[key].startswith(number(value, signed=key == "error"))
 
 
+def test_every_document_names_the_shares_of_an_uncertainty(measured) -> None:
+    model = compose(measured(), pictures=False)
+    first, second = list(csv.DictReader(io.StringIO(csv_text(model))))[:2]
+    assert [first[f"uncertainty_{name}"] for name in ("noise", "stitching", "calibration")] == ["0.018", "0.024", "0.0"]
+    assert second["uncertainty_noise"] == ""
+    words = "stitching 0.0240, noise 0.0180 mm"
+    assert typst_document(model)["origins"][0]["shares"].replace("\u00a0", " ") == words
+    assert words in html_text(model).replace("\u00a0", " ")
+    assert json.loads(json.dumps(report_document(model)))["dimensions"][0]["uncertainty_budget"]["stitching"] == 0.024
+
+
 def test_the_json_form_of_a_dimension_is_the_one_of_the_command_line(measured) -> None:
     first = dimension_document(measured().inspection.dimensions[0])
     assert set(first) == {
-        "name", "nominal", "measured", "error", "relative_error", "uncertainty", "uncertainty_budget", "tolerance", "unit", "verdict", "reason",
-        "kind", "datums", "origin",
+        "name", "nominal", "measured", "error", "relative_error", "uncertainty", "tolerance", "unit", "verdict", "reason", "kind", "datums", "origin",
+        "uncertainty_budget",
     }  # fmt: skip
     assert first["relative_error"] == pytest.approx(0.0123456789 / 80)
     assert first["tolerance"] == [-0.1, 0.1]
@@ -138,6 +149,7 @@ def test_the_report_says_what_a_value_is_and_what_it_rests_on(measured) -> None:
             "name": "Boss position",
             "kind": "position",
             "datums": "A gear face, B bore",
+            "shares": "–",
             "origin": "boss: 1372 points, 99 left out; associated axis",
         }
     ]

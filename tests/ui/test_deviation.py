@@ -118,10 +118,10 @@ def test_the_inspection_page_shows_deviations_once_they_are_known_and_forgets_th
     window.show_page("inspection")
     session.set_measurement(measurement, {})
     assert page.shape.value() == "surface"
-    assert not page.deviation.isVisible()
+    assert not page.side.deviation.isVisible()
     session.set_comparison(compared)
     assert page.shape.value() == "deviation"
-    assert page.deviation.isVisible()
+    assert page.side.deviation.isVisible()
     qtbot.waitUntil(lambda: len(page.view._clouds) == 2, timeout=10_000)
     session.open_project("other", "gear", None)
     assert session.comparison is None
@@ -177,7 +177,7 @@ def test_residuals_of_single_points_are_signed_before_merging_and_rms_on_the_mer
     qtbot.waitUntil(lambda: not page.is_composing and not page._stale, timeout=20_000)
     assert page.scale.low == -page.scale.high and page.scale.name == "Residual"
     view, placement = measurement.views[1], measurement.stitched.placements[1]
-    cloud = page._placed.get(view, placement, fine=False)
-    near, kept = page._residuals.of(cloud, measurement.stitched), page._residuals.of(cloud, measurement.stitched)
+    cloud = page.picture.placed.get(view, placement, fine=False)
+    near, kept = page.picture.residuals.of(cloud, measurement.stitched), page.picture.residuals.of(cloud, measurement.stitched)
     assert near is kept and np.nanmax(np.abs(near)) < 0.2  # both lie on one ball; chords between neighbours sag this much
     assert len(page.view._clouds) == len(measurement.views)

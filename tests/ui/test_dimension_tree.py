@@ -16,6 +16,7 @@ from ui.pages.dimension_rows import branches_of, datum_words, dimension_properti
 from ui.pages.layers import filled_share
 from ui.widgets.data_table import Cell
 from ui.widgets.data_tree import Branch, DataTree
+from ui.widgets.properties_panel import Properties
 
 ALIGNMENT = Alignment("best fit", RigidTransform.identity("nominal", "part"), 0.021, 0.93, ("turn about z",), {"bore": 0.004})
 ZONE = Dimension(
@@ -26,6 +27,10 @@ ZONE = Dimension(
 
 def plain(text: str) -> str:
     return text.replace("\u00a0", " ").replace("\u2009", " ")
+
+
+def plain_groups(properties: Properties) -> dict[str, list[tuple[str, str]]]:
+    return {group.heading: [(name, plain(value)) for name, value in group.rows] for group in properties.groups}
 
 
 def feature(name: str, shape: str, points: int = 40) -> Feature:
@@ -46,13 +51,20 @@ def test_below_a_dimension_lie_its_features_and_its_datums_with_their_letters():
 
 def test_the_properties_of_a_zone_name_kind_datums_origin_and_rule():
     shown = dimension_properties(ZONE, [feature("boss", "cylinder")], ALIGNMENT, "By a rule.")
-    groups = {group.heading: [(name, plain(value)) for name, value in group.rows] for group in shown.groups}
+    groups = plain_groups(shown)
     assert ("Kind", "Position") in groups["Result"]
     assert ("Datums", "A Gear face, B Bore") in groups["Result"]
     assert ("Tolerance", "0 / +0.200 mm") in groups["Result"]
     assert ("Uncertainty (k = 2)", "0.077 mm") in groups["Result"]
     assert groups["Where the value comes from"] == [("", "Boss: 1372 points, 99 left out."), ("", "Associated axis.")]
     assert groups["Decision rule"] == [("", "By a rule.")]
+    assert "Shares of the uncertainty (k = 2)" not in groups
+
+
+def test_the_shares_of_an_uncertainty_are_named_the_largest_first():
+    shared = replace(ZONE, budget={"noise": 0.0301, "stitching": 0.0708, "calibration": 0.0})
+    shown = plain_groups(dimension_properties(shared, [], ALIGNMENT, ""))
+    assert shown["Shares of the uncertainty (k = 2)"] == [("Stitching", "0.0708 mm"), ("Noise", "0.0301 mm")]
 
 
 @pytest.mark.parametrize(
@@ -89,7 +101,7 @@ def test_the_page_prints_the_rule_and_tells_what_was_filled_without_points(appli
     application.session.set_measurement(measurement, {})
     window.show_page("inspection")
     qtbot.waitUntil(lambda: not page.is_composing, timeout=10_000)
-    assert "ISO 14253-1" in page.rule.text() and "k = 2" in page.rule.text()
+    assert "ISO 14253-1" in page.side.rule.text() and "k = 2" in page.side.rule.text()
     share = filled_share(measurement.mesh)
     assert 0.0 < share < 0.2
     assert page.filled.isVisible() and f"{100 * share:.1f}" in page.filled.words.text()
@@ -102,6 +114,6 @@ def test_a_feature_below_a_dimension_shows_its_fit(application, window, measurem
     page = window.pages["inspection"]
     application.session.set_measurement(measurement, {})
     window.show_page("inspection")
-    page.table.select(0, 1)
+    page.side.table.select(0, 1)
     assert page.properties.title == "Equator"
     assert page.view._labels == ()

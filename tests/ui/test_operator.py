@@ -30,9 +30,9 @@ def test_from_start_to_report_an_operator_clicks_three_times(application, operat
     rig.run_demo.click()
     assert operator.page is operator.pages["scan"] and started
     application.session.set_measurement(measurement, {"report_pdf": measurement})
-    assert operator.page is inspection and inspection.banner.isVisible()
-    assert inspection.banner.word.text() == "FAIL" and "1 of 4 dimensions fail" in inspection.banner.accessibleName()
-    assert inspection.table.selected()[0] == 1  # the one that fails
+    assert operator.page is inspection and inspection.side.banner.isVisible()
+    assert inspection.side.banner.word.text() == "FAIL" and "1 of 4 dimensions fail" in inspection.side.banner.accessibleName()
+    assert inspection.side.table.selected()[0] == 1  # the one that fails
     assert "b 40.131 mm   fail" in [label.text for label in inspection.view._labels]
     application.session.set_busy("")
     inspection.see_report.click()
@@ -46,7 +46,7 @@ def test_an_engineer_stays_where_he_is_and_sees_no_banner(application, window, m
     application.session.set_measurement(measurement, {})
     assert window.page is window.pages["scan"]
     window.show_page("inspection")
-    assert not window.page.banner.isVisible() and not window.page.see_report.isVisible()
+    assert not window.page.side.banner.isVisible() and not window.page.see_report.isVisible()
 
 
 @pytest.mark.parametrize(
@@ -67,4 +67,4 @@ def test_a_part_that_passes_says_so(application, operator, measurement):
     good = tuple(replace(found, verdict=Verdict.PASS) for found in measurement.inspection.dimensions)
     operator.show_page("scan")
     application.session.set_measurement(replace(measurement, inspection=replace(measurement.inspection, dimensions=good)), {})
-    assert operator.pages["inspection"].banner.accessibleName() == "PASS. All 4 dimensions pass."
+    assert operator.pages["inspection"].side.banner.accessibleName() == "PASS. All 4 dimensions pass."

@@ -108,7 +108,7 @@ def test_what_grew_joins_the_program_with_a_dimension_of_it_and_both_are_taken_b
     added = session.inspection.dimensions[-1]
     assert (added.name, added.nominal, added.upper_tolerance, added.features) == ("distance 1", 50.0, 0.25, ("plane 1", "ball"))
     assert added.measured == pytest.approx(50.0, abs=1e-3)  # the points are exact to single precision
-    assert opened.table.selected() == (1, -1)
+    assert opened.side.table.selected() == (1, -1)
     assert project.program_text(has_nominal=False).startswith(PROGRAM)
     assert [one.name for one in project.measurement().inspection.dimensions] == ["size", "distance 1"]
     for left in (["size"], ["size"]):
@@ -119,13 +119,13 @@ def test_what_grew_joins_the_program_with_a_dimension_of_it_and_both_are_taken_b
 
 
 def test_a_dimension_is_taken_out_and_a_feature_that_it_rests_on_is_not(application, opened, project, qtbot):
-    opened.table.select(0, 0)
+    opened.side.table.select(0, 0)
     assert opened.properties.title == "Ball" and opened.properties.decision == REMOVE
     opened.decide()
     told = settled(application, qtbot)
     assert told.level == "error" and "'size' needs feature 'ball'" in told.text
     assert project.program_text(has_nominal=False) == PROGRAM
-    opened.table.select(0)
+    opened.side.table.select(0)
     opened.decide()
     settled(application, qtbot)
     assert application.session.inspection.dimensions == () and "# the only one" in project.program_text(has_nominal=False)

@@ -35,7 +35,7 @@ def demo(monkeypatch, measurement):
         on_event(e.StitchReady(measurement.stitched))
         on_event(e.InspectionReady(measurement.inspection))
         on_event(e.RunEnded("done"))
-        return SimpleNamespace(measurement=measurement, document={}, files={})
+        return SimpleNamespace(measurement=measurement, document={}, files={}, filters=None)
 
     fake = SimpleNamespace(DemoRequest=lambda *values: SimpleNamespace(values=values), run_demo=run_demo)
     monkeypatch.setitem(sys.modules, "measureapp.demo", fake)
@@ -66,10 +66,10 @@ def test_the_demo_runs_from_its_button_and_ends_with_dimensions_shown(started, w
     demo.gate.set()
     qtbot.waitUntil(lambda: idle(started), timeout=10_000)
     window.show_page("inspection")
-    assert [row[5] for row in window.pages["inspection"].table.texts()] == ["Pass", "Fail", "Not proven", "Not measured"]
+    assert [row[5] for row in window.pages["inspection"].side.table.texts()] == ["Pass", "Fail", "Not proven", "Not measured"]
     assert "demo is complete" in window.strip.words
     assert not window.strip.cancel.isVisible()
-    folder, part, resolution, viewpoints, seed, patterns = demo.requests[0].values
+    folder, part, resolution, viewpoints, seed, patterns, _unit = demo.requests[0].values
     assert (part, resolution, viewpoints, seed, patterns) == ("gypsum", "half", 8, 1, "three-close")
     assert "gypsum" in folder.name
 

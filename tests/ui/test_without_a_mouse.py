@@ -93,7 +93,7 @@ def test_the_space_bar_hides_a_view_and_shows_it_again(filled, qtbot):
     page.table.selectRow(2)
     for hidden in ({"view-03"}, set()):
         qtbot.keyClick(page.table, Qt.Key.Key_Space)
-        assert page.hidden == hidden
+        assert page.table.hidden == hidden
 
 
 @pytest.mark.parametrize("name", PAGES)

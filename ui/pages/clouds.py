@@ -5,36 +5,32 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-import numpy as np
-from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QHeaderView
+from PySide6.QtWidgets import QHBoxLayout
 
 from measureapp.errors import InputError
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
-from ui.look.wording import NOTHING, counted, millimetres, several
-from ui.pages.clicked_distance import ClickedPoint, DistanceTool
+from ui.look.wording import counted, millimetres, several
+from ui.pages.clicked_distance import DistanceTool
+from ui.pages.cloud_picture import CloudPicture
 from ui.pages.holes_dialog import HolesDialog
-from ui.pages.layers import ColourBy, PlacedClouds, placements_of, rgb, scale_end, stitched_layer, view_layer
-from ui.pages.picked_point import PickedPoint, merged_point, point_properties, view_point
-from ui.pages.residuals import Residuals
-from ui.pages.view_words import REFUSED, choice_for, view_properties, view_verdict
-from ui.pages.viewport_page import Composer, Picture, ViewportPage
+from ui.pages.layers import ColourBy, placements_of, rgb, scale_end
+from ui.pages.picked_point import point_properties
+from ui.pages.view_table import TABLE_WIDTH, ViewTable
+from ui.pages.view_words import choice_for, view_properties
+from ui.pages.viewport_page import Composer, ViewportPage
 from ui.session import Session
 from ui.viewport.colouring import DIVERGING, GROWING
 from ui.viewport.layers import Label
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.colour_scale import ColourScale
-from ui.widgets.data_table import Cell, DataTable, number, verdict_cell
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.filter_form import FilterForm
 from ui.widgets.properties_panel import Properties
 from ui.widgets.segments import Segments
-from ui.workers.job import Job
 
 if TYPE_CHECKING:
     from measureapp.data.cloud import StitchedCloud, ViewPlacement
-    from measureapp.data.measurement import ViewResult
 
 EMPTY = (
     "No clouds yet",
@@ -58,9 +54,7 @@ COLOUR_TIPS = {
     "grey": "Brightness in the images",
     "residual": "Distance from the merged surface, in mm",
 }
-TABLE_WIDTH, POINTS_COLUMN = 512, 2
 ACTION = "Images and holes"
-HEADERS = ["", "View", "Points", "Correction", "Residual", "Verdict"]
 
 
 class CloudsPage(ViewportPage):
@@ -73,13 +67,9 @@ class CloudsPage(ViewportPage):
         self.stage = Segments(STAGES, name="Clouds shown", tips=STAGE_TIPS)
         self.colour_by = Segments(COLOURS, name="Colour by", tips=COLOUR_TIPS)
         self.scale = ColourScale(look)
-        self.table = DataTable(look, HEADERS, numeric=(2, 3, 4), stretch=5)
-        self.table.setAccessibleName("Views")
-        self.table.setAccessibleDescription("The space bar shows or hides the selected view.")
+        self.table = ViewTable(look)
         self.side, self.side_width = self.table, TABLE_WIDTH
-        self.table.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.Fixed)
-        self.table.setColumnWidth(0, 40)
-        self.hidden: set[str] = set()
+        self.picture = CloudPicture(look, session, self.table.hidden)
         self._asked: tuple[str, int, tuple[int, int] | None] = ("", 0, None)  # view, place of the camera, pixel
         self.dialog = HolesDialog(look, controllers.holes, self)
         self.holes = Button("Images and holes", look, "holes", tip="The images of the selected view, and why pixels have no point")
@@ -89,9 +79,9 @@ class CloudsPage(ViewportPage):
         self.undo.clicked.connect(self._undo)
         self.action_row.insertWidget(0, self.undo)
         controllers.view_choices.undoChanged.connect(self._show_undo)
-        self._placed, self._residuals = PlacedClouds(), Residuals()
         self._extent_of: StitchedCloud | None = None  # whose extent the filters begin with
         self._seen_filtered: StitchedCloud | None = None
+        self._seen_stitched = False
         self._point: Label | None = None  # of the point that was clicked last
         tools = self._tools(look)
         middle = row(card(self.view, self.filters, margin=1, spacing=4), self.table, spacing=16)
@@ -102,19 +92,14 @@ class CloudsPage(ViewportPage):
         self.stage.valueChanged.connect(self.redraw)
         self.colour_by.valueChanged.connect(self.redraw)
         self.table.rowSelected.connect(self._select)
-        self.table.cellClicked.connect(self._toggle)
+        self.table.hiddenChanged.connect(self._show)
         self.view.pointPicked.connect(self._show_point)
         self.stage.valueChanged.connect(self._forget_point)
         session.cloudsChanged.connect(self._show)
         session.cloudsChanged.connect(lambda: self.distance.keep_for(session.stitched or session.views))
-        session.projectChanged.connect(self.hidden.clear)
+        session.projectChanged.connect(self.table.hidden.clear)
         session.busyChanged.connect(self._show_busy)
         self._show()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave the number of points to the properties where the table is narrow."""
-        super().resizeEvent(event)
-        self.table.setColumnHidden(POINTS_COLUMN, self.table.width() < TABLE_WIDTH)
 
     def _tools(self, look: Look) -> QHBoxLayout:
         """Return what stands above the picture."""
@@ -192,7 +177,7 @@ class CloudsPage(ViewportPage):
             self.colour_by.setValue("view")
         if stitched is None and self.stage.value() != "before":
             self.stage.setValue("before")
-        elif stitched is not None and self.stage.value() == "before" and not self._was_stitched():
+        elif stitched is not None and self.stage.value() == "before" and not self._seen_stitched:
             self.stage.setValue("merged")
         self._seen_stitched = stitched is not None
         total = sum(len(view.cloud) for view in views)
@@ -201,31 +186,9 @@ class CloudsPage(ViewportPage):
         left = "" if filtered is None else f", filtered {counted(len(filtered))}"
         told = f"{merged}{left}." if stitched is not None else f"{words}, placed by the axes."
         self.state.setText(told if views else "No view is scanned.")
-        placements = self.placements()
-        self.table.set_rows([self._cells(index, view, placements.get(view.viewpoint_id)) for index, view in enumerate(views)])
+        self.table.show_views(views, self.placements())
         self._select(max(0, self.table.currentIndex().row()))
         self.redraw()
-
-    def _was_stitched(self) -> bool:
-        return getattr(self, "_seen_stitched", False)
-
-    def _cells(self, index: int, view: ViewResult, placement: ViewPlacement | None) -> list[Cell]:
-        verdict, words, why = view_verdict(view, placement)
-        was_placed = placement is not None and not placement.verdict.startswith(REFUSED)
-        return [
-            Cell("", sign="hidden" if view.viewpoint_id in self.hidden else "eye", tip="Show or hide this view"),
-            Cell(view.viewpoint_id, sign=self.look.theme.view(index).name(), bold=True),
-            number(counted(len(view.cloud))),
-            number(millimetres(placement.correction_mm) if placement is not None and was_placed else NOTHING),
-            number(millimetres(placement.residual_mm) if placement is not None and was_placed else NOTHING),
-            verdict_cell(verdict, words, why),
-        ]
-
-    def _toggle(self, place: int, place_column: int) -> None:
-        if place_column == 0:
-            name = self.session.views[place].viewpoint_id
-            self.hidden.symmetric_difference_update({name})
-            self._show()
 
     def _select(self, place: int) -> None:
         if 0 <= place < len(self.session.views):
@@ -263,13 +226,6 @@ class CloudsPage(ViewportPage):
         except InputError as error:
             self.session.tell(error.message, error.hint, "warning")
 
-    def _merged(self) -> StitchedCloud | None:
-        """Return the merged cloud that is shown: whole, or what filters left; None where the views are shown."""
-        return {"merged": self.session.stitched, "filtered": self.session.filtered}.get(self.stage.value())
-
-    def _visible(self) -> list[int]:
-        return [index for index, view in enumerate(self.session.views) if view.viewpoint_id not in self.hidden]
-
     def _forget_point(self) -> None:
         self._point = None
         self._show_marks()
@@ -287,24 +243,11 @@ class CloudsPage(ViewportPage):
         self.view.set_lines(self.distance.lines(rgb(self.look.theme, "accent")))
         self.view.set_labels([*self.distance.labels(self.look.theme), *([self._point] if self._point is not None else [])])
 
-    def _picked(self, layer: int, place: int) -> PickedPoint:
-        stitched = self._merged()
-        if stitched is not None:
-            row_of = np.flatnonzero(np.isin(stitched.view, self._visible_merged(stitched)))
-            return merged_point(stitched, int(row_of[place]), self.session.views)
-        view = self.session.views[self._visible()[layer]]
-        cloud = self._placed.get(view, self.placements().get(view.viewpoint_id), fine=self.stage.value() == "after")
-        return view_point(view.viewpoint_id, cloud, place)
-
     def _show_point(self, layer: int, place: int) -> None:
         """Tell where a point of the picture comes from: its view, pixel and standard deviation; or measure from it."""
-        point = self._picked(layer, place)
+        point = self.picture.picked(self.stage.value(), layer, place)
         if self.distance.is_on:
-            known = self.session.stitched if self.stage.value() == "after" else None
-            names = () if known is None else known.view_names
-            number = names.index(point.viewpoint_id) if point.viewpoint_id in names else None
-            errors = None if known is None else known.errors
-            self.distance.click(ClickedPoint(point.position_mm, point.sigma_mm, point.viewpoint_id, number, errors))
+            self.distance.click(self.picture.clicked(self.stage.value(), point))
             return
         self._asked = (point.viewpoint_id, point.camera, point.pixel)
         self.show_properties(self._with_action(point_properties(point)))
@@ -314,43 +257,20 @@ class CloudsPage(ViewportPage):
         self._point = Label(words, point.position_mm, rgb(theme, "text"), rgb(theme, "surface"))
         self._show_marks()
 
-    def _visible_merged(self, stitched: StitchedCloud) -> list[int]:
-        return [index for index, found in enumerate(stitched.placements) if found.viewpoint_id not in self.hidden]
-
     def composer(self) -> Composer | None:
         """Compose the visible views as chosen."""
-        if not self.session.views:  # what is measured of a file has none
+        views = self.session.views
+        if not views:  # what is measured of a file has none
             return None
         colour_by: ColourBy = self.colour_by.value()  # type: ignore[assignment]
-        stitched, placements, views = self.session.stitched, self.placements(), self.session.views
-        end = scale_end(colour_by, [view.cloud for view in views], placements.values()) if colour_by in SCALE_NAMES else 1.0
-        theme, stage, placed_clouds, residuals = self.look.theme, self.stage.value(), self._placed, self._residuals
+        clouds = [view.cloud for view in views]
+        end = scale_end(colour_by, clouds, self.placements().values()) if colour_by in SCALE_NAMES else 1.0
         self._show_scale(colour_by, end)
-        places = {view.viewpoint_id: index for index, view in enumerate(views)}
-        merged = self._merged()
-        visible = self._visible() if merged is None else self._visible_merged(merged)
-
-        def compose(job: Job) -> Picture:
-            if merged is not None:
-                left = None
-                if colour_by == "residual":
-                    used = [view for view in views if (found := placements.get(view.viewpoint_id)) is not None and found.used]
-                    fine = [placed_clouds.get(view, placements[view.viewpoint_id], fine=True) for view in used]
-                    left = residuals.merged(fine, merged, job.check)
-                return Picture((stitched_layer(theme, merged, colour_by, end, visible, places, left),))
-            layers = []
-            for index in visible:
-                job.check()
-                cloud = placed_clouds.get(views[index], placements.get(views[index].viewpoint_id), fine=stage == "after")
-                left = residuals.of(cloud, stitched) if colour_by == "residual" and stitched is not None else None
-                layers.append(view_layer(theme, cloud, index, colour_by, end, left))
-            return Picture(tuple(layers))
-
-        return compose
+        return self.picture.composer(self.stage.value(), colour_by, end)
 
     def _show_scale(self, colour_by: ColourBy, end_mm: float) -> None:
         self.scale.setVisible(colour_by in SCALE_NAMES)
-        if colour_by == "residual" and self._merged() is None:
+        if colour_by == "residual" and self.picture.merged(self.stage.value()) is None:
             self.scale.show_scale(SCALE_NAMES[colour_by], DIVERGING, -end_mm, end_mm)
         else:
             name = MERGED_RESIDUAL if colour_by == "residual" else SCALE_NAMES.get(colour_by, "")

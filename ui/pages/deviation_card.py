@@ -43,10 +43,8 @@ class DeviationCard(QFrame):
         self.tolerance.setToolTip(TOLERANCE)
         self.tolerance.valueChanged.connect(self._show_bands)
         self._distances_mm: np.ndarray = np.empty(0)
-        heading = label("Deviation from the drawing", "heading")
-        limits = row(label("Tolerance ±", "soft"), self.tolerance, self.bands)
-        limits.setStretch(2, 1)
-        self.setLayout(column(heading, self.words, limits, self.histogram, self.unmeasured, margin=16, spacing=8))
+        heading = row(label("Deviation", "heading"), 0, label("Tolerance ±", "soft"), self.tolerance)
+        self.setLayout(column(heading, self.words, self.bands, self.histogram, self.unmeasured, margin=16, spacing=8))
 
     def show_comparison(self, comparison: Comparison | None) -> None:
         """Show these deviations, or nothing."""

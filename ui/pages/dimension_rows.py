@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ui.look.wording import counted, millimetres, percent, quantity, sentence, sentence_case, several
@@ -13,9 +14,10 @@ from ui.widgets.properties_panel import Group, Properties
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
     from measureapp.data.feature import Feature
-    from measureapp.data.measurement import Alignment
+    from measureapp.data.measurement import Alignment, Inspection
 
 DIGITS = {"mm": 3, "deg": 3, "°": 3}
+SHARE_DIGITS = 4  # so that what a small share adds is seen
 OTHERS = "Other features"
 DATUM_LETTERS = "ABC"
 
@@ -95,6 +97,29 @@ def other_features(dimensions: Sequence[Dimension], features: Sequence[Feature])
     return [feature for feature in features if feature.name not in used]
 
 
+@dataclass(frozen=True)
+class Chosen:
+    """What a row, or a leaf below it, stands for."""
+
+    dimension: Dimension | None = None  # of the row, if it is that of a dimension
+    features: tuple[Feature, ...] = ()  # the features found that it rests on, or the one of the leaf
+    is_leaf: bool = False
+
+
+def chosen_of(inspection: Inspection | None, place: int, leaf: int) -> Chosen:
+    """Return what a row of the tree stands for; nothing where none is selected (-1)."""
+    if inspection is None or place < 0:
+        return Chosen()
+    dimensions = inspection.dimensions
+    if place >= len(dimensions):
+        dimension, features = None, list(other_features(dimensions, inspection.features))
+    else:
+        known = {feature.name: feature for feature in inspection.features}
+        dimension, features = dimensions[place], [feature for _, feature in features_of(dimensions[place], known)]
+    shown = features if leaf < 0 else features[leaf : leaf + 1]
+    return Chosen(dimension, tuple(feature for feature in shown if feature is not None), leaf >= 0)
+
+
 def _letter(dimension: Dimension, name: str) -> str:
     return f"Datum {DATUM_LETTERS[dimension.datums.index(name)]}: "
 
@@ -143,6 +168,9 @@ def dimension_properties(dimension: Dimension, features: Sequence[Feature], alig
     )
     taken = tuple(("", sentence(part)) for part in dimension.origin.split("; ") if part and not part.startswith("datums "))
     groups = [values]
+    if dimension.shares:
+        rows = tuple((sentence_case(name), quantity(size, unit, SHARE_DIGITS)) for name, size in dimension.shares)
+        groups.append(Group("Shares of the uncertainty (k = 2)", rows))
     if taken:
         groups.append(Group("Where the value comes from", taken))
     groups += [feature_group(feature) for feature in features]
@@ -164,6 +192,11 @@ def feature_group(feature: Feature) -> Group:
             *([("Radius", millimetres(feature.radius_mm))] if feature.radius_mm is not None else []),
         ),
     )
+
+
+def rule_name() -> str:
+    """Return the standard of the rule alone."""
+    return decision_rule().partition(": ")[0]
 
 
 def decision_rule() -> str:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 SHAPES = {"plane": "Plane", "cylinder": "Cylinder", "sphere": "Sphere", "cone": "Cone"}
 TIP = "Find the face, bore or ball around a place you click"
-HINT = "Click a place on the measured points"
+HINT = "Click a measured place"
 COPY = "Copy its lines"
 ADD = "Add to the inspection program"
 NOTE = "Added to the inspection program it is measured every time; the lines can also be copied into another one."

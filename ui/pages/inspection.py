@@ -6,58 +6,42 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QGuiApplication, QResizeEvent, QShortcut, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QWidget
+from PySide6.QtGui import QGuiApplication, QShowEvent
+from PySide6.QtWidgets import QHBoxLayout
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.wording import millimetres, percent, sentence_case
-from ui.pages.clicked_distance import ClickedPoint, DistanceTool
+from ui.pages.clicked_distance import ClickedPoint
+from ui.pages.clicking import ClickingTools
 from ui.pages.cutting import Cutting
-from ui.pages.deviation_card import DeviationCard, scale_end_mm
-from ui.pages.dimension_rows import branches_of, decision_rule, dimension_properties, feature_group, features_of, other_features
+from ui.pages.dimension_rows import decision_rule, dimension_properties, feature_group
+from ui.pages.dimension_side import TABLE_WIDTH, DimensionSide
 from ui.pages.feature_lines import OUTLINE, dimension_labels, feature_lines, verdict_rgb
-from ui.pages.grow_bar import GrowBar
-from ui.pages.layers import deviation_layers, filled_share, mesh_layer, points_layer, rgb
+from ui.pages.layers import rgb
+from ui.pages.part_picture import SHAPE_TIPS, SHAPES, filled_in, mesh_of, part_composer
 from ui.pages.picked_point import merged_point, point_properties
 from ui.pages.program_tools import ProgramTools
 from ui.pages.section_bar import SectionBar
-from ui.pages.viewport_page import Composer, Picture, ViewportPage
+from ui.pages.viewport_page import Composer, ViewportPage
 from ui.session import Session
 from ui.viewport.layers import Label
 from ui.widgets.basic import Button, card, column, label, row
-from ui.widgets.data_tree import DataTree
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.not_measured import NotMeasuredLegend
 from ui.widgets.properties_panel import Properties
 from ui.widgets.segments import Segments
-from ui.widgets.verdict_banner import VerdictBanner
-from ui.workers.job import Job
 
 if TYPE_CHECKING:
-    from measureapp.data.dimension import Dimension
-    from measureapp.data.feature import Feature
     from measureapp.inspection.drawn_sections import DrawnSections
 
 EMPTY = (
     "Nothing measured yet",
     "An inspection program fits features to the measured points and compares their distances with the drawing.",
 )
-HEADERS = ["Dimension", "Nominal", "Measured", "Error", "U", "Verdict"]
 UNDO = "Take the last point, distance, feature or change of the program back"
 REMOVE = "Take out of the program"
 FILLED = "Filled without points, never measured on"
-SHAPES = {"surface": "Surface", "points": "Points", "deviation": "Deviation"}
-SHAPE_TIPS = {
-    "surface": "The measured surface; hatched where it was filled in without points",
-    "points": "The merged points",
-    "deviation": "Distance of each point from the drawing, in mm",
-}
-UNLIMITED = 16_777_215  # Qt's largest height of a widget
-UNITS = "Lengths in mm."
-TABLE_WIDTH, DEVIATION_HEIGHT = 584, 400
-SIDE_SHARES = (0, 0, 1000, 0, 500, 1)  # the rest stays empty only when table and histogram have what they can use
 
 
 class InspectionPage(ViewportPage):
@@ -75,30 +59,13 @@ class InspectionPage(ViewportPage):
         self.shape.valueChanged.connect(self.redraw)
         self._point: Label | None = None  # of the point that was clicked last
         self._entry: tuple[Properties, str] | None = None  # of the program, while its properties are shown
-        self.deviation = DeviationCard(look)
-        self.summary = {verdict: label("", "strong") for verdict in ("pass", "fail", "not proven", "not measured")}
-        self.table = DataTree(look, HEADERS, numeric=(1, 2, 3, 4), stretch=0)
-        self.table.setAccessibleName("Dimensions")
-        self.table.setAccessibleDescription("The right arrow opens a row, Enter comes closer to what it measures.")
-        QShortcut(Qt.Key.Key_Return, self.table, self._look_closer, context=Qt.ShortcutContext.WidgetShortcut)
-        self.table.rowSelected.connect(self._select)
-        self.table.heightChanged.connect(self._share_height)
-        self.table.setExpandsOnDoubleClick(False)
-        self.table.doubleClicked.connect(self._look_closer)
-        self.rule = label("", "small", wrap=True)
         self.filled = NotMeasuredLegend(look)
         self.filled.setContentsMargins(12, 4, 12, 4)
         tools = self._tools(look)
-        self.side = side = QWidget()
-        self.side_width = TABLE_WIDTH
-        counts = row(*self.summary.values(), 0, spacing=16)
-        self.banner = VerdictBanner(look)
-        beside = column(self.banner, counts, self.table, self.rule, self.deviation, 0, spacing=12)
-        for place, share in enumerate(SIDE_SHARES):
-            beside.setStretch(place, share)
-        side.setLayout(beside)
-        self.deviation.setMaximumHeight(DEVIATION_HEIGHT)
-        middle = row(card(self.view, self.filled, self.cut, self.grow, self.program.bar, margin=1, spacing=4), side, spacing=16)
+        self.side, self.side_width = DimensionSide(look), TABLE_WIDTH
+        self.side.rowSelected.connect(self._select)
+        self.side.closerAsked.connect(self._look_closer)
+        middle = row(card(self.view, self.filled, self.cut, self.grow, self.program.bar, margin=1, spacing=4), self.side, spacing=16)
         middle.setStretch(0, 1)
         layout = column(tools, middle, spacing=12)
         layout.setStretch(1, 1)
@@ -121,7 +88,8 @@ class InspectionPage(ViewportPage):
         self.labels = Button("Labels", look, "labels", "quiet", "Show the value of every dimension in the picture")
         self.labels.setCheckable(True)
         self.labels.toggled.connect(self._highlight)
-        self.distance = DistanceTool(look, self)
+        self.clicking = ClickingTools(look, self.controllers.growing, self)
+        self.distance, self.grow = self.clicking.distance, self.clicking.grow
         self.distance.changed.connect(self._show_distances)
         self.undo = Button("Undo", look, "undo", "quiet", UNDO)
         self.undo.clicked.connect(self._undo)
@@ -134,10 +102,7 @@ class InspectionPage(ViewportPage):
         self.cut = SectionBar(look)
         self.cutting = Cutting(self.session, self.cut, self.controllers.drawing, self)
         self.cutting.changed.connect(self._highlight)
-        self.grow = GrowBar(look, self.controllers.growing)
         self.grow.changed.connect(self._show_grown)
-        self.grow.button.toggled.connect(lambda on: self.distance.button.setChecked(self.distance.is_on and not on))
-        self.distance.button.toggled.connect(lambda on: self.grow.button.setChecked(self.grow.is_on and not on))
         self.view.pointPicked.connect(self._show_point)
         self.tool_buttons = (fit, self.labels, self.distance.button, self.cut.button, self.grow.button, self.program.bar.button)
         return row(self.shape, *self.tool_buttons, 0)
@@ -153,11 +118,6 @@ class InspectionPage(ViewportPage):
         elif self.grow.is_on:
             self._show_grown()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave the nominal values to the properties where the table is narrow."""
-        super().resizeEvent(event)
-        self.table.setColumnHidden(HEADERS.index("Nominal"), self.side is not None and self.side.width() < TABLE_WIDTH)
-
     def showEvent(self, event: QShowEvent) -> None:
         """Compare with the drawing when it is first looked at."""
         super().showEvent(event)
@@ -165,9 +125,8 @@ class InspectionPage(ViewportPage):
 
     def _show_comparison(self) -> None:
         comparison = self.session.comparison
-        self.deviation.show_comparison(comparison)
+        self.side.show_comparison(comparison)
         self.cut.show_extent(None if comparison is None or comparison.surface is None else comparison.surface)
-        self._share_height()
         self.shape.set_available("deviation", comparison is not None)
         if comparison is not None:
             self.shape.setValue("deviation")
@@ -175,50 +134,32 @@ class InspectionPage(ViewportPage):
             self.shape.setValue("surface")
         self.cutting.cut()
 
-    def _share_height(self) -> None:
-        """Give the histogram what the table does not need."""
-        fitted = self.table.fitted_height() if self.session.comparison is not None else UNLIMITED
-        self.table.setMaximumHeight(fitted)
-
-    def dimensions(self) -> tuple[Dimension, ...]:
-        """Return the dimensions known."""
-        return () if self.session.inspection is None else self.session.inspection.dimensions
-
     def _show(self) -> None:
-        dimensions = self.dimensions()
-        self.show_filled(self.session.inspection is not None)
+        inspection = self.session.inspection
+        self.show_filled(inspection is not None)
+        self.side.show_inspection(inspection)
         self._show_undo()
-        if self.session.inspection is None:
+        if inspection is None:
             self.state.setText("No inspection program has run.")
             return
-        counts = {name: sum(1 for found in dimensions if found.verdict == name) for name in self.summary}
-        for name, shown in self.summary.items():
-            shown.setText(f"{counts[name]} {name}")
-            shown.setStyleSheet(f"color: {self.look.theme.verdict(name).name()}")
-            shown.setVisible(counts[name] > 0)
-        alignment = self.session.inspection.alignment
-        self.state.setText(
-            f"{sentence_case(self.session.inspection.program)}. Aligned by {alignment.name}, {millimetres(alignment.rms_mm)} rms."
-        )
-        self.rule.setText(f"{UNITS} {decision_rule()}")
-        self.table.set_branches(branches_of(dimensions, self.session.inspection.features))
-        self.program.show_inspection(self.session.inspection)
-        self.banner.show_verdicts([found.verdict for found in dimensions])
-        self._share_height()
-        new = self.program.newest(dimensions)
-        if new is not None or (self.table.selected()[0] < 0 and dimensions):
-            self.table.select(new or 0)
-        self._select(*self.table.selected())
+        alignment = inspection.alignment
+        self.state.setText(f"{sentence_case(inspection.program)}. Aligned by {alignment.name}, {millimetres(alignment.rms_mm)} rms.")
+        self.program.show_inspection(inspection)
+        table, new = self.side.table, self.program.newest(inspection.dimensions)
+        if new is not None or (table.selected()[0] < 0 and inspection.dimensions):
+            table.select(new or 0)
+        self._select()
         if self.isVisible():
             self.controllers.comparison.compare()
         self.redraw()
 
-    def _select(self, place: int, leaf: int = -1) -> None:
+    def _select(self) -> None:
         self._point = None
-        inspection, (dimension, features) = self.session.inspection, self._chosen(place, leaf)
-        if inspection is not None and dimension is not None and leaf < 0:
+        inspection, chosen = self.session.inspection, self.side.chosen
+        dimension, features = chosen.dimension, chosen.features
+        if inspection is not None and dimension is not None and not chosen.is_leaf:
             self._show_entry(dimension_properties(dimension, features, inspection.alignment, decision_rule()), dimension.name)
-        elif features and leaf >= 0:
+        elif features and chosen.is_leaf:
             self._show_entry(Properties(sentence_case(features[0].name), (feature_group(features[0]),)), features[0].name)
             self.program.bar.take(features[0].name)
         self._highlight()
@@ -234,79 +175,47 @@ class InspectionPage(ViewportPage):
         self._entry = None
         super().show_properties(properties)
 
-    def _chosen(self, place: int, leaf: int) -> tuple[Dimension | None, list[Feature]]:
-        """Return the dimension of a row, if it is one, and the features found that it or its leaf stands for."""
-        inspection, dimensions = self.session.inspection, self.dimensions()
-        if inspection is None or place < 0:
-            return None, []
-        if place >= len(dimensions):
-            others = other_features(dimensions, inspection.features)
-            return None, others[leaf : leaf + 1] if leaf >= 0 else others
-        known = {feature.name: feature for feature in inspection.features}
-        mine = [feature for _, feature in features_of(dimensions[place], known)]
-        chosen = mine if leaf < 0 else mine[leaf : leaf + 1]
-        return dimensions[place], [feature for feature in chosen if feature is not None]
-
     def composer(self) -> Composer | None:
         """Compose the part in the nominal's frame."""
-        measurement, inspection, stitched = self.session.measurement, self.session.inspection, self.session.stitched
-        if inspection is None or stitched is None:
-            return None
-        nominal_from_part, comparison = inspection.alignment.nominal_from_part, self.session.comparison
-        mesh = measurement.mesh if measurement is not None else None
-        self.shape.set_available("surface", mesh is not None)
-        shade = (196, 204, 208) if self.look.theme.shade == "light" else (150, 162, 168)
-        wanted = self.shape.value()
-        filled = filled_share(mesh) if mesh is not None and wanted == "surface" else 0.0
+        self.shape.set_available("surface", mesh_of(self.session) is not None)
+        filled = filled_in(self.session, self.shape.value())
         self.filled.say(f"{FILLED}: {percent(filled)} of the surface" if filled else "")
-
-        def compose(_job: Job) -> Picture:
-            if wanted == "deviation" and comparison is not None:
-                normals = nominal_from_part.rotate(comparison.stitched.normals)
-                return Picture(tuple(deviation_layers(comparison, normals, scale_end_mm(comparison))))
-            if wanted == "surface" and mesh is not None:
-                return Picture(surface=mesh_layer(mesh, nominal_from_part, shade))
-            return Picture((points_layer(stitched, nominal_from_part, shade),))
-
-        return compose
+        return part_composer(self.session, self.shape.value(), self.look.theme.shade)
 
     def _highlight(self) -> None:
         """Outline all features quietly; those of the selected row stand out, and a dimension carries its value."""
-        inspection, (place, leaf) = self.session.inspection, self.table.selected()
+        inspection, chosen = self.session.inspection, self.side.chosen
         if inspection is None:
             return
-        dimension, mine = self._chosen(place, leaf)
-        chosen = None if leaf >= 0 else dimension
+        dimension = None if chosen.is_leaf else chosen.dimension
         theme = self.look.theme
         accent = rgb(theme, "accent")
-        colour = accent if dimension is None else verdict_rgb(theme, dimension)
-        lines = feature_lines(inspection.features, mine, chosen, self._sections(), colour)
+        colour = accent if chosen.dimension is None else verdict_rgb(theme, chosen.dimension)
+        lines = feature_lines(inspection.features, chosen.features, dimension, self._sections(), colour)
         labels = []
         if self.labels.isChecked():
-            labels = dimension_labels(theme, self.dimensions(), inspection.features, self._sections())
-        elif chosen is not None:
-            labels = dimension_labels(theme, (chosen,), inspection.features, self._sections())
-        self.view.set_lines([*lines, *self.cutting.lines, *self.distance.lines(accent), *self.grow.lines(accent)])
-        clicked = [*self.distance.labels(theme), *self.grow.labels(theme)]
-        self.view.set_labels([*labels, *clicked, *([self._point] if self._point is not None else [])])
+            labels = dimension_labels(theme, inspection.dimensions, inspection.features, self._sections())
+        elif dimension is not None:
+            labels = dimension_labels(theme, (dimension,), inspection.features, self._sections())
+        self.view.set_lines([*lines, *self.cutting.lines, *self.clicking.lines(accent)])
+        self.view.set_labels([*labels, *self.clicking.labels(theme), *([self._point] if self._point is not None else [])])
 
     def _look_closer(self) -> None:
         """Come closer to what the selected row is about."""
-        inspection = self.session.inspection
-        dimension, mine = self._chosen(*self.table.selected())
-        if inspection is not None and mine:
-            layers = feature_lines(mine, mine, dimension, self._sections(), OUTLINE)
+        chosen = self.side.chosen
+        if chosen.features:
+            layers = feature_lines(chosen.features, chosen.features, chosen.dimension, self._sections(), OUTLINE)
             self.view.look_at(np.vstack([line for layer in layers for line in layer.lines]))
 
     def _sections(self) -> DrawnSections | None:
         return None if self.session.comparison is None else self.session.comparison.sections
 
     def _show_undo(self) -> None:
-        self.undo.setVisible(self.distance.can_undo or self.grow.last is not None or self.program.programming.can_undo)
+        self.undo.setVisible(self.clicking.can_undo or self.program.programming.can_undo)
         self.program.show_state()
         is_operator = self.session.role == "operator"
         self.see_report.setVisible(is_operator and self.session.measurement is not None)
-        self.banner.setVisible(is_operator and bool(self.dimensions()))
+        self.side.show_role(is_operator=is_operator)
         self.grow.button.setVisible(self.program.is_offered)
         if not self.program.is_offered:
             self.grow.button.setChecked(False)
@@ -318,15 +227,12 @@ class InspectionPage(ViewportPage):
 
     def end_clicking(self) -> None:
         """Stop measuring and growing by clicking."""
-        for button in (self.distance.button, self.grow.button):
-            button.setChecked(False)
+        self.clicking.end()
 
     def _undo(self) -> None:
-        """Take back what was measured by clicking; then the feature that grew last; then the last change of the program."""
-        if self.distance.can_undo:
-            self.distance.undo()
-        elif self.grow.last is not None:
-            self.controllers.growing.undo()
+        """Take back what was clicked; when nothing of that is left, the last change of the program."""
+        if self.clicking.can_undo:
+            self.clicking.undo()
         else:
             self.program.programming.undo()
 
@@ -337,8 +243,7 @@ class InspectionPage(ViewportPage):
 
     def show_failing(self) -> None:
         """Show the first dimension that does not pass on the part, and the values of all."""
-        failing = [place for place, found in enumerate(self.dimensions()) if found.verdict != "pass"]
-        self.table.select(failing[0] if failing else 0)
+        self.side.select_failing()
         self.labels.setChecked(True)
 
     def decide(self) -> None:

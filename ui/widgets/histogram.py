@@ -25,7 +25,7 @@ class Histogram(QWidget):
         self._colours = np.zeros((2, 3))
         self.counts = np.zeros(BINS, int)
         self.end_mm = self.limit_mm = 0.0
-        self.setMinimumSize(240, 132)
+        self.setMinimumSize(240, 104)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         look.changed.connect(self.update)
 

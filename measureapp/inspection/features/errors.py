@@ -13,12 +13,13 @@ from typing import NamedTuple
 import numpy as np
 
 from measureapp.arrays import FloatArray
+from measureapp.data.dimension import SHARES
 from measureapp.data.feature import Feature
 from measureapp.geometry.fits import following_points
 from measureapp.inspection.features.shapes import outward_normals
 from measureapp.inspection.measured import MeasuredPoints
 
-NOISE, STITCHING, CALIBRATION = "noise", "stitching", "calibration"
+NOISE, STITCHING, CALIBRATION = SHARES
 MOST_POINTS = 4000  # the errors of views change slowly over a feature
 TURN_MM = 100.0  # a turn counts as what it moves so far away, where errors are compared in size
 NEGLIGIBLE = 1e-6  # of the largest variance: each of some dozens
