@@ -73,6 +73,9 @@ class Model(NamedTuple):
     first: Any  # (2^E,) int8, the longest exposure of a set, -1 for none
     beyond: Any  # float32, grey of a pixel saturated in all exposures, scaled to the longest
     least_modulation: Any  # float32, grey levels
+    one_gain: Any  # float32, variance of one image per grey level of it, shot noise
+    one_floor: Any  # float32, variance of one image in the dark, grey levels squared
+    sure: Any  # float32, variance in rad² below which no order is in doubt; negative: the modulation alone counts
     most_sigma: Any  # float32, rad
     dark_sigma: Any  # float32, rad: above it nothing can be told from noise
     zero_is_dark: Any  # bool, a pixel that is 0 in the exposure taken is not valid

@@ -129,18 +129,23 @@ def judge(total: Any, n: int, layout: Any, model: Any, work: Any) -> None:
     each = np.float32(1) / np.float32(layout.steps[model.finest])
     weak, dark = model.most_sigma * model.most_sigma, model.dark_sigma * model.dark_sigma
     low, high, gate, least = model.lowest, model.highest, model.gate, model.least_modulation
+    shot, floor, sure = model.one_gain, model.one_floor, model.sure
     origin, beyond = model.origin, model.beyond
     last = np.int32(OUTSIDE if model.undecided else VALID)
     for j in range(n):
         level = np.float32(total[j]) * each
         known = np.float32(1) / (rows[WEIGHT + j] + TINY)
         value = rows[VALUE + j] + rows[SHIFT + j] * known
-        variance = (max(level - rows[BLACK + j], np.float32(0)) * rows[GAIN + j] + rows[FLOOR + j]) * known
+        light = max(level - rows[BLACK + j], np.float32(0))
+        noise = light * rows[GAIN + j] + rows[FLOOR + j]
+        variance = noise * known
         modulation = root(rows[MODULATION + j]) * rows[TO_BRIGHTEST + j]
+        alone = light * rows[TO_BRIGHTEST + j] * shot + floor  # noise of one image at the longest exposure taken
+        faint = (modulation < least) & ((rows[MODULATION + j] * alone < least * least * noise) | (variance > sure))
         lost = np.int32(rows[LOST + j])
         reason = np.int32(CONFLICT) if abs(rows[RESIDUAL + j]) > gate else np.int32(VALID)
         reason = np.int32(OUTSIDE) if (value < low) | (value > high) else reason
-        reason = np.int32(WEAK) if (modulation < least) | (variance > weak) | (lost == WEAK) else reason
+        reason = np.int32(WEAK) if faint | (variance > weak) | (lost == WEAK) else reason
         reason = np.int32(SHADOW) if variance > dark else reason
         reason = lost if (lost == SATURATED) | (lost == BLOOMING) else reason
         kept = (reason == VALID) | ((reason >= CONFLICT) & (reason <= last))
