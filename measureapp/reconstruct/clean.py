@@ -58,8 +58,8 @@ class Lens:
 
     @property
     def flat_rays(self) -> FloatArray:
-        """The same rays as rows of numbers (H, 2 W)."""
-        return self.rays.reshape(len(self.rays), -1)
+        """The same rays as rows of numbers (H, 2 W), read-only, as kernels know them."""
+        return np.asarray(read_only(self.rays.reshape(len(self.rays), -1)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -138,6 +138,7 @@ def cleaned(
     others : (H, W) uint8, bit i: the camera at ``centres_mm[i]``, in the frame of the depth map's, takes part
     """
     memory = memory or MapMemory()
+    depth_mm, sigma_mm = read_only(depth_mm), read_only(sigma_mm)  # kernels are compiled once more for arrays that can be written to
     height, width = depth_mm.shape
     border = settings.normal_radius_px
     inverse = memory.empty((height + 2 * border, width + 2 * border), np.float32)
@@ -247,7 +248,7 @@ def gather(
     masks = np.array(
         [bits[0] + sum(bit for place, bit in enumerate(bits[1:]) if k >> place & 1) for k in range(2 ** len(bits[1:]))], np.uint8
     )
-    turn = pose[:, :3].astype(np.float32)
+    written = kernels.Points(out.points_mm.reshape(-1), out.normals.reshape(-1), out.sigma_mm, out.grey, out.pixel.reshape(-1), out.cameras)
     rays = grid.lens.flat_rays
     levels = read_only(grey, np.uint16)
     in_bands(
@@ -266,17 +267,11 @@ def gather(
             np.float32(1 / saturation),
             grid.others,
             masks,
-            turn,
             pose,
             begins,
             start,
             stop,
-            out.points_mm.reshape(-1),
-            out.normals.reshape(-1),
-            out.sigma_mm,
-            out.grey,
-            out.pixel.reshape(-1),
-            out.cameras,
+            written,
         ),
         len(begins),
     )
