@@ -9,8 +9,10 @@ import pytest
 from measureapp.arrays import read_only
 from measureapp.data.point_state import PointState
 from measureapp.reconstruct import kernels
-from measureapp.reconstruct.clean import Lens, cleaned, gathered_normals
+from measureapp.reconstruct.clean import cleaned
 from measureapp.reconstruct.cubics import PixelSteps
+from measureapp.reconstruct.depth_grid import Lens
+from measureapp.reconstruct.gather import gathered_normals
 from measureapp.reconstruct.match import flat, partner_of
 from measureapp.reconstruct.phase_view import PhaseView
 from measureapp.reconstruct.rectifier import Rectifier

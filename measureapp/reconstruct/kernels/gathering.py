@@ -189,8 +189,8 @@ def gather_points(
     """Write the points that are left, with the normals of the planes through them."""
     width = sigma.shape[1]
     s, d = stack_float32(SCRATCH), stack_float64(POINTS)
-    floats, stage_along, stage_light = stack_float32(PLACES), stack_float32(STAGE), stack_float32(STAGE)
-    stage = Points(stack_float64(PLACES), floats, stage_along, stage_light, stack_int32(PIXELS), stack_uint8(STAGE))
+    normals, along, light = stack_float32(PLACES), stack_float32(STAGE), stack_float32(STAGE)
+    stage = Points(stack_float64(PLACES), normals, along, light, stack_int32(PIXELS), stack_uint8(STAGE))
     first_of_band = begins[row_start] % BLOCK  # what lies before on the stage belongs to the band before
     begin, held = begins[row_start] - first_of_band, first_of_band
     for y in range(row_start, row_stop):
