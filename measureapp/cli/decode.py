@@ -69,6 +69,8 @@ def register(app: typer.Typer) -> None:
             file = out / f"{name}.npz"
             write_phase_map(file, phase_map)
             cameras[name] = {**figures(phase_map), "file": file}
+            if not phase_map.valid.any():
+                cameras[name]["no_phase"] = "no phase at all: {}. {}".format(*most_frequent_loss(phase_map))
         lines = [line for name, entry in cameras.items() for line in _lines(name, entry)]
         reply({"cameras": cameras, "settings": settings.model_dump()}, "\n".join(lines), as_json)
 
@@ -129,10 +131,26 @@ def figures(phase_map: PhaseMap) -> dict[str, Any]:
     }
 
 
+def most_frequent_loss(phase_map: PhaseMap) -> tuple[str, str]:
+    """Return why most pixels of a camera have no phase, in words with their share, and what helps."""
+    from measureapp.data.phase import PixelState
+
+    lost = {state: int((phase_map.state == state).sum()) for state in PixelState if state != PixelState.VALID}
+    state = max(lost, key=lambda each: lost[each])
+    share = f"{state.name.lower().replace('_', ' ')} in {lost[state] / phase_map.state.size:.0%} of the image"
+    if state == PixelState.SATURATED:
+        return share, "Record a shorter exposure too, or dim the projector."
+    if state in (PixelState.SHADOW, PixelState.WEAK_MODULATION):
+        return share, "Record a longer exposure too, and check that the projector lights the part."
+    return share, "Check pitches, projector_px and shift_sign in the manifest."
+
+
 def _lines(name: str, entry: dict[str, Any]) -> list[str]:
     exposures = ", ".join(f"{ratio:.1%}" for ratio in entry["valid_ratio"]["exposures"])
     sigma = entry["phase_sigma_median"]
-    noise = "no phase at all" if sigma is None else f"modulation {entry['modulation_median']:.1f}, phase noise {sigma:.4f} rad (medians)"
+    noise = (
+        f"modulation {entry['modulation_median']:.1f}, phase noise {sigma:.4f} rad (medians)" if sigma is not None else entry["no_phase"]
+    )
     return [
         f"{name}: valid by exposure {exposures}; composite {entry['valid_ratio']['composite']:.1%}; decoded {entry['decoded_ratio']:.1%}",
         f"  {noise}; {entry['order_conflicts']} order conflicts → {entry['file']}",

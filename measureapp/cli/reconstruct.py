@@ -9,7 +9,15 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.decode import BloomingOption, NoiseOption, PerFrequencyOption, ResponseOption, RuleOption, decode_settings
+from measureapp.cli.decode import (
+    BloomingOption,
+    NoiseOption,
+    PerFrequencyOption,
+    ResponseOption,
+    RuleOption,
+    decode_settings,
+    most_frequent_loss,
+)
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply, say
 
 if TYPE_CHECKING:
@@ -60,14 +68,23 @@ def register(app: typer.Typer) -> None:
         findings = diagnosed(maps, calibration)
         made, agreement = _made(maps, calibration, projector or len(maps) == 1, PartOf(progress, 0.5, 1.0))
         if len(made.cloud) == 0:
-            raise ReconstructError(
-                f"{manifest} gives no points: no phase occurs in two cameras on one epipolar line.",
-                f"Check that {cameras} belongs to these images, and the pitches and shift_sign in the manifest.",
-            )
+            raise ReconstructError(*_no_points(maps, manifest, cameras))
         write_cloud(out, made.cloud)
         document = {**_document(made, out), "findings": [asdict(finding) for finding in findings], "projector": agreement}
         document["validity"] = _validity(maps, calibration)
         reply(document, _lines(document), as_json)
+
+
+def _no_points(maps: Mapping[str, PhaseMap], manifest: Path, cameras: Path) -> tuple[str, str]:
+    """Return why there is no point, and what helps."""
+    for name, phase_map in maps.items():
+        if not phase_map.valid.any():
+            why, remedy = most_frequent_loss(phase_map)
+            return f"{manifest} gives no points: camera {name!r} has no phase, {why}.", remedy
+    return (
+        f"{manifest} gives no points: no phase occurs in two cameras on one epipolar line.",
+        f"Check that {cameras} belongs to these images, and the pitches and shift_sign in the manifest.",
+    )
 
 
 def diagnosed(maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration) -> tuple[Finding, ...]:

@@ -8,13 +8,15 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.decode import PerFrequencyOption, RuleOption, decode_settings
+from measureapp.cli.decode import BloomingOption, NoiseOption, PerFrequencyOption, ResponseOption, RuleOption, decode_settings
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 if TYPE_CHECKING:
     from measureapp.pipeline.why import ExplainedView, Number, PixelAnswer, RegionAnswer
     from measureapp.pipeline.why_pictures import Kind, Picture
 
+Decoding = tuple[str, bool, Path | None, Path | None, str]  # rule, per frequency, noise, response, blooming: the options of `decode`
+AS_USUAL: Decoding = ("combined", False, None, None, "0")
 STAGES = {
     "decode": "lost in decoding",
     "match": "lost in matching the cameras",
@@ -39,13 +41,17 @@ def register(app: typer.Typer) -> None:
         ] = None,
         rule: RuleOption = "combined",
         per_frequency: PerFrequencyOption = False,
+        noise: NoiseOption = None,
+        response: ResponseOption = None,
+        blooming_px: BloomingOption = "0",
         as_json: JsonOption = False,
     ) -> None:
         """Say why there is a hole: the stage, the reason, its numbers beside the limits, and what to do.
 
         Without --pixel or --region the shares of all reasons are told, for every camera; those of a camera sum to 1. The images
         are decoded and reconstructed again; nothing in the project changes. --map draws every camera, or only --camera.
-        Images of a single camera are explained with the projector of --cameras, or without it up to their phase.
+        Images of a single camera are explained with the projector of --cameras, or without it up to their phase. Give recorded images
+        the options they were decoded with.
         """
         from measureapp.errors import InputError
 
@@ -53,7 +59,7 @@ def register(app: typer.Typer) -> None:
             raise InputError("--pixel and --region exclude each other.", "Ask for one of them.")
         pictures = dict(_kind_and_file(value) for value in maps or [])
         wanted = _numbers("--pixel", pixel, 2), _numbers("--region", region, 4)
-        explained = _explained(source, view, cameras, rule, per_frequency)
+        explained = _explained(source, view, cameras, (rule, per_frequency, noise, response, blooming_px))
         document, lines = _answer(explained, _known(explained, camera), *wanted)
         drawn = {kind: _draw(explained, camera, kind, file) for kind, file in pictures.items()}
         if drawn:
@@ -93,7 +99,7 @@ def _numbers(option: str, value: str | None, count: int) -> tuple[int, ...] | No
     return numbers
 
 
-def _explained(source: Path, view: str | None, cameras: Path | None, rule: str, per_frequency: bool) -> ExplainedView:
+def _explained(source: Path, view: str | None, cameras: Path | None, decoding: Decoding) -> ExplainedView:
     """Decode and reconstruct the images asked for; raises InputError where the options do not name them."""
     from measureapp.errors import InputError
     from measureapp.pipeline.why import explain_stack, explain_view
@@ -103,8 +109,8 @@ def _explained(source: Path, view: str | None, cameras: Path | None, rule: str, 
 
     if source.is_dir():
         project = ProjectFolder.open(source)
-        if cameras is not None or rule != "combined" or per_frequency:
-            raise InputError("A project is explained as it was measured.", "Leave --cameras, --rule and --per-frequency out.")
+        if cameras is not None or decoding != AS_USUAL:
+            raise InputError("A project is explained as it was measured.", "Leave --cameras and the options of decoding out.")
         if view is None:
             stored = project.stored_viewpoints()
             hint = f"Add --view with one of: {', '.join(stored)}." if stored else "Scan the part first: measureapp scan."
@@ -116,7 +122,7 @@ def _explained(source: Path, view: str | None, cameras: Path | None, rule: str, 
     if cameras is None and len(stack.images) > 1:
         raise InputError(f"Recorded images ({source}) need the calibration of their cameras.", "Add --cameras cameras.json.")
     calibration = None if cameras is None else read_cameras(cameras)
-    return explain_stack(stack, calibration, decode_settings(stack, rule, per_frequency, None, None), TerminalProgress())
+    return explain_stack(stack, calibration, decode_settings(stack, *decoding), TerminalProgress())
 
 
 def _known(explained: ExplainedView, camera: str | None) -> str | None:

@@ -13,7 +13,7 @@ from measureapp.errors import DecodeError
 from measureapp.fringe.kernels.records import BLOCK, CHUNK, RESIDUAL_SCALE, ROWS, SPACING, Layout, Maps, Model, Work
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.unwrap import HeterodynePlan, extent_px, plan_heterodyne
-from measureapp.map_memory import MapMemory
+from measureapp.map_memory import MapMemory, at_a_line
 
 RANGE_MARGIN_PX = 2.0
 GRAY_GATE_CYCLES, GRAY_SLACK_CYCLES = 0.5, 0.75
@@ -50,6 +50,9 @@ def make_model(recipe: Recipe, plan: HeterodynePlan | None, decides_later: bool)
         **_of_exposures(recipe),
         beyond=np.float32(min(saturation * max(recipe.exposures_us) / min(recipe.exposures_us), 65535.0)),
         least_modulation=np.float32(recipe.settings.min_modulation_grey(saturation)),
+        one_gain=np.float32(1 / recipe.noise.electrons_per_grey(saturation)),
+        one_floor=np.float32(recipe.noise.floor_variance(saturation)),
+        sure=np.float32(_sure_variance(recipe, plan, scales)),
         most_sigma=np.float32(recipe.settings.max_sigma_rad),
         dark_sigma=np.float32(sigma_of_nothing(scales)),
         zero_is_dark=recipe.settings.rule == "paper",
@@ -58,6 +61,15 @@ def make_model(recipe: Recipe, plan: HeterodynePlan | None, decides_later: bool)
         gate=np.float32(recipe.settings.residual_gate if plan else GRAY_GATE_CYCLES),
         undecided=decides_later,
     )
+
+
+def _sure_variance(recipe: Recipe, plan: HeterodynePlan | None, scales: FloatArray) -> float:
+    """Return the variance of the absolute phase, rad², up to which faint pixels may make up for their modulation by many exposures."""
+    if not recipe.settings.joint:
+        return -1.0  # groups of different exposures have no common noise
+    if plan is None or plan.amplification == 0:
+        return recipe.settings.max_sigma_rad**2
+    return plan.sure_sigma_rad**2 / float((scales**2).sum())
 
 
 def _of_exposures(recipe: Recipe) -> dict[str, FloatArray | IntArray]:
@@ -131,10 +143,11 @@ def make_maps(dtype: np.dtype[np.unsignedinteger], pixels: int, memory: MapMemor
 def make_work(groups: int) -> Work:
     """Return the arrays in which a block of pixels is solved."""
     return Work(
-        phase=np.empty((groups, BLOCK), np.float32),
-        power=np.empty((groups, BLOCK), np.float32),
-        rows=np.empty(ROWS * SPACING, np.float32),
-        code=np.empty((3, BLOCK), np.int32),
+        phase=at_a_line((groups, BLOCK), np.float32),
+        power=at_a_line((groups, BLOCK), np.float32),
+        rows=at_a_line((ROWS * SPACING,), np.float32),
+        code=at_a_line((3, BLOCK), np.int32),
+        known=np.full(1, -1),
     )
 
 

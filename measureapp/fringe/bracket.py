@@ -79,8 +79,9 @@ def propose_bracket(
 ) -> BracketProposal:
     """Choose exposures for a scene.
 
-    A pixel is decodable when an exposure leaves it unsaturated with enough modulation, the noise of its phase over all
-    unsaturated exposures, σφ² = (2/N) Σw²σ² / (ΣwB)² as `decode` weighs them, is below the limit; it counts with the probability
+    A pixel is decodable when an exposure leaves it unsaturated with enough modulation, or all that do are together as exact as one
+    such image and leave no doubt about orders, and the noise of its phase over them,
+    σφ² = (2/N) Σw²σ² / (ΣwB)² as `decode` weighs them, is below the limit; it counts with the probability
     that its order is right and its residual below the gate r, erf(2π r / (√2 a σφ)), with a the amplification of the set's
     most delicate order decision; what neighbours mend comes on top.
     Brackets are grown by one exposure at a time on a grid of quarter octaves, from the last ones and from evenly spaced and
@@ -190,7 +191,9 @@ class _Scene:
         information = [group.steps / self._steps * (finest / group.pitch_px) ** 2 for group in sinusoids]
         self._averaged = float(np.sum(information)) ** -0.5  # the noise of all pitches together over that of one
         gray = any(isinstance(group, GrayCodeGroup) for group in alone.groups)
-        self._amplification = 0.0 if gray else plan_heterodyne(alone).amplification
+        plan = None if gray else plan_heterodyne(alone)
+        self._amplification = plan.amplification if plan else 0.0
+        self._sure_sigma = plan.sure_sigma_rad if plan and plan.amplification else np.inf
         self._singles: dict[tuple[int, int], tuple[BoolArray, FloatArray, FloatArray]] = {}
         self._seen: dict[tuple[int, ...], BracketFigures] = {}
 
@@ -238,13 +241,14 @@ class _Scene:
         """Return the phase noise of each pixel of a camera (infinite where it has none) and the probability that it is decoded rightly."""
         camera = self._cameras[number]
         size = len(camera.mean_rate)
-        swing, variance, strongest = np.zeros(size), np.zeros(size), np.zeros(size)
+        swing, variance, strongest, alone = np.zeros(size), np.zeros(size), np.zeros(size), np.ones(size)
         least = self._settings.min_modulation_grey(camera.saturation)
         weights = exposure_weights(exposures, camera.noise, camera.saturation, least)
         for exposure, weight in zip(exposures, weights, strict=True):
             clear, own_swing, own_variance = self._single(number, exposure)
             swing += np.where(clear, weight * own_swing, 0.0)
             variance += np.where(clear, weight**2 * own_variance, 0.0)
+            alone = np.where(clear & (strongest == 0), own_variance, alone)
             strongest = np.maximum(strongest, np.where(clear, own_swing, 0.0))
         sigma = np.full(size, np.inf)
         np.divide(np.sqrt(2.0 / self._steps * variance), swing, out=sigma, where=swing > 0)
@@ -252,8 +256,10 @@ class _Scene:
         if self._amplification > 0:
             allowed_rad = 2 * np.pi * self._settings.residual_gate
             right = erf(allowed_rad / (2.0**0.5 * self._amplification * np.maximum(sigma, 1e-12)))
+        together = (swing**2 * alone >= least**2 * variance) & (sigma <= self._sure_sigma)
         sigma *= self._averaged
-        return sigma, np.asarray(np.where((strongest >= least) & (sigma <= self._settings.max_sigma_rad), right, 0.0))
+        seen = ((strongest >= least) | together) & (sigma <= self._settings.max_sigma_rad)
+        return sigma, np.asarray(np.where(seen, right, 0.0))
 
     def _single(self, number: int, exposure: int) -> tuple[BoolArray, FloatArray, FloatArray]:
         if (number, exposure) not in self._singles:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import erfc, exp, pi, sqrt, tau
 
 import numpy as np
@@ -10,12 +10,15 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.data.fringe import Direction, GrayCodeGroup, PatternSet, PhaseShiftGroup
 from measureapp.errors import DecodeError
+from measureapp.fringe.exposure_weights import exposure_weights
 from measureapp.fringe.noise import CameraNoise, phase_sigma
 from measureapp.fringe.patterns import check_covers, check_determines_phase
+from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.unwrap import LEAST_GUARD, extent_px, plan_heterodyne
 
 EDGE_MARGIN_PX = 2.0  # decoded positions this far outside the projector still count
 DEFAULT_MEAN, DEFAULT_MODULATION = 110.0, 80.0  # an ordinary pixel of an 8-bit image
+MILLION = 1_000_000  # shares of an exposure as whole numbers
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +30,23 @@ class Contrast:
     noise: CameraNoise = field(default_factory=CameraNoise)
     saturation: int = 255
     exposures: tuple[float, ...] = (1.0,)  # unsaturated ones, relative to the longest
+
+    def summed_variance(self, grey: float) -> float:
+        """Return the variance in grey levels² of the sum over the exposures, of a pixel with this mean at the longest one."""
+        shares, counts = self._bracket()
+        return float((counts**2 * self.noise.variance(grey * shares, self.saturation)).sum())
+
+    def summed_modulation(self) -> float:
+        """Return the modulation of that sum."""
+        shares, counts = self._bracket()
+        return self.modulation_grey * float((counts * shares).sum())
+
+    def _bracket(self) -> tuple[FloatArray, FloatArray]:
+        """Return the exposures from long to short, and how often `decode` counts the images of each."""
+        shares = np.sort(np.array(self.exposures))[::-1]
+        least = DecodeSettings().min_modulation_grey(self.saturation)
+        counts = exposure_weights(tuple(round(MILLION * share) for share in shares), self.noise, self.saturation, least)
+        return shares, np.array(counts, float)
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,9 +77,9 @@ class DirectionCheck:
 def check_patterns(patterns: PatternSet, width_px: int, height_px: int, contrast: Contrast | None = None) -> tuple[DirectionCheck, ...]:
     """Say what a set gives on a projector, for each direction of its fringes.
 
-    The phase of N steps has σφ = √(2/N) σ_I / B (with several exposures of shares e: σ_I² = Σ σ_I²(e A), B Σ e). An order decision
-    whose weights on the wrapped phases are w is wrong when its noise √(Σ w² σφ²) exceeds half a period [1]_:
-    P = erfc(π / (√2 √(Σ w² σφ²))); 46 σφ for the pitches 32 and 33.
+    The phase of N steps has σφ = √(2/N) σ_I / B; several exposures of shares e count as often as in decoding (`exposure_weights`):
+    Σ n² σ_I²(e A) instead of σ_I², Σ n e B instead of B. An order decision whose weights on the wrapped phases are w is wrong when
+    its noise √(Σ w² σφ²) exceeds half a period [1]_: P = erfc(π / (√2 √(Σ w² σφ²))); 46 σφ for the pitches 32 and 33.
 
     Raises
     ------
@@ -85,9 +105,9 @@ def check_patterns(patterns: PatternSet, width_px: int, height_px: int, contrast
 
 def wrapped_sigmas(patterns: PatternSet, contrast: Contrast) -> FloatArray:
     """Return the standard deviation of each phase-shift group's wrapped phase, (G,) rad."""
-    grey_sigma, modulation = _combined(contrast)
+    grey_sigma, modulation = np.sqrt(contrast.summed_variance(contrast.mean_grey)), np.asarray(contrast.summed_modulation())
     groups = [group for group in patterns.groups if isinstance(group, PhaseShiftGroup)]
-    return np.array([float(phase_sigma(group.steps, np.asarray(grey_sigma), np.asarray(modulation))) for group in groups])
+    return np.array([float(phase_sigma(group.steps, grey_sigma, modulation)) for group in groups])
 
 
 def decisions(patterns: PatternSet, contrast: Contrast) -> tuple[OrderDecision, ...]:
@@ -109,8 +129,12 @@ def decisions(patterns: PatternSet, contrast: Contrast) -> tuple[OrderDecision, 
 
 
 def _check_contrast(contrast: Contrast) -> None:
-    exposures = contrast.exposures
-    if not (0 < contrast.modulation_grey <= contrast.mean_grey and contrast.saturation > 0 and exposures and min(exposures) > 0):
+    if not (contrast.exposures and min(contrast.exposures) >= 1 / MILLION and max(contrast.exposures) == 1):
+        listed = ", ".join(f"{share:g}" for share in contrast.exposures)
+        raise DecodeError(
+            f"The exposures {listed} are not relative to the longest.", "Give 1 for the longest and shares of it for the others."
+        )
+    if not (0 < contrast.modulation_grey <= contrast.mean_grey and contrast.saturation > 0):
         raise DecodeError(
             f"A contrast of A = {contrast.mean_grey:g}, B = {contrast.modulation_grey:g} grey levels cannot be.", "Give 0 < B ≤ A."
         )
@@ -157,13 +181,6 @@ def _check_guard(alone: PatternSet, extent: int, reach: float) -> None:
         )
 
 
-def _combined(contrast: Contrast) -> tuple[float, float]:
-    """Return noise and modulation of the sum over the exposures, in grey levels."""
-    shares = np.array(contrast.exposures)
-    variance = contrast.noise.variance(contrast.mean_grey * shares, contrast.saturation).sum()
-    return float(np.sqrt(variance)), float(contrast.modulation_grey * shares.sum())
-
-
 def _rounds_wrongly(noise_rad: float) -> float:
     return erfc(pi / (sqrt(2.0) * noise_rad)) if noise_rad > 0 else 0.0
 
@@ -181,12 +198,10 @@ def _gray_decisions(gray: GrayCodeGroup, patterns: PatternSet, sigmas: FloatArra
     """Bits are compared with the mean of the finest sinusoids; borders of periods are where bits and phase must agree."""
     finest = int(np.argmin(patterns.pitches_px))
     steps = [group.steps for group in patterns.groups if isinstance(group, PhaseShiftGroup)][finest]
-    shares = np.array(contrast.exposures)
+    threshold = contrast.summed_variance(contrast.mean_grey) / steps
     wrong = 0.0
     for level in (contrast.mean_grey - contrast.modulation_grey, contrast.mean_grey + contrast.modulation_grey):
-        bit = contrast.noise.variance(level * shares, contrast.saturation).sum()
-        threshold = contrast.noise.variance(contrast.mean_grey * shares, contrast.saturation).sum() / steps
-        wrong += erfc(contrast.modulation_grey * shares.sum() / sqrt(2.0 * float(bit + threshold))) / 4
+        wrong += erfc(contrast.summed_modulation() / sqrt(2.0 * (contrast.summed_variance(level) + threshold))) / 4
     sigma = float(sigmas[finest])
     if gray.complementary:
         # the phase would have to be off by a quarter of a period before a bit is read where it changes
@@ -201,8 +216,7 @@ def _modulation_for(patterns: PatternSet, contrast: Contrast, wanted: float) -> 
     """Return the B that reaches an order-error probability at the same mean A; None when none does that a camera can see."""
 
     def probability(modulation: float) -> float:
-        seen = Contrast(contrast.mean_grey, modulation, contrast.noise, contrast.saturation, contrast.exposures)
-        return sum(decision.error_probability for decision in decisions(patterns, seen))
+        return sum(decision.error_probability for decision in decisions(patterns, replace(contrast, modulation_grey=modulation)))
 
     low, high = 1e-3, min(contrast.mean_grey, contrast.saturation - contrast.mean_grey)
     if probability(high) > wanted:

@@ -20,7 +20,12 @@ class DecodeSettings(Model):
         description="combined: all unsaturated exposures, weighted by their signal and noise; paper: the brightest unsaturated one",
     )
     joint: bool = Field(default=True, description="all groups from the same exposures; otherwise each pitch for itself")
-    min_modulation: float = Field(default=10.0, ge=0, description="least B at the exposure taken, in grey levels of an 8-bit image")
+    min_modulation: float = Field(
+        default=10.0,
+        ge=0,
+        description="least B at the exposure taken, in grey levels of an 8-bit image; of a pixel whose orders are beyond doubt, of one "
+        "image as exact as all its exposures together",
+    )
     max_sigma_rad: float = Field(default=0.15, gt=0, description="largest standard deviation of the absolute phase")
     residual_gate: float = Field(default=0.35, gt=0, le=0.5, description="largest rounding residual of an order without support, cycles")
     vote_radius: int = Field(default=2, ge=0, le=4, description="radius of the window that votes about orders, px; 0: no vote")

@@ -15,6 +15,7 @@ FARTHEST_PX = 16
 CERTAIN = 5.0  # standard errors by which the light of a ring must exceed what the shorter exposure promises
 HARMFUL = 0.5  # of the noise of a pixel: less light than that is not worth losing an exposure for
 BRIGHTEST = 0.8  # of saturation: brighter pixels are partly clipped by their own noise
+DIMMEST = 0.1  # of saturation: rounding to whole grey levels changes the ratio of darker pixels
 LEAST_PIXELS = 50  # of a ring
 
 
@@ -50,7 +51,7 @@ def _rings(long: ImageArray, short: ImageArray, saturation: float, noise: Camera
         return nothing, nothing, nothing
     distance = np.rint(cv2.distanceTransform((~clipped).astype(np.uint8), cv2.DIST_C, 3)).astype(int)
     bright, faint = long.astype(float) - noise.black_grey, short.astype(float) - noise.black_grey
-    lit = ~clipped & (faint > 0)
+    lit = ~clipped & (bright > DIMMEST * saturation)
     far = lit & (distance > FARTHEST_PX)
     if np.count_nonzero(far) < LEAST_PIXELS:
         return nothing, nothing, nothing

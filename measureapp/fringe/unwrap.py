@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations, pairwise, product
-from math import comb
+from math import comb, pi
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from measureapp.errors import DecodeError
 BEAT_TOLERANCE = 1e-6
 LEAST_GUARD = 1 / 64  # of the projector, by which the coarsest period should exceed it: noise must not turn one edge into the other
 PRICE_OF_GUARD = 1.25  # how much noisier the worst decision may become for it
+SURE = 4.5  # standard deviations that half a period must be worth
 MOST_PITCHES = 24
 MOST_STATIONS = 1000
 
@@ -32,6 +33,11 @@ class HeterodynePlan:
     def amplification(self) -> float:
         """Noise of the most delicate order decision over the noise of one wrapped phase."""
         return max(self.noise)
+
+    @property
+    def sure_sigma_rad(self) -> float:
+        """Noise of a wrapped phase up to which an order is wrong less than once in a hundred thousand pixels, by P = erfc(4.5 / √2)."""
+        return pi / (SURE * self.amplification)
 
     @property
     def worst(self) -> int:

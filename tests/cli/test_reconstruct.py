@@ -83,6 +83,23 @@ def test_a_calibration_of_other_cameras_is_refused_before_decoding(tmp_path: Pat
     assert not out.exists()
 
 
+@pytest.mark.parametrize(("grey", "reason", "remedy"), [(255, "saturated", "shorter exposure"), (0, "shadow", "longer exposure")])
+def test_images_that_are_all_white_or_all_black_are_told_from_a_wrong_calibration(
+    grey: int, reason: str, remedy: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    manifest = write_paper_set(tmp_path, ("left", "right"))
+    for file in tmp_path.glob("left/*.png"):
+        cv2.imwrite(str(file), np.full((40, 256), grey, np.uint8))
+    write_cameras(tmp_path / "cameras.json", flat_cameras())
+    assert main(["decode", str(manifest), "--out", str(tmp_path / "maps")]) == 0
+    assert f"no phase at all: {reason} in 100%" in capsys.readouterr().out
+    said = ["reconstruct", str(manifest), "--cameras", str(tmp_path / "cameras.json"), "--out", str(tmp_path / "cloud.ply"), "--json"]
+    assert main(said) == 2
+    error = json.loads(capsys.readouterr().out)["error"]
+    assert f"camera 'left' has no phase, {reason} in 100% of the image" in error["message"]
+    assert remedy in error["hint"]
+
+
 def test_no_points_are_a_refusal_and_leave_no_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     manifest = write_paper_set(tmp_path, ("left", "right"))
     write_cameras(tmp_path / "cameras.json", flat_cameras())

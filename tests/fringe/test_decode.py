@@ -7,7 +7,7 @@ import pytest
 
 from measureapp.arrays import FloatArray
 from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternSet, PhaseShiftGroup
-from measureapp.data.pattern_sets import PAPER_PATTERNS
+from measureapp.data.pattern_sets import DEFAULT_PATTERNS, PAPER_PATTERNS
 from measureapp.data.phase import PixelState
 from measureapp.errors import DecodeError
 from measureapp.fringe.decode import decode, decode_camera
@@ -93,6 +93,26 @@ def test_spots_that_saturate_are_decoded_as_if_all_were_so_bright_and_the_rest_a
         of_bright, of_dim = (getattr(phase_map, name) for phase_map in alone)
         np.testing.assert_array_equal(getattr(mixed, name), np.where(spots, of_bright, of_dim), name)
     assert (mixed.exposure_index[spots] > 0).mean() > 0.9 > 0.1 > (mixed.exposure_index[~spots] > 0).mean()
+
+
+def test_many_exposures_make_up_for_faint_fringes_where_no_order_is_in_doubt() -> None:
+    column, settings = ramp(60, 400), DecodeSettings()
+    mean, modulation = 11.0, 8.0  # below the least modulation of one image, and at its noise decodable all the same
+    seven_us = (100_000, 85_000, 70_000, 55_000, 40_000, 25_000, 10_000)
+    images = images_of(column, DEFAULT_PATTERNS, seven_us, mean, modulation)
+    light = np.array(seven_us) / seven_us[0]
+    information = light**2 / CameraNoise().variance(mean * light, 255)
+    assert modulation < settings.min_modulation < modulation * sqrt(float(information.sum() / information[0]))
+    seven = decode(stack_of(images, DEFAULT_PATTERNS, seven_us), settings)["left"]
+    error = (seven.column_px - column)[seven.valid]
+    assert seven.valid.mean() > 0.99
+    assert np.abs(error).max() < 7 * float(seven.sigma_rad[seven.valid].max()) * seven.pixel_of_phase()[0]
+    one = decode(stack_of(images[:1].copy(), DEFAULT_PATTERNS, seven_us[:1]), settings)["left"]
+    assert (one.state == PixelState.WEAK_MODULATION).mean() > 0.95
+    papers = images_of(column, PAPER_PATTERNS, seven_us, mean, modulation)  # whose orders would be in doubt
+    for rule in ("combined", "paper"):
+        found = decode(stack_of(papers.copy(), exposures_us=seven_us), DecodeSettings(rule=rule))["left"]
+        assert (found.state == PixelState.WEAK_MODULATION).mean() > 0.95
 
 
 def test_highlights_take_the_brightest_unsaturated_exposure_by_the_papers_rule() -> None:

@@ -6,9 +6,12 @@ import pytest
 from measureapp.data.fringe import PatternSet, PhaseShiftGroup
 from measureapp.data.pattern_sets import PAPER_PATTERNS, PATTERN_SETS
 from measureapp.errors import DecodeError
+from measureapp.fringe.decode import decode
 from measureapp.fringe.noise import CameraNoise
 from measureapp.fringe.pattern_check import Contrast, check_patterns, decisions, wrapped_sigmas
+from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.unwrap import HeterodynePlan, plan_heterodyne
+from tests.fringe.conftest import images_of, ramp, stack_of
 
 TAU = 2 * np.pi
 SIZE = 1024, 768
@@ -100,6 +103,29 @@ def test_a_single_wrapped_phase_and_the_column_have_the_noise_predicted() -> Non
 def test_five_exposures_lower_the_noise_as_the_sum_of_their_light_does() -> None:
     one, five = (wrapped_sigmas(PAPER_PATTERNS, Contrast(exposures=shares))[0] for shares in ((1.0,), (1.0, 0.8, 0.6, 0.4, 0.2)))
     assert one / five == pytest.approx(1.71, abs=0.03)
+
+
+@pytest.mark.parametrize("name", ["three-close", "complementary-gray"])
+@pytest.mark.parametrize(("mean", "modulation"), [(14.0, 11.0), (110.0, 80.0)], ids=["dark", "bright"])
+def test_a_wide_bracket_gives_the_noise_that_decoding_has(name: str, mean: float, modulation: float) -> None:
+    patterns, exposures, column = PATTERN_SETS[name], (100_000, 25_000, 6_000, 1_500), ramp(100, 400)
+    images = images_of(column, patterns, exposures, mean, modulation, seed=8)
+    shares = tuple(exposure / exposures[0] for exposure in exposures)
+    found = decode(stack_of(images, patterns, exposures), DecodeSettings(min_modulation=5.0))["left"]
+    error = (found.column_px - column)[found.valid]
+    predicted = check_patterns(patterns, *SIZE, Contrast(mean, modulation, exposures=shares[::-1]))[0].column_sigma_px
+    assert found.valid.mean() > 0.97
+    assert error.std() == pytest.approx(predicted, rel=0.02 + 3 / np.sqrt(2 * error.size))  # and rounding to whole grey levels
+    alone = check_patterns(patterns, *SIZE, Contrast(mean, modulation))[0].column_sigma_px
+    variances = CameraNoise().variance(mean * np.array(shares), 255)
+    plain = alone * float(np.sqrt(variances.sum() / variances[0])) / sum(shares)
+    assert (predicted < 0.95 * plain) == (mean < 100)  # the plain sum would add dark noise to dark pixels
+
+
+def test_exposures_that_are_not_shares_of_the_longest_are_refused() -> None:
+    for exposures in ((), (0.5, 0.25), (100.0, 50.0), (1.0, 0.0), (1.0, -0.5)):
+        with pytest.raises(DecodeError, match="not relative to the longest"):
+            check_patterns(PAPER_PATTERNS, *SIZE, Contrast(exposures=exposures))
 
 
 def test_bits_of_a_gray_code_are_misread_as_often_as_predicted() -> None:

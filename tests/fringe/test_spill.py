@@ -59,6 +59,13 @@ def test_a_sensor_that_does_not_spill_over_needs_no_guard_even_behind_a_lens_tha
     assert spill_radius_px(spilling_stack(0.0, seed=seed), "left", CameraNoise()) == 0
 
 
+def test_a_wide_dark_surrounding_whose_grey_levels_are_mostly_rounding_is_no_spill() -> None:
+    lit = images(0.0, 1.0, seed=1)
+    dark = np.random.default_rng(2).random((*lit.shape[:3], 3000)) < 0.4
+    stack = stack_of(np.concatenate([lit, dark.astype(np.uint8)], axis=-1), exposures_us=EXPOSURES_US)
+    assert spill_radius_px(stack, "left", CameraNoise()) == 0
+
+
 def test_a_single_exposure_or_no_highlight_tells_nothing() -> None:
     stack = spilling_stack(0.1)
     alone = FringeStack("v", PAPER_PATTERNS, EXPOSURES_US[:1], {"left": stack.images["left"][:1]}, 255)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-CHUNK = 2048  # pixels whose images of all exposures pass through the processor's nearest cache together
+CHUNK = 2048  # pixels whose images of one exposure pass through the processor's nearest cache together
+STRETCH = 8 * CHUNK  # pixels whose sums of all exposures stay in its second cache
 DIFFER, COMPLETE = -1, -2  # the pixels of a chunk took different exposures; and where one is enough, each has its one
 LOOKED_AT = 8  # of how many chunks one is counted that needs no further exposure
 BLOCK = 512  # of a chunk, for the arithmetic after the sums
@@ -73,6 +74,9 @@ class Model(NamedTuple):
     first: Any  # (2^E,) int8, the longest exposure of a set, -1 for none
     beyond: Any  # float32, grey of a pixel saturated in all exposures, scaled to the longest
     least_modulation: Any  # float32, grey levels
+    one_gain: Any  # float32, variance of one image per grey level of it, shot noise
+    one_floor: Any  # float32, variance of one image in the dark, grey levels squared
+    sure: Any  # float32, variance in rad² below which no order is in doubt; negative: the modulation alone counts
     most_sigma: Any  # float32, rad
     dark_sigma: Any  # float32, rad: above it nothing can be told from noise
     zero_is_dark: Any  # bool, a pixel that is 0 in the exposure taken is not valid
@@ -101,6 +105,7 @@ class Work(NamedTuple):
     power: Any  # (G, BLOCK) float32
     rows: Any  # (ROWS · SPACING,) float32, one after the other
     code: Any  # (3, BLOCK) int32
+    known: Any  # (1,) int64, the exposures taken whose numbers the rows hold, as bits; -1 for those of pixels that differ
 
 
 # Where the rows of `Work` begin. At fixed distances in one array the compiler sees that they do not overlap, and keeps loops over many
