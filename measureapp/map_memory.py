@@ -38,10 +38,15 @@ class MapMemory:
         return array.reshape(shape)
 
 
+def at_a_line(shape: tuple[int, ...], dtype: npt.DTypeLike) -> npt.NDArray[Any]:
+    """Return an array that begins with a line of the cache and holds anything: scratch memory of kernels, which no access crosses."""
+    return _aligned(prod(shape) * np.dtype(dtype).itemsize).view(dtype).reshape(shape)
+
+
 def _aligned(size: int) -> npt.NDArray[np.uint8]:
     """Return so many bytes that begin with a line of the cache, so that kernels may write whole lines."""
     memory = np.empty(size + LINE, np.uint8)
-    begin = -memory.ctypes.data % LINE
+    begin = -memory.__array_interface__["data"][0] % LINE
     return memory[begin : begin + size]
 
 

@@ -13,7 +13,7 @@ from measureapp.errors import DecodeError
 from measureapp.fringe.kernels.records import BLOCK, CHUNK, RESIDUAL_SCALE, ROWS, SPACING, Layout, Maps, Model, Work
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.unwrap import HeterodynePlan, extent_px, plan_heterodyne
-from measureapp.map_memory import MapMemory
+from measureapp.map_memory import MapMemory, at_a_line
 
 RANGE_MARGIN_PX = 2.0
 GRAY_GATE_CYCLES, GRAY_SLACK_CYCLES = 0.5, 0.75
@@ -143,10 +143,11 @@ def make_maps(dtype: np.dtype[np.unsignedinteger], pixels: int, memory: MapMemor
 def make_work(groups: int) -> Work:
     """Return the arrays in which a block of pixels is solved."""
     return Work(
-        phase=np.empty((groups, BLOCK), np.float32),
-        power=np.empty((groups, BLOCK), np.float32),
-        rows=np.empty(ROWS * SPACING, np.float32),
-        code=np.empty((3, BLOCK), np.int32),
+        phase=at_a_line((groups, BLOCK), np.float32),
+        power=at_a_line((groups, BLOCK), np.float32),
+        rows=at_a_line((ROWS * SPACING,), np.float32),
+        code=at_a_line((3, BLOCK), np.int32),
+        known=np.full(1, -1),
     )
 
 

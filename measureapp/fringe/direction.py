@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import tau
-from typing import Any
 
 import numpy as np
 
-from measureapp.arrays import ImageArray, IntArray, in_bands, read_only
+from measureapp.arrays import ImageArray, IntArray, read_only
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.errors import DecodeError
 from measureapp.fringe.absolute import (
@@ -17,23 +16,19 @@ from measureapp.fringe.absolute import (
     Solve,
     make_maps,
     make_model,
-    make_work,
     plan_of,
     sampled_chunks,
     with_origin,
 )
 from measureapp.fringe.blooming import near_saturation
-from measureapp.fringe.kernels import decoding, solving, summing
-from measureapp.fringe.kernels.records import CHUNK, Layout, Maps, Model, Sums
+from measureapp.fringe.kernels.records import CHUNK, STRETCH, Layout, Maps, Model, Sums
 from measureapp.fringe.order_vote import VoteLimits, order_steps, settle_orders
+from measureapp.fringe.pixel_loop import NOWHERE, STRETCH_ALONE, PixelLoop, flat
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.unwrap import extent_px
 from measureapp.map_memory import MapMemory
 
 LEAST_USABLE, MOST_OUTSIDE = 0.01, 0.8
-COUNTERS = len(PixelState) + 1  # of every state, and of complete pixels
-NOWHERE = np.empty(0, np.uint8)  # no pixel is kept from an exposure by its neighbours
-NOTHING_COMING = np.empty((0, 0), np.uint8)  # no images are needed after these sums
 Fill = Callable[[Sums, int, int, int], None]  # puts the sums of pixels begin … end at a place: fill(sums, place, begin, end)
 UNLIT = (PixelState.SATURATED, PixelState.WEAK_MODULATION, PixelState.SHADOW, PixelState.BLOOMING)
 
@@ -63,9 +58,11 @@ class DirectionDecoder:
         self._recipe, self._camera, self._viewpoint_id = recipe, camera, viewpoint_id
         self._shape, self._dtype = shape, np.dtype(dtype)
         self._pixels = shape[0] * shape[1]
-        self._layout, self._rule = recipe.layout(), recipe.rule(self._dtype)
         self._memory = memory
-        self._seen = self._nothing_seen()
+        self._plan = plan_of(recipe)
+        self._looking = make_model(recipe, self._plan, decides_later=recipe.settings.vote_radius > 0)  # for where the fringes start
+        self._loop = PixelLoop(recipe, self._dtype, self._pixels, self._looking, memory)
+        self._seen = self._loop.nothing_seen()
         self._sums: Sums | None = None
 
     def decode(self, images: ImageArray) -> PhaseMap:
@@ -74,24 +71,19 @@ class DirectionDecoder:
             for exposure in range(len(images)):
                 self.add(exposure, images[exposure])
             return self.finish()
-        flat = _flat(images.reshape(*images.shape[:2], self._pixels))
-        recipe, layout = self._recipe, self._layout
+        whole, room = flat(images.reshape(*images.shape[:2], self._pixels)), self._loop.room(self._loop.layout)
 
         def sum_sample(sample: Sums, first: int, begin: int, end: int) -> None:
-            scratch, seen = recipe.scratch(self._dtype), self._nothing_seen()
-            summing.add_exposures(flat, 0, NOWHERE, layout, self._rule, scratch, sample, begin - first, begin, end, seen)
+            self._loop.run(sample, begin - first, begin, end, images=whole, room=room)
 
         model = self._model(sum_sample)
         maps = make_maps(self._dtype, self._pixels, self._memory)
 
         def work(start: int, stop: int) -> tuple[IntArray, IntArray]:
-            seen, counts = self._nothing_seen(), np.zeros(COUNTERS, np.int64)
-            scratch, blocks = recipe.scratch(self._dtype), make_work(len(layout.steps))
-            sums = recipe.sums(self._dtype, CHUNK, self._memory)
-            decoding.sum_and_solve(flat, NOWHERE, layout, self._rule, model, scratch, sums, blocks, start, stop, maps, seen, counts)
-            return seen, counts
+            sums = self._recipe.sums(self._dtype, STRETCH, self._memory)
+            return self._loop.run(sums, STRETCH_ALONE, start, stop, images=whole, model=model, maps=maps)
 
-        done = self._in_bands(work)
+        done = self._loop.in_bands(work)
         self._seen = np.sum([seen for seen, _ in done], axis=0)
         return self._phase_map(maps, model, np.sum([counts for _, counts in done], axis=0))
 
@@ -99,18 +91,11 @@ class DirectionDecoder:
         """Add the images (P, H, W) of one exposure to the sums."""
         if self._sums is None:
             self._sums = self._recipe.sums(self._dtype, self._pixels, self._memory)
-        sums, recipe = self._sums, self._recipe
-        flat = _flat(images.reshape(1, len(images), self._pixels))
-        radius = recipe.settings.blooming_radius_px
-        blocked = near_saturation(flat[0], self._shape, self._layout, self._rule, radius) if radius else NOWHERE
-
-        def work(start: int, stop: int) -> IntArray:
-            seen = self._nothing_seen()
-            scratch = recipe.scratch(self._dtype)
-            summing.add_exposures(flat, exposure, blocked, self._layout, self._rule, scratch, sums, 0, start, stop, seen)
-            return seen
-
-        self._seen += np.sum(self._in_bands(work), axis=0)
+        sums, radius = self._sums, self._recipe.settings.blooming_radius_px
+        one, loop = flat(images.reshape(1, len(images), self._pixels)), self._loop
+        blocked = near_saturation(one[0], self._shape, loop.layout, loop.rule, radius) if radius else NOWHERE
+        done = loop.in_bands(lambda start, stop: loop.run(sums, 0, start, stop, images=one, exposure=exposure, blocked=blocked)[0])
+        self._seen += np.sum(done, axis=0)
 
     def finish(self) -> PhaseMap:
         """Turn the sums into the phase map."""
@@ -124,32 +109,16 @@ class DirectionDecoder:
 
         model = self._model(copy_sample)
         maps = make_maps(self._dtype, self._pixels, self._memory)
-
-        def work(start: int, stop: int) -> IntArray:
-            counts, blocks = np.zeros(COUNTERS, np.int64), make_work(len(self._layout.steps))
-            solving.solve(sums, 0, NOTHING_COMING, self._layout, model, blocks, start, stop, maps, counts)
-            return counts
-
-        done = self._in_bands(work)
+        done = self._loop.in_bands(lambda start, stop: self._loop.run(sums, 0, start, stop, model=model, maps=maps)[1])
         self._sums = None
         return self._phase_map(maps, model, np.sum(done, axis=0))
 
-    def _in_bands(self, work: Callable[[int, int], Any]) -> list[Any]:
-        """Share whole chunks of pixels among the processors."""
-        chunks = -(-self._pixels // CHUNK)
-        return in_bands(lambda start, stop: work(start * CHUNK, min(stop * CHUNK, self._pixels)), chunks)
-
-    def _nothing_seen(self) -> IntArray:
-        """Return counters for `summing.add_exposures`."""
-        return np.zeros((2, 2, len(self._recipe.exposures_us)), np.int64)
-
     def _model(self, fill: Fill) -> Model:
         """Return what turns sums into phase, its origin told from as many chunks as that takes."""
-        plan = plan_of(self._recipe)
-        model, known = make_model(self._recipe, plan, decides_later=self._recipe.settings.vote_radius > 0), False
+        model, known = self._looking, False
         for number in SAMPLED_CHUNKS:
             if not known:
-                model, known = with_origin(model, plan, self._layout, self._sample(fill, sampled_chunks(self._pixels, number)))
+                model, known = with_origin(model, self._plan, self._loop.layout, self._sample(fill, sampled_chunks(self._pixels, number)))
         return model
 
     def _sample(self, fill: Fill, chunks: list[tuple[int, int]]) -> Solve:
@@ -160,8 +129,8 @@ class DirectionDecoder:
             fill(sums, number * CHUNK, begin, end)
 
         def solve(trial: Model, layout: Layout) -> Maps:
-            maps, blocks = make_maps(self._dtype, pixels, self._memory), make_work(len(layout.steps))
-            solving.solve(sums, 0, NOTHING_COMING, layout, trial, blocks, 0, pixels, maps, np.zeros(COUNTERS, np.int64))
+            maps = make_maps(self._dtype, pixels, self._memory)
+            self._loop.run(sums, 0, 0, pixels, model=trial, layout=layout, maps=maps)
             return maps
 
         return solve
@@ -180,8 +149,7 @@ class DirectionDecoder:
         recipe = self._recipe
         states, complete = counts[:-1], int(counts[-1])
         self._check_within(states)
-        plan = plan_of(recipe)
-        amplification = plan.amplification if plan else 0.0
+        amplification = self._plan.amplification if self._plan else 0.0
         repaired = 0
         limits = self._limits(model, amplification)
         if limits.radius or limits.edge_step_rad < recipe.patterns.phase_range_rad:
@@ -210,7 +178,7 @@ class DirectionDecoder:
             },
             saturation=float(recipe.saturation),
             direction=recipe.direction,
-            snr_at_one_rad=_snr_at_one_rad(model, self._layout),
+            snr_at_one_rad=_snr_at_one_rad(model, self._loop.layout),
         )
 
     def _limits(self, model: Model, amplification: float) -> VoteLimits:
@@ -223,7 +191,7 @@ class DirectionDecoder:
             amplification=amplification * float(np.sqrt((model.scales.astype(float) ** 2).sum())),
             slack_cycles=0.0 if amplification else GRAY_SLACK_CYCLES,
             range_rad=((float(model.lowest) + origin) * tau, (float(model.highest) + origin) * tau),
-            order_steps_rad=order_steps(model.scales.astype(float), self._layout.steps),
+            order_steps_rad=order_steps(model.scales.astype(float), self._loop.layout.steps),
         )
 
     def _check_within(self, states: IntArray) -> None:
@@ -240,10 +208,3 @@ class DirectionDecoder:
 def _snr_at_one_rad(model: Model, layout: Layout) -> float:
     """Return B/σ_I of a single image of a pixel whose absolute phase has a standard deviation of one radian."""
     return float(1 / np.sqrt((model.scales.astype(float) ** 2 * layout.steps / 2).sum()))
-
-
-def _flat(images: ImageArray) -> ImageArray:
-    """Return a read-only contiguous view, so that the kernels see one type only."""
-    flat = np.ascontiguousarray(images).view()
-    flat.flags.writeable = False
-    return flat

@@ -13,7 +13,7 @@ from measureapp.fringe.kernels.records import CHUNK, Layout, Rule, Scratch, Sums
 from measureapp.fringe.noise import CameraNoise
 from measureapp.fringe.phase_shift import shift_weights
 from measureapp.fringe.settings import DecodeSettings
-from measureapp.map_memory import MapMemory
+from measureapp.map_memory import MapMemory, at_a_line
 
 MOST_EXPOSURES = 16
 LARGEST_SHORT = 32767
@@ -127,8 +127,8 @@ class Recipe:
     def scratch(self, dtype: np.dtype[np.unsignedinteger]) -> Scratch:
         """Return the arrays of one chunk."""
         return Scratch(
-            high=np.empty((1 if self.settings.joint else len(self.groups), CHUNK), dtype),
-            peak=np.empty(CHUNK, dtype),
-            low=np.empty(CHUNK, dtype),
-            take=np.empty(CHUNK, np.uint8),
+            high=at_a_line((1 if self.settings.joint else len(self.groups), CHUNK), dtype),
+            peak=at_a_line((CHUNK,), dtype),
+            low=at_a_line((CHUNK,), dtype),
+            take=at_a_line((CHUNK,), np.uint8),
         )

@@ -14,6 +14,8 @@ from measureapp.data.point_state import PointState
 from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.cubics import PixelSteps
+from measureapp.reconstruct.depth_grid import DepthGrid, Lens
+from measureapp.reconstruct.gather import gathered_normals
 from measureapp.reconstruct.settings import ReconstructSettings
 
 ONE_SURFACE_DEG = 80.0
@@ -46,37 +48,6 @@ class Partner:
 
     centre_mm: FloatArray  # (3,) in the frame of the camera whose depth map it is
     takes_part: BoolArray  # (H, W)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Lens:
-    """The viewing rays of a camera as the kernels want them."""
-
-    rays: FloatArray  # (H, W, 2) float32, normalised image coordinates
-    steps: PixelSteps  # how they change from pixel to pixel
-    spacing: float  # distance of neighbouring pixels in normalised coordinates
-
-    @property
-    def flat_rays(self) -> FloatArray:
-        """The same rays as rows of numbers (H, 2 W)."""
-        return self.rays.reshape(len(self.rays), -1)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class DepthGrid:
-    """A depth map with the points that were not rejected, and the other cameras that take part in each."""
-
-    depth_mm: FloatArray  # (H, W) float32
-    sigma_mm: FloatArray  # (H, W) float32
-    others: IntArray  # (H, W) uint8
-    fate: IntArray  # (H, W) uint8 of PointState
-    lens: Lens
-    inverse: FloatArray  # (H + 2r, W + 2r) float32, inverse depth of the points left, with a border of zeros
-    border: int  # r
-    per_px: np.float32  # largest depth step between neighbours of one surface, as a share of the depth
-    normals: FloatArray  # (3, H, W) float32, by all points that were judged
-    removed: IntArray  # (H, chunks) uint8, 1 where points of a chunk of a row were removed since
-    per_row: IntArray  # (H,) int64, how many points are left in every row
 
 
 def clean(
@@ -138,6 +109,7 @@ def cleaned(
     others : (H, W) uint8, bit i: the camera at ``centres_mm[i]``, in the frame of the depth map's, takes part
     """
     memory = memory or MapMemory()
+    depth_mm, sigma_mm = read_only(depth_mm), read_only(sigma_mm)  # kernels are compiled once more for arrays that can be written to
     height, width = depth_mm.shape
     border = settings.normal_radius_px
     inverse = memory.empty((height + 2 * border, width + 2 * border), np.float32)
@@ -198,92 +170,3 @@ def _drop_islands(grid: DepthGrid, least: int, memory: MapMemory) -> None:
     kernels.drop_islands(
         grid.inverse, grid.sigma_mm, grid.per_px, grid.border, least, starts, stops, counts, grid.fate, grid.removed, grid.per_row
     )
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class PointArrays:
-    """The arrays of a cloud, to be filled."""
-
-    points_mm: FloatArray  # (N, 3) float64
-    normals: FloatArray  # (N, 3) float32
-    sigma_mm: FloatArray  # (N,) float32
-    grey: FloatArray  # (N,) float32
-    pixel: IntArray  # (N, 2) int32
-    cameras: IntArray  # (N,) uint8
-
-    @classmethod
-    def of(cls, count: int, memory: MapMemory) -> PointArrays:
-        """Make room for points."""
-        return cls(
-            memory.empty((count, 3), np.float64),
-            memory.empty((count, 3), np.float32),
-            memory.empty(count, np.float32),
-            memory.empty(count, np.float32),
-            memory.empty((count, 2), np.int32),
-            memory.empty(count, np.uint8),
-        )
-
-
-def gather(
-    grid: DepthGrid,
-    first: int,
-    grey: FloatArray | IntArray,
-    saturation: float,
-    bits: tuple[int, ...],
-    reference_from_camera: FloatArray,
-    out: PointArrays,
-) -> None:
-    """Write the points of a depth map into a cloud, from index ``first`` on.
-
-    Parameters
-    ----------
-    grey, saturation : grey levels of the image, and the one that becomes 1
-    bits : of this camera and of the others, for `PointCloud.cameras`
-    reference_from_camera : (4, 4)
-    """
-    begins = first + np.cumsum(grid.per_row) - grid.per_row
-    steps = grid.lens.steps
-    pose = np.ascontiguousarray(reference_from_camera[:3], np.float64)
-    masks = np.array(
-        [bits[0] + sum(bit for place, bit in enumerate(bits[1:]) if k >> place & 1) for k in range(2 ** len(bits[1:]))], np.uint8
-    )
-    turn = pose[:, :3].astype(np.float32)
-    rays = grid.lens.flat_rays
-    levels = read_only(grey, np.uint16)
-    in_bands(
-        lambda start, stop: kernels.gather_points(
-            grid.inverse,
-            grid.depth_mm,
-            grid.sigma_mm,
-            rays,
-            steps.cubics,
-            steps.unit,
-            grid.per_px,
-            grid.border,
-            grid.normals,
-            grid.removed,
-            levels,
-            np.float32(1 / saturation),
-            grid.others,
-            masks,
-            turn,
-            pose,
-            begins,
-            start,
-            stop,
-            out.points_mm.reshape(-1),
-            out.normals.reshape(-1),
-            out.sigma_mm,
-            out.grey,
-            out.pixel.reshape(-1),
-            out.cameras,
-        ),
-        len(begins),
-    )
-
-
-def gathered_normals(grid: DepthGrid) -> tuple[IntArray, FloatArray]:
-    """Return the pixels (N, 2) and normals (N, 3) of the points left."""
-    out = PointArrays.of(int(grid.per_row.sum()), MapMemory())
-    gather(grid, 0, grid.depth_mm, 1.0, (1,), np.eye(4), out)
-    return out.pixel, out.normals

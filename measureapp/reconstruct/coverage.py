@@ -11,7 +11,7 @@ import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray, in_bands
 from measureapp.reconstruct import kernels
-from measureapp.reconstruct.clean import DepthGrid
+from measureapp.reconstruct.depth_grid import DepthGrid
 from measureapp.reconstruct.match import DepthMap, sample_step, sight_of
 from measureapp.reconstruct.phase_view import PhaseView
 from measureapp.reconstruct.rectifier import Rectifier

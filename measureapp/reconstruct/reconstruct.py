@@ -19,9 +19,11 @@ from measureapp.map_memory import MapMemory
 from measureapp.progress import NoProgress, Progress
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.blur import without_blur
-from measureapp.reconstruct.clean import DepthGrid, Lens, PointArrays, cleaned, gather, rejections
+from measureapp.reconstruct.clean import cleaned, rejections
 from measureapp.reconstruct.coverage import check_across, keep_new
+from measureapp.reconstruct.depth_grid import DepthGrid, Lens
 from measureapp.reconstruct.figures import PairFigures, pair_figures
+from measureapp.reconstruct.gather import PointArrays, gather
 from measureapp.reconstruct.match import DepthMap, match_view, sample_step
 from measureapp.reconstruct.phase_view import PhaseView
 from measureapp.reconstruct.rectified_grid import on_rectified_grid

@@ -6,18 +6,18 @@ from types import ModuleType
 
 import pytest
 
-from measureapp.fringe.kernels import orders, solving, summing
+from measureapp.fringe.kernels import decoding, orders, summing
 from measureapp.pipeline.warm_up import warm_up
 from measureapp.progress import CallbackProgress, Cancelled
-from measureapp.reconstruct.kernels import across, band, binning, both, cleaning, fusing, islands, matching, sightlines, slopes
+from measureapp.reconstruct.kernels import across, band, binning, both, cleaning, fusing, islands, looking, matching, sightlines, slopes
 from measureapp.reconstruct.reconstruct import reconstruct
 from measureapp.register import kernels as register_kernels
 from measureapp.register.prepare import prepare
 from tests.reconstruct.conftest import make_head, plane
 
 MEASURING = (
+    decoding,
     summing,
-    solving,
     orders,
     across,
     band,
@@ -26,6 +26,7 @@ MEASURING = (
     cleaning,
     fusing,
     islands,
+    looking,
     matching,
     sightlines,
     slopes,

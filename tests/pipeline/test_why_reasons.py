@@ -54,7 +54,7 @@ def left_images() -> ImageArray:
     column, mean = plane_seen(0), np.full((HEIGHT, WIDTH), 110.0)
     modulation = np.full_like(mean, 80.0)
     mean[box("saturated")], modulation[box("saturated")] = 2000.0, 1500.0
-    modulation[box("weak modulation")] = 8.0  # below the least, far above noise
+    modulation[box("weak modulation")] = 8.0  # not enough, and well above the noise
     mean[box("shadow")], modulation[box("shadow")] = 3.0, 0.0
     column[box("out of range")] = 1038.0
     rows, columns = box("edge")
@@ -65,8 +65,9 @@ def left_images() -> ImageArray:
     mean[rows, columns], modulation[rows, columns] = 3.0, 0.0
     mean[middle], modulation[middle] = 110.0, kept
     images = images_of(column, PAPER_PATTERNS, mean=mean, modulation=modulation, seed=5)
-    moved = column + np.random.default_rng(6).uniform(-16, 16, column.shape)  # between the two pitches, all over the place
-    images[0, 4:, *box("order conflict")] = images_of(moved, PAPER_PATTERNS, seed=7)[0, 4:, *box("order conflict")]
+    moved = column + np.random.default_rng(6).integers(-16, 16, column.shape) + 0.5  # half a period from any order, each from another
+    for group, seen in ((slice(0, 4), column), (slice(4, 8), moved)):
+        images[0, group, *box("order conflict")] = images_of(seen, PAPER_PATTERNS, seed=None)[0, group, *box("order conflict")]
     return images
 
 
@@ -103,7 +104,7 @@ def test_a_painted_box_has_lost_its_pixels_to_its_cause(explained: ExplainedView
     row, column = PLACES[reason]
     inner = explained.region("left", (row + 3, column + 3, row + SIDE - 3, column + SIDE - 3))
     assert next(iter(inner.shares)) == reason
-    assert inner.shares[reason] > (0.5 if reason == "order conflict" else 0.9)  # where orders jump, edges are seen too
+    assert inner.shares[reason] > 0.8
     assert inner.example is not None and inner.example.found.reason == reason
 
 

@@ -6,10 +6,13 @@ import cv2
 import numpy as np
 import pytest
 
+from measureapp.arrays import read_only
 from measureapp.data.point_state import PointState
 from measureapp.reconstruct import kernels
-from measureapp.reconstruct.clean import Lens, cleaned, gathered_normals
+from measureapp.reconstruct.clean import cleaned
 from measureapp.reconstruct.cubics import PixelSteps
+from measureapp.reconstruct.depth_grid import Lens
+from measureapp.reconstruct.gather import gathered_normals
 from measureapp.reconstruct.match import flat, partner_of
 from measureapp.reconstruct.phase_view import PhaseView
 from measureapp.reconstruct.rectifier import Rectifier
@@ -31,7 +34,7 @@ def test_a_row_is_matched_where_phase_and_epipolar_line_are_right(head: Head) ->
     row, width = 120, skip.shape[1]
     out = [np.zeros((1, width), dtype) for dtype in (np.float32, np.float32, np.float32, np.int32, np.uint8)]
     partner = partner_of("left", "right", views, tables, rectifier)
-    count = kernels.match(flat(rectifier.rays("left")), views["left"].phase, skip, partner, row, row + 1, 0, width, *out)
+    count = kernels.match(flat(rectifier.rays("left")), views["left"].phase, skip, partner, row, row + 1, 0, width, kernels.Found(*out))
     depth = out[0][0]
     found = np.flatnonzero(depth > 0)
     assert count == len(found) > 0.6 * (skip[row] == 0).sum()
@@ -60,7 +63,9 @@ def test_two_candidates_are_fused_by_least_squares() -> None:
     depth = (550 + random.normal(0, 0.02, (2, 1, width))).astype(np.float32)
     z, z_sigma = np.zeros((1, width), np.float32), np.zeros((1, width), np.float32)
     step, limits = tuple(np.float32(c) for c in (0, 0, 1e-6)), (np.float32(100), np.float32(0.5))
-    kernels.fuse_both(np.zeros((1, 2 * width), np.float32), sigma, depth, gain, variance, step, limits, 0, 1, 0, width, z, z_sigma)
+    kernels.fuse_both(
+        read_only(np.zeros((1, 2 * width), np.float32)), read_only(sigma), depth, gain, variance, step, limits, 0, 1, 0, width, z, z_sigma
+    )
     for x in range(width):
         # unknowns: z and the projector's phase less the pixel's; equations: phase − own = 0 ± σ and gain · (z − depth) − (phase − own) = 0 ± σ
         model = np.array([[0, 1], [gain[0, 0, x], -1], [gain[1, 0, x], -1]], float)
@@ -112,7 +117,7 @@ def test_pixels_near_covered_ones_are_not_matched_again(sampled: int) -> None:
     covered = (random.random(state.shape) < 0.02).astype(np.uint8)
     marked = np.empty_like(state)
     for start, stop in ((0, 20), (20, 61)):
-        kernels.mark_covered(state, covered, 7, np.uint8(sampled), np.uint8(PointState.UNMATCHED), start, stop, marked)
+        kernels.mark_covered(read_only(state), covered, 7, np.uint8(sampled), np.uint8(PointState.UNMATCHED), start, stop, marked)
     near = cv2.dilate(covered, np.ones((5, 5), np.uint8))
     near[::7, ::7] = covered[::7, ::7] * sampled
     seen = np.where(near != 0, PointState.SEEN_BY_ANOTHER, PointState.UNMATCHED)
@@ -140,7 +145,9 @@ def slopes_of(phase: np.ndarray, sigma: np.ndarray, state: np.ndarray, every: in
     height, width = phase.shape
     pixels, quad = np.empty((height, width, 4), np.float32), np.empty(phase.shape, np.uint8)
     samples = np.empty((3, -(-height // every), -(-width // every)), np.float32)
-    kernels.slopes(phase, sigma, state, np.float32(3), every, 0, height, pixels.reshape(height, -1), quad, samples)
+    kernels.slopes(
+        read_only(phase), read_only(sigma), read_only(state), np.float32(3), every, 0, height, pixels.reshape(height, -1), quad, samples
+    )
     return pixels, quad, samples
 
 

@@ -1,38 +1,58 @@
-"""The compiled loop over an image whose exposures are all at hand: every chunk is summed and solved while its sums are in cache."""
+"""The compiled loop over the pixels of an image: every stretch is summed, and solved while its sums are in cache.
+
+A stretch is long, and read exposure by exposure, because the processor fetches ahead of only so many rows of numbers at a time: the
+images of one exposure it follows, those of all not, and then memory is twice as slow.
+
+There is one such loop for all that is done with images and sums, for the machine code of each would take as long to make.
+"""
 
 from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 from numba import njit
 
 from measureapp.fringe.kernels.options import LOOP
-from measureapp.fringe.kernels.records import CHUNK
+from measureapp.fringe.kernels.records import CHUNK, LOOKED_AT, STRETCH
 from measureapp.fringe.kernels.solving import solve
-from measureapp.fringe.kernels.summing import add_exposures
+from measureapp.fringe.kernels.summing import add_exposure, needs_no_more
 
 
 @njit(**LOOP)
 def sum_and_solve(
-    images: Any,  # (E, P, N)
-    blocked: Any,  # empty: no guard against blooming
+    images: Any,  # (E, P, N) consecutive exposures to add to the sums; may be none
+    exposure: int,  # number of the first of them
+    blocked: Any,  # see `add_exposure`
     layout: Any,
     rule: Any,
     model: Any,
     scratch: Any,
-    sums: Any,  # of one chunk
+    sums: Any,
+    base: int,  # pixel that the sums begin with; -1: they are of one stretch, and of no use after it is solved
     work: Any,
     start: int,
     stop: int,
+    solves: bool,  # whether the sums are turned into maps
     maps: Any,
-    seen: Any,  # see `add_exposures`
+    seen: Any,  # (2, 2, all exposures) int64, gains the pixels looked at, and those above zero and unsaturated: due, and of the sample
     counts: Any,  # see `solve`
 ) -> None:
-    """Turn the images of pixels ``start … stop``, whole chunks, into their maps."""
-    exposures, count, pixels = images.shape
-    surely_needed = 1 if rule.first_only else exposures
-    coming = images[:surely_needed].reshape(surely_needed * count, pixels)
-    for begin in range(start, stop, CHUNK):
-        end = min(begin + CHUNK, stop)
-        add_exposures(images, 0, blocked, layout, rule, scratch, sums, begin, begin, end, seen)
-        solve(sums, begin, coming, layout, model, work, begin, end, maps, counts)
+    """Add exposures of pixels ``start … stop``, whole chunks, to their sums, and turn these into their maps.
+
+    Where one exposure is enough, chunks whose pixels have it are not looked at any more, but for a sample that is counted.
+    """
+    for first in range(start, stop, STRETCH):
+        last, place = min(first + STRETCH, stop), first - base if base >= 0 else 0
+        for e in range(images.shape[0]):
+            for begin in range(first, last, CHUNK):
+                n, off = min(CHUNK, last - begin), place + begin - first
+                sampled = np.int64(exposure + e > 0 and needs_no_more(rule, sums.alike[off // CHUNK]))
+                if sampled and (begin // CHUNK) % LOOKED_AT != 0:
+                    continue
+                looked, good = add_exposure(images[e], exposure + e, blocked, layout, rule, begin, n, scratch, sums, off)
+                seen[sampled, 0, exposure + e] += looked
+                seen[sampled, 1, exposure + e] += good
+        if solves:
+            for begin in range(first, last, CHUNK):
+                solve(sums, place + begin - first, layout, model, work, begin, min(CHUNK, last - begin), maps, counts)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-CHUNK = 2048  # pixels whose images of all exposures pass through the processor's nearest cache together
+CHUNK = 2048  # pixels whose images of one exposure pass through the processor's nearest cache together
+STRETCH = 8 * CHUNK  # pixels whose sums of all exposures stay in its second cache
 DIFFER, COMPLETE = -1, -2  # the pixels of a chunk took different exposures; and where one is enough, each has its one
 LOOKED_AT = 8  # of how many chunks one is counted that needs no further exposure
 BLOCK = 512  # of a chunk, for the arithmetic after the sums
@@ -104,6 +105,7 @@ class Work(NamedTuple):
     power: Any  # (G, BLOCK) float32
     rows: Any  # (ROWS · SPACING,) float32, one after the other
     code: Any  # (3, BLOCK) int32
+    known: Any  # (1,) int64, the exposures taken whose numbers the rows hold, as bits; -1 for those of pixels that differ
 
 
 # Where the rows of `Work` begin. At fixed distances in one array the compiler sees that they do not overlap, and keeps loops over many

@@ -13,7 +13,6 @@ import numpy as np
 from numba import njit
 
 from measureapp.fringe.kernels.drawing import draw, tally
-from measureapp.fringe.kernels.memory import ask_for_part
 from measureapp.fringe.kernels.options import BLOOMING, CONFLICT, HALF, INLINE, LOOP, OUTSIDE, SATURATED, SHADOW, TAU, TINY, VALID, WEAK
 from measureapp.fringe.kernels.records import (
     BLACK,
@@ -37,8 +36,6 @@ from measureapp.fringe.kernels.taken import common, draw_exposure, look_up, set_
 from measureapp.fringe.kernels.unwrapping import unwrap_gray, unwrap_heterodyne
 from measureapp.fringe.kernels.wrapping import correct, wrap
 
-STEPS = 5  # of the arithmetic of a block, with a part of the next images asked for at each
-PARTS = STEPS * (CHUNK // BLOCK)
 LEAST = np.float32(1e-30)
 
 
@@ -177,47 +174,38 @@ def weigh(sums: Any, off: int, n: int, alike: Any, layout: Any, model: Any, work
     weigh_groups(sums, off, n, layout, model, work)
 
 
-@njit(**LOOP)
+@njit(**INLINE)
 def solve(
     sums: Any,
-    base: int,  # pixel that the sums begin with
-    coming: Any,  # (P, N) images to ask for, of the chunk after the one being solved; (0, 0): none
+    place: int,  # of the pixels in the sums
     layout: Any,
     model: Any,
     work: Any,
-    start: int,
-    stop: int,
+    chunk: int,  # first of the pixels
+    length: int,  # how many they are
     maps: Any,
     counts: Any,  # (states + 1,) int64, gains the pixels of every state, and complete ones last
 ) -> None:
-    """Turn the sums of pixels ``start … stop`` into their maps."""
+    """Turn the sums of a chunk of pixels into their maps."""
     apart = sums.total.shape[0] > 1
-    known = np.int64(-1)  # the exposures that the rows hold the numbers of
-    for chunk in range(start, stop, CHUNK):
-        following = chunk + CHUNK
-        for begin in range(chunk, min(following, stop), BLOCK):
-            off, n, part = begin - base, min(BLOCK, stop - begin), STEPS * ((begin - chunk) // BLOCK)
-            alike = sums.alike[(chunk - base) // CHUNK]
-            if alike < 0:
-                alike = common(sums, off, n)
-            ask_for_part(coming, following, CHUNK, part, PARTS)
-            wrap_groups(sums, off, n, layout, model, work)
-            ask_for_part(coming, following, CHUNK, part + 1, PARTS)
-            if model.combinations.shape[0] > 0:
-                unwrap_heterodyne(n, model, work)
-            else:
-                unwrap_gray(sums, off, n, layout, model, work)
-            if alike < 0:
-                set_apart(sums, off, n, model, work)
-            elif alike != known:
-                set_together(alike, model, work)
-            known = np.int64(-1 if apart else alike)
-            ask_for_part(coming, following, CHUNK, part + 2, PARTS)
-            weigh(sums, off, n, alike, layout, model, work)
-            average(n, layout, model, work)
-            ask_for_part(coming, following, CHUNK, part + 3, PARTS)
-            judge(sums.total[model.finest if apart else 0, off : off + n], n, layout, model, work)
-            ask_for_part(coming, following, CHUNK, part + 4, PARTS)
-            draw(begin, n, model, work, maps)
-            draw_exposure(sums, off, begin, n, alike, model, work, maps)
-            tally(sums, off, n, alike, work, maps.state[begin : begin + n], counts)
+    for first in range(0, length, BLOCK):
+        begin, off, n = chunk + first, place + first, min(BLOCK, length - first)
+        alike = sums.alike[place // CHUNK]
+        if alike < 0:
+            alike = common(sums, off, n)
+        wrap_groups(sums, off, n, layout, model, work)
+        if model.combinations.shape[0] > 0:
+            unwrap_heterodyne(n, model, work)
+        else:
+            unwrap_gray(sums, off, n, layout, model, work)
+        if alike < 0:
+            set_apart(sums, off, n, model, work)
+        elif alike != work.known[0]:
+            set_together(alike, model, work)
+        work.known[0] = -1 if apart else alike
+        weigh(sums, off, n, alike, layout, model, work)
+        average(n, layout, model, work)
+        judge(sums.total[model.finest if apart else 0, off : off + n], n, layout, model, work)
+        draw(begin, n, model, work, maps)
+        draw_exposure(sums, off, begin, n, alike, model, work, maps)
+        tally(sums, off, n, alike, work, maps.state[begin : begin + n], counts)

@@ -1,6 +1,6 @@
-"""Compiled loops that sum the images of one pixel over the exposures it takes, chunk by chunk.
+"""Compiled loops that decide which exposures pixels take, and sum these, chunk by chunk.
 
-Sums live in a chunk that stays in cache when all exposures are at hand, or in arrays of the whole image while exposures arrive
+Sums live in a stretch that stays in cache when all exposures are at hand, or in arrays of the whole image while exposures arrive
 one by one; the same code works on both, so that both give the same. The readable statement stands in `phase_shift.py` and the tests.
 Kernels release the interpreter, so that bands run on threads. Inner functions are forced inline: a call would count the references
 of every array.
@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from measureapp.fringe.kernels.adding import add_taken
 from measureapp.fringe.kernels.options import INLINE, LOOP
-from measureapp.fringe.kernels.records import CHUNK, COMPLETE, DIFFER, LOOKED_AT
+from measureapp.fringe.kernels.records import BLOCK, CHUNK, COMPLETE, DIFFER
 
 
 @njit(**INLINE)
@@ -28,28 +29,35 @@ def clear(sums: Any, off: int, n: int) -> None:
 
 
 @njit(**INLINE)
+def four_rows(images: Any, first: int, last: int, begin: int, n: int) -> Any:
+    """Return ``n`` pixels of four images from ``first`` on; where there are fewer up to ``last``, the last one again."""
+    part = slice(begin, begin + n)
+    return images[first, part], images[min(first + 1, last), part], images[min(first + 2, last), part], images[min(first + 3, last), part]
+
+
+@njit(**INLINE)
 def bounds(images: Any, layout: Any, begin: int, n: int) -> Any:
     """Return the brightest and the darkest grey level of all sinusoids of a chunk."""
     top = images[layout.first_image[0], begin]
     bottom = top
     for g in range(layout.steps.shape[0]):
-        for p in range(layout.first_image[g], layout.first_image[g] + layout.steps[g]):
-            row = images[p, begin : begin + n]
-            high, low = row[0], row[0]
+        last = layout.first_image[g] + layout.steps[g] - 1
+        for p in range(layout.first_image[g], last + 1, 4):
+            a, b, c, d = four_rows(images, p, last, begin, n)
+            high, low = a[0], a[0]
             for j in range(n):
-                high = max(high, row[j])
-                low = min(low, row[j])
+                high = max(high, max(max(a[j], b[j]), max(c[j], d[j])))  # noqa: PLW3301
+                low = min(low, min(min(a[j], b[j]), min(c[j], d[j])))  # noqa: PLW3301
             top, bottom = max(top, high), min(bottom, low)
     return top, bottom
 
 
 @njit(**INLINE)
 def extremes(images: Any, layout: Any, begin: int, n: int, scratch: Any) -> None:
-    """Find the brightest image of the groups that decide together, the brightest and the darkest of all, per pixel."""
-    low, peak = scratch.low, scratch.peak
-    apart = scratch.high.shape[0] > 1
+    """Find the brightest image of the groups that decide together and the darkest of all, per pixel."""
+    low, apart = scratch.low, scratch.high.shape[0] > 1
     for g in range(layout.steps.shape[0]):
-        first = layout.first_image[g]
+        first, last = layout.first_image[g], layout.first_image[g] + layout.steps[g] - 1
         row = images[first, begin : begin + n]
         high = scratch.high[g if apart else 0]
         if apart or g == 0:
@@ -58,136 +66,46 @@ def extremes(images: Any, layout: Any, begin: int, n: int, scratch: Any) -> None
         if g == 0:
             for j in range(n):
                 low[j] = row[j]
-        last = first + layout.steps[g] - 1
-        for p in range(first, last + 1, 2):
-            one, two = images[p, begin : begin + n], images[min(p + 1, last), begin : begin + n]
+        for p in range(first, last + 1, 4):
+            a, b, c, d = four_rows(images, p, last, begin, n)
             for j in range(n):
-                high[j] = max(high[j], one[j], two[j])
-                low[j] = min(low[j], one[j], two[j])
-    high = scratch.high[0]
+                high[j] = max(high[j], max(max(a[j], b[j]), max(c[j], d[j])))  # noqa: PLW3301
+                low[j] = min(low[j], min(min(a[j], b[j]), min(c[j], d[j])))  # noqa: PLW3301
+
+
+@njit(**INLINE)
+def count_good(n: int, limit: Any, scratch: Any) -> Any:
+    """Count the pixels that are above zero and unsaturated, from their `extremes`."""
+    low, high = scratch.low, scratch.high[0]
+    if scratch.high.shape[0] > 1:
+        peak = scratch.peak
+        for j in range(n):
+            peak[j] = high[j]
+        for m in range(1, scratch.high.shape[0]):
+            other = scratch.high[m]
+            for j in range(n):
+                peak[j] = max(peak[j], other[j])
+        high = peak
+    good = np.uint16(0)
     for j in range(n):
-        peak[j] = high[j]
-    for m in range(1, scratch.high.shape[0]):
-        high = scratch.high[m]
-        for j in range(n):
-            peak[j] = max(peak[j], high[j])
+        good = np.uint16(good + np.uint16((high[j] <= limit) & (low[j] > 0)))
+    return np.int64(good)
 
 
 @njit(**INLINE)
-def begin_quad(a: Any, b: Any, c: Any, d: Any, n: int, sine: Any, cosine: Any, total: Any, counted: bool) -> None:
-    """Begin the sums of a group of four images with one exposure of all pixels; ``total`` only where it is ``counted``."""
-    kind = sine.dtype.type
-    if counted:
-        for j in range(n):
-            sine[j] = kind(b[j]) - kind(d[j])
-            cosine[j] = kind(a[j]) - kind(c[j])
-            total[j] = (kind(a[j]) + kind(b[j])) + (kind(c[j]) + kind(d[j]))
-    else:
-        for j in range(n):
-            sine[j] = kind(b[j]) - kind(d[j])
-            cosine[j] = kind(a[j]) - kind(c[j])
+def range_of(values: Any, n: int) -> Any:
+    """Return the least and the greatest of ``n`` values."""
+    least, greatest = values[0], values[0]
+    for j in range(n):
+        least, greatest = min(least, values[j]), max(greatest, values[j])
+    return least, greatest
 
 
 @njit(**INLINE)
-def add_quad(
-    a: Any, b: Any, c: Any, d: Any, n: int, sine: Any, cosine: Any, total: Any, counted: bool, take: Any, everywhere: bool
-) -> None:
-    """Add a group of four images of one exposure, of all pixels once or as often as ``take`` says."""
-    kind = sine.dtype.type
-    if everywhere and counted:
-        for j in range(n):
-            sine[j] += kind(b[j]) - kind(d[j])
-            cosine[j] += kind(a[j]) - kind(c[j])
-            total[j] += (kind(a[j]) + kind(b[j])) + (kind(c[j]) + kind(d[j]))
-    elif everywhere:
-        for j in range(n):
-            sine[j] += kind(b[j]) - kind(d[j])
-            cosine[j] += kind(a[j]) - kind(c[j])
-    else:
-        for j in range(n):
-            sine[j] += kind(take[j]) * (kind(b[j]) - kind(d[j]))
-            cosine[j] += kind(take[j]) * (kind(a[j]) - kind(c[j]))
-        if counted:
-            for j in range(n):
-                total[j] += kind(take[j]) * ((kind(a[j]) + kind(b[j])) + (kind(c[j]) + kind(d[j])))
-
-
-@njit(**INLINE)
-def add_weighted(images: Any, layout: Any, g: int, begin: int, n: int, sine: Any, cosine: Any, take: Any, everywhere: bool) -> None:
-    """Add a group of any number of images of one exposure, of all pixels once or as often as ``take`` says."""
-    kind = sine.dtype.type
-    p = layout.first_image[g]
-    for q in range(p, p + layout.steps[g]):
-        row = images[q, begin : begin + n]
-        weight_s = layout.sines[q]
-        weight_c = layout.cosines[q]
-        for j in range(n):
-            value = np.float32(row[j]) if everywhere else np.float32(row[j]) * np.float32(take[j])
-            sine[j] += kind(weight_s * value)
-            cosine[j] += kind(weight_c * value)
-
-
-@njit(**INLINE)
-def add_images(images: Any, first: int, count: int, begin: int, n: int, total: Any, take: Any, everywhere: bool) -> None:
-    """Add consecutive images to one sum, of all pixels once or as often as ``take`` says."""
-    kind = total.dtype.type
-    for q in range(first, first + count):
-        row = images[q, begin : begin + n]
-        if everywhere:
-            for j in range(n):
-                total[j] += kind(row[j])
-        else:
-            for j in range(n):
-                total[j] += kind(row[j]) * kind(take[j])
-
-
-@njit(**INLINE)
-def add_taken(
-    images: Any, layout: Any, rule: Any, m: int, begin: int, n: int, sums: Any, off: int, take: Any, everywhere: bool, fresh: bool
-) -> None:
-    """Add all that one decision about an exposure covers: every group, or group ``m`` where each decides for itself.
-
-    Sums that are ``fresh`` hold nothing of use yet; only where pixels are taken ``everywhere``.
-    """
-    joint = sums.total.shape[0] == 1
-    for g in range(layout.steps.shape[0]):
-        if not joint and g != m:
-            continue
-        counted = not joint or g == rule.finest
-        sine, cosine, total = sums.sine[g, off : off + n], sums.cosine[g, off : off + n], sums.total[m, off : off + n]
-        p = layout.first_image[g]
-        if layout.steps[g] == 4:
-            a, b = images[p, begin : begin + n], images[p + 1, begin : begin + n]
-            c, d = images[p + 2, begin : begin + n], images[p + 3, begin : begin + n]
-            if fresh:
-                begin_quad(a, b, c, d, n, sine, cosine, total, counted)
-            else:
-                add_quad(a, b, c, d, n, sine, cosine, total, counted, take, everywhere)
-            continue
-        if fresh:
-            sine[:] = 0
-            cosine[:] = 0
-        add_weighted(images, layout, g, begin, n, sine, cosine, take, everywhere)
-        if counted:
-            if fresh:
-                total[:] = 0
-            add_images(images, p, layout.steps[g], begin, n, total, take, everywhere)
-    if joint or m == rule.finest:
-        for b in range(layout.planes.shape[0]):
-            plane = sums.planes[b, off : off + n]
-            if fresh:
-                plane[:] = 0
-            add_images(images, layout.planes[b], 1, begin, n, plane, take, everywhere)
-
-
-@njit(**INLINE)
-def take_some(
-    images: Any, exposure: int, blocked: Any, layout: Any, rule: Any, m: int, begin: int, n: int, scratch: Any, sums: Any, off: int
-) -> None:
-    """Add one exposure where pixels decide differently."""
+def choose(exposure: int, blocked: Any, rule: Any, m: int, begin: int, n: int, scratch: Any, sums: Any, off: int) -> Any:
+    """Write how often each of ``n`` pixels takes an exposure, from their `extremes`; returns the least and the most of it."""
     take, low, high = scratch.take, scratch.low, scratch.high[m]
     taken = sums.taken[m, off : off + n]
-    zero = sums.zero[off : off + n]
     limit = rule.limit
     for j in range(n):
         take[j] = np.uint8(high[j] <= limit)
@@ -200,45 +118,20 @@ def take_some(
         for j in range(n):
             bloomed[j] |= take[j] & np.uint8(near[j] != 0)
             take[j] &= np.uint8(near[j] == 0)
-    for j in range(n):
-        zero[j] |= take[j] & np.uint8(taken[j] == 0) & np.uint8(low[j] == 0)
+    least, most = range_of(take, n)
+    if most == 0:
+        return least, most
+    if range_of(low, n)[0] == 0:
+        zero = sums.zero[off : off + n]
+        for j in range(n):
+            zero[j] |= take[j] & np.uint8(taken[j] == 0) & np.uint8(low[j] == 0)
     bit = np.uint16(1 << exposure)
     for j in range(n):
         taken[j] |= bit * np.uint16(take[j])
     weight = rule.weights[exposure]
     for j in range(n):
         take[j] *= weight
-    add_taken(images, layout, rule, m, begin, n, sums, off, take, False, False)
-
-
-@njit(**INLINE)
-def take_all(images: Any, exposure: int, layout: Any, rule: Any, begin: int, n: int, scratch: Any, sums: Any, off: int) -> None:
-    """Add one exposure that all pixels can take where they took different ones before."""
-    bit = np.uint16(1 << exposure)
-    weight = rule.weights[exposure]
-    for j in range(n):
-        scratch.take[j] = weight
-    for m in range(sums.total.shape[0]):
-        add_taken(images, layout, rule, m, begin, n, sums, off, scratch.take, weight == 1, False)
-        taken = sums.taken[m, off : off + n]
-        for j in range(n):
-            taken[j] |= bit
-
-
-@njit(**INLINE)
-def take_together(images: Any, exposure: int, layout: Any, rule: Any, begin: int, n: int, scratch: Any, sums: Any, off: int) -> None:
-    """Add one exposure that all pixels can take and that took the same ones before; the first one begins the sums."""
-    weight = rule.weights[exposure]
-    if weight > 1:
-        if exposure == 0:
-            clear(sums, off, n)
-        for j in range(n):
-            scratch.take[j] = weight
-    for m in range(sums.total.shape[0]):
-        if exposure == 0 and weight == 1:
-            add_taken(images, layout, rule, m, begin, n, sums, off, scratch.take, True, True)
-        else:
-            add_taken(images, layout, rule, m, begin, n, sums, off, scratch.take, weight == 1, False)
+    return np.uint8(least * weight), np.uint8(most * weight)
 
 
 @njit(**INLINE)
@@ -259,7 +152,21 @@ def all_took_one(n: int, sums: Any, off: int) -> bool:
 
 
 @njit(**INLINE)
-def accumulate(
+def begin_chunk(exposure: int, weight: Any, together: bool, alike: Any, n: int, scratch: Any, sums: Any, off: int) -> None:
+    """Prepare the sums of a chunk whose pixels took the same exposures so far for one more, which they take ``together`` or not."""
+    if exposure == 0 and not (together and weight == 1):
+        clear(sums, off, n)
+    if together:
+        for j in range(n):
+            scratch.take[j] = weight
+    else:
+        sums.taken[:, off : off + n] = np.uint16(alike)
+        sums.zero[off : off + n] = 0
+        sums.bloomed[off : off + n] = 0
+
+
+@njit(**INLINE)
+def add_exposure(
     images: Any,  # (P, N) of one exposure
     exposure: int,
     blocked: Any,  # (N,) uint8, not 0: beside a saturated pixel; empty: no guard
@@ -271,69 +178,46 @@ def accumulate(
     sums: Any,
     off: int,
 ) -> Any:
-    """Add one exposure of ``n`` pixels to their sums; returns how many of them are above zero and unsaturated in it."""
-    chunk = off // CHUNK
-    alike = sums.alike[chunk]
-    done = needs_no_more(rule, alike)
-    top, bottom = bounds(images, layout, begin, n)
-    clean = top <= rule.limit
-    together = clean and alike >= 0 and not done and blocked.shape[0] == 0 and (alike > 0 or bottom > 0)
-    if together:
-        take_together(images, exposure, layout, rule, begin, n, scratch, sums, off)
-        sums.alike[chunk] = alike | (1 << exposure)
-    elif exposure == 0:
-        clear(sums, off, n)
-    if clean and bottom > 0 and (together or done):
-        return n
-    if clean and bottom > 0 and alike < 0 and blocked.shape[0] == 0 and not rule.first_only:
-        take_all(images, exposure, layout, rule, begin, n, scratch, sums, off)
-        return n
-    extremes(images, layout, begin, n, scratch)
-    low, peak, limit = scratch.low, scratch.peak, rule.limit
-    good = np.int32(0)
-    for j in range(n):
-        good += np.int32((peak[j] <= limit) & (low[j] > 0))
-    if together or done:
-        return good
-    if alike >= 0:
-        sums.taken[:, off : off + n] = np.uint16(alike)
-        sums.zero[off : off + n] = 0
-        sums.bloomed[off : off + n] = 0
-    for m in range(sums.total.shape[0]):
-        take_some(images, exposure, blocked, layout, rule, m, begin, n, scratch, sums, off)
-    sums.alike[chunk] = COMPLETE if rule.first_only and all_took_one(n, sums, off) else DIFFER
-    return good
+    """Add one exposure of ``n`` pixels to their sums; returns how many were looked at, and how many of these are above zero and unsaturated.
 
-
-@njit(**LOOP)
-def add_exposures(
-    images: Any,  # (E, P, N) consecutive exposures
-    exposure: int,  # number of the first of them
-    blocked: Any,
-    layout: Any,
-    rule: Any,
-    scratch: Any,
-    sums: Any,
-    base: int,  # pixel that the sums begin with
-    start: int,
-    stop: int,
-    seen: Any,  # (2, 2, all exposures) int64, gains the pixels looked at, and those above zero and unsaturated: due, and of the sample
-) -> None:
-    """Add exposures of pixels ``start … stop``, whole chunks, to their sums; the first exposure begins them anew.
-
-    Where one exposure is enough, chunks whose pixels have it are not looked at any more, but for a sample that is counted.
+    The first exposure begins the sums anew. A chunk whose pixels all take the same exposures is added as a whole. Of one whose pixels
+    need one exposure each, those parts are passed over, and not looked at, that have all they need.
     """
-    for begin in range(start, stop, CHUNK):
-        n, off = min(CHUNK, stop - begin), begin - base
-        if exposure == 0:
-            sums.alike[off // CHUNK] = 0
-        for e in range(images.shape[0]):
-            sampled = np.int64(needs_no_more(rule, sums.alike[off // CHUNK]))
-            if sampled and (begin // CHUNK) % LOOKED_AT != 0:
-                continue
-            good = accumulate(images[e], exposure + e, blocked, layout, rule, begin, n, scratch, sums, off)
-            seen[sampled, 0, exposure + e] += n
-            seen[sampled, 1, exposure + e] += good
+    chunk, weight = off // CHUNK, rule.weights[exposure]
+    alike = np.int64(0) if exposure == 0 else sums.alike[chunk]
+    done, together, clean = needs_no_more(rule, alike), False, False
+    if alike >= 0 or done:
+        top, bottom = bounds(images, layout, begin, n)
+        clean = bool(top <= rule.limit and bottom > 0)
+        together = bool(top <= rule.limit and not done and blocked.shape[0] == 0 and (alike > 0 or bottom > 0))
+        if not done:
+            begin_chunk(exposure, weight, together, alike, n, scratch, sums, off)
+    if clean and done:
+        return n, n
+    looked, good = 0, 0
+    span = BLOCK if rule.first_only and not together else CHUNK  # small where much of a chunk may need no more
+    for part in range(0, n, span):
+        size, at = min(span, n - part), off + part
+        if not (together or done) and rule.first_only and exposure > 0 and all_took_one(size, sums, at):
+            continue
+        looked += size
+        if together and clean:
+            good += size
+        else:
+            extremes(images, layout, begin + part, size, scratch)
+            good += count_good(size, rule.limit, scratch)
+        for m in range(0 if done else sums.total.shape[0]):
+            least, most = weight, weight
+            if not together:
+                least, most = choose(exposure, blocked, rule, m, begin + part, size, scratch, sums, at)
+            if most > 0:
+                fresh = together and exposure == 0 and weight == 1
+                add_taken(images, layout, rule, m, begin + part, size, sums, at, scratch.take, least == 1 and most == 1, fresh)
+    if together:
+        sums.alike[chunk] = alike | (1 << exposure)
+    elif not done:
+        sums.alike[chunk] = COMPLETE if rule.first_only and all_took_one(n, sums, off) else DIFFER
+    return looked, good
 
 
 @njit(**LOOP)

@@ -9,9 +9,10 @@ from measureapp.reconstruct.kernels.blur import take_blur
 from measureapp.reconstruct.kernels.both import fuse_both
 from measureapp.reconstruct.kernels.cleaning import CHUNK, invert, judge
 from measureapp.reconstruct.kernels.covered import mark_covered
-from measureapp.reconstruct.kernels.fusing import resample
-from measureapp.reconstruct.kernels.gathering import gather_points
+from measureapp.reconstruct.kernels.gathering import Points, gather_points
 from measureapp.reconstruct.kernels.islands import drop_islands, find_runs
+from measureapp.reconstruct.kernels.lanes import Found
+from measureapp.reconstruct.kernels.looking import resample
 from measureapp.reconstruct.kernels.matching import match
 from measureapp.reconstruct.kernels.seen import BLANK, MATCHED, PARTLY, REPEATS, SEEN, WITHOUT_PARTNER
 from measureapp.reconstruct.kernels.sightlines import keep_new
@@ -27,6 +28,8 @@ __all__ = [
     "REPEATS",
     "SEEN",
     "WITHOUT_PARTNER",
+    "Found",
+    "Points",
     "check_across",
     "drop_islands",
     "fill_table",

@@ -9,7 +9,7 @@ import numpy as np
 from numba import njit
 
 from measureapp.data.point_state import PointState
-from measureapp.reconstruct.kernels.fusing import look, native_pixel, see
+from measureapp.reconstruct.kernels.looking import look, native_pixel, see
 from measureapp.reconstruct.kernels.options import INLINE
 from measureapp.reconstruct.kernels.seen import SEEN
 from measureapp.reconstruct.kernels.slopes import SLOPE_X, SLOPE_Y

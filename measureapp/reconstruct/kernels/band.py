@@ -12,7 +12,7 @@ from numba import njit
 
 from measureapp.reconstruct.kernels.both import fuse_both
 from measureapp.reconstruct.kernels.fusing import fuse
-from measureapp.reconstruct.kernels.lanes import CHUNK
+from measureapp.reconstruct.kernels.lanes import CHUNK, Found
 from measureapp.reconstruct.kernels.matching import match
 
 ZERO = np.float32(0)
@@ -47,15 +47,16 @@ def match_and_fuse(
     shape = (count, rows, CHUNK)
     depth, gain, variance = np.empty(shape, np.float32), np.empty(shape, np.float32), np.empty(shape, np.float32)
     there, reason = np.empty(shape, np.int32), np.empty(shape, np.uint8)
+    found = Found(depth, gain, variance, there, reason)
     matched[:] = 0
     for first in range(0, width, CHUNK):
         strip = (row_start, row_stop, first, min(first + CHUNK, width))
         for k in range(count):
-            matched[k] += match(flat_rays, phase, skip, partners[k], *strip, depth[k], gain[k], variance[k], there[k], reason[k])
+            of_one = Found(depth[k], gain[k], variance[k], there[k], reason[k])
+            matched[k] += match(flat_rays, phase, skip, partners[k], *strip, of_one)
         if count == 2:
             fuse_both(flat_rays, sigma, depth, gain, variance, step, limits, *strip, z, z_sigma)
         else:
             z[row_start:row_stop, strip[2] : strip[3]] = ZERO
             z_sigma[row_start:row_stop, strip[2] : strip[3]] = ZERO
-        found = (depth, gain, variance, there, reason)
         fuse(rays, phase, sigma, skip, found, others, tables, limits, sample, *strip, z, z_sigma, bits, fate, pair_gain, covered, shifts)

@@ -6,7 +6,7 @@ of the cloud, and these are written past the caches; what goes through them is f
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numba import njit
@@ -24,6 +24,17 @@ PLACES, PIXELS = 3 * STAGE, 2 * STAGE
 POINTS = 3 * CHUNK
 ZERO, ONE = np.float32(0), np.float32(1)
 A, B, THREE = np.uint32(1), np.uint32(2), np.uint32(3)  # unsigned: negative places would be looked for at the end of an array
+
+
+class Points(NamedTuple):
+    """The arrays of a cloud of N points, or of the stage, flat."""
+
+    points: Any  # (3 N,) float64
+    normals: Any  # (3 N,) float32
+    along: Any  # (N,) float32, standard deviation along the viewing ray
+    light: Any  # (N,) float32
+    pixel: Any  # (2 N,) int32
+    cameras: Any  # (N,) uint8
 
 
 @njit(**INLINE)
@@ -82,29 +93,29 @@ def take_judged(s: Any, inverse: Any, sigma: Any, rays: Any, judged: Any, border
 
 
 @njit(**INLINE)
-def pour_all(staged: Any, written: Any, begin: Any, first: Any, stop: Any, held: Any) -> None:
-    """Pour points, normals, standard deviations, grey levels, pixels and cameras, in this order."""
-    pour(staged[0], written[0], 3, begin, first, stop, held)
-    pour(staged[1], written[1], 3, begin, first, stop, held)
-    pour(staged[2], written[2], 1, begin, first, stop, held)
-    pour(staged[3], written[3], 1, begin, first, stop, held)
-    pour(staged[4], written[4], 2, begin, first, stop, held)
-    pour(staged[5], written[5], 1, begin, first, stop, held)
+def pour_all(stage: Points, written: Points, begin: Any, first: Any, stop: Any, held: Any) -> None:
+    """Pour all that is known of the points."""
+    pour(stage.points, written.points, 3, begin, first, stop, held)
+    pour(stage.normals, written.normals, 3, begin, first, stop, held)
+    pour(stage.along, written.along, 1, begin, first, stop, held)
+    pour(stage.light, written.light, 1, begin, first, stop, held)
+    pour(stage.pixel, written.pixel, 2, begin, first, stop, held)
+    pour(stage.cameras, written.cameras, 1, begin, first, stop, held)
 
 
 @njit(**INLINE)
-def stage_all(s: Any, d: Any, staged: Any, masks: Any, taking: Any, held: int, y: int, first: int, n: int) -> None:
+def stage_all(s: Any, d: Any, stage: Points, masks: Any, taking: Any, held: int, y: int, first: int, n: int) -> None:
     """Put n pixels that all are points on the stage, behind the ``held`` there are, in SIMD instructions."""
-    points, normals = staged[0][3 * held : 3 * (held + n)], staged[1][3 * held : 3 * (held + n)]
+    points, normals = stage.points[3 * held : 3 * (held + n)], stage.normals[3 * held : 3 * (held + n)]
     for i in range(n):
         points[3 * i], points[3 * i + 1], points[3 * i + 2] = d[PX + i], d[PY + i], d[PZ + i]
     for i in range(n):
         normals[3 * i], normals[3 * i + 1], normals[3 * i + 2] = s[NX + i], s[NY + i], s[NZ + i]
     along, light, pixel, cameras = (
-        staged[2][held : held + n],
-        staged[3][held : held + n],
-        staged[4][2 * held : 2 * (held + n)],
-        staged[5][held : held + n],
+        stage.along[held : held + n],
+        stage.light[held : held + n],
+        stage.pixel[2 * held : 2 * (held + n)],
+        stage.cameras[held : held + n],
     )
     for i in range(n):
         along[i] = s[OWN + i]
@@ -117,9 +128,9 @@ def stage_all(s: Any, d: Any, staged: Any, masks: Any, taking: Any, held: int, y
 
 
 @njit(**INLINE)
-def stage_some(s: Any, d: Any, staged: Any, masks: Any, taking: Any, held: int, y: int, first: int, n: int) -> int:
+def stage_some(s: Any, d: Any, stage: Points, masks: Any, taking: Any, held: int, y: int, first: int, n: int) -> int:
     """Put those of n pixels that are points on the stage, behind the ``held`` there are; returns how many are there then."""
-    points, normals, along, light, pixel, cameras = staged
+    points, normals, along, light, pixel, cameras = stage
     for i in range(n):  # a place without a point is written over by the next
         k = np.uint32(held)
         points[THREE * k], points[THREE * k + A], points[THREE * k + B] = d[PX + i], d[PY + i], d[PZ + i]
@@ -129,6 +140,28 @@ def stage_some(s: Any, d: Any, staged: Any, masks: Any, taking: Any, held: int, 
         cameras[k] = masks[taking[i]]
         held += s[INV + i] > ZERO
     return held
+
+
+@njit(**INLINE)
+def place(s: Any, d: Any, depth: Any, pose: Any, n: int) -> None:
+    """Take n points and their normals from the camera's frame to the cloud's, and the standard deviations of z to those along the rays."""
+    p00, p01, p02, p03 = pose[0, 0], pose[0, 1], pose[0, 2], pose[0, 3]
+    p10, p11, p12, p13 = pose[1, 0], pose[1, 1], pose[1, 2], pose[1, 3]
+    p20, p21, p22, p23 = pose[2, 0], pose[2, 1], pose[2, 2], pose[2, 3]
+    t00, t01, t02 = np.float32(p00), np.float32(p01), np.float32(p02)
+    t10, t11, t12 = np.float32(p10), np.float32(p11), np.float32(p12)
+    t20, t21, t22 = np.float32(p20), np.float32(p21), np.float32(p22)
+    for i in range(n):
+        p, q, w = s[NX + i], s[NY + i], s[NZ + i]
+        x, y = s[ROW_X + i], s[ROW_Y + i]
+        s[NX + i], s[NY + i], s[NZ + i] = t00 * p + t01 * q + t02 * w, t10 * p + t11 * q + t12 * w, t20 * p + t21 * q + t22 * w
+        s[OWN + i] *= np.sqrt(ONE + x * x + y * y)
+    for i in range(n):
+        z = float(depth[i])
+        a, b = float(s[ROW_X + i]) * z, float(s[ROW_Y + i]) * z
+        d[PX + i] = p00 * a + p01 * b + p02 * z + p03
+        d[PY + i] = p10 * a + p11 * b + p12 * z + p13
+        d[PZ + i] = p20 * a + p21 * b + p22 * z + p23
 
 
 @njit(**LOOP)
@@ -147,36 +180,17 @@ def gather_points(
     per_grey: Any,  # float32
     bits: Any,
     masks: Any,  # (2^M,) uint8, cameras of a point in the order of the calibration, by `bits`
-    turn: Any,  # (3, 3) float32, rotation of `pose`
     pose: Any,  # (3, 4) float64, reference from camera
     begins: Any,  # (H,) int64, index of the first point of every row
     row_start: int,
     row_stop: int,
-    points: Any,  # out (3 N,) float64
-    normals: Any,  # out (3 N,) float32
-    along: Any,  # out (N,) float32, standard deviation along the viewing ray
-    light: Any,  # out (N,) float32
-    pixel: Any,  # out (2 N,) int32
-    cameras: Any,  # out (N,) uint8
+    written: Points,  # out
 ) -> None:
     """Write the points that are left, with the normals of the planes through them."""
     width = sigma.shape[1]
     s, d = stack_float32(SCRATCH), stack_float64(POINTS)
-    staged_points, staged_normals, staged_along, staged_light = (
-        stack_float64(PLACES),
-        stack_float32(PLACES),
-        stack_float32(STAGE),
-        stack_float32(STAGE),
-    )
-    staged_pixel, staged_cameras = stack_int32(PIXELS), stack_uint8(STAGE)
-    t00, t01, t02 = turn[0, 0], turn[0, 1], turn[0, 2]
-    t10, t11, t12 = turn[1, 0], turn[1, 1], turn[1, 2]
-    t20, t21, t22 = turn[2, 0], turn[2, 1], turn[2, 2]
-    p00, p01, p02, p03 = pose[0, 0], pose[0, 1], pose[0, 2], pose[0, 3]
-    p10, p11, p12, p13 = pose[1, 0], pose[1, 1], pose[1, 2], pose[1, 3]
-    p20, p21, p22, p23 = pose[2, 0], pose[2, 1], pose[2, 2], pose[2, 3]
-    staged = (staged_points, staged_normals, staged_along, staged_light, staged_pixel, staged_cameras)
-    written = (points, normals, along, light, pixel, cameras)
+    normals, along, light = stack_float32(PLACES), stack_float32(STAGE), stack_float32(STAGE)
+    stage = Points(stack_float64(PLACES), normals, along, light, stack_int32(PIXELS), stack_uint8(STAGE))
     first_of_band = begins[row_start] % BLOCK  # what lies before on the stage belongs to the band before
     begin, held = begins[row_start] - first_of_band, first_of_band
     for y in range(row_start, row_stop):
@@ -189,27 +203,17 @@ def gather_points(
                 planes_of_chunk(s, inverse, sigma, rays, to_rays, to_unit, per_px, border, y, first, n)
             else:
                 take_judged(s, inverse, sigma, rays, judged, border, y, first, n)
-            for i in range(n):
-                p, q, w = s[NX + i], s[NY + i], s[NZ + i]
-                x, y0 = s[ROW_X + i], s[ROW_Y + i]
-                s[NX + i], s[NY + i], s[NZ + i] = t00 * p + t01 * q + t02 * w, t10 * p + t11 * q + t12 * w, t20 * p + t21 * q + t22 * w
-                s[OWN + i] *= np.sqrt(ONE + x * x + y0 * y0)
-            level, z_row, taking = grey[y, first : first + n], depth[y, first : first + n], bits[y, first : first + n]
+            place(s, d, depth[y, first : first + n], pose, n)
+            level, taking = grey[y, first : first + n], bits[y, first : first + n]
             for i in range(n):
                 s[OFF + i] = min(np.float32(level[i]) * per_grey, ONE)
-            for i in range(n):
-                z = float(z_row[i])
-                a, b = float(s[ROW_X + i]) * z, float(s[ROW_Y + i]) * z
-                d[PX + i] = p00 * a + p01 * b + p02 * z + p03
-                d[PY + i] = p10 * a + p11 * b + p12 * z + p13
-                d[PZ + i] = p20 * a + p21 * b + p22 * z + p23
             if left == n:
-                stage_all(s, d, staged, masks, taking, held, y, first, n)
+                stage_all(s, d, stage, masks, taking, held, y, first, n)
                 held += n
             else:
-                held = stage_some(s, d, staged, masks, taking, held, y, first, n)
+                held = stage_some(s, d, stage, masks, taking, held, y, first, n)
             stop = held - held % BLOCK
             if stop > 0:
-                pour_all(staged, written, begin, first_of_band, stop, held)
+                pour_all(stage, written, begin, first_of_band, stop, held)
                 begin, held, first_of_band = begin + stop, held - stop, 0
-    pour_all(staged, written, begin, first_of_band, held, held)
+    pour_all(stage, written, begin, first_of_band, held, held)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numba import njit
@@ -121,9 +121,27 @@ def list_marked(s: Any, at: Any, n: int) -> int:
     return listed
 
 
+class Found(NamedTuple):
+    """What is found in another camera, of pixels (rows, columns) or of some in a row."""
+
+    depth: Any  # float32, z in the camera's frame, 0 for none
+    gain: Any  # float32, change of the other camera's phase with z, rad/mm
+    variance: Any  # float32, of the other camera's phase
+    there: Any  # int32, index of the other camera's pixel
+    reason: Any  # uint8, MATCHED | WITHOUT_PARTNER | REPEATS
+
+
 @njit(**INLINE)
-def store_all(s: Any, at: Any, n: int, depth: Any, gain: Any, variance: Any, there: Any, reason: Any) -> None:
+def some_of(found: Found, row: int, first: int, n: int) -> Found:
+    """Return the part for n pixels of a row from ``first`` on."""
+    into = slice(first, first + n)
+    return Found(found.depth[row, into], found.gain[row, into], found.variance[row, into], found.there[row, into], found.reason[row, into])
+
+
+@njit(**INLINE)
+def store_all(s: Any, at: Any, n: int, found: Found) -> None:
     """Write what the first step found of all n pixels."""
+    depth, gain, variance, there, reason = found
     for i in range(n):
         depth[i] = s[Z + i]
     for i in range(n):
@@ -139,8 +157,9 @@ def store_all(s: Any, at: Any, n: int, depth: Any, gain: Any, variance: Any, the
 
 
 @njit(**INLINE)
-def store_some(s: Any, at: Any, n: int, depth: Any, gain: Any, variance: Any, there: Any, reason: Any) -> None:
+def store_some(s: Any, at: Any, n: int, found: Found) -> None:
     """Write what a later step found of those that had not settled."""
+    depth, gain, variance, there, reason = found
     for i in range(n):
         k = np.uint32(at[COLUMN + i])
         depth[k], gain[k], variance[k] = s[Z + i], s[GAIN + i], s[NOISE + i]

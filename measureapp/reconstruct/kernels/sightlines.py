@@ -8,7 +8,7 @@ import numpy as np
 from numba import njit
 
 from measureapp.data.point_state import PointState
-from measureapp.reconstruct.kernels.fusing import native_pixel, see
+from measureapp.reconstruct.kernels.looking import native_pixel, see
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.seen import BLANK, SEEN
 
