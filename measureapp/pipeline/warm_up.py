@@ -23,7 +23,7 @@ from measureapp.reconstruct.reconstruct import reconstruct
 from measureapp.register.stitch import stitch
 from measureapp.register.voxels import CHUNK, VoxelSums
 
-HEIGHT_PX, WIDTH_PX, FOCAL_PX = 72, 320, 500.0
+HEIGHT_PX, WIDTH_PX, FOCAL_PX, BLUR_PX = 72, 320, 500.0, 0.7
 WALL_MM, STEP_MM = 200.0, 40.0
 SHIFT_PX = round(FOCAL_PX * STEP_MM / WALL_MM)
 FIRST_COLUMN = 300
@@ -99,7 +99,9 @@ def _cloud(maps: Mapping[str, PhaseMap], names: tuple[str, ...], progress: Progr
     matrix = np.array([[FOCAL_PX, 0, (WIDTH_PX - 1) / 2], [0, FOCAL_PX, (HEIGHT_PX - 1) / 2], [0, 0, 1]])
     pinhole = PinholeCamera(WIDTH_PX, HEIGHT_PX, matrix, np.zeros(5))
     cameras = {
-        name: CameraCalibration(name, pinhole, RigidTransform.from_parts(np.eye(3), [number * STEP_MM, 0, 0], "camera", name))
+        name: CameraCalibration(
+            name, pinhole, RigidTransform.from_parts(np.eye(3), [number * STEP_MM, 0, 0], "camera", name), blur_px=BLUR_PX
+        )
         for number, name in enumerate(names)
     }
     return reconstruct({name: maps[name] for name in names}, CameraArrayCalibration(names[0], cameras), progress=progress).cloud
