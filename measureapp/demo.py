@@ -34,7 +34,7 @@ from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.geometry.files import write_mesh
 from measureapp.project.rig_file import read_rig
-from measureapp.register.groundwork import Groundwork
+from measureapp.register.joint.groundwork import Groundwork
 from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
 from measureapp.resources import plugin_folder, resource

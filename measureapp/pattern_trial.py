@@ -14,7 +14,7 @@ from measureapp.data.fringe import FringeStack, PatternSet
 from measureapp.data.phase import PhaseMap
 from measureapp.data.rig import Resolution
 from measureapp.fringe.decode import decode
-from measureapp.fringe.patterns import pattern_images
+from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.planning.viewpoints import plan_around_part
 from measureapp.project.rig_file import read_rig

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from measureapp.inspection.drawn_sections import DrawnSections
     from measureapp.inspection.surface.deviation import Deviation
     from measureapp.inspection.surface.nominal import NominalSurface
-    from measureapp.register.sieve import FilterChain
+    from measureapp.register.clouds.sieve import FilterChain
 
 Level = Literal["info", "done", "warning", "error"]
 ViewpointStatus = Literal["waiting", "moving", "capturing", "stored", "processed", "failed"]

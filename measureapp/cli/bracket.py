@@ -11,7 +11,7 @@ import typer
 from measureapp.cli.reply import JsonOption, reply
 
 if TYPE_CHECKING:
-    from measureapp.fringe.bracket import BracketFigures, BracketProposal
+    from measureapp.fringe.exposures.bracket import BracketFigures, BracketProposal
 
 MultipleOption = Annotated[
     float | None,
@@ -38,8 +38,8 @@ def register(app: typer.Typer) -> None:
         The manifest is that of `decode`; its exposures are compared with the proposal. A probe with a long and a short exposure
         serves best: dark pixels are seen in the long one, shiny ones in the short one.
         """
-        from measureapp.fringe.bracket import BracketLimits, propose_bracket
-        from measureapp.fringe.probe import probed
+        from measureapp.fringe.exposures.bracket import BracketLimits, propose_bracket
+        from measureapp.fringe.exposures.probe import probed
         from measureapp.project.fringes.manifest import read_manifest
         from measureapp.project.fringes.noise_file import read_noise
 

@@ -102,7 +102,7 @@ def decode_settings(
 def _blooming_px(stack: FringeStack, settings: DecodeSettings, wanted: str) -> int:
     """Return the radius of the guard against blooming; raises InputError."""
     from measureapp.errors import InputError
-    from measureapp.fringe.spill import FARTHEST_PX, spill_radius_px
+    from measureapp.fringe.exposures.spill import FARTHEST_PX, spill_radius_px
 
     if wanted == "auto":
         return max(spill_radius_px(stack, camera, settings.noise_of(camera)) for camera in stack.images)

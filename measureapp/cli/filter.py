@@ -42,7 +42,7 @@ def register(app: typer.Typer) -> None:
         """Cut and clean a cloud: box, planes, radius, statistical, islands, in this order."""
         from measureapp.errors import InputError
         from measureapp.project.geometry.files import read_points, write_cloud
-        from measureapp.register.sieve import Filter, sieved
+        from measureapp.register.clouds.sieve import Filter, sieved
 
         if out.suffix.lower() not in (".ply", ".xyz"):
             raise InputError(f"{out}: a cloud cannot be written as this.", "Use .ply or .xyz.")

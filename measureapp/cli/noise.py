@@ -11,7 +11,7 @@ import typer
 from measureapp.cli.reply import JsonOption, reply
 
 if TYPE_CHECKING:
-    from measureapp.fringe.photon_transfer import NoiseEstimate
+    from measureapp.fringe.noise.photon_transfer import NoiseEstimate
 
 
 def register(app: typer.Typer) -> None:
@@ -60,7 +60,7 @@ def _estimate(camera: str, pattern: str, dark: str | None, saturation: int | Non
     import numpy as np
 
     from measureapp.errors import InputError
-    from measureapp.fringe.photon_transfer import estimate_noise
+    from measureapp.fringe.noise.photon_transfer import estimate_noise
     from measureapp.project.fringes.noise_file import brightness_levels, read_flats
 
     flats = read_flats(pattern)

@@ -11,9 +11,9 @@ import typer
 from measureapp.cli.reply import JsonOption, reply
 
 if TYPE_CHECKING:
-    from measureapp.fringe.harmonics import Waveform
-    from measureapp.fringe.response import ProjectorResponse
-    from measureapp.fringe.response_estimate import KeptError, PitchReport
+    from measureapp.fringe.patterns.harmonics import Waveform
+    from measureapp.fringe.patterns.response import ProjectorResponse
+    from measureapp.fringe.patterns.response_estimate import KeptError, PitchReport
 
 
 def register(app: typer.Typer) -> None:
@@ -43,8 +43,8 @@ def register(app: typer.Typer) -> None:
 
 def _estimate(recorded: Path, camera: str | None) -> tuple[ProjectorResponse, tuple[PitchReport, ...], str | None]:
     from measureapp.errors import InputError
-    from measureapp.fringe.response import response_of_ramp
-    from measureapp.fringe.response_estimate import estimate_response
+    from measureapp.fringe.patterns.response import response_of_ramp
+    from measureapp.fringe.patterns.response_estimate import estimate_response
     from measureapp.project.fringes.manifest import read_manifest
     from measureapp.project.fringes.response_file import read_ramp
 

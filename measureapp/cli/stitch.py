@@ -54,9 +54,9 @@ def register(app: typer.Typer) -> None:
         """Register clouds finely, starting from their poses, and merge them."""
         from measureapp.project.geometry.files import write_cloud, write_mesh
         from measureapp.project.tables import read_poses
+        from measureapp.register.clouds.units import check_unit
         from measureapp.register.settings import StitchSettings
         from measureapp.register.stitch import stitch
-        from measureapp.register.units import check_unit
 
         _check_outputs(clouds, out, mesh)
         _check_accepted(accept or [], clouds)
@@ -124,7 +124,7 @@ def _read(path: Path, unit: LengthUnit, progress: PartOf) -> PointCloud:
     from measureapp.data.cloud import PointCloud
     from measureapp.errors import InputError
     from measureapp.project.geometry.files import read_points
-    from measureapp.register.normals import estimated_normals
+    from measureapp.register.clouds.normals import estimated_normals
 
     progress.report(0, 1, f"reading {path.name}")
     plain = read_points(path, unit)
@@ -162,8 +162,8 @@ def _check_units(path: Path, points_mm: Any) -> None:
 
 
 def _surface(stitched: StitchedCloud, mesher: Mesher, progress: PartOf) -> Any:
-    from measureapp.register.open_surface import open_surface
-    from measureapp.register.surface import surface
+    from measureapp.register.surface.closed import surface
+    from measureapp.register.surface.open import open_surface
 
     return open_surface(stitched, progress) if mesher is Mesher.OPEN else surface(stitched, progress=progress)
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from measureapp.data.fringe import FringeStack
 from measureapp.data.phase import PhaseMap
-from measureapp.fringe.patterns import check_determines_phase
+from measureapp.fringe.checks.stack import check_shapes
+from measureapp.fringe.patterns.draw import check_determines_phase
 from measureapp.fringe.settings import DecodeSettings
-from measureapp.fringe.stack_checks import check_shapes
 from measureapp.fringe.streaming import direction_decoders, joined
 from measureapp.map_memory import MapMemory
 from measureapp.progress import NoProgress, Progress

@@ -20,7 +20,7 @@ from measureapp.fringe.absolute import (
     sampled_chunks,
     with_origin,
 )
-from measureapp.fringe.blooming import near_saturation
+from measureapp.fringe.exposures.blooming import near_saturation
 from measureapp.fringe.kernels.records import CHUNK, STRETCH, Layout, Maps, Model, Sums
 from measureapp.fringe.order_vote import VoteLimits, order_steps, settle_orders
 from measureapp.fringe.pixel_loop import NOWHERE, STRETCH_ALONE, PixelLoop, flat

@@ -8,9 +8,9 @@ import numpy as np
 
 from measureapp.data.fringe import Direction, GrayCodeGroup, PatternSet, PhaseShiftGroup
 from measureapp.errors import DecodeError
-from measureapp.fringe.exposure_weights import exposure_weights
+from measureapp.fringe.exposures.weights import exposure_weights
 from measureapp.fringe.kernels.records import CHUNK, Layout, Rule, Scratch, Sums
-from measureapp.fringe.noise import CameraNoise
+from measureapp.fringe.noise.model import CameraNoise
 from measureapp.fringe.phase_shift import shift_weights
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.map_memory import MapMemory, at_a_line

@@ -7,7 +7,7 @@ from typing import Literal
 from pydantic import Field
 
 from measureapp.data.model import Model
-from measureapp.fringe.noise import CameraNoise
+from measureapp.fringe.noise.model import CameraNoise
 
 EIGHT_BIT_WHITE = 255.0
 

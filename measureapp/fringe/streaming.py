@@ -11,7 +11,7 @@ from measureapp.data.fringe import PatternSet
 from measureapp.data.phase import PhaseMap
 from measureapp.errors import DecodeError
 from measureapp.fringe.direction import DirectionDecoder
-from measureapp.fringe.patterns import check_determines_phase
+from measureapp.fringe.patterns.draw import check_determines_phase
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.map_memory import MapMemory

@@ -27,11 +27,11 @@ from measureapp.pipeline.validity import validity_of
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder
-from measureapp.register.groundwork import Groundwork
+from measureapp.register.joint.groundwork import Groundwork
 from measureapp.register.place import stations
 from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
-from measureapp.register.surface import surface
+from measureapp.register.surface.closed import surface
 
 TYPICAL_RADIUS_MM = 100.0  # of points about the table's axis
 KNOWN_STATION_MM, KNOWN_STATION_DEG = 0.03, 0.004  # repeatability of the robot and what the board leaves unknown

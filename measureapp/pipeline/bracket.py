@@ -12,11 +12,11 @@ from measureapp.arrays import ImageArray, read_only
 from measureapp.data.fringe import FringeStack, PatternSet, PhaseShiftGroup
 from measureapp.data.plan import Viewpoint
 from measureapp.devices.rig import Rig
-from measureapp.fringe import bracket
-from measureapp.fringe.bracket import BracketLimits, BracketProposal
-from measureapp.fringe.noise import CameraNoise
-from measureapp.fringe.patterns import pattern_images
-from measureapp.fringe.probe import probed
+from measureapp.fringe.exposures import bracket
+from measureapp.fringe.exposures.bracket import BracketLimits, BracketProposal
+from measureapp.fringe.exposures.probe import probed
+from measureapp.fringe.noise.model import CameraNoise
+from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.progress import NoProgress, Progress
 
 PROBE_RATIO = 8  # between the two exposures of the probe

@@ -10,8 +10,8 @@ from types import TracebackType
 from measureapp.acquire.capture import ExposureTaken
 from measureapp.data.fringe import FringeStack
 from measureapp.data.phase import PhaseMap
+from measureapp.fringe.checks.stack import check_stack
 from measureapp.fringe.settings import DecodeSettings
-from measureapp.fringe.stack_checks import check_stack
 from measureapp.fringe.streaming import StreamingDecoder
 from measureapp.map_memory import MapMemory
 

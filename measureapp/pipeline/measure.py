@@ -21,10 +21,10 @@ from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, DecodeError, InputError, ReconstructError
-from measureapp.fringe.bracket import BracketLimits
+from measureapp.fringe.checks.stack import check_stack
 from measureapp.fringe.decode import decode
-from measureapp.fringe.patterns import pattern_images
-from measureapp.fringe.stack_checks import check_stack
+from measureapp.fringe.exposures.bracket import BracketLimits
+from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.map_memory import MapMemory
 from measureapp.pipeline.bracket import propose_bracket
 from measureapp.pipeline.live_decoding import LiveDecoding
@@ -37,8 +37,8 @@ from measureapp.reconstruct.camera_shift import camera_shift
 from measureapp.reconstruct.diagnose import diagnose
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
 from measureapp.reconstruct.rectifier import Rectifier
-from measureapp.register.cloud_quality import judge
-from measureapp.register.groundwork import Groundwork
+from measureapp.register.clouds.quality import judge
+from measureapp.register.joint.groundwork import Groundwork
 
 OnEvent = Callable[[Event], None]
 LAST_IMAGE_TO_CLOUD = "last image to cloud"  # storing goes on meanwhile and is not waited for

@@ -9,7 +9,7 @@ from measureapp.arrays import ImageArray
 from measureapp.data.plan import Viewpoint
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError
-from measureapp.fringe.photon_transfer import NoiseEstimate, estimate_noise
+from measureapp.fringe.noise.photon_transfer import NoiseEstimate, estimate_noise
 from measureapp.progress import NoProgress, Progress
 
 LEVELS = (1.0, 0.7, 0.5, 0.35, 0.2, 0.1, 0.05)  # of the longest exposure that is not mostly saturated

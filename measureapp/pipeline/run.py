@@ -18,7 +18,7 @@ from measureapp.data.rig import RigDescription
 from measureapp.devices.connect import connect_rig
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, InputError
-from measureapp.fringe.patterns import check_determines_phase
+from measureapp.fringe.patterns.draw import check_determines_phase
 from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.calibrate import CalibratedRig, calibrate_from_views
 from measureapp.pipeline.documents import outcome_document, write_reports
@@ -29,8 +29,8 @@ from measureapp.planning.calibration_views import calibration_viewpoints
 from measureapp.planning.reach import check_reach
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
-from measureapp.register.groundwork import Groundwork
-from measureapp.register.sieve import FilterChain
+from measureapp.register.clouds.sieve import FilterChain
+from measureapp.register.joint.groundwork import Groundwork
 
 OnEvent = Callable[[Event], None]
 

@@ -13,15 +13,15 @@ from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternSet, Phase
 from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.data.phase import PhaseMap
 from measureapp.fringe.decode import decode
-from measureapp.fringe.patterns import pattern_images
+from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.streaming import StreamingDecoder
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.reconstruct.reconstruct import reconstruct
+from measureapp.register.grid.voxels import CHUNK, VoxelSums
 from measureapp.register.stitch import stitch
-from measureapp.register.voxels import CHUNK, VoxelSums
 
 HEIGHT_PX, WIDTH_PX, FOCAL_PX, BLUR_PX = 72, 320, 500.0, 0.7
 WALL_MM, STEP_MM = 200.0, 40.0

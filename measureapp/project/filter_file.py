@@ -15,7 +15,7 @@ from measureapp.errors import InputError, RegistrationError, StorageError
 from measureapp.progress import Progress
 from measureapp.project.atomic import replacing
 from measureapp.project.geometry.files import write_cloud
-from measureapp.register.sieve import Filter, FilterChain
+from measureapp.register.clouds.sieve import Filter, FilterChain
 
 FILTERS, FILTERED = "filters.npz", "filtered_cloud.ply"
 SCHEMA_VERSION = 1

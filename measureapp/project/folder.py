@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty
     from measureapp.data.cloud import StitchedCloud
     from measureapp.progress import Progress
-    from measureapp.register.sieve import FilterChain
+    from measureapp.register.clouds.sieve import FilterChain
 
 FORMAT = 1  # of the project's own files
 DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)

@@ -13,8 +13,8 @@ from scipy.spatial import cKDTree
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.cloud import PointCloud
 from measureapp.progress import NoProgress, Progress
-from measureapp.register.filters import in_large_patches
-from measureapp.register.voxels import VoxelSums
+from measureapp.register.clouds.filters import in_large_patches
+from measureapp.register.grid.voxels import VoxelSums
 
 # columns of the sums of one voxel
 WEIGHT, POSITION, NORMAL, GREY, NOISE = 0, slice(1, 4), slice(4, 7), 7, 8
@@ -95,7 +95,7 @@ def _summed(cloud: PointCloud, origin_mm: FloatArray, voxel_mm: float) -> tuple[
 
 def _rows(cloud: PointCloud, origin_mm: FloatArray, voxel_mm: float) -> tuple[IntArray, FloatArray]:
     """Return the voxel key and the row to be summed of every point."""
-    from measureapp.register.kernels import dominant_faces, voxel_keys
+    from measureapp.register.grid.kernels import dominant_faces, voxel_keys
 
     points, normals = np.asarray(cloud.points_mm), np.asarray(cloud.normals)
     ray = points - origin_mm

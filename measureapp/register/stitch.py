@@ -13,9 +13,9 @@ from measureapp.data.view_errors import CalibrationErrors, ViewErrors, motions_o
 from measureapp.errors import RegistrationError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import NoProgress, PartOf, Progress
-from measureapp.register.groundwork import LEAST_POINTS, Groundwork, in_parallel
+from measureapp.register.joint.groundwork import LEAST_POINTS, Groundwork, in_parallel
+from measureapp.register.joint.registration import Registration, View
 from measureapp.register.merge import merge
-from measureapp.register.registration import Registration, View
 from measureapp.register.settings import StitchSettings
 
 

@@ -16,9 +16,9 @@ import pytest
 
 from measureapp.data.cloud import PointCloud
 from measureapp.geometry.transform import RigidTransform
-from measureapp.register.groundwork import in_parallel
-from measureapp.register.icp import register_pair, stepped
-from measureapp.register.prepare import prepare
+from measureapp.register.joint.groundwork import in_parallel
+from measureapp.register.pairs.icp import register_pair, stepped
+from measureapp.register.pairs.prepare import prepare
 from measureapp.register.stitch import stitch
 from tests.register.conftest import impeller, scanned
 

@@ -10,7 +10,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.data.calibration import ProjectorCalibration
 from measureapp.data.pattern_sets import PATTERN_SETS
-from measureapp.fringe.patterns import pattern_images
+from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.geometry.transform import RigidTransform, rotation_about
 from measureapp.project.fringes.pattern_files import manifest_skeleton
 from measureapp.project.rig_file import read_rig

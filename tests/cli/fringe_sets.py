@@ -9,7 +9,7 @@ import numpy as np
 
 from measureapp.data.fringe import PatternSet
 from measureapp.data.pattern_sets import PAPER_PATTERNS
-from measureapp.fringe.patterns import pattern_images
+from measureapp.fringe.patterns.draw import pattern_images
 
 
 def write_paper_set(folder: Path, cameras: tuple[str, ...] = ("left",), exposures: tuple[int, ...] = (1000, 500), bits: int = 8) -> Path:

@@ -11,7 +11,7 @@ import pytest
 
 from measureapp.cli.main import main
 from measureapp.errors import InputError
-from measureapp.fringe.noise import CameraNoise
+from measureapp.fringe.noise.model import CameraNoise
 from measureapp.project.fringes.noise_file import read_noise
 from tests.cli.fringe_sets import write_paper_set
 from tests.cli.refusal import refused_with

@@ -10,7 +10,7 @@ import pytest
 
 from measureapp.cli.main import main
 from measureapp.data.pattern_sets import PATTERN_SETS
-from measureapp.fringe.response import response_of_ramp
+from measureapp.fringe.patterns.response import response_of_ramp
 from measureapp.project.fringes.response_file import write_response
 from tests.cli.refusal import refused_with
 

@@ -8,7 +8,7 @@ import pytest
 from measureapp.arrays import FloatArray
 from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternSet, PhaseShiftGroup
 from measureapp.data.pattern_sets import PAPER_PATTERNS
-from measureapp.fringe.noise import CameraNoise
+from measureapp.fringe.noise.model import CameraNoise
 
 EXPOSURES_US = (100_000, 80_000, 60_000, 40_000, 20_000)
 

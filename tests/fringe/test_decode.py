@@ -12,7 +12,7 @@ from measureapp.data.phase import PixelState
 from measureapp.errors import DecodeError
 from measureapp.fringe.decode import decode, decode_camera
 from measureapp.fringe.kernels.wrapping import atan2_cycles
-from measureapp.fringe.noise import CameraNoise, phase_sigma
+from measureapp.fringe.noise.model import CameraNoise, phase_sigma
 from measureapp.fringe.phase_shift import wrapped_phase
 from measureapp.fringe.settings import DecodeSettings
 from tests.fringe.conftest import EXPOSURES_US, images_of, ramp, stack_of

@@ -14,7 +14,7 @@ from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.errors import DecodeError
 from measureapp.fringe.decode import decode, decode_camera
-from measureapp.fringe.noise import CameraNoise
+from measureapp.fringe.noise.model import CameraNoise
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.streaming import StreamingDecoder
 from tests.fringe.conftest import EXPOSURES_US, images_of, ramp, stack_of

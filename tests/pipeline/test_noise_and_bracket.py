@@ -11,10 +11,10 @@ from measureapp.data.plan import Viewpoint
 from measureapp.devices.plugin_loader import load_plugin
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, DecodeError
-from measureapp.fringe.bracket import BracketLimits
+from measureapp.fringe.checks.stack import check_stack
 from measureapp.fringe.decode import decode
+from measureapp.fringe.exposures.bracket import BracketLimits
 from measureapp.fringe.settings import DecodeSettings
-from measureapp.fringe.stack_checks import check_stack
 from measureapp.pipeline.bracket import probe_stack, propose_bracket
 from measureapp.pipeline.noise import measure_noise
 from measureapp.planning.viewpoints import Gaze, viewpoint_looking_at

@@ -11,8 +11,8 @@ from measureapp.pipeline.warm_up import warm_up
 from measureapp.progress import CallbackProgress, Cancelled
 from measureapp.reconstruct.kernels import across, band, binning, both, cleaning, fusing, islands, looking, matching, sightlines, slopes
 from measureapp.reconstruct.reconstruct import reconstruct
-from measureapp.register import kernels as register_kernels
-from measureapp.register.prepare import prepare
+from measureapp.register.grid import kernels as register_kernels
+from measureapp.register.pairs.prepare import prepare
 from tests.reconstruct.conftest import make_head, plane
 
 MEASURING = (

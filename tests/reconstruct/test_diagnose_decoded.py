@@ -15,7 +15,7 @@ from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternSet, Phase
 from measureapp.data.phase import PhaseMap
 from measureapp.errors import DecodeError
 from measureapp.fringe.decode import decode
-from measureapp.fringe.patterns import pattern_images
+from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.images import read_image

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from measureapp.data.cloud import PointCloud, joined
-from measureapp.register.cloud_quality import judge, point_spacing_mm
+from measureapp.register.clouds.quality import judge, point_spacing_mm
 from measureapp.register.merge import merge
 from measureapp.register.settings import QualitySettings
 

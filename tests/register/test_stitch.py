@@ -8,10 +8,10 @@ import pytest
 from measureapp.data.cloud import StitchedCloud
 from measureapp.errors import RegistrationError
 from measureapp.geometry.transform import RigidTransform
-from measureapp.register.pose_prior import KinematicPrior
+from measureapp.register.joint.pose_prior import KinematicPrior
 from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
-from measureapp.register.surface import surface
+from measureapp.register.surface.closed import surface
 
 SIXTHS = [10.0, 70.0, 130.0, 190.0, 250.0, 310.0]
 

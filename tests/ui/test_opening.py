@@ -16,7 +16,7 @@ from measureapp.project.filter_file import FILTERED, FILTERS, save_filters
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.geometry.files import read_stitched, write_cloud
 from measureapp.project.results import STITCHED
-from measureapp.register.sieve import Filter, FilterChain
+from measureapp.register.clouds.sieve import Filter, FilterChain
 
 PATIENCE_MS = 30_000
 

@@ -162,7 +162,7 @@ def _fringe_taker(rig: Rig, collection: Collection, live: Mailboxes[LiveImage]) 
     from measureapp.acquire.events import Event, ImageTaken
     from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
     from measureapp.data.pattern_sets import BOTH_DIRECTIONS, made_for
-    from measureapp.fringe.patterns import pattern_images
+    from measureapp.fringe.patterns.draw import pattern_images
 
     size_px = rig.projector.width_px, rig.projector.height_px
     patterns = made_for(*size_px)[BOTH_DIRECTIONS]

@@ -133,7 +133,7 @@ def export(kind: str, source: Path | None, measurement: Measurement, target: Pat
 def export_open(cloud: StitchedCloud, target: Path, job: Job) -> Path:
     """Write the points of one open patch joined by triangles; runs on a job's thread. Raises RegistrationError for other surfaces."""
     from measureapp.project.geometry.files import write_mesh
-    from measureapp.register.open_surface import open_surface
+    from measureapp.register.surface.open import open_surface
 
     write_mesh(target, open_surface(cloud, job))
     return target

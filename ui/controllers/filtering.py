@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from measureapp.data.cloud import StitchedCloud
-    from measureapp.register.sieve import Filter, FilterChain
+    from measureapp.register.clouds.sieve import Filter, FilterChain
     from ui.workers.job import Job
 
 
@@ -91,7 +91,7 @@ class FilteringController(QObject):
 def filtered(cloud: StitchedCloud, chain: FilterChain | None, wanted: Filter, folder: Path | None, job: Job) -> Filtered:
     """Add a filter to those of a cloud and keep them in ``folder``; runs on a job's thread."""
     from measureapp.progress import PartOf
-    from measureapp.register.sieve import FilterChain
+    from measureapp.register.clouds.sieve import FilterChain
 
     before = FilterChain.none(len(cloud)) if chain is None else chain
     after = before.then(wanted, cloud.points_mm, PartOf(job, 0.0, 0.9))

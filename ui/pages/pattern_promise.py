@@ -20,7 +20,7 @@ LEAST_TOLD = 1e-12
 def promise(patterns: PatternSet, width_px: int, height_px: int) -> tuple[Group, ...]:
     """Return what a set gives on this projector at a usual contrast, one group for every direction of its fringes."""
     from measureapp.errors import DecodeError
-    from measureapp.fringe.pattern_check import DEFAULT_MODULATION, check_patterns
+    from measureapp.fringe.patterns.check import DEFAULT_MODULATION, check_patterns
 
     try:
         checks = check_patterns(patterns, width_px, height_px)
@@ -54,7 +54,7 @@ def odds(probability: float) -> str:
 
 def cost(plan: ScanPlan, rig: RigDescription) -> Group:
     """Return how many images a view takes, how long and how much disk; moving the axes is not counted."""
-    from measureapp.fringe.bracket import READOUT_MS
+    from measureapp.fringe.exposures.bracket import READOUT_MS
 
     exposures, cameras = plan.bracket.exposures_us, rig.cameras
     images = plan.patterns.count * len(exposures)

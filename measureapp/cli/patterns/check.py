@@ -19,7 +19,7 @@ from measureapp.cli.patterns.options import (
 from measureapp.cli.reply import JsonOption, reply
 
 if TYPE_CHECKING:
-    from measureapp.fringe.pattern_check import Contrast, DirectionCheck
+    from measureapp.fringe.patterns.check import Contrast, DirectionCheck
 
 
 def register(group: typer.Typer) -> None:
@@ -42,7 +42,7 @@ def register(group: typer.Typer) -> None:
 
         A set whose range is too small for the projector, or leaves no guard band, is refused with the reason.
         """
-        from measureapp.fringe.pattern_check import check_patterns
+        from measureapp.fringe.patterns.check import check_patterns
         from measureapp.project.fringes.pattern_files import read_pattern_set
 
         made = read_pattern_set(patterns, width, height)
@@ -54,8 +54,8 @@ def register(group: typer.Typer) -> None:
 
 def _contrast(mean: float, modulation: float, full_well: float, read_noise: float, saturation: int, exposures: str) -> Contrast:
     from measureapp.errors import InputError
-    from measureapp.fringe.noise import CameraNoise
-    from measureapp.fringe.pattern_check import Contrast
+    from measureapp.fringe.noise.model import CameraNoise
+    from measureapp.fringe.patterns.check import Contrast
 
     if not (full_well > 0 and read_noise >= 0):
         raise InputError(

@@ -37,8 +37,8 @@ def register(group: typer.Typer) -> None:
         patterns.json says what each image shows: kind, direction, pitch_px, step and shift_rad, or plane. MANIFEST.toml is for
         `measureapp decode`: store what the cameras see of image 007 as CAMERA/EXPOSURE/007.png beside it.
         """
-        from measureapp.fringe.pattern_check import check_patterns
-        from measureapp.fringe.patterns import pattern_images
+        from measureapp.fringe.patterns.check import check_patterns
+        from measureapp.fringe.patterns.draw import pattern_images
         from measureapp.project.fringes.pattern_files import export_patterns, read_pattern_set
         from measureapp.project.fringes.response_file import read_response
 

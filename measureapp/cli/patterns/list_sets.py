@@ -28,7 +28,7 @@ def register(group: typer.Typer) -> None:
     ) -> None:
         """List the named sets, made for a projector, with what each promises at a contrast."""
         from measureapp.data.pattern_sets import made_for
-        from measureapp.fringe.pattern_check import Contrast, check_patterns
+        from measureapp.fringe.patterns.check import Contrast, check_patterns
         from measureapp.project.fringes.pattern_files import check_size
 
         check_size(width, height)

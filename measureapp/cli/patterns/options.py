@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 if TYPE_CHECKING:
-    from measureapp.fringe.pattern_check import DirectionCheck
+    from measureapp.fringe.patterns.check import DirectionCheck
 
 RARE = 1e-12
 

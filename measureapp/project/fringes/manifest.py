@@ -17,8 +17,8 @@ from measureapp.arrays import ImageArray, read_only
 from measureapp.data.fringe import Direction, FringeStack, GrayCodeGroup, PatternGroup, PatternSet, PhaseShiftGroup
 from measureapp.data.model import Model, first_problem
 from measureapp.errors import InputError
-from measureapp.fringe.patterns import check_determines_phase
-from measureapp.fringe.stack_checks import check_stack
+from measureapp.fringe.checks.stack import check_stack
+from measureapp.fringe.patterns.draw import check_determines_phase
 from measureapp.project.images import read_image
 from measureapp.project.text_document import read_toml
 

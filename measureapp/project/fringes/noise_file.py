@@ -13,8 +13,8 @@ from pydantic import Field, ValidationError
 from measureapp.arrays import ImageArray
 from measureapp.data.model import Model, first_problem
 from measureapp.errors import InputError
-from measureapp.fringe.noise import CameraNoise
-from measureapp.fringe.photon_transfer import NoiseEstimate
+from measureapp.fringe.noise.model import CameraNoise
+from measureapp.fringe.noise.photon_transfer import NoiseEstimate
 from measureapp.project.atomic import write_json
 from measureapp.project.images import read_image
 

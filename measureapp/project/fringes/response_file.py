@@ -13,7 +13,7 @@ from pydantic import ValidationError
 from measureapp.arrays import FloatArray
 from measureapp.data.model import Model, first_problem
 from measureapp.errors import InputError
-from measureapp.fringe.response import ProjectorResponse
+from measureapp.fringe.patterns.response import ProjectorResponse
 from measureapp.project.atomic import write_json
 
 RAMP_COLUMNS = ("level", "grey")

@@ -10,7 +10,7 @@ from measureapp.data.fringe import PatternSet
 from measureapp.data.pattern_sets import PATTERN_SETS
 from measureapp.errors import DecodeError, InputError
 from measureapp.fringe.decode import decode
-from measureapp.fringe.patterns import pattern_images
+from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.project.fringes.manifest import read_manifest
 from measureapp.project.fringes.pattern_files import manifest_skeleton
 

@@ -11,9 +11,9 @@ import pytest
 from measureapp.data.fringe import PhaseShiftGroup
 from measureapp.data.pattern_sets import PATTERN_SETS
 from measureapp.errors import InputError, StorageError
-from measureapp.fringe.harmonics import Harmonic
-from measureapp.fringe.patterns import pattern_images
-from measureapp.fringe.response import PitchWaveform, ProjectorResponse
+from measureapp.fringe.patterns.draw import pattern_images
+from measureapp.fringe.patterns.harmonics import Harmonic
+from measureapp.fringe.patterns.response import PitchWaveform, ProjectorResponse
 from measureapp.project.fringes.pattern_files import export_patterns, read_pattern_set
 from measureapp.project.fringes.response_file import read_ramp, read_response, write_response
 

@@ -1,0 +1,1 @@
+"""Whether images can be what their pattern set says."""

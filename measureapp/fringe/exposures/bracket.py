@@ -1,0 +1,276 @@
+"""The automatic exposure bracket: which exposures make most of a scene decodable within a time, predicted from a probe."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import ceil, floor
+
+import numpy as np
+from scipy.special import erf
+
+from measureapp.arrays import BoolArray, FloatArray
+from measureapp.data.fringe import GrayCodeGroup, PatternSet, PhaseShiftGroup
+from measureapp.data.plan import ExposureBracket
+from measureapp.errors import DecodeError
+from measureapp.fringe.exposures.probe import ProbedCamera
+from measureapp.fringe.exposures.weights import exposure_weights
+from measureapp.fringe.settings import DecodeSettings
+from measureapp.fringe.unwrap import plan_heterodyne
+
+READOUT_MS = 71.0  # of the paper's cameras: an image cannot take less
+GRID_RATIO = 2.0**0.25
+SIGMA_WORTH = 0.02  # what e times less phase noise is worth, as a share of decodable pixels
+TIME_WORTH = 0.004  # what the whole budget of time is worth, likewise
+PAYS = 0.001  # least gain in worth by another exposure
+CLIP_SIGMAS = 2.5  # noise above the brightest step that must stay below saturation
+EVEN_STRIDES = (1, 2, 3, 4, 6, 8)  # steps of the grid between two exposures of a bracket to start from
+EXCHANGES = 4  # rounds in which each exposure of a bracket may move
+
+
+@dataclass(frozen=True, slots=True)
+class BracketLimits:
+    """What the rig and the user allow."""
+
+    budget_s: float
+    most: int = 5  # exposures
+    readout_ms: float = READOUT_MS
+    shortest_us: int = 100
+    longest_us: int = 500_000
+    multiple_us: float | None = None  # exposures must be multiples of this: the projector's frame, or 10 000 µs against 50 Hz flicker
+
+
+@dataclass(frozen=True, slots=True)
+class BracketFigures:
+    """What a bracket is predicted to give."""
+
+    exposures_us: tuple[int, ...]  # long to short
+    decodable: Mapping[str, float]  # camera -> share of the lit pixels expected to be decoded rightly
+    sigma_rad: Mapping[str, float]  # camera -> median phase noise of the decodable pixels; 0 where there are none
+    decodable_share: float  # over all cameras
+    median_sigma_rad: float
+    time_s: float
+    worth: float  # what is maximised: share, less phase noise and time
+
+
+@dataclass(frozen=True, slots=True)
+class BracketProposal:
+    """The bracket to take, what it gives, and where further exposures stop paying."""
+
+    exposures_us: tuple[int, ...]
+    figures: BracketFigures
+    by_count: tuple[BracketFigures, ...]  # the best bracket of one, two, … exposures
+    compared: Mapping[str, BracketFigures]  # name -> the paper's and other brackets on the same scene
+    unknown_share: float  # of the lit pixels that the probe saturated at every exposure
+    note: str
+
+    @property
+    def bracket(self) -> ExposureBracket:
+        """The exposures as a plan takes them."""
+        return ExposureBracket(exposures_us=self.exposures_us)
+
+
+def propose_bracket(
+    probe: Mapping[str, ProbedCamera],
+    patterns: PatternSet,
+    limits: BracketLimits,
+    settings: DecodeSettings | None = None,
+    compare: Mapping[str, Sequence[int]] | None = None,
+) -> BracketProposal:
+    """Choose exposures for a scene.
+
+    A pixel is decodable when an exposure leaves it unsaturated with enough modulation, or all that do are together as exact as one
+    such image and leave no doubt about orders, and the noise of its phase over them,
+    σφ² = (2/N) Σw²σ² / (ΣwB)² as `decode` weighs them, is below the limit; it counts with the probability
+    that its order is right and its residual below the gate r, erf(2π r / (√2 a σφ)), with a the amplification of the set's
+    most delicate order decision; what neighbours mend comes on top.
+    Brackets are grown by one exposure at a time on a grid of quarter octaves, from the last ones and from evenly spaced and
+    known ones; after each, every exposure may move. Worth is the share of decodable pixels,
+    less 2 % per factor e of phase noise and 0.4 % for the whole budget of time.
+
+    Parameters
+    ----------
+    probe : what `probed` says of each camera
+    patterns : the set that will be taken
+    compare : further brackets to predict, by name; the paper's is always there
+
+    Raises
+    ------
+    DecodeError
+        The budget does not even suffice for one exposure, or no exposure makes any pixel decodable.
+    """
+    settings = settings or DecodeSettings()
+    scene = _Scene(tuple(probe.values()), patterns, limits, settings)
+    grid = _grid(patterns, limits)
+    others = {"paper": ExposureBracket().exposures_us, **(compare or {})}
+    by_count: list[BracketFigures] = []
+    chosen: tuple[int, ...] = ()
+    for count in range(1, limits.most + 1):
+        grown = [(*chosen, exposure) for exposure in grid if exposure not in chosen]
+        known = [tuple(bracket) for bracket in others.values() if len(bracket) == count and _obeys(bracket, limits)]
+        start = scene.best_of([*grown, *_even(grid, count), *known])
+        if start is None:
+            break
+        chosen = scene.improved(start, grid)
+        by_count.append(scene.figures(chosen))
+    best = _where_it_stops_paying(by_count)
+    if best.decodable_share == 0.0:
+        raise DecodeError(
+            f"No exposure up to {max(grid)} µs makes a pixel decodable.", "Allow longer exposures, open the apertures, or use more steps."
+        )
+    unknown = float(np.mean([camera.unknown_share for camera in probe.values()]))
+    return BracketProposal(
+        exposures_us=best.exposures_us,
+        figures=best,
+        by_count=tuple(by_count),
+        compared={name: scene.figures(tuple(sorted(exposures, reverse=True))) for name, exposures in others.items()},
+        unknown_share=unknown,
+        note=_note(best, by_count, unknown, probe),
+    )
+
+
+def _even(grid: Sequence[int], count: int) -> list[tuple[int, ...]]:
+    """Return the brackets of ``count`` evenly spaced places of the grid."""
+    return [tuple(grid[first::stride][:count]) for stride in EVEN_STRIDES for first in range(len(grid) - stride * (count - 1))]
+
+
+def _obeys(bracket: Sequence[int], limits: BracketLimits) -> bool:
+    step = limits.multiple_us
+    return all(
+        limits.shortest_us <= exposure <= limits.longest_us and (step is None or abs(exposure / step - round(exposure / step)) * step < 1)
+        for exposure in bracket
+    )
+
+
+def _where_it_stops_paying(by_count: Sequence[BracketFigures]) -> BracketFigures:
+    most = max(figures.worth for figures in by_count)
+    return next(figures for figures in by_count if figures.worth >= most - PAYS)
+
+
+def _note(best: BracketFigures, by_count: Sequence[BracketFigures], unknown: float, probe: Mapping[str, ProbedCamera]) -> str:
+    words = []
+    if len(best.exposures_us) < len(by_count):
+        words.append(f"more than {len(best.exposures_us)} exposures do not pay")
+    if unknown > 0.02:
+        shortest = min(camera.shortest_us for camera in probe.values())
+        words.append(
+            f"{unknown:.0%} of the lit pixels saturate at every probe exposure; probe with {max(1, shortest // 4)} µs to be sure of them"
+        )
+    return "; ".join(words)
+
+
+def _grid(patterns: PatternSet, limits: BracketLimits) -> list[int]:
+    """Return the exposures to choose from: quarter octaves from the shortest allowed to the longest that fits into the budget."""
+    longest = min(limits.longest_us, 1e6 * limits.budget_s / patterns.count)
+    if limits.readout_ms * 1e3 > 1e6 * limits.budget_s / patterns.count or longest < limits.shortest_us:
+        raise DecodeError(
+            f"{limits.budget_s:g} s do not suffice for one exposure of {patterns.count} images.",
+            f"Allow at least {patterns.count * limits.readout_ms / 1e3:.2f} s.",
+        )
+    count = ceil(np.log(longest / limits.shortest_us) / np.log(GRID_RATIO)) + 1
+    exposures = longest / GRID_RATIO ** np.arange(count)
+    if limits.multiple_us is None:
+        return sorted({int(exposure) for exposure in exposures if exposure >= limits.shortest_us}, reverse=True)
+    step = limits.multiple_us
+    allowed = {floor(floor(exposure / step) * step) for exposure in exposures if exposure >= max(step, limits.shortest_us)}
+    if not allowed:
+        raise DecodeError(f"No multiple of {step:g} µs fits into the budget.", "Allow more time, or a finer multiple.")
+    return sorted(allowed, reverse=True)
+
+
+class _Scene:
+    """Predicts brackets; what depends on a single exposure is computed once."""
+
+    def __init__(self, cameras: tuple[ProbedCamera, ...], patterns: PatternSet, limits: BracketLimits, settings: DecodeSettings) -> None:
+        self._cameras, self._limits, self._settings = cameras, limits, settings
+        self._images = patterns.count
+        alone = patterns.along(patterns.directions[0])[0]
+        sinusoids = [group for group in alone.groups if isinstance(group, PhaseShiftGroup)]
+        self._steps = min(group.steps for group in sinusoids)
+        finest = min(group.pitch_px for group in sinusoids)
+        information = [group.steps / self._steps * (finest / group.pitch_px) ** 2 for group in sinusoids]
+        self._averaged = float(np.sum(information)) ** -0.5  # the noise of all pitches together over that of one
+        gray = any(isinstance(group, GrayCodeGroup) for group in alone.groups)
+        plan = None if gray else plan_heterodyne(alone)
+        self._amplification = plan.amplification if plan else 0.0
+        self._sure_sigma = plan.sure_sigma_rad if plan and plan.amplification else np.inf
+        self._singles: dict[tuple[int, int], tuple[BoolArray, FloatArray, FloatArray]] = {}
+        self._seen: dict[tuple[int, ...], BracketFigures] = {}
+
+    def time_s(self, exposures: Sequence[int]) -> float:
+        """Images cannot follow each other faster than they are exposed, nor than they are read out."""
+        return self._images * sum(max(exposure * 1e-6, self._limits.readout_ms * 1e-3) for exposure in exposures)
+
+    def best_of(self, brackets: Sequence[tuple[int, ...]]) -> tuple[int, ...] | None:
+        """Return the most worthy bracket that fits into the budget."""
+        fitting = [bracket for bracket in brackets if self.time_s(bracket) <= self._limits.budget_s * (1 + 1e-9)]
+        return max(fitting, key=lambda bracket: self.figures(bracket).worth, default=None)
+
+    def improved(self, bracket: tuple[int, ...], grid: Sequence[int]) -> tuple[int, ...]:
+        """Move one exposure at a time to where the bracket is worth most."""
+        for _ in range(EXCHANGES):
+            before = bracket
+            for place in range(len(bracket)):
+                rest = bracket[:place] + bracket[place + 1 :]
+                bracket = self.best_of([bracket, *((*rest, exposure) for exposure in grid if exposure not in rest)]) or bracket
+            if set(before) == set(bracket):
+                break
+        return bracket
+
+    def figures(self, bracket: tuple[int, ...]) -> BracketFigures:
+        """Predict a bracket, in any order."""
+        exposures = tuple(sorted(bracket, reverse=True))
+        if exposures not in self._seen:
+            self._seen[exposures] = self._predicted(exposures)
+        return self._seen[exposures]
+
+    def _predicted(self, exposures: tuple[int, ...]) -> BracketFigures:
+        shares, medians, noise, right = {}, {}, [], []
+        for number, camera in enumerate(self._cameras):
+            sigma, chance = self._pixels(number, exposures)
+            shares[camera.camera] = float(chance.mean())
+            medians[camera.camera] = _median(sigma, chance)
+            noise.append(np.minimum(sigma, self._settings.max_sigma_rad))
+            right.append(chance)
+        every, share = np.concatenate(noise), float(np.mean(list(shares.values())))
+        time = self.time_s(exposures)
+        worth = share - SIGMA_WORTH * float(np.log(every).mean()) - TIME_WORTH * time / self._limits.budget_s
+        return BracketFigures(exposures, shares, medians, share, _median(every, np.concatenate(right)), time, worth)
+
+    def _pixels(self, number: int, exposures: tuple[int, ...]) -> tuple[FloatArray, FloatArray]:
+        """Return the phase noise of each pixel of a camera (infinite where it has none) and the probability that it is decoded rightly."""
+        camera = self._cameras[number]
+        size = len(camera.mean_rate)
+        swing, variance, strongest, alone = np.zeros(size), np.zeros(size), np.zeros(size), np.ones(size)
+        least = self._settings.min_modulation_grey(camera.saturation)
+        weights = exposure_weights(exposures, camera.noise, camera.saturation, least)
+        for exposure, weight in zip(exposures, weights, strict=True):
+            clear, own_swing, own_variance = self._single(number, exposure)
+            swing += np.where(clear, weight * own_swing, 0.0)
+            variance += np.where(clear, weight**2 * own_variance, 0.0)
+            alone = np.where(clear & (strongest == 0), own_variance, alone)
+            strongest = np.maximum(strongest, np.where(clear, own_swing, 0.0))
+        sigma = np.full(size, np.inf)
+        np.divide(np.sqrt(2.0 / self._steps * variance), swing, out=sigma, where=swing > 0)
+        right = np.ones(size)
+        if self._amplification > 0:
+            allowed_rad = 2 * np.pi * self._settings.residual_gate
+            right = erf(allowed_rad / (2.0**0.5 * self._amplification * np.maximum(sigma, 1e-12)))
+        together = (swing**2 * alone >= least**2 * variance) & (sigma <= self._sure_sigma)
+        sigma *= self._averaged
+        seen = ((strongest >= least) | together) & (sigma <= self._settings.max_sigma_rad)
+        return sigma, np.asarray(np.where(seen, right, 0.0))
+
+    def _single(self, number: int, exposure: int) -> tuple[BoolArray, FloatArray, FloatArray]:
+        if (number, exposure) not in self._singles:
+            camera = self._cameras[number]
+            mean, swing = camera.mean_rate * exposure, camera.swing_rate * exposure
+            peak = mean + swing
+            clear = peak + CLIP_SIGMAS * np.sqrt(camera.noise.variance(peak, camera.saturation)) < camera.saturation
+            self._singles[number, exposure] = (np.asarray(clear), swing, camera.noise.variance(mean, camera.saturation))
+        return self._singles[number, exposure]
+
+
+def _median(sigma: FloatArray, chance: FloatArray) -> float:
+    """Return the median over the pixels that are more likely right than wrong; 0 where there are none."""
+    return float(np.median(sigma[chance > 0.5])) if (chance > 0.5).any() else 0.0

@@ -1,0 +1,1 @@
+"""The noise of cameras, from flat images or from the fringes themselves."""

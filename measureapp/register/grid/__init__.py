@@ -1,0 +1,1 @@
+"""Points sorted into cells and voxels, and the compiled loops over them."""

@@ -1,0 +1,1 @@
+"""The surface over the merged points, never where nothing was measured."""

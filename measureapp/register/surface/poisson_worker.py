@@ -1,0 +1,33 @@
+"""Poisson reconstruction as a program of its own: `python poisson_worker.py in.npz out.npz`. Started by `measureapp.register.surface.poisson`.
+
+It needs nothing of the application, so that it starts from its file alone.
+"""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+
+EXIT_OUT_OF_MEMORY = 3
+
+
+def main(arguments: list[str]) -> int:
+    """Read points, normals, depth and scale from the first file, write vertices and triangles to the second; returns the exit code."""
+    import open3d as o3d
+
+    source, target = arguments
+    with np.load(source) as given:
+        cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(given["points"]))
+        cloud.normals = o3d.utility.Vector3dVector(given["normals"])
+        depth, scale = int(given["depth"]), float(given["scale"])
+    try:
+        made, _ = o3d.geometry.TriangleMesh.create_from_point_cloud_poisson(cloud, depth=depth, scale=scale)
+        np.savez(target, vertices=np.asarray(made.vertices), triangles=np.asarray(made.triangles))
+    except MemoryError:
+        return EXIT_OUT_OF_MEMORY
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
