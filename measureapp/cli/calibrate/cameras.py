@@ -133,6 +133,7 @@ def cameras_answer(solution: CameraArraySolution, files: BoardImages) -> dict[st
         "reference": calibration.reference,
         "rms_px": {name: camera.rms_px for name, camera in calibration.cameras.items()} | dict(calibration.pair_rms_px),
         "joint_rms_px": solution.joint_rms_px,
+        "blur_px": {name: camera.blur_px for name, camera in calibration.cameras.items()},
         "corner_sigma_px": solution.sigma_px,
         "corner_sigmas_px": dict(solution.sigmas_px),
         "cameras": {name: _parameters(solution, name) for name in calibration.names},
@@ -212,6 +213,8 @@ def _lines(solution: CameraArraySolution, document: dict[str, Any]) -> list[str]
     for name, entry in document["cameras"].items():
         focal = entry["parameters"]["fx"]
         lines.append(f"  {name}: fx {focal['value']:.2f} ± {focal['standard_deviation']:.2f} px, rms {document['rms_px'][name]:.3f} px")
+        if document["blur_px"][name]:
+            lines[-1] += f", blur {document['blur_px'][name]:.2f} px"
     for pair, entry in document["pairs"].items():
         lines.append(f"  {pair}: baseline {entry['baseline_mm']:.3f} mm, {entry['angle_deg']:.3f}°, rms {entry['rms_px']:.3f} px")
     for loop in document["loops"]:
