@@ -94,10 +94,14 @@ class CalibratingController(QObject):
         snapshot = collection.snapshot()
         before = results.Before(self._session.cameras, self._session.calibration, self.collecting.truth)
         self._job = self._solving.run(
-            "Judging the result", lambda job: results.concluded(job, snapshot, before), self._keep, on_stopped=self._stopped, quiet=True
+            "Judging the result",
+            lambda job: results.concluded(job, snapshot, before),
+            self._keep,
+            on_stopped=self._stopped,
+            on_failed=self._tell_failure,
+            quiet=True,
         )
         self._job.progressed.connect(self.collecting.progressed)
-        self._job.failed.connect(self._tell_failure)
         self.collecting.changed.emit()
 
     @Slot(object)
@@ -105,11 +109,13 @@ class CalibratingController(QObject):
         self._job, self.result = None, found
         if found.snapshot.setup.lenses:
             self._check = self._solving.run(
-                "Checking with views held back", lambda job: results.checked(job, found), self._keep_checked, quiet=True
+                "Checking with views held back",
+                lambda job: results.checked(job, found),
+                self._keep_checked,
+                on_stopped=self._check_stopped,
+                quiet=True,
             )
             self._check.progressed.connect(self._show_check)
-            self._check.cancelled.connect(self._check_stopped)
-            self._check.failed.connect(self._check_stopped)
         self.concluded.emit(found)
 
     @Slot(float, str)

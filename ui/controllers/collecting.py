@@ -242,9 +242,10 @@ class CollectingController(QObject):
         return tuple(viewpoint for viewpoint in planned if viewpoint.id not in taken)
 
     def _run(self, title: str, run: work.Work) -> None:
-        self._job = self._collecting.run(title, run, self._collected, on_event=self._happened, on_stopped=self._stopped)
+        self._job = self._collecting.run(
+            title, run, self._collected, on_event=self._happened, on_stopped=self._stopped, on_failed=self._tell_failure
+        )
         self._job.progressed.connect(self.progressed)
-        self._job.failed.connect(self._tell_failure)
         self.changed.emit()
 
     def stop(self) -> None:

@@ -74,10 +74,13 @@ class HolesController(QObject):
             self.explained.emit(self._last)
         elif folder is not None and self.can_explain:
             self._job = self._runner.run(
-                f"Explaining {viewpoint_id}", lambda job: explanation(folder, viewpoint_id, job), self._keep, quiet=True
+                f"Explaining {viewpoint_id}",
+                lambda job: explanation(folder, viewpoint_id, job),
+                self._keep,
+                on_failed=self._tell_failure,
+                on_cancelled=self._tell_cancelled,
+                quiet=True,
             )
-            self._job.failed.connect(self._tell_failure)
-            self._job.cancelled.connect(self._tell_cancelled)
         else:
             self.stopped.emit("The images of this view are not on disk. Open the project that holds them.")
 

@@ -33,9 +33,14 @@ class JobRunner(QObject):
         *,
         on_event: Callable[[Any], None] | None = None,
         on_stopped: Callable[[], None] | None = None,
+        on_failed: Callable[[MeasureError], None] | None = None,
+        on_cancelled: Callable[[], None] | None = None,
         quiet: bool = False,
     ) -> Job:
-        """Run ``work`` on a thread; the callables must be methods of QObjects, so that they run on the window's thread."""
+        """Run ``work`` on a thread; the callables must be methods of QObjects, so that they run on the window's thread.
+
+        What is connected to the job that is returned may come too late for one that fails at once.
+        """
         job = Job(title, work)
         job.quiet = quiet
         if on_event is not None:
@@ -44,6 +49,10 @@ class JobRunner(QObject):
         if on_stopped is not None:
             job.cancelled.connect(on_stopped)
             job.failed.connect(on_stopped)
+        if on_failed is not None:
+            job.failed.connect(on_failed)
+        if on_cancelled is not None:
+            job.cancelled.connect(on_cancelled)
         job.failed.connect(self._on_failed)
         if not quiet:
             job.cancelled.connect(self._on_cancelled)
