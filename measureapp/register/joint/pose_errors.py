@@ -1,9 +1,4 @@
-"""How the joint estimate of all poses errs: by the axes, by the noise of the points, by the calibration of the cameras.
-
-The estimate takes pairs as if each had errors of its own. They do not: a cloud brings the noise of its points into all its pairs. Its
-weights stand as they are; how it errs is propagated from the points (the covariance of a weighted estimate under other errors than its
-weights assume; H. White, Econometrica 50(1), 1-25, 1982).
-"""
+"""How the poses of the joint estimate follow errors of the cameras' calibration, which bend all clouds alike."""
 
 from __future__ import annotations
 
@@ -60,34 +55,6 @@ def by_calibration(
         source_from_target = poses[one.pair.source].inverse() @ poses[one.pair.target]
         right[_rows(one.pair)] += weight @ one.bent(clouds[one.pair.source], source_from_target, bends)
     return np.asarray(following.inverse @ right)
-
-
-def by_points_and_axes(
-    following: Following, influences: Sequence[PairInfluence], clouds: Sequence[PreparedCloud], axes: FloatArray
-) -> FloatArray:
-    """Return the covariance (6N, 6N) of all views' motions by the noise of the points and by the poses of the axes.
-
-    Parameters
-    ----------
-    axes : (6N, 6N), covariance of the poses by the axes in each camera's frame
-    """
-    right = following.by_axes @ axes @ following.by_axes.T
-    for number, cloud in enumerate(clouds):
-        sums = np.zeros((len(right), len(cloud)))  # right side by the noise of every point, one standard deviation each
-        for one, weight in zip(influences, following.by_pairs, strict=True):
-            for view, matched in ((one.pair.target, one.pair.matched_target), (one.pair.source, one.pair.matched_source)):
-                if view == number:
-                    sigma = np.sqrt(one.pair.scatter * (cloud.variance_mm2[matched] + FLOOR_MM**2 / 2))
-                    own = (weight @ one.gain * sigma) * (1 if view == one.pair.target else -1)
-                    _add(sums, _rows(one.pair), matched, own)
-        right += sums @ sums.T
-    return np.asarray(following.inverse @ right @ following.inverse.T)
-
-
-def _add(sums: FloatArray, rows: IntArray, columns: IntArray, values: FloatArray) -> None:
-    """Add values (R, M) where columns may come more than once."""
-    for row, own in zip(rows, values, strict=True):
-        sums[row] += np.bincount(columns, own, sums.shape[1])
 
 
 def _rows(pair: PairMeasurement) -> IntArray:

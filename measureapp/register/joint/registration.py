@@ -15,7 +15,7 @@ from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Progress
 from measureapp.register.joint.contradiction import free_correction, quantile
 from measureapp.register.joint.groundwork import Groundwork, PlacedCloud, in_parallel
-from measureapp.register.joint.pose_errors import PairInfluence, by_calibration, by_points_and_axes
+from measureapp.register.joint.pose_errors import PairInfluence, by_calibration
 from measureapp.register.joint.pose_graph import PoseGraphSolution, beside_each_other, following, solve
 from measureapp.register.joint.pose_prior import KinematicPrior, about_centres, largest_sigmas, with_cloud_errors
 from measureapp.register.joint.ring import largest_gap
@@ -98,8 +98,8 @@ class Registration:
 
     def _expect(self, clouds_mm: FloatArray) -> None:
         """Take what is expected of the poses by the axes, where each cloud errs by ``clouds_mm`` as a whole."""
-        self.axes = self._prior_by_settings() if self.given is None else np.asarray(self.given)
-        covariance = with_cloud_errors(self.axes, self.kinematic, self.centres, self.radii, clouds_mm)
+        axes = self._prior_by_settings() if self.given is None else np.asarray(self.given)
+        covariance = with_cloud_errors(axes, self.kinematic, self.centres, self.radii, clouds_mm)
         self.prior = np.asarray(np.linalg.inv(covariance))
         self.by_axes = about_centres(covariance, self.kinematic, self.centres)
 
@@ -131,16 +131,16 @@ class Registration:
         ring = largest_gap(poses, fitted, self.centres, self.radii, self.by_axes, [view.cloud.viewpoint_id for view in self.views])
         moved = self._corrections(poses, fitted)
         judged = [self._judged(i, poses[i], moved[i], contradictions.get(i), measured, known) for i in range(len(self.views))]
-        return judged, ring, self._errors(poses, fitted)
+        return judged, ring, self._errors(poses, fitted, known)
 
-    def _errors(self, poses: Sequence[RigidTransform], edges: Sequence[PairMeasurement]) -> ViewErrors:
+    def _errors(self, poses: Sequence[RigidTransform], edges: Sequence[PairMeasurement], known: PoseGraphSolution) -> ViewErrors:
         """Return how the views err together: by pairs and axes, and by the calibration of the cameras, which bends all clouds alike."""
+        by_stitching = independent(known.covariance)
+        if self.calibration is None:
+            return ViewErrors(tuple(poses), self.centres, by_stitching, np.zeros((len(by_stitching), 0)))
         clouds = [view.prepared for view in self.views]
         linear = following(poses, self.kinematic, self.prior, edges, self.centres)
         influences = in_parallel(lambda edge: PairInfluence.of(edge, clouds[edge.target], clouds[edge.source]), edges)
-        by_stitching = independent(by_points_and_axes(linear, influences, clouds, self.axes))
-        if self.calibration is None:
-            return ViewErrors(tuple(poses), self.centres, by_stitching, np.zeros((len(by_stitching), 0)))
         bends = self.calibration.bends
         moved = by_calibration(linear, influences, clouds, poses, self.calibration.by_axes, bends)
         return ViewErrors(tuple(poses), self.centres, by_stitching, moved, bends)

@@ -56,7 +56,6 @@ class PairMeasurement:
     residual_mm: float  # rms distance across the surface of corresponding points
     matched_target: IntArray  # indices of thinned points
     matched_source: IntArray
-    scatter: float  # variance of the distances over what the points' own noise lets expect, neighbours that err alike included
     smooth_mm: float  # standard deviation of what the two clouds err by, alike over the whole surface; `information` knows of it
 
     @property
@@ -128,15 +127,14 @@ def measure_pair(
     common = _common_surface(target, source, pose, search_mm, MOST_MATCHES)
     if len(common.own) < LEAST_MATCHES:
         none = np.empty(0, np.int64)
-        return PairMeasurement(*indices, pose, target.centroid_mm, np.zeros(6), np.zeros((6, 6)), 0.0, none, none, 1.0, 0.0)
+        return PairMeasurement(*indices, pose, target.centroid_mm, np.zeros(6), np.zeros((6, 6)), 0.0, none, none, 0.0)
     solved = _solved(common, settled=True)
     kept = solved.weight > 0
     smooth_mm, shared = _shared(common, solved)
-    own, scatter = _information(common, solved)
-    information = _with_shared_errors(own, shared)
+    information = _with_shared_errors(_information(common, solved), shared)
     residual = float(np.sqrt(np.mean(solved.left_mm[kept] ** 2)))
     return PairMeasurement(
-        *indices, pose, common.centre_mm, solved.change, information, residual, common.other[kept], common.own[kept], scatter, smooth_mm
+        *indices, pose, common.centre_mm, solved.change, information, residual, common.other[kept], common.own[kept], smooth_mm
     )
 
 
@@ -228,8 +226,8 @@ def _solved(common: _Common, *, settled: bool) -> _Solved:
     return _Solved(change, matrix, jacobian, weight, left, max(float(slope.sum() / weight.sum()), LEAST_STEEPNESS))
 
 
-def _information(common: _Common, solved: _Solved) -> tuple[FloatArray, float]:
-    """Return the inverse covariance (6, 6) of the change, by the scatter of sums over patches of the surface, and their usual scatter.
+def _information(common: _Common, solved: _Solved) -> FloatArray:
+    """Return the inverse covariance (6, 6) of the change, by the scatter of sums over patches of the surface.
 
     Residuals of neighbouring points are alike, as calibration errors are smooth, so that far fewer observations are independent
     than there are points. The gradient summed over patches tells how many: its scatter, in units of the normal matrix
@@ -257,7 +255,7 @@ def _information(common: _Common, solved: _Solved) -> tuple[FloatArray, float]:
     # one factor for all directions is known better than one for each, but where the normals' errors take most of the matrix it is not enough
     factor = np.where(well, usual, np.maximum(own, usual)) / solved.steepness**2
     root = vectors * size[:, None]
-    return np.asarray((root * (values / factor)) @ root.T), usual / solved.steepness**2
+    return np.asarray((root * (values / factor)) @ root.T)
 
 
 def _summed(cells: IntArray, rows: FloatArray) -> tuple[IntArray, FloatArray]:

@@ -42,7 +42,7 @@ def drawn(covariance: FloatArray, rng: np.random.Generator) -> tuple[list[RigidT
     for i, j in PAIRS:
         middle = truth[i].inverse().apply((centres[i] + centres[j]) / 2)
         between = stepped(truth[i].inverse() @ truth[j], rng.normal(0, PAIR_SIGMAS), middle)
-        pairs.append(PairMeasurement(i, j, between, middle, np.zeros(6), np.diag(PAIR_SIGMAS**-2.0), 0.01, nothing, nothing, 1.0, 0.004))
+        pairs.append(PairMeasurement(i, j, between, middle, np.zeros(6), np.diag(PAIR_SIGMAS**-2.0), 0.01, nothing, nothing, 0.004))
     return kinematic, pairs, centres
 
 
