@@ -131,6 +131,6 @@ def _cloud(files: FilesToMeasure, read: PlainPoints | Mesh) -> StitchedCloud:
     normals = np.zeros((count, 3)) if points.normals is None else points.normals
     sigma = np.zeros(count) if points.sigma_mm is None else points.sigma_mm
     view, names, grey = np.zeros(count, np.int16), (files.cloud.name,), np.full(count, np.nan)
-    if isinstance(read, PlainPoints) and read.view is not None and read.view_names:
+    if isinstance(read, PlainPoints) and read.view is not None and 0 <= read.view.min() <= read.view.max() < len(read.view_names):
         view, names = read.view, read.view_names
     return StitchedCloud(points.points_mm, normals, sigma, grey, view, (), view_names=names, drawn_view=points.view, errors=points.errors)
