@@ -56,12 +56,7 @@ def stitch(
         No cloud has enough points, or poses and clouds do not go together.
     """
     settings, progress = settings or StitchSettings(), progress or NoProgress()
-    if not len(clouds) == len(kinematic) == len(stations or clouds):
-        raise RegistrationError(f"{len(clouds)} clouds and {len(kinematic)} poses do not go together.", "Give one pose per cloud.")
-    if prior_covariance is not None and np.shape(prior_covariance) != (6 * len(clouds),) * 2:
-        raise RegistrationError(
-            f"A covariance of shape {np.shape(prior_covariance)} does not go with {len(clouds)} poses.", "Give one of six numbers per view."
-        )
+    _require_alike(len(clouds), len(kinematic), len(stations or clouds), prior_covariance)
     order = sorted(range(len(clouds)), key=lambda i: (clouds[i].viewpoint_id, i))
     chosen = [i for i in order if len(clouds[i]) >= LEAST_POINTS]
     if not chosen:
@@ -86,6 +81,15 @@ def stitch(
     placements = tuple(by_cloud.get(i) or _left_out(clouds[i], kinematic[i]) for i in range(len(clouds)))
     merged = _merged(clouds, placements, settings, spacing, PartOf(progress, 0.7, 1.0))
     return replace(merged, ring=ring, errors=_of_all(errors, chosen, placements))
+
+
+def _require_alike(clouds: int, poses: int, stations: int, prior_covariance: FloatArray | None) -> None:
+    if not clouds == poses == stations:
+        raise RegistrationError(f"{clouds} clouds and {poses} poses do not go together.", "Give one pose per cloud.")
+    if prior_covariance is not None and np.shape(prior_covariance) != (6 * clouds,) * 2:
+        raise RegistrationError(
+            f"A covariance of shape {np.shape(prior_covariance)} does not go with {clouds} poses.", "Give one of six numbers per view."
+        )
 
 
 def _of_all(errors: ViewErrors, chosen: Sequence[int], placements: Sequence[ViewPlacement]) -> ViewErrors:

@@ -8,7 +8,7 @@ from math import degrees
 from typing import Any
 
 from measureapp import __version__
-from measureapp.data.calibration import RigCalibration
+from measureapp.data.calibration import CameraCalibration, RigCalibration
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.measurement import Alignment, Measurement
 from measureapp.data.mesh import Mesh
@@ -173,10 +173,7 @@ def _validity_facts(validity: Validity) -> tuple[Fact, ...]:
 
 def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
     cameras = calibration.cameras
-    facts = [
-        Fact(f"Camera {name}", f"rms {number(cameras.cameras[name].rms_px)} px" + _serial(cameras.cameras[name].serial))
-        for name in cameras.names
-    ]
+    facts = [Fact(f"Camera {name}", _camera_words(cameras.cameras[name])) for name in cameras.names]
     facts += [Fact(f"Pair {name}", f"rms {number(rms)} px") for name, rms in cameras.pair_rms_px.items()]
     axis, hand_eye, guide = calibration.axis, calibration.hand_eye, calibration.guide
     facts += [
@@ -202,8 +199,9 @@ def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
     return tuple(facts)
 
 
-def _serial(serial: str) -> str:
-    return f", serial {serial}" if serial else ""
+def _camera_words(camera: CameraCalibration) -> str:
+    blur = f", blur {number(camera.blur_px, 2)} px" if camera.blur_px else ""
+    return f"rms {number(camera.rms_px)} px{blur}" + (f", serial {camera.serial}" if camera.serial else "")
 
 
 def _sigmas(length_mm: float, angle_rad: float) -> str:

@@ -96,7 +96,12 @@ def calibration_document(calibration: RigCalibration) -> dict[str, Any]:
         "temperature_c": calibration.provenance.temperature_c,
         "valid_days": calibration.provenance.valid_days,
         "cameras": {
-            name: {"rms_px": camera.rms_px, "serial": camera.serial, "standard_deviations": dict(camera.standard_deviations)}
+            name: {
+                "rms_px": camera.rms_px,
+                "blur_px": camera.blur_px or None,
+                "serial": camera.serial,
+                "standard_deviations": dict(camera.standard_deviations),
+            }
             for name, camera in calibration.cameras.cameras.items()
         },
         "pair_rms_px": dict(calibration.cameras.pair_rms_px),

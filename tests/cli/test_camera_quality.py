@@ -42,6 +42,8 @@ def test_recorded_pairs_are_cross_validated_and_mapped(capsys, tmp_path):
     assert (calibration.cameras["left"].serial, calibration.cameras["right"].serial) == ("L-1", "R-2")
     assert (calibration.provenance.temperature_c, calibration.provenance.valid_days) == (21.5, 30.0)
     assert all(len(digest) == 64 for digest in calibration.provenance.inputs.values())
+    for name, camera in calibration.cameras.items():  # a sharp lens and chip show edges of 2 to 3 px
+        assert 0.5 < camera.blur_px == answer["blur_px"][name] < 1.5
     assert len(read_camera_inputs(tmp_path / "corners.json").sightings) == 26
 
 

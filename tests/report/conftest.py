@@ -40,7 +40,8 @@ def block() -> Mesh:
 def calibration() -> RigCalibration:
     pinhole = PinholeCamera(640, 480, np.array([[900, 0, 320], [0, 900, 240], [0, 0, 1]]), np.zeros(5))
     cameras = {
-        name: CameraCalibration(name, pinhole, RigidTransform.identity("camera", name), {}, 0.04, "S1") for name in ("left", "right")
+        name: CameraCalibration(name, pinhole, RigidTransform.identity("camera", name), {}, 0.04, "S1", blur_px=blur_px)
+        for name, blur_px in (("left", 0.75), ("right", 0.0))
     }
     return RigCalibration(
         CameraArrayCalibration("left", cameras, {"left-right": 0.05}),

@@ -51,6 +51,15 @@ def test_every_document_names_the_shares_of_an_uncertainty(measured) -> None:
     assert json.loads(json.dumps(report_document(model)))["dimensions"][0]["uncertainty_budget"]["stitching"] == 0.024
 
 
+def test_the_calibration_says_how_blurred_images_are_where_the_board_told_it(measured) -> None:
+    model = compose(measured(), pictures=False)
+    facts = {fact.name: fact.value for section in model.sections for fact in section.facts}
+    assert facts["Camera left"] == "rms 0.040 px, blur 0.75 px, serial S1"
+    assert facts["Camera right"] == "rms 0.040 px, serial S1"
+    cameras = json.loads(json.dumps(report_document(model)))["calibration"]["cameras"]
+    assert (cameras["left"]["blur_px"], cameras["right"]["blur_px"]) == (0.75, None)
+
+
 def test_the_json_form_of_a_dimension_is_the_one_of_the_command_line(measured) -> None:
     first = dimension_document(measured().inspection.dimensions[0])
     assert set(first) == {

@@ -73,7 +73,7 @@ def calibration() -> RigCalibration:
     def camera(name: str, x: float) -> CameraCalibration:
         pinhole = PinholeCamera(1296, 972, np.array([[2045.3, 0, 648.2], [0, 2046.1, 486.4], [0, 0, 1]]), np.zeros(5))
         pose = RigidTransform.from_vector([0, 0, 0], [x, 0, 0], "camera", name)
-        return CameraCalibration(name, pinhole, pose, {"fx": 0.21, "fy": 0.22, "cx": 0.4, "cy": 0.4}, 0.081, "VR-1")
+        return CameraCalibration(name, pinhole, pose, {"fx": 0.21, "fy": 0.22, "cx": 0.4, "cy": 0.4}, 0.081, "VR-1", blur_px=0.75)
 
     cameras = {"left": camera("left", 0.0), "right": camera("right", 350.0), "upper": camera("upper", 175.0)}
     return RigCalibration(

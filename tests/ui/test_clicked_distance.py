@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,6 +11,8 @@ import pytest
 from measureapp.inspection.point_distance import point_distance
 from ui.look.look import Look
 from ui.pages.clicked_distance import FIRST, SECOND, ClickedPoint, DistanceTool
+from ui.pages.cloud_picture import CloudPicture
+from ui.pages.picked_point import PickedPoint
 
 
 @pytest.fixture
@@ -96,3 +99,12 @@ def test_on_the_inspection_page_a_click_tells_view_and_place_in_the_drawing_and_
     page.view.pointPicked.emit(0, 10)
     page.view.pointPicked.emit(0, 200)
     assert len(page.distance.distances) == 1 and page.undo.isVisible()
+
+
+@pytest.mark.parametrize(("stage", "known"), [("before", False), ("after", True), ("merged", True), ("filtered", True)])
+def test_points_of_every_cloud_that_was_stitched_bring_the_errors_of_its_views(stage, known):
+    errors = object()
+    session = SimpleNamespace(stitched=SimpleNamespace(view_names=("v0", "v1"), errors=errors))
+    point = PickedPoint("v1", np.zeros(3), 0.01, 0.5, None, 2)
+    clicked = CloudPicture(SimpleNamespace(), session, ()).clicked(stage, point)
+    assert (clicked.number, clicked.errors) == ((1, errors) if known else (None, None))

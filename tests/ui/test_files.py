@@ -7,7 +7,13 @@ import pytest
 import trimesh
 from PySide6.QtWidgets import QFileDialog
 
+from measureapp.data.cloud import StitchedCloud
 from measureapp.data.length_unit import LengthUnit
+from measureapp.data.view_errors import ViewErrors
+from measureapp.geometry.transform import RigidTransform
+from measureapp.inspection.dimensions import inspect
+from measureapp.project.geometry.files import read_cloud_or_mesh, write_cloud
+from measureapp.project.program_file import read_program, read_program_nominal
 from measureapp.resources import resource
 from ui.controllers.files import FilesToMeasure
 
@@ -67,6 +73,28 @@ def test_a_file_is_measured_by_a_program_and_a_point_of_it_has_no_invented_figur
     for place in (7, 99):
         page._show_point(0, place)
     assert page.distance.distances[0].uncertainty_mm is None and "±" not in page.distance.distances[0].words
+
+
+def test_a_stitched_cloud_from_a_file_is_as_uncertain_as_the_command_line_says(application, window, qtbot, tmp_path, drawing):
+    points = np.loadtxt(scanned(tmp_path / "scan.xyz", drawing))
+    count, motions = len(points), np.diag(2 * ([0.004] * 3 + [2e-5] * 3))  # shift and turn of each view by itself
+    poses = tuple(RigidTransform.from_vector([0, 0, 0], [0, 0, height], "part", "camera") for height in (-400.0, -500.0))
+    errors = ViewErrors(poses, np.zeros((2, 3)), motions, np.zeros((12, 0)))
+    view, flat, names = (points[:, 0] > 5).astype(np.int16), np.zeros((count, 3)), ("left", "right")
+    cloud = StitchedCloud(
+        points, flat, np.full(count, NOISE_MM), np.full(count, 0.5), view, (), view_names=names, drawn_view=view, errors=errors
+    )
+    path, program = tmp_path / "stitched.ply", drawing.with_name("program.toml")
+    write_cloud(path, cloud)
+    application.controllers.files.measure(FilesToMeasure(path, program))
+    assert settled(application, qtbot).level == "done"
+    described = read_program(program)
+    told = inspect(read_cloud_or_mesh(path), described, read_program_nominal(program, described)).dimensions
+    for found, wanted in zip(application.session.inspection.dimensions, told, strict=True):
+        assert found.budget == pytest.approx(wanted.budget) and found.budget["stitching"] > 0
+        assert "a view lies within" not in found.origin
+    window.pages["inspection"]._show_point(0, int(np.argmax(view)))
+    assert dict(row for group in window.pages["inspection"].properties.groups for row in group.rows)["View"] == "right"
 
 
 @pytest.mark.parametrize(

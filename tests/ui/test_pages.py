@@ -92,6 +92,10 @@ def test_the_calibration_page_judges_every_solution(filled):
     assert [row[4] for row in rows] == ["Good"] * 6
     assert plain(rows[3][3]) == "0.213 mm"
     assert plain(page.verdict.text()) == "0.213 mm"
+    page.table.selectRow(0)
+    assert plain(dict(page.properties.groups[0].rows)["Blur of its images"]) == "0.75 px"
+    page.table.selectRow(3)
+    assert "Blur of its images" not in dict(page.properties.groups[0].rows)
     assert page.chart.bars[-1].name == "Together"
     assert page.chart.bars[-1].value_mm == pytest.approx(sum(bar.value_mm**2 for bar in page.chart.bars[:-1]) ** 0.5)
 

@@ -119,15 +119,18 @@ def _drawing(files: FilesToMeasure) -> tuple[InspectionProgram, Mesh | None]:
 
 
 def _cloud(files: FilesToMeasure, read: PlainPoints | Mesh) -> StitchedCloud:
-    """Return the points as a cloud of one view that has the file's name; a σ that the file does not say is 0."""
+    """Return the points as a stitched cloud; a σ that the file does not say is 0, views that it does not tell are one with its name."""
     import numpy as np
 
     from measureapp.data.cloud import StitchedCloud
     from measureapp.inspection.measured import MeasuredPoints
+    from measureapp.project.geometry.files import PlainPoints
 
     points = MeasuredPoints.of(read)
     count = len(points)
     normals = np.zeros((count, 3)) if points.normals is None else points.normals
     sigma = np.zeros(count) if points.sigma_mm is None else points.sigma_mm
-    view = np.zeros(count, np.int16)
-    return StitchedCloud(points.points_mm, normals, sigma, np.full(count, np.nan), view, (), view_names=(files.cloud.name,))
+    view, names, grey = np.zeros(count, np.int16), (files.cloud.name,), np.full(count, np.nan)
+    if isinstance(read, PlainPoints) and read.view is not None and 0 <= read.view.min() <= read.view.max() < len(read.view_names):
+        view, names = read.view, read.view_names
+    return StitchedCloud(points.points_mm, normals, sigma, grey, view, (), view_names=names, drawn_view=points.view, errors=points.errors)

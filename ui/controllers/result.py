@@ -17,7 +17,7 @@ from ui.session import Session
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
+    from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, RigCalibration
     from measureapp.pipeline.collecting.collection import Collection
     from measureapp.pipeline.collecting.solved import Solved
     from measureapp.pipeline.collecting.verdict import Verdict
@@ -195,11 +195,16 @@ def facts_of(snapshot: Collection, solved: Solved) -> tuple[tuple[str, str], ...
             ("Reprojection (rms)", quantity(cameras.joint_rms_px, "px", 3)),
             ("Noise of a corner (1 σ)", quantity(cameras.sigma_px, "px", 3)),
         ]
-        facts += [(f"Camera {name}", quantity(camera.rms_px, "px", 3)) for name, camera in solved.cameras.cameras.items()]
+        facts += [(f"Camera {name}", _camera_words(camera)) for name, camera in solved.cameras.cameras.items()]
     if solved.residuals_mm:
         worst = max(solved.residuals_mm, key=lambda name: solved.residuals_mm[name])
         facts.append(("Largest residual", f"{millimetres(solved.residuals_mm[worst])}, {name_of(snapshot.observation(worst))}"))
     return tuple(facts)
+
+
+def _camera_words(camera: CameraCalibration) -> str:
+    """Return the residual of a camera, and the blur of its images where the board told it."""
+    return quantity(camera.rms_px, "px", 3) + (f", blur {quantity(camera.blur_px, 'px', 2)}" if camera.blur_px else "")
 
 
 def accepted(found: Result, session: Session) -> tuple[str, str]:

@@ -11,6 +11,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
+from measureapp.data.calibration import CameraCalibration, ProjectorCalibration
 from ui.controllers.collecting_nouns import Kind
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
@@ -178,6 +179,7 @@ class CalibrationPage(Page):
                             "Result",
                             (
                                 ("Residual (rms)", found.residual),
+                                *_blur(camera),
                                 ("Standard deviation", found.deviation),
                                 ("Method", sentence_case(method) if method else "–"),
                             ),
@@ -190,6 +192,13 @@ class CalibrationPage(Page):
                 f"{found.estimate}. Judged by: {found.criterion[0].lower()}{found.criterion[1:]}.",
             )
         )
+
+
+def _blur(camera: CameraCalibration | ProjectorCalibration | None) -> tuple[tuple[str, str], ...]:
+    """Return how blurred the images of a camera are, where the board told it."""
+    if not isinstance(camera, CameraCalibration) or camera.blur_px == 0:
+        return ()
+    return (("Blur of its images", quantity(camera.blur_px, "px", 2)),)
 
 
 def deviation_words(name: str, value: float) -> tuple[str, str]:

@@ -78,7 +78,7 @@ class CloudPicture:
 
     def clicked(self, stage: str, point: PickedPoint) -> ClickedPoint:
         """Return a point to measure from, with the errors of its view where fine stitching tells them."""
-        known = self._session.stitched if stage == "after" else None
+        known = self._session.stitched if stage != "before" else None
         names = () if known is None else known.view_names
         number = names.index(point.viewpoint_id) if point.viewpoint_id in names else None
         return ClickedPoint(point.position_mm, point.sigma_mm, point.viewpoint_id, number, None if known is None else known.errors)

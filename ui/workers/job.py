@@ -83,11 +83,6 @@ class Job(QThread):
         """Ask the work to stop at its next report; may be called from any thread."""
         self._stop.set()
 
-    @property
-    def is_cancelling(self) -> bool:
-        """Whether a stop was asked for."""
-        return self._stop.is_set()
-
 
 def unexpected(error: BaseException, doing: str) -> MeasureError:
     """Return an error of the program itself as a sentence."""

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import cv2
 import numpy as np
 
-from measureapp.arrays import FloatArray, IntArray
+from measureapp.arrays import FloatArray
 from measureapp.calibrate.cameras.array import CameraArrayProblem
 from measureapp.calibrate.cameras.camera import LEAST_VIEWS
 from measureapp.calibrate.cameras.projector_sightings import called
@@ -29,10 +29,6 @@ class CameraArrayDraft:
         self._distortion_count = distortion_count
         self._sightings: dict[tuple[str, str], Sighting] = {}
         self._rejected: dict[tuple[str, str], Rejection] = {}
-
-    def add(self, camera: str, view: str, corners_px: FloatArray, ids: IntArray | None = None, sigma_px: FloatArray | None = None) -> None:
-        """Add the corners seen by one camera; ``ids`` says which they are, where it did not see all; ``sigma_px`` (N,) how exact."""
-        self.add_sighting(Sighting(camera, view, corners_px, ids, sigma_px))
 
     def add_sighting(self, sighting: Sighting) -> None:
         """Add what one camera saw in one view."""

@@ -83,6 +83,7 @@ def _written(files: Mapping[str, Path]) -> list[str]:
 def _problem(files: BoardImages, board: BoardDescription, reference: str, distortion: int, progress: Progress) -> CameraArrayProblem:
     from measureapp.calibrate.boards.find import find_board
     from measureapp.calibrate.cameras.draft import CameraArrayDraft
+    from measureapp.calibrate.sightings import sighting_of
     from measureapp.errors import CalibrationError
 
     draft = CameraArrayDraft(board, reference, {camera: files.size_px(camera) for camera in files.cameras}, distortion)
@@ -90,8 +91,7 @@ def _problem(files: BoardImages, board: BoardDescription, reference: str, distor
     for done, (camera, position, image) in enumerate(files.each()):
         progress.report(done, total, f"board in {files.path(camera, position).name}")
         try:
-            found = find_board(image, board)
-            draft.add(camera, _view(position), found.corners_px, found.ids, found.sigma_px)
+            draft.add_sighting(sighting_of(camera, _view(position), find_board(image, board)))
         except CalibrationError as error:
             draft.reject(camera, _view(position), f"{error.message} {error.hint}".rstrip("."))
     return draft.problem()

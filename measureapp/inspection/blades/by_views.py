@@ -1,4 +1,4 @@
-"""What the errors of the views do to one blade section: turn it about the axis, turn it in its section, and move its sides apart."""
+"""What the errors of the views do to one blade section: turn it about the axis, change its stagger, and move its sides apart."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from measureapp.arrays import FloatArray
 from measureapp.inspection.blades.cut import SectionFrame
 from measureapp.inspection.measured import MeasuredPoints
 
-STEP_MM = 0.01
+STEP_MM, STEP_RAD = 0.01, 1e-4
 LEAST_IN_SECTION = 0.3  # share of a normal that lies in the section; steeper sides count no more
 
 
@@ -20,7 +20,7 @@ class BladeErrors:
     """By shares ("stitching", "calibration") of the errors of the views, which all blades have in common."""
 
     turn_rad: Mapping[str, FloatArray]  # (M,), about the part's axis
-    lean_rad: Mapping[str, FloatArray]  # (M,), in the section
+    stagger_rad: Mapping[str, FloatArray]  # (M,), changes of the stagger, by turn and by shift in the section
     apart_mm: Mapping[str, float]  # standard deviation, rms over the points, of what no motion of the blade in its section explains
     total_mm: Mapping[str, float]  # the same of everything
 
@@ -35,14 +35,30 @@ def blade_errors(own: MeasuredPoints, number: int, frame: SectionFrame) -> Blade
     across = np.column_stack([np.einsum("nd,nd->n", normals, side) for side in (along, up)])
     arms = flat - flat.mean(axis=0)
     motions = np.column_stack([across, across[:, 1] * arms[:, 0] - across[:, 0] * arms[:, 1]])
-    effect = np.einsum("nd,nd->n", normals, (frame.turned(points, STEP_MM) - frame.turned(points, -STEP_MM)) / (2 * STEP_MM))
+    effect = np.einsum("nd,nd->n", normals, (frame.turned(points, STEP_RAD) - frame.turned(points, -STEP_RAD)) / (2 * STEP_RAD))
     in_section = np.maximum(np.linalg.norm(across, axis=1), LEAST_IN_SECTION)[:, None]
-    turn, lean, apart, total = {}, {}, {}, {}
+    by_motion = _stagger_by_motion(frame, flat.mean(axis=0))
+    turn, stagger, apart, total = {}, {}, {}, {}
     for share, moved in own.errors.along(points, normals, own.view).items():
         explained = np.linalg.lstsq(motions, moved, rcond=None)[0]
-        turn[share], lean[share] = effect @ moved / (effect @ effect), explained[2]
+        turn[share], stagger[share] = effect @ moved / (effect @ effect), by_motion @ explained
         apart[share], total[share] = (_rms(change / in_section) for change in (moved - motions @ explained, moved))
-    return BladeErrors(turn, lean, apart, total)
+    return BladeErrors(turn, stagger, apart, total)
+
+
+def _stagger_by_motion(frame: SectionFrame, middle_mm: FloatArray) -> FloatArray:
+    """Return how the stagger follows shifts of the blade along and across its chord (rad/mm) and a turn about its middle, (3,).
+
+    Where it is counted from the ray out of the axis through the leading end, a blade that is shifted has another ray.
+    """
+
+    def stagger(motion: FloatArray) -> float:
+        turn = motion[2]
+        start = motion[:2] + turn * np.array([middle_mm[1], -middle_mm[0]])  # the drawn leading end is the origin of the section
+        return frame.stagger_rad(frame.shape.chord_mm * np.array([np.cos(turn), np.sin(turn)]), start)
+
+    steps = np.diag([STEP_MM, STEP_MM, STEP_RAD])
+    return np.array([(stagger(step) - stagger(-step)) / (2 * step.sum()) for step in steps])
 
 
 def _rms(columns: FloatArray) -> float:

@@ -90,6 +90,7 @@ def _found(
     feature = Feature(name, "point", middle, None, points=len(flat), left_out=max(left_out, 0), rms_mm=made.scatter_mm)
     sigmas = {key: factor * sigma for key, sigma in _scatter(flat, made, frame, settings.blade_trials).items()}
     away = None if surface is None else distances_and_normals(own.points_mm, own.normals, surface)[0]
+    by_errors = blade_errors(own, number, frame)
     return FoundBlade(
         name,
         feature,
@@ -97,13 +98,13 @@ def _found(
         factor,
         effective_views(own.view),
         own.points_mm,
-        view_errors=own.errors,
+        view_errors=None if by_errors is None else own.errors,
         profile=made,
         frame=frame,
         sigmas=sigmas,
         number=number,
         to_nominal_mm=away,
-        by_errors=blade_errors(own, number, frame),
+        by_errors=by_errors,
     )
 
 

@@ -50,11 +50,11 @@ def blade_value(described: DimensionProgram, found: tuple[Found, ...], settings:
 
 
 def _twist(one: FoundBlade, other: FoundBlade, settings: InspectionSettings) -> Value:
-    """Difference of two staggers; what turns both sections alike drops out."""
+    """Difference of two staggers; what moves both sections alike drops out."""
     first, second = (_single("stagger", blade, settings) for blade in (one, other))
     budget = summed(first.budget, second.budget)
     if one.by_errors is not None and other.by_errors is not None:
-        budget = {**budget, **_between(one.by_errors.lean_rad, other.by_errors.lean_rad)}
+        budget = {**budget, **_between(one.by_errors.stagger_rad, other.by_errors.stagger_rad)}
     return Value((second.value - first.value + 180) % 360 - 180, budget, "Monte Carlo")
 
 
@@ -86,7 +86,7 @@ def _single(kind: str, blade: FoundBlade, settings: InspectionSettings) -> Value
         return Value(value, {NOISE: sigma, **_apart(blade, settings, sides)}, how)
     lean = times(_apart(blade, settings, sides), 1 / float(np.linalg.norm(made.chord)))
     if blade.by_errors is not None:
-        lean = {share: float(np.linalg.norm(columns)) for share, columns in blade.by_errors.lean_rad.items()}
+        lean = {share: float(np.linalg.norm(columns)) for share, columns in blade.by_errors.stagger_rad.items()}
     return Value(float(np.degrees(value)), times({NOISE: sigma, **lean}, DEGREES), how)
 
 

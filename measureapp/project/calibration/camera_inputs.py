@@ -32,6 +32,7 @@ def write_camera_inputs(path: Path, problem: CameraArrayProblem) -> None:
             {"camera": one.camera, "view": one.view, "corners_px": one.corners_px.tolist()}
             | ({} if one.ids is None else {"ids": one.ids.tolist()})
             | ({} if one.sigma_px is None else {"sigma_px": one.sigma_px.tolist()})
+            | ({"edge_px": one.edge_px} if one.edge_px else {})
             for one in problem.sightings
         ],
         "rejected": [{"camera": one.camera, "view": one.view, "reason": one.reason} for one in problem.rejected],
@@ -73,4 +74,4 @@ def _sighting(entry: dict[str, Any]) -> Sighting:
         raise ValueError(f"corners of {entry['camera']} in view {entry['view']} are not numbers")
     ids = np.array(entry["ids"], np.int64) if "ids" in entry else None
     sigma = np.array(entry["sigma_px"], float) if "sigma_px" in entry else None
-    return Sighting(str(entry["camera"]), str(entry["view"]), corners, ids, sigma)
+    return Sighting(str(entry["camera"]), str(entry["view"]), corners, ids, sigma, float(entry.get("edge_px", 0.0)))

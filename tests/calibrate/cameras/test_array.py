@@ -222,7 +222,7 @@ def test_a_draft_says_what_is_missing(head, board, simulate, generator):
     camera = head.cameras["left"]
     for number in range(4):
         pose = RigidTransform.from_vector([0.05 * number, 0, 0], [-70, -60, 800], "camera", "board")
-        draft.add("left", str(number), camera.pinhole.project(pose.apply(board.corners_mm)))
+        draft.add_sighting(Sighting("left", str(number), camera.pinhole.project(pose.apply(board.corners_mm))))
     said = " ".join(draft.shortfalls())
     assert "6 more views" in said
     assert "tilt the board" in said

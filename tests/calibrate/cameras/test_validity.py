@@ -83,7 +83,8 @@ def test_solving_the_stored_inputs_again_gives_the_same_numbers(tmp_path):
     from measureapp.project.calibration.camera_inputs import read_camera_inputs, write_camera_inputs
 
     generator = np.random.default_rng(3)
-    problem = paper_head.problem(paper_head.drawn_head(generator), 6, 0.1, generator)
+    drawn = paper_head.problem(paper_head.drawn_head(generator), 6, 0.1, generator)
+    problem = replace(drawn, sightings=tuple(replace(one, edge_px=2.5) for one in drawn.sightings))
     write_camera_inputs(tmp_path / "inputs.json", problem)
     first, again = solve(problem), solve(read_camera_inputs(tmp_path / "inputs.json"))
     assert first.parameters == again.parameters
@@ -93,6 +94,7 @@ def test_solving_the_stored_inputs_again_gives_the_same_numbers(tmp_path):
         np.testing.assert_array_equal(camera.pinhole.matrix, other.pinhole.matrix)
         np.testing.assert_array_equal(camera.pinhole.distortion, other.pinhole.distortion)
         np.testing.assert_array_equal(camera.reference_from_camera.matrix, other.reference_from_camera.matrix)
+        assert camera.blur_px == other.blur_px > 0
 
 
 def test_a_file_that_holds_no_corners_is_refused(tmp_path):
