@@ -20,6 +20,8 @@ from measureapp.data.phase import PhaseMap
 from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
 
+MOST_PX = 1.5  # of the blur; the first order takes back no more, and slopes over four pixels show no more
+
 
 def without_blur(
     phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibration, step_rad: float, memory: MapMemory | None = None
@@ -42,7 +44,7 @@ def _sharp(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: MapMemo
         return phase_map
     phase, grey = read_only(phase_map.phase_rad, np.float32), read_only(phase_map.grey, np.uint16)
     state, out = read_only(phase_map.state, np.uint8), memory.empty(phase_map.phase_rad.shape, np.float32)
-    numbers = np.float32(blur_px**2), np.float32(step_rad)
+    numbers = np.float32(min(blur_px, MOST_PX) ** 2), np.float32(step_rad)
     in_bands(lambda start, stop: kernels.take_blur(phase, grey, state, *numbers, start, stop, out), len(phase))
     across = None if phase_map.across is None else _sharp(phase_map.across, blur_px, step_rad, memory)
     return replace(phase_map, phase_rad=read_only(out), across=across)
