@@ -11,7 +11,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
-from measureapp.data.calibration import CameraCalibration, ProjectorCalibration
 from ui.controllers.collecting_nouns import Kind
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
@@ -27,6 +26,7 @@ from ui.widgets.properties_panel import Group, Properties
 from ui.wizards.kinds import CAMERAS, KINDS, RIG, WizardKind
 
 if TYPE_CHECKING:
+    from measureapp.data.calibration import CameraCalibration, ProjectorCalibration
     from ui.wizards.wizard import CalibrationWizard
 
 EMPTY_TEXT = (
@@ -196,9 +196,8 @@ class CalibrationPage(Page):
 
 def _blur(camera: CameraCalibration | ProjectorCalibration | None) -> tuple[tuple[str, str], ...]:
     """Return how blurred the images of a camera are, where the board told it."""
-    if not isinstance(camera, CameraCalibration) or camera.blur_px == 0:
-        return ()
-    return (("Blur of its images", quantity(camera.blur_px, "px", 2)),)
+    known = 0.0 if camera is None else getattr(camera, "blur_px", 0.0)  # a projector has none
+    return (("Blur of its images", quantity(known, "px", 2)),) if known else ()
 
 
 def deviation_words(name: str, value: float) -> tuple[str, str]:
