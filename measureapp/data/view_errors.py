@@ -11,6 +11,7 @@ from measureapp.arrays import FloatArray, IntArray, read_only
 from measureapp.geometry.transform import RigidTransform
 
 POSE = 6
+HELD = 1e-3  # singular value over the largest, from which on a surface holds a motion
 DEGREE = 3
 POWERS = tuple((i, j, k) for i in range(DEGREE + 1) for j in range(DEGREE + 1 - i) for k in range(DEGREE + 1 - i - j))
 
@@ -99,6 +100,31 @@ class ViewErrors:
                 back = self.poses[number].inverse()
                 calibration[rows] += self.bends.along(back.apply(points_mm[rows]), back.rotate(across))
         return {"stitching": stitching, "calibration": calibration} if self.bends is not None else {"stitching": stitching}
+
+
+def without_common_motion(errors: ViewErrors, points_mm: FloatArray, normals: FloatArray, view: IntArray) -> ViewErrors:
+    """Return the errors without what lays all points together beside their surface: where a part is aligned by its surface, that has followed.
+
+    Parameters
+    ----------
+    points_mm, normals : (N, 3), in the frame that the poses lead to; as small a choice as shows the part
+    view : (N,), which view measured each point
+    """
+    middle = points_mm.mean(axis=0)
+    arms = points_mm - middle
+    length = float(np.sqrt(np.mean(np.sum(arms**2, axis=1))))
+    gain = np.linalg.pinv(np.hstack([normals, np.cross(arms, normals) / length]), rcond=HELD)
+    moved = errors.along(points_mm, normals, view)
+
+    def left(share: str, motions: FloatArray) -> FloatArray:
+        if share not in moved:
+            return motions
+        shift, turn = np.split(gain @ moved[share], 2)
+        turn = turn / length
+        common = [np.vstack([shift + np.cross(turn.T, centre - middle).T, turn]) for centre in errors.centres_mm]
+        return motions - np.vstack(common)
+
+    return replace(errors, by_stitching=left("stitching", errors.by_stitching), by_calibration=left("calibration", errors.by_calibration))
 
 
 def independent(covariance: FloatArray, negligible: float = 1e-10) -> FloatArray:

@@ -58,6 +58,8 @@ def inspect(
     placed = alignment or align(points, program, surface, settings, getattr(measured, "frame", "part"), PartOf(progress, 0.0, 1 / 3))
     progress.report(1, 3, "features")
     in_place = points.seen_from(placed.nominal_from_part)
+    if alignment is None and program.alignment.method != "none":
+        in_place = in_place.aligned()
     found = find_all(in_place, program, surface, settings, progress)
     _check_unit(in_place, found, program, surface, settings)
     progress.report(2, 3, "dimensions")

@@ -9,11 +9,12 @@ import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
 from measureapp.data.mesh import Mesh
-from measureapp.data.view_errors import ViewErrors
+from measureapp.data.view_errors import ViewErrors, without_common_motion
 from measureapp.errors import InspectionError
 from measureapp.geometry.transform import RigidTransform
 
 MESH_SAMPLES = 200_000
+ALIGNING_POINTS = 20_000  # tell where a part lies as well as all of them
 SAMPLE_SEED = 20
 
 
@@ -67,6 +68,15 @@ class MeasuredPoints:
         normals = None if self.normals is None else transform.rotate(np.asarray(self.normals, np.float64))
         errors = None if self.errors is None else self.errors.seen_from(transform)
         return replace(self, points_mm=transform.apply(self.points_mm), normals=normals, errors=errors)
+
+    def aligned(self) -> MeasuredPoints:
+        """Return the same points after an alignment by their surface, which followed what their views err by together."""
+        if self.errors is None or self.view is None or self.normals is None:
+            return self
+        some = self.thinned(ALIGNING_POINTS)
+        assert some.normals is not None and some.view is not None
+        errors = without_common_motion(self.errors, some.points_mm, np.asarray(some.normals, np.float64), some.view)
+        return replace(self, errors=errors)
 
     def thinned(self, count: int) -> MeasuredPoints:
         """Return about ``count`` points spread evenly over the surface: one of each cell of a grid."""

@@ -166,3 +166,19 @@ def test_two_clicked_points_stand_off_as_their_views_do() -> None:
         assert length == 80.0 and uncertainty == pytest.approx(2 * np.linalg.norm(np.hstack(gaps)))
     within = point_distance(places, (0.0, 0.0), True, views=(0, 0), errors=errors)[1]
     assert within == pytest.approx(2 * SCALE * 80)  # one view alone errs by the scale only
+
+
+def test_what_moves_the_whole_part_is_followed_by_an_alignment_by_its_surface() -> None:
+    exact = drawn().exact
+    assert exact.errors is not None and exact.normals is not None and exact.view is not None
+    left = exact.aligned().errors
+    assert left is not None
+    normals = np.asarray(exact.normals)
+    before, after = (errors.along(exact.points_mm, normals, exact.view)["stitching"] for errors in (exact.errors, left))
+    common, own = slice(0, 6), slice(6, None)  # of the independent errors: motions of all views together, and of single ones
+    assert np.abs(before[:, common]).max() > 0.1
+    assert np.abs(after[:, common]).max() < 1e-3 * np.abs(before[:, common]).max()
+    arms = exact.points_mm - exact.points_mm.mean(axis=0)
+    motions = np.hstack([normals, np.cross(arms, normals)])
+    np.testing.assert_allclose(motions.T @ after[:, own], 0, atol=1e-6 * float(np.abs(motions.T @ before[:, own]).max()))
+    assert 0.2 < np.linalg.norm(after[:, own]) / np.linalg.norm(before[:, own]) < 1
