@@ -19,6 +19,7 @@ from measureapp.project.atomic import write_json
 
 SCHEMA_VERSION = 2  # 2 may have `covariance`, and in `provenance` the command that made it; files of version 1 are read as they are
 READABLE_VERSIONS = (1, 2)
+WIDEST_BLUR_PX = 20.0  # of an image in which a board would still be found, with room
 DISTORTION_LENGTHS = (4, 5, 8, 12, 14)
 FILE_FIELDS = {"schema_version", "reference", "cameras", "pair_rms_px", "provenance", "projector"}
 FILE_FIELDS_SINCE_2 = {"covariance"}
@@ -177,6 +178,8 @@ def _camera(name: str, entry: Any, reference: str, source: str) -> CameraCalibra
     deviations = _numbers(entry.get("standard_deviations", {}), source, f"{place}.standard_deviations")
     rms_px = _numbers({"rms_px": entry.get("rms_px", 0.0)}, source, place)["rms_px"]
     blur_px = _numbers({"blur_px": entry.get("blur_px", 0.0)}, source, place)["blur_px"]
+    if not 0 <= blur_px <= WIDEST_BLUR_PX:  # so that NaN is refused as well
+        raise InputError(f"{source}: {place}.blur_px is {blur_px:g}, not 0 to {WIDEST_BLUR_PX:g} px.", "Take it out, or calibrate again.")
     settings = {setting: entry[setting] for setting in ("focus_mm", "f_number") if entry.get(setting) is not None}
     lens = LensSetting(**_numbers(settings, source, place))
     return CameraCalibration(name, pinhole, transform, deviations, rms_px, str(entry.get("serial", "")), lens, blur_px)
