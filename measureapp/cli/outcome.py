@@ -63,7 +63,8 @@ def dimension_line(dimension: Dimension) -> str:
     start = f"  {MARK[dimension.verdict]} {dimension.name:<18}"
     if dimension.measured is None or dimension.error is None:
         return f"{start}not measured: {dimension.reason}"
-    uncertainty = "" if dimension.uncertainty is None else f" ± {dimension.uncertainty:.3f}"
+    shown = dimension.uncertainty_shown()
+    uncertainty = "" if shown is None else f" ± {shown:.3f}"
     return (
         f"{start}{dimension.measured:9.3f}{uncertainty} {dimension.unit} (nominal {dimension.nominal:g}, error {dimension.error:+.3f})"
         f"  {dimension.verdict.value}"

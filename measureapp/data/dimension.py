@@ -47,6 +47,10 @@ class Dimension:
         """The shares of the uncertainty (k = 2) that are not zero, the largest first."""
         return sorted(((name, size) for name, size in self.budget.items() if size > 0), key=lambda share: -share[1])
 
+    def uncertainty_shown(self, digits: int = 3) -> float | None:
+        """Return the uncertainty for so many digits: one that would read as zero is rounded up to the last of them (JCGM 100, 7.2.6)."""
+        return max(self.uncertainty, 10.0**-digits) if self.uncertainty else self.uncertainty
+
     @property
     def relative_error(self) -> float | None:
         """Error over nominal; None where the nominal is zero."""

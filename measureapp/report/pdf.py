@@ -106,7 +106,7 @@ def _dimension(dimension: Dimension) -> dict[str, str]:
         "measured": number(dimension.measured) + (unit if dimension.measured is not None else ""),
         "error": number(dimension.error, signed=True),
         "relative": percent(dimension.relative_error, 3, signed=True),
-        "uncertainty": number(dimension.uncertainty),
+        "uncertainty": number(dimension.uncertainty_shown()),
         "tolerance": tolerance(dimension.lower_tolerance, dimension.upper_tolerance),
         "verdict": dimension.verdict.value,
         "sign": SIGNS[dimension.verdict],

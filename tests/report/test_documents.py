@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from measureapp.cli.outcome import dimension_line
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.mesh import Mesh
 from measureapp.errors import StorageError
@@ -174,3 +175,12 @@ def test_surface_that_was_filled_without_points_is_told_apart_in_the_pictures(me
     assert "dark: filled without points" in part_pictures(filled)[0].caption
     assert "filled" not in part_pictures(whole)[0].caption
     assert part_pictures(filled)[0].png != part_pictures(whole)[0].png
+
+
+def test_a_small_uncertainty_is_never_printed_as_none(measured) -> None:
+    first = replace(measured().inspection.dimensions[0], uncertainty=0.0002)
+    assert first.uncertainty_shown() == 0.001 and first.uncertainty_shown(4) == 0.0002
+    assert "± 0.001 mm" in dimension_line(first)
+    assert replace(first, uncertainty=0.0123).uncertainty_shown() == 0.0123
+    assert replace(first, uncertainty=0.0).uncertainty_shown() == 0.0  # a drawing against itself
+    assert replace(first, uncertainty=None).uncertainty_shown() is None

@@ -41,7 +41,7 @@ def dimension_cells(dimension: Dimension) -> list[Cell]:
         number(quantity(dimension.nominal, unit, digits)),
         number(quantity(dimension.measured, unit, digits)),
         number(quantity(dimension.error, unit, digits, signed=True)),
-        number(quantity(dimension.uncertainty, unit, digits)),
+        number(quantity(dimension.uncertainty_shown(digits), unit, digits)),
         verdict_cell(str(dimension.verdict), tip=dimension.reason),
     ]
 
@@ -163,7 +163,7 @@ def dimension_properties(dimension: Dimension, features: Sequence[Feature], alig
             ("Measured", quantity(dimension.measured, unit)),
             ("Error", quantity(dimension.error, unit, signed=True)),
             ("Relative error", percent(dimension.relative_error, 3, signed=True)),
-            ("Uncertainty (k = 2)", quantity(dimension.uncertainty, unit)),
+            ("Uncertainty (k = 2)", quantity(dimension.uncertainty_shown(), unit)),
         ),
     )
     taken = tuple(("", sentence(part)) for part in dimension.origin.split("; ") if part and not part.startswith("datums "))
