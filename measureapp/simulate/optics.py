@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import hypot, sqrt
 from typing import Any
 
 import cv2
@@ -24,6 +25,7 @@ FLOOR = 0.004  # black level, share of full scale
 WHITE, BLACK = 0.85, 0.06  # albedo of the board's print
 MARGIN_PX, MARGIN_SHARE = 3.0, 0.005  # round the box of pixels that can see a thing
 OUTLINE_SAMPLES = 9
+PIXEL_BLUR_PX = sqrt(1.0 / 12.0)  # standard deviation of a pixel's own width
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -46,7 +48,12 @@ class Lights:
 
 
 class Surface:
-    """A part ready to be looked at; its scene is the nominal frame."""
+    """A part ready to be looked at; its scene is the nominal frame.
+
+    It is looked at in the middle of every pixel, so that what a pixel's width does to the image remains to be added (``width_px``).
+    """
+
+    width_px = PIXEL_BLUR_PX
 
     def __init__(self, part: Part) -> None:
         corners = part.mesh.vertices_mm[part.mesh.triangles]
@@ -115,7 +122,9 @@ def _ray_scene(part: Part) -> tuple[Any, Callable[[FloatArray], Any]]:
 
 
 class PrintedBoard:
-    """A board on a slightly bowed plate; its scene is the board frame."""
+    """A board on a slightly bowed plate; its scene is the board frame. Its print is averaged over every pixel already."""
+
+    width_px = 0.0
 
     def __init__(self, board: BoardDescription, bow_mm: float) -> None:
         self._board = board
@@ -199,20 +208,21 @@ def projected(images: ImageArray | FloatArray, settings: LightSettings) -> Float
     return np.stack([_blurred(image, settings.defocus_px) for image in light.astype(np.float32)])
 
 
-def exposed(light: FloatArray, pattern: FloatArray | None, exposure_us: int, settings: LightSettings) -> FloatArray:
+def exposed(light: FloatArray, pattern: FloatArray | None, exposure_us: int, settings: LightSettings, width_px: float = 0.0) -> FloatArray:
     """Return the mean image (H, W) float32 as a share of full scale, from the light map of `Surface.lit`.
 
     Parameters
     ----------
     light : (H, W, 4) float32
     pattern : (h, w) light of the projector; None for the head lamp, which lights beyond the projector's field
+    width_px : standard deviation of what a pixel collects over its width, where ``light`` is of its middle alone
     """
     mean = np.empty(light.shape[:2], np.float32)
     scale = exposure_us / settings.reference_exposure_us
     shown = np.zeros((2, 2), np.float32) if pattern is None else pattern * np.float32(settings.projector)
     lamp = settings.lamp if pattern is None else 0.0
     kernels.in_bands(kernels.expose, 0, mean.size, light.reshape(-1, 4), shown, lamp, settings.ambient, scale, FLOOR, mean.reshape(-1))
-    return _blurred(mean, settings.lens_blur_px)
+    return _blurred(mean, hypot(settings.lens_blur_px, width_px))
 
 
 def _blurred(image: FloatArray, sigma_px: float) -> FloatArray:

@@ -173,11 +173,13 @@ class World:
         """Return what ``camera`` sees now on average, (H, W) float32 as a share of full scale, not yet limited to it."""
         with self._lock:
             light = self._light_map(camera)
-            settings = self.options.light
-            if self._shown == DARK:
-                return exposed(light, np.zeros((2, 2), np.float32), exposure_us, settings)
-            pattern = None if self._shown == PLAIN_LIGHT else self._patterns[self._shown]
-            return exposed(light, pattern, exposure_us, settings)
+            seen = PrintedBoard if self._table_holds == "board" else Surface
+            return exposed(light, self._pattern(), exposure_us, self.options.light, seen.width_px)
+
+    def _pattern(self) -> FloatArray | None:
+        if self._shown == DARK:
+            return np.zeros((2, 2), np.float32)
+        return None if self._shown == PLAIN_LIGHT else self._patterns[self._shown]
 
     def _light_map(self, camera: str) -> FloatArray:
         state, light = self._light_maps.get(camera, (-1, None))
