@@ -3,8 +3,8 @@
 A pixel shows the light of its surroundings. Where that grows to one side, as on a wall askance to the projector or across a printed edge,
 the brighter side counts more, and the pixel shows the phase of a place beside it: for a blur of variance s², which is small beside
 the distance over which things change, of the place s² ∇ ln I further on. In a measurement this puts walls seen askance some
-micrometres before their place, all to the same side (decision 15). The second order, s² ∇²φ / 2, is far smaller and would cost more
-in noise than it takes away.
+micrometres before their place, all to the same side. And where the phase bends, the surroundings lie to one side of the pixel: the mean
+is off by s² ∇²φ / 2, which makes holes narrower and round bodies thinner (decision 15).
 """
 
 from __future__ import annotations
@@ -42,9 +42,10 @@ def without_blur(
 def _sharp(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: MapMemory) -> PhaseMap:
     if blur_px <= 0:
         return phase_map
-    phase, grey = read_only(phase_map.phase_rad, np.float32), read_only(phase_map.grey, np.uint16)
-    state, out = read_only(phase_map.state, np.uint8), memory.empty(phase_map.phase_rad.shape, np.float32)
+    phase, sigma = read_only(phase_map.phase_rad, np.float32), read_only(phase_map.sigma_rad, np.float32)
+    grey, state = read_only(phase_map.grey, np.uint16), read_only(phase_map.state, np.uint8)
+    out = memory.empty(phase_map.phase_rad.shape, np.float32)
     numbers = np.float32(min(blur_px, MOST_PX) ** 2), np.float32(step_rad)
-    in_bands(lambda start, stop: kernels.take_blur(phase, grey, state, *numbers, start, stop, out), len(phase))
+    in_bands(lambda start, stop: kernels.take_blur(phase, sigma, grey, state, *numbers, start, stop, out), len(phase))
     across = None if phase_map.across is None else _sharp(phase_map.across, blur_px, step_rad, memory)
     return replace(phase_map, phase_rad=read_only(out), across=across)
