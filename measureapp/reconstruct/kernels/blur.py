@@ -1,4 +1,8 @@
-"""Compiled loops that take from the phase by how far blur has shifted it."""
+"""Compiled loops that take from the phase by how far blur has shifted it.
+
+Loops of few arrays write to one scratch array at constant offsets: only then does the compiler see what cannot overlap, and uses SIMD
+instructions.
+"""
 
 from __future__ import annotations
 
@@ -8,63 +12,79 @@ import numpy as np
 from numba import njit
 
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
+from measureapp.reconstruct.kernels.scratch import stack_float32
 
+CHUNK = 512  # pixels of a row at a time
 REACH = 2  # px to either side, over which slopes are taken: noise of the phase hardly grows by it, and the blur reaches no further
 STEEPEST = np.float32(0.3)  # of the logarithm of the light per px; beyond, at edges, the first order says nothing
-SPAN = np.float32(2 * REACH)
 NEAR, FAR = 2, 6  # px to either side, over which bends are taken; over the far ones they cost 3 % in noise
-FAR_SQUARED, RATIO = np.float32(FAR * FAR), np.float32((FAR / NEAR) ** 2)  # of an even bend over both
+RATIO = np.float32((FAR / NEAR) ** 2)  # of an even bend over both
 ALIKE, ALIKE_SIGMAS = np.float32(0.25), np.float32(41)  # two standard deviations of how far both bends are apart
-ONE, TWO, HALF, ZERO = np.float32(1), np.float32(2), np.float32(0.5), np.float32(0)
-VALID = 0
+PER_SLOPES, PER_BEND = np.float32(1 / (2 * REACH) ** 2), np.float32(0.5 / FAR**2)
+SPAN, ONE, TWO, ZERO = np.float32(2 * REACH), np.float32(1), np.float32(2), np.float32(0)
+SHIFT, RUN, RISE, HOLE, FAR_BEND, NEAR_BEND = (k * CHUNK for k in range(6))
+SCRATCH = 6 * CHUNK
 
 
 @njit(**INLINE)
-def take_slope(phase: Any, grey: Any, state: Any, y: int, variance: Any, step: Any, made: Any) -> None:
-    """Take from a row what comes of light that changes across the image: s² ∇φ · ∇ ln I."""
-    width, own, valid, light = phase.shape[1], phase[y], state[y], grey[y]
-    above, below, light_above, light_below = phase[y - REACH], phase[y + REACH], grey[y - REACH], grey[y + REACH]
-    valid_above, valid_below = state[y - REACH], state[y + REACH]
-    steepest, farthest = STEEPEST * SPAN, step * SPAN
-    for x in range(REACH, width - REACH):
-        across = own[x + REACH] - own[x - REACH]
-        down = below[x] - above[x]
-        right, left = np.float32(light[x + REACH]), np.float32(light[x - REACH])
-        low, high = np.float32(light_below[x]), np.float32(light_above[x])
-        rise_across = TWO * (right - left) / (right + left + ONE)
-        rise_down = TWO * (low - high) / (low + high + ONE)
-        whole_across = (valid[x + REACH] == VALID) & (valid[x - REACH] == VALID) & (abs(rise_across) < steepest) & (abs(across) < farthest)
-        whole_down = (valid_below[x] == VALID) & (valid_above[x] == VALID) & (abs(rise_down) < steepest) & (abs(down) < farthest)
-        shift = (across * rise_across if whole_across else ZERO) + (down * rise_down if whole_down else ZERO)
-        made[x] -= variance * shift / (SPAN * SPAN) if valid[x] == VALID else ZERO
+def add_slope(s: Any, n: int, phases: Any, lights: Any, states: Any, farthest: Any) -> None:
+    """Add what comes of light that changes along one direction, ∇φ · ∇ ln I, of pixels between a row before and a row behind them."""
+    before, behind = phases
+    for i in range(n):
+        s[RUN + i] = behind[i] - before[i]
+    light_before, light_behind = lights
+    for i in range(n):
+        first, second = np.float32(light_before[i]), np.float32(light_behind[i])
+        s[RISE + i] = TWO * (second - first) / (first + second + ONE)
+    no_before, no_behind = states
+    for i in range(n):
+        s[HOLE + i] = np.float32(no_before[i] | no_behind[i])
+    steepest = STEEPEST * SPAN
+    for i in range(n):
+        run, rise = s[RUN + i], s[RISE + i]
+        whole = (s[HOLE + i] == ZERO) & (abs(rise) < steepest) & (abs(run) < farthest)
+        s[SHIFT + i] += PER_SLOPES * run * rise if whole else ZERO
 
 
 @njit(**INLINE)
-def take_bend(own: Any, noise: Any, valid: Any, sides: Any, variance: Any, n: int, made: Any) -> None:
-    """Take from n pixels what comes of a phase that bends along one direction: s² φ'' / 2, where it bends evenly.
-
-    ``sides`` are phases and states, both far before, near before, near behind and far behind.
-    """
-    far_before, near_before, near_behind, far_behind = sides[0]
-    no_far_before, no_near_before, no_near_behind, no_far_behind = sides[1]
-    for x in range(n):
-        far = far_before[x] + far_behind[x] - TWO * own[x]
-        near = RATIO * (near_before[x] + near_behind[x] - TWO * own[x])
-        missing = valid[x] | no_far_before[x] | no_near_before[x] | no_near_behind[x] | no_far_behind[x]
-        even = (missing == VALID) & (abs(far - near) <= ALIKE * abs(far) + ALIKE_SIGMAS * noise[x])
-        made[x] -= HALF * variance * far / FAR_SQUARED if even else ZERO
-
-
-@njit(**INLINE)
-def beside(row: Any, n: int) -> Any:
-    """Return n pixels FAR and NEAR to the left, NEAR and FAR to the right of those from FAR on."""
-    return row[:n], row[FAR - NEAR : FAR - NEAR + n], row[FAR + NEAR : FAR + NEAR + n], row[2 * FAR : 2 * FAR + n]
+def add_bend(s: Any, n: int, own: Any, phases: Any, states: Any, noise: Any) -> None:
+    """Add what comes of a phase that bends evenly along one direction, φ'' / 2, of pixels between rows far and near before and behind them."""
+    far_before, near_before, near_behind, far_behind = phases
+    for i in range(n):
+        s[FAR_BEND + i] = far_before[i] + far_behind[i] - TWO * own[i]
+    for i in range(n):
+        s[NEAR_BEND + i] = RATIO * (near_before[i] + near_behind[i] - TWO * own[i])
+    no_far_before, no_near_before, no_near_behind, no_far_behind = states
+    for i in range(n):
+        s[HOLE + i] = np.float32(no_far_before[i] | no_near_before[i] | no_near_behind[i] | no_far_behind[i])
+    for i in range(n):
+        far = s[FAR_BEND + i]
+        even = (s[HOLE + i] == ZERO) & (abs(far - s[NEAR_BEND + i]) <= ALIKE * abs(far) + ALIKE_SIGMAS * noise[i])
+        s[SHIFT + i] += PER_BEND * far if even else ZERO
 
 
 @njit(**INLINE)
-def above_and_below(image: Any, y: int) -> Any:
-    """Return the rows FAR and NEAR above, NEAR and FAR below."""
-    return image[y - FAR], image[y - NEAR], image[y + NEAR], image[y + FAR]
+def two_beside(row: Any, first: int, last: int) -> Any:
+    """Return the pixels REACH to the left and to the right of pixels first … last."""
+    return row[first - REACH : last - REACH], row[first + REACH : last + REACH]
+
+
+@njit(**INLINE)
+def two_rows(image: Any, y: int, first: int, last: int) -> Any:
+    """Return the pixels REACH above and below."""
+    return image[y - REACH, first:last], image[y + REACH, first:last]
+
+
+@njit(**INLINE)
+def four_beside(row: Any, first: int, last: int) -> Any:
+    """Return the pixels FAR and NEAR to the left, NEAR and FAR to the right."""
+    return row[first - FAR : last - FAR], row[first - NEAR : last - NEAR], row[first + NEAR : last + NEAR], row[first + FAR : last + FAR]
+
+
+@njit(**INLINE)
+def four_rows(image: Any, y: int, first: int, last: int) -> Any:
+    """Return the pixels FAR and NEAR above, NEAR and FAR below."""
+    return image[y - FAR, first:last], image[y - NEAR, first:last], image[y + NEAR, first:last], image[y + FAR, first:last]
 
 
 @njit(**LOOP)
@@ -79,17 +99,26 @@ def take_blur(
     row_stop: int,
     out: Any,  # (H, W) float32
 ) -> None:
-    """Write the phase of some rows as it were without blur; what has no neighbours on its surface stays."""
+    """Write the phase of some rows as it were without blur; what has no neighbours on its surface, and FAR pixels at every border, stay."""
     height, width = phase.shape
-    inner = width - 2 * FAR
+    farthest, s = step * SPAN, stack_float32(SCRATCH)
     for y in range(row_start, row_stop):
-        made, own, noise, valid = out[y], phase[y], sigma[y], state[y]
+        row, shown = phase[y], out[y]
         for x in range(width):
-            made[x] = own[x]
-        if REACH <= y < height - REACH:
-            take_slope(phase, grey, state, y, variance, step, made)
-        if inner > 0:
-            part = slice(FAR, FAR + inner)
-            take_bend(own[part], noise[part], valid[part], (beside(own, inner), beside(valid, inner)), variance, inner, made[part])
-        if FAR <= y < height - FAR:
-            take_bend(own, noise, valid, (above_and_below(phase, y), above_and_below(state, y)), variance, width, made)
+            shown[x] = row[x]
+        if y < FAR or y >= height - FAR:
+            continue
+        for first in range(FAR, width - FAR, CHUNK):
+            last = min(first + CHUNK, width - FAR)
+            n, own, noise = last - first, row[first:last], sigma[y, first:last]
+            for i in range(n):
+                s[SHIFT + i] = ZERO
+            add_slope(s, n, two_beside(row, first, last), two_beside(grey[y], first, last), two_beside(state[y], first, last), farthest)
+            add_slope(s, n, two_rows(phase, y, first, last), two_rows(grey, y, first, last), two_rows(state, y, first, last), farthest)
+            add_bend(s, n, own, four_beside(row, first, last), four_beside(state[y], first, last), noise)
+            add_bend(s, n, own, four_rows(phase, y, first, last), four_rows(state, y, first, last), noise)
+            made, valid = shown[first:last], state[y, first:last]
+            for i in range(n):
+                s[HOLE + i] = ZERO if valid[i] else variance
+            for i in range(n):
+                made[i] -= s[HOLE + i] * s[SHIFT + i]
