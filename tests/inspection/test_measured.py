@@ -27,7 +27,7 @@ def test_thinned_points_lie_to_no_side_of_a_noisy_wall() -> None:
 
 
 def test_strays_are_not_taken_for_surface() -> None:
-    strays = np.random.default_rng(4).uniform(0, 100, (100, 3)) + [5.0, 0.0, 0.0]
+    strays = np.random.default_rng(4).uniform([5, 0, 0], 100, (100, 3))
     points = np.vstack([wall(200_000), strays])
     chosen = thinned_indices(points, 2000)
     assert np.sum(chosen >= 200_000) == 0
