@@ -17,13 +17,14 @@ from measureapp.reconstruct.kernels.scratch import stack_float32
 CHUNK = 512  # pixels of a row at a time
 REACH = 2  # px to either side, over which slopes are taken: noise of the phase hardly grows by it, and the blur reaches no further
 STEEPEST = np.float32(0.3)  # of the logarithm of the light per px; beyond, at edges, the first order says nothing
-NEAR, FAR = 2, 6  # px to either side, over which bends are taken; over the far ones they cost 3 % in noise
+NEAR, FAR = 3, 6  # px to either side, over which bends are taken; over the far ones they cost 3 % in noise
 RATIO = np.float32((FAR / NEAR) ** 2)  # of an even bend over both
-ALIKE, ALIKE_SIGMAS = np.float32(0.25), np.float32(41)  # two standard deviations of how far both bends are apart
+ALIKE = np.float32(0.25)  # of a bend: by how much an even one may differ from that over the near pixels, and its halves from each other,
+BENDS_APART, HALVES_APART = np.float32(17), np.float32(6.3)  # and two standard deviations of both in those of the phase
 PER_SLOPES, PER_BEND = np.float32(1 / (2 * REACH) ** 2), np.float32(0.5 / FAR**2)
 SPAN, ONE, TWO, ZERO = np.float32(2 * REACH), np.float32(1), np.float32(2), np.float32(0)
-SHIFT, RUN, RISE, HOLE, FAR_BEND, NEAR_BEND = (k * CHUNK for k in range(6))
-SCRATCH = 6 * CHUNK
+SHIFT, RUN, RISE, HOLE, FAR_BEND, NEAR_BEND, SKEW = (k * CHUNK for k in range(7))
+SCRATCH = 7 * CHUNK
 
 
 @njit(**INLINE)
@@ -48,18 +49,25 @@ def add_slope(s: Any, n: int, phases: Any, lights: Any, states: Any, farthest: A
 
 @njit(**INLINE)
 def add_bend(s: Any, n: int, own: Any, phases: Any, states: Any, noise: Any) -> None:
-    """Add what comes of a phase that bends evenly along one direction, φ'' / 2, of pixels between rows far and near before and behind them."""
+    """Add what comes of a phase that bends evenly along one direction, φ'' / 2, of pixels between rows far and near before and behind them.
+
+    An edge between two walls is no even bend: on it the near pixels bend more than the far ones, beside it one half of them does not bend.
+    """
     far_before, near_before, near_behind, far_behind = phases
     for i in range(n):
         s[FAR_BEND + i] = far_before[i] + far_behind[i] - TWO * own[i]
     for i in range(n):
         s[NEAR_BEND + i] = RATIO * (near_before[i] + near_behind[i] - TWO * own[i])
+    for i in range(n):
+        s[SKEW + i] = (far_behind[i] - far_before[i]) - TWO * (near_behind[i] - near_before[i])
     no_far_before, no_near_before, no_near_behind, no_far_behind = states
     for i in range(n):
         s[HOLE + i] = np.float32(no_far_before[i] | no_near_before[i] | no_near_behind[i] | no_far_behind[i])
     for i in range(n):
-        far = s[FAR_BEND + i]
-        even = (s[HOLE + i] == ZERO) & (abs(far - s[NEAR_BEND + i]) <= ALIKE * abs(far) + ALIKE_SIGMAS * noise[i])
+        far, sigma = s[FAR_BEND + i], noise[i]
+        allowed = ALIKE * abs(far)
+        even = (abs(far - s[NEAR_BEND + i]) <= allowed + BENDS_APART * sigma) & (abs(s[SKEW + i]) <= allowed + HALVES_APART * sigma)
+        even = even & (s[HOLE + i] == ZERO)
         s[SHIFT + i] += PER_BEND * far if even else ZERO
 
 
