@@ -21,7 +21,7 @@ NEAR, FAR = 3, 6  # px to either side, over which bends are taken; over the far 
 RATIO = np.float32((FAR / NEAR) ** 2)  # of an even bend over both
 ALIKE = np.float32(0.25)  # of a bend: by how much an even one may differ from that over the near pixels, and its halves from each other,
 BENDS_APART, HALVES_APART = np.float32(17), np.float32(6.3)  # and two standard deviations of both in those of the phase
-PER_SLOPES, PER_BEND = np.float32(1 / (2 * REACH) ** 2), np.float32(0.5 / FAR**2)
+PER_SLOPES, PER_BEND, PER_RUN = np.float32(1 / (2 * REACH) ** 2), np.float32(0.5 / FAR**2), np.float32(1 / (2 * FAR) ** 2)
 SPAN, ONE, TWO, ZERO = np.float32(2 * REACH), np.float32(1), np.float32(2), np.float32(0)
 SHIFT, RUN, RISE, HOLE, FAR_BEND, NEAR_BEND, SKEW = (k * CHUNK for k in range(7))
 SCRATCH = 7 * CHUNK
@@ -48,9 +48,10 @@ def add_slope(s: Any, n: int, phases: Any, lights: Any, states: Any, farthest: A
 
 
 @njit(**INLINE)
-def add_bend(s: Any, n: int, own: Any, phases: Any, states: Any, noise: Any) -> None:
-    """Add what comes of a phase that bends evenly along one direction, φ'' / 2, of pixels between rows far and near before and behind them.
+def add_bend(s: Any, n: int, own: Any, phases: Any, states: Any, noise: Any, variance: Any) -> None:
+    """Add what comes of a phase that bends evenly along one direction, of pixels between rows far and near before and behind them.
 
+    Of blurred fringes exp(i φ) that is φ'' (1 - s² φ'²) / 2: steep ones fade where they are out of step, and count less.
     An edge between two walls is no even bend: on it the near pixels bend more than the far ones, beside it one half of them does not bend.
     """
     far_before, near_before, near_behind, far_behind = phases
@@ -59,7 +60,9 @@ def add_bend(s: Any, n: int, own: Any, phases: Any, states: Any, noise: Any) -> 
     for i in range(n):
         s[NEAR_BEND + i] = RATIO * (near_before[i] + near_behind[i] - TWO * own[i])
     for i in range(n):
-        s[SKEW + i] = (far_behind[i] - far_before[i]) - TWO * (near_behind[i] - near_before[i])
+        s[RUN + i] = far_behind[i] - far_before[i]
+    for i in range(n):
+        s[SKEW + i] = s[RUN + i] - TWO * (near_behind[i] - near_before[i])
     no_far_before, no_near_before, no_near_behind, no_far_behind = states
     for i in range(n):
         s[HOLE + i] = np.float32(no_far_before[i] | no_near_before[i] | no_near_behind[i] | no_far_behind[i])
@@ -68,7 +71,8 @@ def add_bend(s: Any, n: int, own: Any, phases: Any, states: Any, noise: Any) -> 
         allowed = ALIKE * abs(far)
         even = (abs(far - s[NEAR_BEND + i]) <= allowed + BENDS_APART * sigma) & (abs(s[SKEW + i]) <= allowed + HALVES_APART * sigma)
         even = even & (s[HOLE + i] == ZERO)
-        s[SHIFT + i] += PER_BEND * far if even else ZERO
+        steep = max(ONE - variance * PER_RUN * s[RUN + i] * s[RUN + i], ZERO)
+        s[SHIFT + i] += PER_BEND * far * steep if even else ZERO
 
 
 @njit(**INLINE)
@@ -123,8 +127,8 @@ def take_blur(
                 s[SHIFT + i] = ZERO
             add_slope(s, n, two_beside(row, first, last), two_beside(grey[y], first, last), two_beside(state[y], first, last), farthest)
             add_slope(s, n, two_rows(phase, y, first, last), two_rows(grey, y, first, last), two_rows(state, y, first, last), farthest)
-            add_bend(s, n, own, four_beside(row, first, last), four_beside(state[y], first, last), noise)
-            add_bend(s, n, own, four_rows(phase, y, first, last), four_rows(state, y, first, last), noise)
+            add_bend(s, n, own, four_beside(row, first, last), four_beside(state[y], first, last), noise, variance)
+            add_bend(s, n, own, four_rows(phase, y, first, last), four_rows(state, y, first, last), noise, variance)
             made, valid = shown[first:last], state[y, first:last]
             for i in range(n):
                 s[HOLE + i] = ZERO if valid[i] else variance
