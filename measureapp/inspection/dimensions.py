@@ -119,16 +119,21 @@ def _combined(described: DimensionProgram, found: dict[str, Found], settings: In
     numbers = np.array([v.value for v in values])
     if described.statistic == "mean":
         together = mean_value(described, [tuple(found[name] for name in names) for names in described.feature_sets], settings)
-        return together or Value(float(numbers.mean()), _of_mean([v.budget for v in values]), values[0].how)
+        return together or Value(float(numbers.mean()), _of_mean([v.budget for v in values], _apart(described)), values[0].how)
     left = numbers - np.array([v.bonus for v in values])
     return values[int(left.argmin() if described.statistic == "min" else left.argmax())]
 
 
-def _of_mean(budgets: list[Budget]) -> Budget:
-    """Shares of a mean: noise averages out, what comes from the views may be alike in all copies and is taken to be."""
-    noise = float(np.linalg.norm([budget.get(NOISE, 0.0) for budget in budgets])) / len(budgets)
-    others = {share for budget in budgets for share in budget} - {NOISE}
-    return {NOISE: noise} | {share: float(np.mean([budget.get(share, 0.0) for budget in budgets])) for share in sorted(others)}
+def _of_mean(budgets: list[Budget], apart: bool) -> Budget:
+    """Shares of a mean: noise of copies that stand apart averages out; what they share may be alike in all and is taken to be."""
+    means = {share: float(np.mean([budget.get(share, 0.0) for budget in budgets])) for share in sorted({NOISE}.union(*budgets))}
+    return means | {NOISE: float(np.linalg.norm([budget.get(NOISE, 0.0) for budget in budgets])) / len(budgets)} if apart else means
+
+
+def _apart(described: DimensionProgram) -> bool:
+    """Tell whether no feature or datum belongs to two copies: its noise would be in both."""
+    names = [name for i in range(len(described.feature_sets)) for name in {*described.feature_sets[i], *described.datum_sets[i]}]
+    return len(names) == len(set(names))
 
 
 def _stated(

@@ -206,6 +206,19 @@ def test_a_pattern_gives_the_mean_and_the_extremes_over_its_copies() -> None:
     assert most.measured == pytest.approx(max(chords), abs=1e-6)
 
 
+def test_noise_of_a_mean_averages_out_only_where_copies_share_nothing() -> None:
+    sides = {**plane("side", [0, 30, 0], [0, 1, 0]), "repeat": {"count": 2, "angle_deg": 180}}
+    square = {"kind": "perpendicularity", "datums": ["roof"], "nominal": 0, "upper_tolerance": 1}
+    flat = {"kind": "flatness", "nominal": 0, "upper_tolerance": 1}
+    dimensions = [
+        {"name": f"{kind['kind']} {number}", "features": [f"side.{number}"], **kind} for kind in (square, flat) for number in (1, 2)
+    ] + [{"name": f"{kind['kind']} mean", "features": ["side.{k}"], "count": 2, "statistic": "mean", **kind} for kind in (square, flat)]
+    measured = inspect(block(np.random.default_rng(4)), program([sides, BLOCK[2]], dimensions)).dimensions
+    noise = {dimension.name: dimension.budget["noise"] for dimension in measured}
+    assert noise["perpendicularity mean"] == pytest.approx(np.mean([noise["perpendicularity 1"], noise["perpendicularity 2"]]))
+    assert noise["flatness mean"] == pytest.approx(np.hypot(noise["flatness 1"], noise["flatness 2"]) / 2)
+
+
 def test_constructed_features_meet_where_their_parents_do() -> None:
     constructed = [
         {"name": "mid", "shape": "midplane", "of": ["front", "back"]},
