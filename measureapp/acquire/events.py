@@ -84,6 +84,14 @@ class StitchReady:
     stitched: StitchedCloud
 
 
+@dataclass(frozen=True, slots=True)
+class SurfaceFailed:
+    """There is no surface; the points and the dimensions do without."""
+
+    reason: str
+    remedy: str
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class InspectionReady:
     """The dimensions are known."""
@@ -116,6 +124,7 @@ Event = (
     | CalibrationReady
     | ViewReady
     | StitchReady
+    | SurfaceFailed
     | InspectionReady
     | ValidityKnown
     | RunEnded

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from measureapp.acquire.events import Event, ExposuresChosen, ValidityKnown, ViewpointFailed
+from measureapp.acquire.events import Event, ExposuresChosen, SurfaceFailed, ValidityKnown, ViewpointFailed
 from measureapp.cli.reply import say
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.measurement import Alignment, Measurement
@@ -11,9 +11,11 @@ MARK = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdi
 
 
 def tell_failures(event: Event) -> None:
-    """Say on standard error which view gave nothing, and why; and which exposures a probe chose."""
+    """Say on standard error which view gave nothing, or why there is no surface; and which exposures a probe chose."""
     if isinstance(event, ViewpointFailed):
         say(f"{event.viewpoint_id}: {event.reason}")
+    elif isinstance(event, SurfaceFailed):
+        say(f"There is no surface: {event.reason} {event.remedy}")
     elif isinstance(event, ExposuresChosen):
         say(exposures_line(event))
     elif isinstance(event, ValidityKnown):

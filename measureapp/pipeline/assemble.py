@@ -8,13 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from measureapp.acquire.events import Event, InspectionReady, StitchReady, ValidityKnown
+from measureapp.acquire.events import Event, InspectionReady, StitchReady, SurfaceFailed, ValidityKnown
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.rig.cloud_errors import calibration_errors
 from measureapp.calibrate.rig.stitch_uncertainty import view_uncertainty
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
 from measureapp.data.measurement import Inspection, Measurement, ViewResult
+from measureapp.data.mesh import Mesh
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.data.validity import Validity
@@ -72,7 +73,7 @@ def assemble(
         stitched = with_refused(stitched, views, choices)
     on_event(StitchReady(stitched))
     with watch.stage("surface"):
-        mesh = surface(stitched, progress=PartOf(progress, 0.5, 0.7))
+        mesh = _surface(stitched, on_event, PartOf(progress, 0.5, 0.7))
     with watch.stage("inspection"):
         inspection = _inspected(project, stitched, inspection_settings(calibrated, project.rig(), good), PartOf(progress, 0.7, 0.9))
     if inspection is not None:
@@ -95,6 +96,15 @@ def assemble(
         project.save_measurement(measurement, PartOf(progress, 0.9, 1.0))
     progress.report(1.0, 1.0, "measured")
     return measurement
+
+
+def _surface(stitched: StitchedCloud, on_event: Callable[[Event], None], progress: Progress) -> Mesh | None:
+    """Return the surface; None where there is none, as for want of memory: nothing is measured on it."""
+    try:
+        return surface(stitched, progress=progress)
+    except RegistrationError as error:
+        on_event(SurfaceFailed(error.message, error.hint))
+        return None
 
 
 def _worth_stitching(views: Sequence[ViewResult], choices: ViewChoices, validity: Validity) -> list[ViewResult]:

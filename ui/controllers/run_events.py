@@ -61,6 +61,8 @@ class RunEvents(QObject):
                 session.add_view(event.view)
             case e.StitchReady():
                 session.set_stitched(event.stitched)
+            case e.SurfaceFailed():
+                session.tell(f"There is no surface: {event.reason}", event.remedy, "warning")
             case e.InspectionReady():
                 session.set_inspection(event.inspection)
             case e.ValidityKnown():

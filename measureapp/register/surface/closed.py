@@ -5,11 +5,11 @@ M. Kazhdan, H. Hoppe, Screened Poisson surface reconstruction, ACM Transactions 
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+import psutil  # type: ignore[import-untyped]
 from scipy.spatial import cKDTree
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray
@@ -72,11 +72,8 @@ def surface(
 
 
 def available_bytes() -> int:
-    """Return the memory that is free on this computer; a cautious guess where the system does not say."""
-    try:
-        return int(os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE"))
-    except (AttributeError, ValueError, OSError):
-        return 4 * 2**30
+    """Return the memory that programs can have on this computer; what holds copies of files, as after a scan, is given up for them."""
+    return int(psutil.virtual_memory().available)
 
 
 def _thinned(count: int, most: int) -> IntArray | slice:
