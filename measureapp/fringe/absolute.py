@@ -10,7 +10,7 @@ import numpy as np
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.phase import PixelState
 from measureapp.errors import DecodeError
-from measureapp.fringe.kernels.records import BLOCK, CHUNK, RESIDUAL_SCALE, ROWS, SPACING, Layout, Maps, Model, Work
+from measureapp.fringe.kernels.records import CHUNK, RESIDUAL_SCALE, ROWS, SPACING, Layout, Maps, Model, Work
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.unwrap import HeterodynePlan, extent_px, plan_heterodyne
 from measureapp.map_memory import MapMemory, at_a_line
@@ -143,10 +143,10 @@ def make_maps(dtype: np.dtype[np.unsignedinteger], pixels: int, memory: MapMemor
 def make_work(groups: int) -> Work:
     """Return the arrays in which a block of pixels is solved."""
     return Work(
-        phase=at_a_line((groups, BLOCK), np.float32),
-        power=at_a_line((groups, BLOCK), np.float32),
+        phase=at_a_line((groups, CHUNK), np.float32),
+        power=at_a_line((groups, CHUNK), np.float32),
         rows=at_a_line((ROWS * SPACING,), np.float32),
-        code=at_a_line((3, BLOCK), np.int32),
+        code=at_a_line((3, CHUNK), np.int32),
         known=np.full(1, -1),
     )
 

@@ -50,8 +50,8 @@ def sum_and_solve(
                 sampled = np.int64(exposure + e > 0 and needs_no_more(rule, sums.alike[off // CHUNK]))
                 if sampled and (begin // CHUNK) % LOOKED_AT != 0:
                     continue
-                looked, good = add_exposure(images[e], exposure + e, blocked, layout, rule, begin, n, scratch, sums, off)
-                seen[sampled, 0, exposure + e] += looked
+                good = add_exposure(images[e], exposure + e, blocked, layout, rule, begin, n, scratch, sums, off)
+                seen[sampled, 0, exposure + e] += n
                 seen[sampled, 1, exposure + e] += good
         if solves:
             for begin in range(first, last, CHUNK):

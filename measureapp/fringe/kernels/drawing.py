@@ -1,4 +1,4 @@
-"""Compiled loops that write a block of pixels into the maps, and count what became of them."""
+"""Compiled loops that write a chunk of pixels into the maps, and count what became of them."""
 
 from __future__ import annotations
 

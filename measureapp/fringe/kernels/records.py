@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-CHUNK = 2048  # pixels whose images of one exposure pass through the processor's nearest cache together
-STRETCH = 8 * CHUNK  # pixels whose sums of all exposures stay in its second cache
+CHUNK = 512  # pixels that are summed and solved together; their images of one exposure stay in the processor's nearest cache
+STRETCH = 32 * CHUNK  # pixels whose sums of all exposures stay in its second cache
 DIFFER, COMPLETE = -1, -2  # the pixels of a chunk took different exposures; and where one is enough, each has its one
-LOOKED_AT = 8  # of how many chunks one is counted that needs no further exposure
-BLOCK = 512  # of a chunk, for the arithmetic after the sums
+LOOKED_AT = 32  # of how many chunks one is counted that needs no further exposure
 RESIDUAL_SCALE = 120.0  # a rounding residual of ±1 cycle in eight bits
 
 
@@ -99,19 +98,19 @@ class Maps(NamedTuple):
 
 
 class Work(NamedTuple):
-    """Arrays of one block for solving."""
+    """Arrays of one chunk for solving."""
 
-    phase: Any  # (G, BLOCK) float32, cycles from column 0
-    power: Any  # (G, BLOCK) float32
+    phase: Any  # (G, CHUNK) float32, cycles from column 0
+    power: Any  # (G, CHUNK) float32
     rows: Any  # (ROWS · SPACING,) float32, one after the other
-    code: Any  # (3, BLOCK) int32
+    code: Any  # (3, CHUNK) int32
     known: Any  # (1,) int64, the exposures taken whose numbers the rows hold, as bits; -1 for those of pixels that differ
 
 
 # Where the rows of `Work` begin. At fixed distances in one array the compiler sees that they do not overlap, and keeps loops over many
 # of them SIMD code; of arrays by themselves it would have to find out at every start of a loop, and gives up at more than a few.
 ROWS = 12
-SPACING = BLOCK + 80  # no power of two: lines of the cache at such distances drive each other out
+SPACING = CHUNK + 80  # no power of two: lines of the cache at such distances drive each other out
 VALUE, RESIDUAL, WRAPPED, SHIFT, WEIGHT, MODULATION, BLACK, GAIN, FLOOR, TO_BRIGHTEST, TO_LONGEST, LOST = (
     row * SPACING for row in range(ROWS)
 )

@@ -1,4 +1,4 @@
-"""Compiled loops that turn the sums of pixels into phase, standard deviation and reason, block by block.
+"""Compiled loops that turn the sums of pixels into phase, standard deviation and reason, chunk by chunk.
 
 The readable statements stand in `phase_shift.py`, `gray_code.py`, `unwrap.py` and the tests. Inner functions are forced inline: a
 call would count the references of every array.
@@ -16,7 +16,6 @@ from measureapp.fringe.kernels.drawing import draw, tally
 from measureapp.fringe.kernels.options import BLOOMING, CONFLICT, HALF, INLINE, LOOP, OUTSIDE, SATURATED, SHADOW, TAU, TINY, VALID, WEAK
 from measureapp.fringe.kernels.records import (
     BLACK,
-    BLOCK,
     CHUNK,
     FLOOR,
     GAIN,
@@ -177,35 +176,33 @@ def weigh(sums: Any, off: int, n: int, alike: Any, layout: Any, model: Any, work
 @njit(**INLINE)
 def solve(
     sums: Any,
-    place: int,  # of the pixels in the sums
+    off: int,  # of the pixels in the sums
     layout: Any,
     model: Any,
     work: Any,
-    chunk: int,  # first of the pixels
-    length: int,  # how many they are
+    begin: int,  # first of the pixels
+    n: int,  # how many they are
     maps: Any,
     counts: Any,  # (states + 1,) int64, gains the pixels of every state, and complete ones last
 ) -> None:
     """Turn the sums of a chunk of pixels into their maps."""
     apart = sums.total.shape[0] > 1
-    for first in range(0, length, BLOCK):
-        begin, off, n = chunk + first, place + first, min(BLOCK, length - first)
-        alike = sums.alike[place // CHUNK]
-        if alike < 0:
-            alike = common(sums, off, n)
-        wrap_groups(sums, off, n, layout, model, work)
-        if model.combinations.shape[0] > 0:
-            unwrap_heterodyne(n, model, work)
-        else:
-            unwrap_gray(sums, off, n, layout, model, work)
-        if alike < 0:
-            set_apart(sums, off, n, model, work)
-        elif alike != work.known[0]:
-            set_together(alike, model, work)
-        work.known[0] = -1 if apart else alike
-        weigh(sums, off, n, alike, layout, model, work)
-        average(n, layout, model, work)
-        judge(sums.total[model.finest if apart else 0, off : off + n], n, layout, model, work)
-        draw(begin, n, model, work, maps)
-        draw_exposure(sums, off, begin, n, alike, model, work, maps)
-        tally(sums, off, n, alike, work, maps.state[begin : begin + n], counts)
+    alike = sums.alike[off // CHUNK]
+    if alike < 0:
+        alike = common(sums, off, n)
+    wrap_groups(sums, off, n, layout, model, work)
+    if model.combinations.shape[0] > 0:
+        unwrap_heterodyne(n, model, work)
+    else:
+        unwrap_gray(sums, off, n, layout, model, work)
+    if alike < 0:
+        set_apart(sums, off, n, model, work)
+    elif alike != work.known[0]:
+        set_together(alike, model, work)
+    work.known[0] = -1 if apart else alike
+    weigh(sums, off, n, alike, layout, model, work)
+    average(n, layout, model, work)
+    judge(sums.total[model.finest if apart else 0, off : off + n], n, layout, model, work)
+    draw(begin, n, model, work, maps)
+    draw_exposure(sums, off, begin, n, alike, model, work, maps)
+    tally(sums, off, n, alike, work, maps.state[begin : begin + n], counts)

@@ -16,7 +16,7 @@ from numba import njit
 
 from measureapp.fringe.kernels.adding import add_taken
 from measureapp.fringe.kernels.options import INLINE, LOOP
-from measureapp.fringe.kernels.records import BLOCK, CHUNK, COMPLETE, DIFFER
+from measureapp.fringe.kernels.records import CHUNK, COMPLETE, DIFFER
 
 
 @njit(**INLINE)
@@ -153,16 +153,29 @@ def all_took_one(n: int, sums: Any, off: int) -> bool:
 
 @njit(**INLINE)
 def begin_chunk(exposure: int, weight: Any, together: bool, alike: Any, n: int, scratch: Any, sums: Any, off: int) -> None:
-    """Prepare the sums of a chunk whose pixels took the same exposures so far for one more, which they take ``together`` or not."""
+    """Prepare the sums of a chunk for one more exposure, which all its pixels take ``together`` or not."""
     if exposure == 0 and not (together and weight == 1):
         clear(sums, off, n)
     if together:
         for j in range(n):
             scratch.take[j] = weight
-    else:
+    elif alike >= 0:
         sums.taken[:, off : off + n] = np.uint16(alike)
         sums.zero[off : off + n] = 0
         sums.bloomed[off : off + n] = 0
+
+
+@njit(**INLINE)
+def all_take(exposure: int, alike: Any, n: int, sums: Any, off: int) -> None:
+    """Note that all pixels of a chunk take an exposure."""
+    bit = 1 << exposure
+    if alike >= 0:
+        sums.alike[off // CHUNK] = alike | bit
+        return
+    for m in range(sums.taken.shape[0]):
+        taken = sums.taken[m, off : off + n]
+        for j in range(n):
+            taken[j] |= np.uint16(bit)
 
 
 @njit(**INLINE)
@@ -178,46 +191,38 @@ def add_exposure(
     sums: Any,
     off: int,
 ) -> Any:
-    """Add one exposure of ``n`` pixels to their sums; returns how many were looked at, and how many of these are above zero and unsaturated.
+    """Add one exposure of a chunk of ``n`` pixels to their sums; returns how many are above zero and unsaturated.
 
-    The first exposure begins the sums anew. A chunk whose pixels all take the same exposures is added as a whole. Of one whose pixels
-    need one exposure each, those parts are passed over, and not looked at, that have all they need.
+    The first exposure begins the sums anew. One that all pixels take, and one that none takes, needs no decision pixel by pixel.
     """
-    chunk, weight = off // CHUNK, rule.weights[exposure]
-    alike = np.int64(0) if exposure == 0 else sums.alike[chunk]
-    done, together, clean = needs_no_more(rule, alike), False, False
-    if alike >= 0 or done:
-        top, bottom = bounds(images, layout, begin, n)
-        clean = bool(top <= rule.limit and bottom > 0)
-        together = bool(top <= rule.limit and not done and blocked.shape[0] == 0 and (alike > 0 or bottom > 0))
-        if not done:
-            begin_chunk(exposure, weight, together, alike, n, scratch, sums, off)
+    alike, weight, guarded = np.int64(0) if exposure == 0 else sums.alike[off // CHUNK], rule.weights[exposure], blocked.shape[0] > 0
+    done = needs_no_more(rule, alike)
+    top, bottom = bounds(images, layout, begin, n)
+    clean = bool(top <= rule.limit and bottom > 0)
     if clean and done:
-        return n, n
-    looked, good = 0, 0
-    span = BLOCK if rule.first_only and not together else CHUNK  # small where much of a chunk may need no more
-    for part in range(0, n, span):
-        size, at = min(span, n - part), off + part
-        if not (together or done) and rule.first_only and exposure > 0 and all_took_one(size, sums, at):
-            continue
-        looked += size
-        if together and clean:
-            good += size
-        else:
-            extremes(images, layout, begin + part, size, scratch)
-            good += count_good(size, rule.limit, scratch)
-        for m in range(0 if done else sums.total.shape[0]):
-            least, most = weight, weight
-            if not together:
-                least, most = choose(exposure, blocked, rule, m, begin + part, size, scratch, sums, at)
-            if most > 0:
-                fresh = together and exposure == 0 and weight == 1
-                add_taken(images, layout, rule, m, begin + part, size, sums, at, scratch.take, least == 1 and most == 1, fresh)
+        return n
+    due = alike > 0 or (bottom > 0 and (alike == 0 or not rule.first_only))
+    together = bool(top <= rule.limit and due and not (done or guarded))
+    if not done:
+        begin_chunk(exposure, weight, together, alike, n, scratch, sums, off)
+    if not (together and clean):
+        extremes(images, layout, begin, n, scratch)
+    taking = False
+    for m in range(0 if done else sums.total.shape[0]):
+        least, most = weight, weight
+        if not together:
+            least, most = choose(exposure, blocked, rule, m, begin, n, scratch, sums, off)
+        if most > 0:
+            fresh = together and exposure == 0 and weight == 1
+            add_taken(images, layout, rule, m, begin, n, sums, off, scratch.take, least == 1 and most == 1, fresh)
+            taking = True
     if together:
-        sums.alike[chunk] = alike | (1 << exposure)
+        all_take(exposure, alike, n, sums, off)
+    elif alike >= 0 and not (taking or done or guarded):
+        sums.alike[off // CHUNK] = alike
     elif not done:
-        sums.alike[chunk] = COMPLETE if rule.first_only and all_took_one(n, sums, off) else DIFFER
-    return looked, good
+        sums.alike[off // CHUNK] = COMPLETE if rule.first_only and all_took_one(n, sums, off) else DIFFER
+    return n if clean else count_good(n, rule.limit, scratch)
 
 
 @njit(**LOOP)

@@ -8,7 +8,7 @@ import numpy as np
 from numba import njit
 
 from measureapp.fringe.kernels.options import BLOOMING, INLINE, SATURATED, VALID, WEAK
-from measureapp.fringe.kernels.records import BLACK, BLOCK, FLOOR, GAIN, LOST, TO_BRIGHTEST, TO_LONGEST
+from measureapp.fringe.kernels.records import BLACK, CHUNK, FLOOR, GAIN, LOST, TO_BRIGHTEST, TO_LONGEST
 
 
 @njit(**INLINE)
@@ -20,7 +20,7 @@ def look_up(table: Any, taken: Any, n: int, out: Any) -> None:
 
 @njit(**INLINE)
 def common(sums: Any, off: int, n: int) -> Any:
-    """Return the exposures that all pixels of a block took, as bits; -1 where they differ or some have a reason of their own."""
+    """Return the exposures that all pixels of a chunk took, as bits; -1 where they differ or some have a reason of their own."""
     zero, bloomed = sums.zero[off : off + n], sums.bloomed[off : off + n]
     first = sums.taken[0, off]
     marked, differs = np.uint8(0), np.uint16(0)
@@ -35,14 +35,14 @@ def common(sums: Any, off: int, n: int) -> Any:
 
 @njit(**INLINE)
 def set_together(alike: int, model: Any, work: Any) -> None:
-    """Put what belongs to the exposures ``alike`` into the rows of the noise, the light and the reasons, for all pixels of a block."""
+    """Put what belongs to the exposures ``alike`` into the rows of the noise, the light and the reasons, for all pixels of a chunk."""
     rows = work.rows
-    rows[BLACK : BLACK + BLOCK] = model.black[alike]
-    rows[GAIN : GAIN + BLOCK] = model.gain[alike]
-    rows[FLOOR : FLOOR + BLOCK] = model.floor[alike]
-    rows[TO_BRIGHTEST : TO_BRIGHTEST + BLOCK] = model.to_brightest[alike]
-    rows[TO_LONGEST : TO_LONGEST + BLOCK] = model.to_longest[alike]
-    rows[LOST : LOST + BLOCK] = np.float32(SATURATED if alike == 0 else VALID)
+    rows[BLACK : BLACK + CHUNK] = model.black[alike]
+    rows[GAIN : GAIN + CHUNK] = model.gain[alike]
+    rows[FLOOR : FLOOR + CHUNK] = model.floor[alike]
+    rows[TO_BRIGHTEST : TO_BRIGHTEST + CHUNK] = model.to_brightest[alike]
+    rows[TO_LONGEST : TO_LONGEST + CHUNK] = model.to_longest[alike]
+    rows[LOST : LOST + CHUNK] = np.float32(SATURATED if alike == 0 else VALID)
 
 
 @njit(**INLINE)
