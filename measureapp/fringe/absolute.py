@@ -23,8 +23,9 @@ NEIGHBOURS = 2  # px: a pixel between them may lie on the jump
 ORIGINS = (0.0, -0.5)  # cycles: the patterns start with a crest, or with a trough
 LUT_LENGTH = 1024
 NORMAL_QUANTILE = 3.09  # one pixel without fringes in a thousand is taken for one with fringes
-SAMPLED_CHUNKS = (8, 64, 512)  # the fewest are enough unless the part fills little of the image
+SAMPLED_CHUNKS = (16, 128, 2048)  # the fewest are enough unless the part fills little of the image
 LEAST_SAMPLED = 1000  # usable pixels
+GOLDEN_RATIO = (1 + sqrt(5)) / 2  # multiples of it, without their whole part, fill an interval evenly however many they are
 USABLE = np.isin(np.arange(len(PixelState)), (PixelState.VALID, PixelState.ORDER_CONFLICT, PixelState.OUT_OF_RANGE))  # by state
 
 Solve = Callable[[Model, Layout], Maps]  # returns the maps of a sample: whole chunks, one after the other
@@ -157,9 +158,13 @@ def plan_of(recipe: Recipe) -> HeterodynePlan | None:
 
 
 def sampled_chunks(pixels: int, number: int) -> list[tuple[int, int]]:
-    """Return first pixel and end of about so many chunks that tell where the fringes start, evenly over the image."""
-    step = CHUNK * max(1, -(-pixels // CHUNK) // number)
-    return [(begin, min(begin + CHUNK, pixels)) for begin in range(0, pixels, step)]
+    """Return first pixel and end of about so many chunks that tell where the fringes start, all over the image.
+
+    Steps of one length could be whole rows, and all chunks lie in one column of the image.
+    """
+    chunks = -(-pixels // CHUNK)
+    chosen = np.unique((np.arange(number) * GOLDEN_RATIO % 1.0 * chunks).astype(int)) if number < chunks else np.arange(chunks)
+    return [(begin, min(begin + CHUNK, pixels)) for begin in (chosen * CHUNK).tolist()]
 
 
 def with_origin(model: Model, plan: HeterodynePlan | None, layout: Layout, solve: Solve) -> tuple[Model, bool]:

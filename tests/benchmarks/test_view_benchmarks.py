@@ -1,7 +1,7 @@
 """Times of matching and reconstructing a view of the paper's full resolution, as ratios to a copy of its images; run with ``-m slow``.
 
 Asked for: a pair within 3.2 copies of a camera's images, a view with decoding within 10 copies of its images. Measured on two shared
-processors were 3.6 to 5.2, and 10.6 to 14.0 (reconstruction alone 7.9 to 9.3), with copies that took 8 to 18 and 27 to 48 ms. The tests
+processors were 3.6 to 5.2, and 10.6 to 14.7 (reconstruction alone 7.9 to 10.3), with copies that took 8 to 18 and 27 to 48 ms. The tests
 hold the bounds that are reached on two busy processors; ratio and asked figure stand beside each other in the record of each run. A view is
 made in memory that is used again, as a scan does it from its second view on; what fresh memory costs is listed beside it.
 """
@@ -182,7 +182,7 @@ def images_of_camera(seen: PhaseMap, seed: int) -> np.ndarray:
 
 
 def test_a_view_from_images_to_points(benchmark: Benchmark, head: Head, maps: dict[str, PhaseMap], rectifier: Rectifier) -> None:
-    """Decoding with order votes and edges, one camera after the other, and reconstruction; asked: 10 copies of the images; measured 10.6 to 14.0."""
+    """Decoding with order votes and edges, one camera after the other, and reconstruction; asked: 10 copies of the images; measured 10.6 to 14.7."""
     images = {name: images_of_camera(each, 3 + number) for number, (name, each) in enumerate(maps.items())}
     stack = FringeStack("v", PAPER_PATTERNS, EXPOSURES_US, images, 255)
 

@@ -10,7 +10,9 @@ from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternSet, Phase
 from measureapp.data.pattern_sets import DEFAULT_PATTERNS, PAPER_PATTERNS
 from measureapp.data.phase import PixelState
 from measureapp.errors import DecodeError
+from measureapp.fringe.absolute import sampled_chunks
 from measureapp.fringe.decode import decode, decode_camera
+from measureapp.fringe.kernels.records import CHUNK, LOOKED_AT
 from measureapp.fringe.kernels.wrapping import atan2_cycles
 from measureapp.fringe.noise.model import CameraNoise, phase_sigma
 from measureapp.fringe.phase_shift import wrapped_phase
@@ -137,17 +139,29 @@ def test_valid_ratios_count_pixels_above_zero_and_below_saturation() -> None:
 
 
 def test_valid_ratios_by_the_papers_rule_are_estimated_where_a_longer_exposure_serves() -> None:
-    column = ramp(400, 512)  # 100 chunks of pixels
+    column = ramp(400, CHUNK)  # a chunk in every row
     mean, modulation = np.full(column.shape, 150.0), np.full(column.shape, 100.0)
     mean[100:150], modulation[100:150] = 300, 200  # saturates the longest exposures
     mean[:, ::50], modulation[:, ::50] = 14, 9  # falls to zero in the short ones
     images = images_of(column, PAPER_PATTERNS, EXPOSURES_US, mean, modulation)
     decoded = decode(stack_of(images.copy(), exposures_us=EXPOSURES_US), DecodeSettings(rule="paper"))["left"]
     counted = ((images > 0) & (images < 255)).all(axis=1).mean(axis=(1, 2))
-    chunks = 88  # that the longest exposure serves, 11 of them looked at; in each a share of 2 % may be zero
-    spread = np.sqrt(0.02 / (2048 * chunks / 8))
+    served = 350  # chunks that the longest exposure serves, of which some are looked at; in each a share of 2 % may be zero
+    spread = np.sqrt(0.02 / (CHUNK * served / LOOKED_AT))
     assert decoded.valid_ratio_exposures == pytest.approx(counted, abs=4 * spread)
     assert decoded.valid_ratio_exposures[0] == pytest.approx(counted[0])  # nothing to estimate
+
+
+@pytest.mark.parametrize("chunks_in_a_row", [1, 2, 3, 4, 5, 8])
+def test_samples_of_an_image_lie_in_all_its_columns_and_rows(chunks_in_a_row: int) -> None:
+    width, height = chunks_in_a_row * CHUNK, 1536
+    chosen = np.array([begin for begin, _ in sampled_chunks(width * height, 128)])
+    assert len(chosen) == 128
+    assert np.bincount(chosen % width // CHUNK, minlength=chunks_in_a_row).min() >= 0.7 * 128 / chunks_in_a_row
+    assert np.diff(chosen // width, prepend=0, append=height).max() < 3 * height / 128
+    looked_at = CHUNK * np.arange(0, width * height // CHUNK, LOOKED_AT)
+    assert np.bincount(looked_at % width // CHUNK, minlength=chunks_in_a_row).min() >= 0.9 * len(looked_at) / chunks_in_a_row - 1
+    assert sampled_chunks(3 * CHUNK + 1, 16) == [(0, CHUNK), (CHUNK, 2 * CHUNK), (2 * CHUNK, 3 * CHUNK), (3 * CHUNK, 3 * CHUNK + 1)]
 
 
 def test_one_pitch_may_take_another_exposure_where_exposures_are_chosen_per_frequency() -> None:
@@ -235,6 +249,17 @@ def test_patterns_that_start_with_a_trough_are_recognised(sets: dict[str, Patter
         error = (decoded.column_px - column) * tau / patterns.finest_pitch_px
         assert decoded.valid.mean() > 0.97, name
         assert np.abs(error[decoded.valid]).max() < 0.3, name
+
+
+def test_where_fringes_start_is_told_by_a_part_in_a_strip_of_the_image() -> None:
+    width = 4 * CHUNK  # steps between samples of the image would be whole rows
+    column = ramp(768, width, last=975.0)
+    lit = np.broadcast_to(np.where(np.arange(width) < 3 * CHUNK, 0.0, 80.0), column.shape)
+    decoded = decode(stack_of(220 - images_of(column, PAPER_PATTERNS, modulation=lit)))["left"]
+    assert decoded.details["origin_rad"] == pytest.approx(-pi)
+    error = (decoded.column_px - column) * tau / 32
+    assert decoded.valid[:, 3 * CHUNK :].mean() > 0.97
+    assert np.abs(error[decoded.valid]).max() < 0.3
 
 
 def test_the_start_of_the_fringes_is_told_from_a_part_that_fills_a_hundredth_of_the_image(sets: dict[str, PatternSet]) -> None:
