@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.reply import JsonOption, reply
+from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 if TYPE_CHECKING:
     from measureapp.fringe.noise.photon_transfer import NoiseEstimate
+
+REPEATS = 4  # images of every exposure that a rig takes
 
 
 def register(app: typer.Typer) -> None:
@@ -19,26 +21,68 @@ def register(app: typer.Typer) -> None:
 
     @app.command()
     def noise(
-        images: Annotated[list[str], typer.Option("--images", help='CAMERA="PATTERN" of its flat images; once per camera.')],
-        out: Annotated[Path, typer.Option("--out", help="File of the noise models, for `decode --noise`.")],
+        images: Annotated[list[str] | None, typer.Option("--images", help='CAMERA="PATTERN" of its flat images; once per camera.')] = None,
+        rig: Annotated[
+            str | None, typer.Option("--rig", help="Rig whose cameras take the images: a TOML file, or a name in resources/rigs.")
+        ] = None,
+        plan: Annotated[Path | None, typer.Option("--plan", help="With --rig: move to the first viewpoint of this plan before.")] = None,
+        out: Annotated[Path | None, typer.Option("--out", help="File of the noise models, for `decode --noise`.")] = None,
+        project: Annotated[Path | None, typer.Option("--project", help="Project whose images are decoded with it from then on.")] = None,
         dark: Annotated[list[str] | None, typer.Option("--dark", help='CAMERA="PATTERN" of images with covered lens.')] = None,
         saturation: Annotated[int | None, typer.Option("--saturation", help="Grey level of a saturated pixel; needed for 16 bit.")] = None,
         as_json: JsonOption = False,
     ) -> None:
         """Estimate the noise of cameras (gain, read noise, quantisation) from flat images by photon transfer.
 
-        Take at least two images of each of five or more brightnesses, from dark to nearly saturated, of an evenly lit surface that
-        does not move; images are grouped by their mean. Dark images are needed where the camera adds a black level.
+        From files: at least two images of each of five or more brightnesses, from dark to nearly saturated, of an evenly lit surface that
+        does not move; images are grouped by their mean. Dark images are needed where the camera adds a black level. By a rig: whatever
+        its cameras see, at seven exposures; without --plan nothing moves.
         """
+        from measureapp.errors import InputError
+        from measureapp.project.folder import ProjectFolder
         from measureapp.project.fringes.noise_file import write_noise
 
-        darks = _assigned("--dark", dark or [])
-        estimates = {
-            camera: _estimate(camera, pattern, darks.get(camera), saturation) for camera, pattern in _assigned("--images", images).items()
-        }
-        write_noise(out, estimates)
+        if (rig is None) == (not images):
+            raise InputError("Give either --images or --rig.", "Give --images once for every camera, or --rig alone.")
+        if out is None and project is None:
+            raise InputError("The noise models have no place to go.", "Add --out FILE or --project PROJECT.")
+        if rig is None and plan is not None:
+            raise InputError("--plan says where a rig looks from.", "Add --rig, or leave --plan out.")
+        if rig is not None and (dark or saturation is not None):
+            raise InputError(
+                "--dark and --saturation are of images from files.", "Leave them out: the rig's description has the saturation."
+            )
+        opened = None if project is None else ProjectFolder.open(project)
+        estimates = _of_files(images or [], dark or [], saturation) if rig is None else _of_rig(rig, plan)
+        if opened is not None:
+            with opened.claimed():
+                opened.save_noise(estimates)
+        if out is not None:
+            write_noise(out, estimates)
         lines = [line for name, estimate in estimates.items() for line in _lines(name, estimate)]
-        reply({"cameras": {name: asdict(estimate) for name, estimate in _plain(estimates).items()}, "file": out}, "\n".join(lines), as_json)
+        places = {key: place for key, place in (("file", out), ("project", project)) if place is not None}
+        reply({"cameras": {name: asdict(estimate) for name, estimate in _plain(estimates).items()}, **places}, "\n".join(lines), as_json)
+
+
+def _of_files(images: list[str], dark: list[str], saturation: int | None) -> dict[str, NoiseEstimate]:
+    darks = _assigned("--dark", dark)
+    return {camera: _estimate(camera, pattern, darks.get(camera), saturation) for camera, pattern in _assigned("--images", images).items()}
+
+
+def _of_rig(rig: str, plan: Path | None) -> dict[str, NoiseEstimate]:
+    from measureapp.devices.connect import connect_rig
+    from measureapp.pipeline.noise import measure_noise
+    from measureapp.project.plan_file import read_plan
+    from measureapp.project.rig_file import read_rig
+
+    viewpoint = None if plan is None else read_plan(plan).viewpoints[0]
+    connected = connect_rig(read_rig(rig))
+    try:
+        if viewpoint is not None:
+            connected.place_on_table("part")
+        return measure_noise(connected, viewpoint, REPEATS, TerminalProgress())
+    finally:
+        connected.close()
 
 
 def _assigned(option: str, values: list[str]) -> dict[str, str]:

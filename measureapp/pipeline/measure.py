@@ -25,9 +25,11 @@ from measureapp.fringe.checks.stack import check_stack
 from measureapp.fringe.decode import decode
 from measureapp.fringe.exposures.bracket import BracketLimits
 from measureapp.fringe.patterns.draw import pattern_images
+from measureapp.fringe.settings import DecodeSettings
 from measureapp.map_memory import MapMemory
 from measureapp.pipeline.bracket import propose_bracket
 from measureapp.pipeline.live_decoding import LiveDecoding
+from measureapp.pipeline.noise import decode_settings_of
 from measureapp.pipeline.validity import check_before_scan
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.reach import check_reach
@@ -54,6 +56,7 @@ class _Processing:
         calibration: RigCalibration | None,
         on_event: OnEvent,
         watch: Stopwatch,
+        settings: DecodeSettings,
         live: LiveDecoding | None = None,
         groundwork: Groundwork | None = None,
     ) -> None:
@@ -61,7 +64,7 @@ class _Processing:
         self._project, self._calibration, self._on_event, self._watch = project, calibration, on_event, watch
         self._rectifier = None if calibration is None else Rectifier(calibration.cameras)
         self._live = None if calibration is None else live
-        self._groundwork = groundwork
+        self._settings, self._groundwork = settings, groundwork
         self._memory = MapMemory()
 
     def exposure_taken(self, taken: ExposureTaken) -> None:
@@ -97,7 +100,7 @@ class _Processing:
             try:
                 decoded = None if self._live is None else self._live.maps(stack)
                 maps, last_image_s = decoded or (None, 0.0)
-                view = cloud_of_view(stack, self._calibration, progress, self._rectifier, maps, self._memory)
+                view = cloud_of_view(stack, self._calibration, progress, self._rectifier, maps, self._memory, self._settings)
             except (DecodeError, ReconstructError) as error:
                 self._on_event(ViewpointFailed(stack.viewpoint_id, str(error)))
                 return
@@ -144,8 +147,9 @@ def scan(
         on_event(ValidityKnown(check_before_scan(rig, calibration)))
     stored = project.stored_viewpoints()
     check_space(project, rig.description, plan)
-    with LiveDecoding() as live:
-        sink = _Processing(project, calibration, on_event, watch, live, groundwork)
+    settings = decode_settings_of(project)
+    with LiveDecoding(settings) as live:
+        sink = _Processing(project, calibration, on_event, watch, settings, live, groundwork)
         for viewpoint_id in stored:
             sink.process(project.frames.load(viewpoint_id), NoProgress())
         images = pattern_images(plan.patterns, rig.projector.width_px, rig.projector.height_px)
@@ -161,7 +165,9 @@ def _with_chosen_exposures(rig: Rig, project: ProjectFolder, plan: ScanPlan, bra
     """Let a probe at the first viewpoint choose the exposures, and keep the plan with them."""
     planned = plan.bracket.exposures_us
     limits = BracketLimits(bracket_s, longest_us=max(rig.description.exposures_us))
-    proposal = propose_bracket(rig, plan.patterns, bracket_s, len(planned), plan.viewpoints[0], limits=limits, compare={"plan": planned})
+    proposal = propose_bracket(
+        rig, plan.patterns, bracket_s, len(planned), plan.viewpoints[0], project.noise(), limits=limits, compare={"plan": planned}
+    )
     chosen = plan.model_copy(update={"bracket": proposal.bracket})
     project.save_plan(chosen)
     planned_share = proposal.compared["plan"].decodable_share
@@ -173,7 +179,7 @@ def clouds_from_disk(
     project: ProjectFolder, calibration: RigCalibration, on_event: OnEvent, progress: Progress, watch: Stopwatch
 ) -> tuple[ViewResult, ...]:
     """Make the clouds of all stored viewpoints. Raises InputError where no images are stored."""
-    sink = _Processing(project, calibration, on_event, watch)
+    sink = _Processing(project, calibration, on_event, watch, decode_settings_of(project))
     stored = project.stored_viewpoints()
     if not stored:
         raise InputError(f"{project.path} holds no images of the part.", "Scan the part first, or put the project's folder `stacks` back.")
@@ -190,6 +196,7 @@ def cloud_of_view(
     rectifier: Rectifier,
     maps: Mapping[str, PhaseMap] | None = None,
     memory: MapMemory | None = None,
+    settings: DecodeSettings | None = None,
 ) -> ViewResult:
     """Decode (where ``maps`` were not decoded already), match, triangulate and judge one viewpoint, all in ``memory``.
 
@@ -201,7 +208,7 @@ def cloud_of_view(
         raise ReconstructError(f"{stack.viewpoint_id} has no read-back of the axes.", "Only stacks taken by a rig can be placed.")
     if maps is None:
         check_stack(stack)
-        maps = decode(stack, None, PartOf(progress, 0.0, 0.5), memory)
+        maps = decode(stack, settings, PartOf(progress, 0.0, 0.5), memory)
     result = reconstruct(maps, calibration.cameras, progress=PartOf(progress, 0.5, 1.0), rectifier=rectifier, memory=memory)
     findings = diagnose(maps, calibration.cameras) if _looks_wrong(result, maps) else ()
     for finding in findings:

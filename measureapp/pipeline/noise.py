@@ -1,4 +1,4 @@
-"""The noise of a rig's cameras, measured by the rig itself."""
+"""The noise of a rig's cameras, measured by the rig itself, and what it is good for."""
 
 from __future__ import annotations
 
@@ -10,7 +10,9 @@ from measureapp.data.plan import Viewpoint
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError
 from measureapp.fringe.noise.photon_transfer import NoiseEstimate, estimate_noise
+from measureapp.fringe.settings import DecodeSettings
 from measureapp.progress import NoProgress, Progress
+from measureapp.project.folder import ProjectFolder
 
 LEVELS = (1.0, 0.7, 0.5, 0.35, 0.2, 0.1, 0.05)  # of the longest exposure that is not mostly saturated
 LIT = 0.02  # of saturation
@@ -47,6 +49,11 @@ def measure_noise(
         estimates[name] = _of_camera(rig, name, repeats)
     progress.report(1, 1, "noise measured")
     return estimates
+
+
+def decode_settings_of(project: ProjectFolder) -> DecodeSettings:
+    """Return how images of a project are decoded: with the noise of its cameras, where that was measured. Raises InputError."""
+    return DecodeSettings(camera_noise=project.noise())
 
 
 def _of_camera(rig: Rig, name: str, repeats: int) -> NoiseEstimate:

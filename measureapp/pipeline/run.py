@@ -109,6 +109,7 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
             held.enter_context(project.claimed())
             if calibration is not None and project.calibration() is None:
                 project.save_calibration(calibration, calibrated.rig_uncertainty())
+                project.take_noise_over(calibrated)
             project.save_plan(request.plan)
             views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch, request.bracket_s, groundwork)
         finally:

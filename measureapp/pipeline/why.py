@@ -15,6 +15,7 @@ from measureapp.data.point_state import PointState
 from measureapp.errors import CalibrationError, InputError, ReconstructError
 from measureapp.fringe.decode import decode
 from measureapp.fringe.settings import DecodeSettings
+from measureapp.pipeline.noise import decode_settings_of
 from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.project.folder import ProjectFolder
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
@@ -218,7 +219,7 @@ def explain_view(project: ProjectFolder, viewpoint_id: str, progress: Progress |
         raise CalibrationError(
             f"{project.path} has no calibration, so its images cannot become points.", "Calibrate first: measureapp process PROJECT."
         )
-    return explain_stack(project.frames.load(viewpoint_id), calibration.cameras, None, progress)
+    return explain_stack(project.frames.load(viewpoint_id), calibration.cameras, decode_settings_of(project), progress)
 
 
 def _tables() -> tuple[IntArray, IntArray]:

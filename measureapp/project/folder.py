@@ -3,7 +3,7 @@
 project.json        what is measured, on which rig, with which board
 plan.json           the scan plan
 calibration/        views/ (images of the board and read-backs), cameras.json, rig.json, rig_uncertainty.npz,
-                    former/, checks/, history.jsonl
+                    noise.json (of the cameras, where it was measured), former/, checks/, history.jsonl
 stacks/             raw fringe images: permanent
 inspection/         program.toml and the nominal it names, in mm; former/: nominals before it
 view_choices.json   views used or refused by hand
@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import json
 import shutil
+from collections.abc import Mapping
 from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeVar
@@ -44,6 +45,8 @@ from measureapp.project.geometry.step_files import STEP_KINDS
 if TYPE_CHECKING:
     from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty
     from measureapp.data.cloud import StitchedCloud
+    from measureapp.fringe.noise.model import CameraNoise
+    from measureapp.fringe.noise.photon_transfer import NoiseEstimate
     from measureapp.progress import Progress
     from measureapp.register.clouds.sieve import FilterChain
 
@@ -183,6 +186,41 @@ class ProjectFolder:
 
         calibration, path = self.calibration(), self.path / "calibration" / RIG_UNCERTAINTY
         return read_rig_uncertainty(path, calibration) if calibration is not None and path.exists() else None
+
+    def save_noise(self, estimates: Mapping[str, NoiseEstimate]) -> None:
+        """Keep the measured noise of the cameras, with which images are decoded from then on.
+
+        Raises
+        ------
+        CalibrationError
+            The images of a camera did not fit the model of noise; names it.
+        StorageError
+            It cannot be written.
+        """
+        from measureapp.project.fringes.noise_file import write_noise
+
+        poor = [f"{name}: {estimate.verdict}" for name, estimate in estimates.items() if not estimate.accepted]
+        if poor:
+            raise CalibrationError(
+                f"The noise of {'; '.join(poor)}.", "Let the cameras see a still surface with bright and dark areas, and measure again."
+            )
+        write_noise(self._noise_file, estimates)
+
+    def noise(self) -> dict[str, CameraNoise]:
+        """Return the noise of the cameras that was measured. Raises InputError when the file is damaged."""
+        from measureapp.project.fringes.noise_file import read_noise
+
+        return read_noise(self._noise_file) if self._noise_file.exists() else {}
+
+    def take_noise_over(self, other: ProjectFolder) -> None:
+        """Keep what another project knows of the noise of the same cameras, if anything. Raises StorageError."""
+        if other._noise_file.exists():
+            with replacing(self._noise_file) as temporary:
+                shutil.copyfile(other._noise_file, temporary)
+
+    @property
+    def _noise_file(self) -> Path:
+        return self.path / "calibration" / "noise.json"
 
     def save_inspection(self, program: Path | None, nominal: Path | None) -> None:
         """Copy the inspection program and the nominal into the project, which then needs nothing outside."""

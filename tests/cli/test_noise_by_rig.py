@@ -1,0 +1,94 @@
+"""`noise --rig`: a rig measures its cameras, and its projects are decoded with what was found."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from demo_fixture import Demo
+
+from measureapp.cli.main import main
+from measureapp.data.plan import ExposureBracket
+from measureapp.planning.viewpoints import plan_around_part
+from measureapp.project.folder import ProjectFolder, ProjectSettings
+from measureapp.project.rig_file import read_rig
+from measureapp.resources import resource
+from tests.cli.refusal import refused_with
+
+FULL_WELL_E, READ_NOISE_E = 1500.0, 3.5  # of the usual model a quarter of the electrons, so twice the noise
+SENSOR = f"world = {{ sensor = {{ full_well_e = {FULL_WELL_E}, read_noise_e = {READ_NOISE_E} }} }}"
+
+
+@pytest.fixture
+def rig(tmp_path: Path) -> Path:
+    """The demo's rig with noisier cameras than the usual model."""
+    text = resource("rigs/paper.toml").read_text(encoding="utf-8")
+    for full, quarter in (("= 2592", "= 648"), ("= 1944", "= 486"), ("pixel_um = 2.2", "pixel_um = 8.8")):
+        text = text.replace(full, quarter)
+    path = tmp_path / "noisy.toml"
+    settings = f'driver_settings = {{ part = "gypsum", seed = 1, {SENSOR} }}\n'
+    path.write_text(text.replace('reference = "left"\n', 'reference = "left"\n' + settings, 1), encoding="utf-8")
+    return path
+
+
+@pytest.fixture
+def plan(tmp_path: Path) -> Path:
+    """One viewpoint at one exposure."""
+    made = plan_around_part(read_rig("paper"), "one view", radius_mm=100, height_mm=80, count=4)
+    one = made.model_copy(update={"viewpoints": made.viewpoints[:1], "bracket": ExposureBracket(exposures_us=(40_000,))})
+    path = tmp_path / "plan.json"
+    path.write_text(one.model_dump_json(), encoding="utf-8")
+    return path
+
+
+def done(capsys: pytest.CaptureFixture[str], *arguments: object) -> dict:
+    assert main([*map(str, arguments), "--json"]) == 0
+    return json.loads(capsys.readouterr().out)
+
+
+def median_sigma_mm(project: Path) -> float:
+    measurement = ProjectFolder.open(project).measurement()
+    assert measurement is not None
+    return float(np.median(measurement.views[0].cloud.sigma_mm))
+
+
+def test_a_project_is_decoded_with_the_noise_its_rig_measured(demo: Demo, rig: Path, plan: Path, tmp_path: Path, capsys) -> None:
+    project, other = tmp_path / "project", tmp_path / "other"
+    done(capsys, "scan", plan, "--rig", rig, "--project", project, "--calibration", demo.folder)
+    before = median_sigma_mm(project)
+    found = done(capsys, "noise", "--rig", rig, "--plan", plan, "--project", project, "--out", tmp_path / "noise.json")["cameras"]
+    for camera in ("left", "right", "upper"):
+        assert abs(found[camera]["noise"]["full_well_e"] - FULL_WELL_E) < 4 * found[camera]["full_well_sd_e"]
+        assert found[camera]["full_well_sd_e"] < 0.05 * FULL_WELL_E
+    assert (tmp_path / "noise.json").read_bytes() == (project / "calibration" / "noise.json").read_bytes()
+
+    done(capsys, "process", project)
+    assert 1.9 < median_sigma_mm(project) / before < 2.1
+    done(capsys, "scan", plan, "--rig", rig, "--project", other, "--calibration", project)
+    assert ProjectFolder.open(other).noise() == ProjectFolder.open(project).noise()
+    assert median_sigma_mm(other) == pytest.approx(median_sigma_mm(project), rel=0.02)
+
+
+def test_noise_that_cannot_be_measured_or_kept_is_refused(rig: Path, plan: Path, tmp_path: Path, capsys) -> None:
+    out = ("--out", tmp_path / "noise.json")
+    assert "either --images or --rig" in refused_with(capsys, "noise", *out)
+    assert "either --images or --rig" in refused_with(capsys, "noise", "--rig", rig, "--images", "left=*.png", *out)
+    assert "no place to go" in refused_with(capsys, "noise", "--rig", rig)
+    assert "where a rig looks from" in refused_with(capsys, "noise", "--images", "left=*.png", "--plan", plan, *out)
+    assert "--dark and --saturation" in refused_with(capsys, "noise", "--rig", rig, "--saturation", 255, *out)
+    assert "not a MeasureApp project" in refused_with(capsys, "noise", "--rig", rig, "--project", tmp_path)
+    assert not (tmp_path / "noise.json").exists()
+
+
+def test_a_damaged_noise_file_of_a_project_is_refused_before_anything_moves(
+    rig: Path, plan: Path, demo: Demo, tmp_path: Path, capsys
+) -> None:
+    settings = ProjectSettings(name="one view", part="one view", rig=read_rig(str(rig)))
+    project = ProjectFolder.create(tmp_path / "project", settings)
+    (project.path / "calibration").mkdir()
+    (project.path / "calibration" / "noise.json").write_text("{", encoding="utf-8")
+    said = refused_with(capsys, "scan", plan, "--rig", rig, "--project", project.path, "--calibration", demo.folder)
+    assert "noise.json is not JSON" in said
+    assert project.stored_viewpoints() == ()
