@@ -16,7 +16,6 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
 from measureapp.data.measurement import Inspection, Measurement, ViewResult
 from measureapp.data.mesh import Mesh
-from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.data.validity import Validity
 from measureapp.data.view_choices import ViewChoices
@@ -24,6 +23,7 @@ from measureapp.data.view_errors import CalibrationErrors
 from measureapp.errors import RegistrationError
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 from measureapp.pipeline.chosen_views import chosen, with_refused
+from measureapp.pipeline.noise import noise_words
 from measureapp.pipeline.validity import validity_of
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
@@ -88,7 +88,7 @@ def assemble(
         stitched=stitched,
         mesh=mesh,
         inspection=inspection,
-        settings=_settings(project.plan()),
+        settings=_settings(project),
         timings_s=dict(watch.seconds),
         validity=validity,
     )
@@ -195,7 +195,8 @@ def _inspected(project: ProjectFolder, stitched: StitchedCloud, settings: Inspec
     return inspect(stitched, read_program(project.program), nominal, settings, progress=progress)
 
 
-def _settings(plan: ScanPlan | None) -> dict[str, Any]:
+def _settings(project: ProjectFolder) -> dict[str, Any]:
+    plan = project.plan()
     if plan is None:
         return {}
     return {
@@ -203,4 +204,5 @@ def _settings(plan: ScanPlan | None) -> dict[str, Any]:
         "patterns": plan.patterns.name,
         "exposures_us": list(plan.bracket.exposures_us),
         "exposure rule": "all unsaturated exposures, weighted by inverse variance",
+        "noise": noise_words(project),
     }

@@ -56,6 +56,17 @@ def decode_settings_of(project: ProjectFolder) -> DecodeSettings:
     return DecodeSettings(camera_noise=project.noise())
 
 
+def noise_words(project: ProjectFolder) -> dict[str, str]:
+    """Return of every camera of a project with which noise its images are decoded, and whether that was measured. Raises InputError."""
+    settings = decode_settings_of(project)
+    words = {}
+    for camera in project.rig().cameras:
+        model = settings.noise_of(camera.name)
+        origin = "measured" if camera.name in settings.camera_noise else "assumed"
+        words[camera.name] = f"{origin}: full well {model.full_well_e:.0f} e, read noise {model.read_noise_e:.1f} e"
+    return words
+
+
 def _of_camera(rig: Rig, name: str, repeats: int) -> NoiseEstimate:
     saturation = rig.description.camera(name).saturation
     longest_us = _longest_us(rig, name, saturation)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +18,7 @@ from measureapp.project.rig_file import read_rig
 from measureapp.resources import resource
 from tests.cli.refusal import refused_with
 
+CAMERAS = ("left", "right", "upper")
 FULL_WELL_E, READ_NOISE_E = 1500.0, 3.5  # of the usual model a quarter of the electrons, so twice the noise
 SENSOR = f"world = {{ sensor = {{ full_well_e = {FULL_WELL_E}, read_noise_e = {READ_NOISE_E} }} }}"
 
@@ -54,17 +56,24 @@ def median_sigma_mm(project: Path) -> float:
     return float(np.median(measurement.views[0].cloud.sigma_mm))
 
 
+def noise_in_report(project: Path) -> dict[str, str]:
+    return json.loads((project / "report" / "report.json").read_text(encoding="utf-8"))["settings"]["noise"]
+
+
 def test_a_project_is_decoded_with_the_noise_its_rig_measured(demo: Demo, rig: Path, plan: Path, tmp_path: Path, capsys) -> None:
     project, other = tmp_path / "project", tmp_path / "other"
     done(capsys, "scan", plan, "--rig", rig, "--project", project, "--calibration", demo.folder)
     before = median_sigma_mm(project)
+    assert noise_in_report(project) == dict.fromkeys(CAMERAS, "assumed: full well 6000 e, read noise 7.0 e")
     found = done(capsys, "noise", "--rig", rig, "--plan", plan, "--project", project, "--out", tmp_path / "noise.json")["cameras"]
-    for camera in ("left", "right", "upper"):
+    for camera in CAMERAS:
         assert abs(found[camera]["noise"]["full_well_e"] - FULL_WELL_E) < 4 * found[camera]["full_well_sd_e"]
         assert found[camera]["full_well_sd_e"] < 0.05 * FULL_WELL_E
     assert (tmp_path / "noise.json").read_bytes() == (project / "calibration" / "noise.json").read_bytes()
 
     done(capsys, "process", project)
+    said = noise_in_report(project)
+    assert all(re.fullmatch(r"measured: full well 1[45]\d\d e, read noise \d\.\d e", said[name]) for name in CAMERAS), said
     assert 1.9 < median_sigma_mm(project) / before < 2.1
     done(capsys, "scan", plan, "--rig", rig, "--project", other, "--calibration", project)
     assert ProjectFolder.open(other).noise() == ProjectFolder.open(project).noise()
