@@ -15,7 +15,7 @@ from measureapp.progress import NoProgress, Progress
 from measureapp.project.folder import ProjectFolder
 
 LEVELS = (1.0, 0.7, 0.5, 0.35, 0.2, 0.1, 0.05)  # of the longest exposure that is not mostly saturated
-LIT = 0.02  # of saturation
+LIT, LEAST_LIT = 0.02, 0.001  # of saturation, and of the pixels
 MOST_SATURATED, DIMMER, TRIES = 0.5, 2, 8
 
 
@@ -84,7 +84,13 @@ def _longest_us(rig: Rig, name: str, saturation: int) -> int:
     exposure = max(rig.description.exposures_us)
     for _ in range(TRIES):
         pixels = _repeated(rig, name, exposure, 1)
-        if (pixels >= saturation).sum() <= MOST_SATURATED * (pixels > LIT * saturation).sum():
+        lit = int((pixels > LIT * saturation).sum())
+        if lit < LEAST_LIT * pixels.size:
+            raise CalibrationError(
+                f"Camera {name!r} sees nothing lit at {exposure} µs.",
+                "Move the rig to where its cameras see a still surface (--plan), and check the projector.",
+            )
+        if (pixels >= saturation).sum() <= MOST_SATURATED * lit:
             return exposure
         exposure = max(1, exposure // DIMMER)
     raise CalibrationError(f"Camera {name!r} is saturated even at {exposure} µs.", "Dim the light, or close the aperture.")

@@ -48,7 +48,7 @@ def test_the_noise_of_the_virtual_cameras_is_found() -> None:
 def test_a_rig_that_sees_nothing_says_so() -> None:
     rig, view = rig_with("gypsum")
     rig.place_on_table("empty")
-    with pytest.raises(CalibrationError, match=r"camera '.*' are saturated, black"):
+    with pytest.raises(CalibrationError, match=r"Camera 'left' sees nothing lit at \d+ µs"):
         measure_noise(rig, view)
     with pytest.raises(DecodeError, match="No camera sees fringes"):
         propose_bracket(rig, PATTERNS, 4.0, viewpoint=view)
