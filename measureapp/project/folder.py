@@ -192,6 +192,8 @@ class ProjectFolder:
 
         Raises
         ------
+        InputError
+            The rig has no such camera.
         CalibrationError
             The images of a camera did not fit the model of noise; names it.
         StorageError
@@ -199,6 +201,10 @@ class ProjectFolder:
         """
         from measureapp.project.fringes.noise_file import write_noise
 
+        known = [camera.name for camera in self.settings.rig.cameras]
+        unknown = [name for name in estimates if name not in known]
+        if unknown:
+            raise InputError(f"The rig of {self.path} has no camera {', '.join(unknown)}.", f"Name its cameras: {', '.join(known)}.")
         poor = [f"{name}: {estimate.verdict}" for name, estimate in estimates.items() if not estimate.accepted]
         if poor:
             raise CalibrationError(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,8 @@ from demo_fixture import Demo
 
 from measureapp.cli.main import main
 from measureapp.data.plan import ExposureBracket
+from measureapp.errors import CalibrationError, InputError
+from measureapp.fringe.noise.photon_transfer import estimate_noise
 from measureapp.planning.viewpoints import plan_around_part
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.rig_file import read_rig
@@ -89,6 +92,21 @@ def test_noise_that_cannot_be_measured_or_kept_is_refused(rig: Path, plan: Path,
     assert "--dark and --saturation" in refused_with(capsys, "noise", "--rig", rig, "--saturation", 255, *out)
     assert "not a MeasureApp project" in refused_with(capsys, "noise", "--rig", rig, "--project", tmp_path)
     assert not (tmp_path / "noise.json").exists()
+
+
+def test_noise_is_kept_of_cameras_alone_that_the_rig_has_and_that_fit_the_model(tmp_path: Path) -> None:
+    settings = ProjectSettings(name="one view", part="one view", rig=read_rig("paper"))
+    project = ProjectFolder.create(tmp_path / "project", settings)
+    light = np.random.default_rng(1)
+    flats = [light.poisson(grey * 24.0, (2, 80, 80)) // 24 for grey in (4, 20, 60, 120, 200)]
+    sound = estimate_noise([pair.astype(np.uint8) for pair in flats], 255, "left")
+    with pytest.raises(InputError, match="has no camera middle"):
+        project.save_noise({"left": sound, "middle": sound})
+    with pytest.raises(CalibrationError, match="The noise of left: sound"):
+        project.save_noise({"left": replace(sound, accepted=False)})
+    assert project.noise() == {}
+    project.save_noise({"left": sound})
+    assert project.noise() == {"left": sound.noise}
 
 
 def test_a_damaged_noise_file_of_a_project_is_refused_before_anything_moves(

@@ -7,9 +7,8 @@ from typing import Any, NamedTuple
 CHUNK = 512  # pixels that are summed and solved together; their images of one exposure stay in the processor's nearest cache
 STRETCH = 32 * CHUNK  # pixels whose sums of all exposures stay in its second cache
 DIFFER, COMPLETE = -1, -2  # the pixels of a chunk took different exposures; and where one is enough, each has its one
-LOOKED_AT = (
-    29  # of how many chunks one is counted that needs no further exposure; rarely a whole number of rows, so that it is all over the image
-)
+# Of how many chunks one is counted that needs no further exposure: rarely a whole number of rows, so that they are all over the image.
+LOOKED_AT = 29
 RESIDUAL_SCALE = 120.0  # a rounding residual of ±1 cycle in eight bits
 
 
