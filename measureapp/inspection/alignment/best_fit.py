@@ -22,6 +22,7 @@ from measureapp.progress import NoProgress, PartOf, Progress
 
 FINALISTS = 4
 AS_GOOD = 1.1  # costs within 10 % are the same answer of a symmetric part
+STILL_COARSE = 0.05  # by which costs of the same answer may differ before they are improved finely
 POOR_COST = 0.35  # share of the truncated cost above which the part has not been found
 
 
@@ -79,8 +80,8 @@ def _search(points: MeasuredPoints, surface: NominalSurface, settings: Alignment
     sample, finer = points.thinned(settings.coarse_points), points.thinned(4 * settings.coarse_points)
 
     def finished(starts: list[FloatArray], part: Progress) -> list[_Candidate]:
-        best = _improved(sample, surface, starts, settings, part)[:FINALISTS]
-        return [_finish(finer, surface, candidate, settings) for candidate in best]
+        improved = _improved(sample, surface, starts, settings, part)
+        return [_finish(finer, surface, candidate, settings) for candidate in _finalists(improved)]
 
     finalists = finished(upright_starts(sample.points_mm, surface), PartOf(progress, 0.0, 0.3)) if settings.upright else []
     if not finalists or min(candidate.cost for candidate in finalists) > POOR_COST:
@@ -104,6 +105,13 @@ def _improved(
         if all(_differ(candidate.matrix, other.matrix) for other in distinct):
             distinct.append(candidate)
     return distinct
+
+
+def _finalists(improved: list[_Candidate]) -> list[_Candidate]:
+    """Return the best few of candidates in order of their costs, and of those that may turn out equal to them the ones that turn least."""
+    best = improved[:FINALISTS]
+    alike = [candidate for candidate in improved[FINALISTS:] if candidate.cost <= best[0].cost + STILL_COARSE]
+    return best + sorted(alike, key=lambda c: c.turn_rad)[:FINALISTS]
 
 
 def _differ(one: FloatArray, other: FloatArray) -> bool:
