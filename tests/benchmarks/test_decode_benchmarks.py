@@ -6,7 +6,7 @@ memory that is used again, as a scan does it from its second view on; what fresh
 
 Asked were 1.25 copies with all exposures combined and 0.8 by the paper's rule, 20 and 30 times the naive statement. On two shared
 processors 1.5 to 2.5 and 1.1 to 1.9 copies were measured (18 to 20 and 14 to 16 ms, beside copies of 8 to 14 ms; beside heavy work up to
-28 and 20), and 55 to 61 and 70 to 87 times the naive statement. The copies asked for are not reached because arithmetic alone takes longer:
+28 and 20), and 41 to 61 and 70 to 87 times the naive statement. The copies asked for are not reached because arithmetic alone takes longer:
 with everything in cache a processor needs 12 ms to sum all exposures and 12 ms to solve them, of which two arctangents take 4 and reasons and
 noise 4; two processors take 12 ms for it, and 6 more wait for images and maps. Adding while looking for the brightest and darkest takes 8
 instead of 12 ms in cache, and no less from memory. What is asserted below holds on a busy machine as well.
