@@ -48,7 +48,7 @@ def assemble(
     groundwork: Groundwork | None = None,
     *,
     choices: ViewChoices | None = None,
-    validity: Validity | None = None,
+    former: Measurement | None = None,
 ) -> Measurement:
     """Stitch the clouds of all views, make the surface, measure the dimensions and keep everything.
 
@@ -56,13 +56,14 @@ def assemble(
     ----------
     groundwork : what was done of stitching while the views came
     choices : views used or refused by hand; None: as the project keeps them
-    validity : of the calibration, where it is known for these views; None: judged anew
+    former : where the clouds are those of a measurement: its validity of the calibration and its settings hold for them; None: told anew
 
     Raises
     ------
     RegistrationError
         No view gave a cloud worth stitching.
     """
+    validity = None if former is None else former.validity
     if validity is None:
         validity = validity_of(project, calibrated, views)
         on_event(ValidityKnown(validity))
@@ -88,7 +89,7 @@ def assemble(
         stitched=stitched,
         mesh=mesh,
         inspection=inspection,
-        settings=_settings(project),
+        settings=_settings(project) if former is None else former.settings,
         timings_s=dict(watch.seconds),
         validity=validity,
     )

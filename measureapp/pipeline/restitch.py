@@ -34,8 +34,6 @@ def restitch(project: ProjectFolder, choices: ViewChoices, on_event: Callable[[E
     check_choices(choices, [view.viewpoint_id for view in measurement.views])
     watch, rest = Stopwatch(), PartOf(progress, 0.1, 1.0)
     with project.claimed():
-        made = assemble(
-            project, measurement.calibration, measurement.views, on_event, rest, watch, choices=choices, validity=measurement.validity
-        )
+        made = assemble(project, measurement.calibration, measurement.views, on_event, rest, watch, choices=choices, former=measurement)
         project.save_view_choices(choices)
         return finished(project, made, watch)

@@ -11,18 +11,13 @@ from demo_fixture import Demo
 from measureapp.cli import main
 from measureapp.data.plan import ExposureBracket, ScanPlan
 from measureapp.project.folder import ProjectFolder
-from measureapp.resources import resource
+from tests.cli.rig_files import write_quarter_rig
 
 
 @pytest.fixture(scope="module")
 def rig(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The demo's rig as a file: the paper's at a quarter of its resolution, with the demo's seed."""
-    text = resource("rigs/paper.toml").read_text(encoding="utf-8")
-    for full, quarter in (("= 2592", "= 648"), ("= 1944", "= 486"), ("pixel_um = 2.2", "pixel_um = 8.8")):
-        text = text.replace(full, quarter)
-    path = tmp_path_factory.mktemp("rig") / "quarter.toml"
-    path.write_text(text.replace('reference = "left"\n', 'reference = "left"\ndriver_settings = { part = "gypsum", seed = 1 }\n', 1))
-    return path
+    return write_quarter_rig(tmp_path_factory.mktemp("rig") / "quarter.toml", 'part = "gypsum", seed = 1')
 
 
 @pytest.fixture(scope="module")
