@@ -9,7 +9,7 @@ is off by s² ∇²φ / 2, which makes holes narrower and round bodies thinner (
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -20,32 +20,39 @@ from measureapp.data.phase import PhaseMap
 from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
 
+READ_PX2 = 1 / 6  # variance of what reading between pixels does, (1 - f) f, over all places f between two of them
 MOST_PX = 1.5  # of the blur; the first order takes back no more, and slopes over four pixels show no more
 
 
 def without_blur(
-    phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibration, step_rad: float, memory: MapMemory | None = None
+    phase_maps: Mapping[str, PhaseMap],
+    cameras: CameraArrayCalibration,
+    step_rad: float,
+    memory: MapMemory | None = None,
+    read: Collection[str] = (),
 ) -> dict[str, PhaseMap]:
     """Return the phase maps as cameras without blur would give them; those of cameras whose blur is not known as they are.
 
     Parameters
     ----------
     step_rad : largest phase step between neighbouring pixels of one surface
+    read : cameras whose phases will be read between pixels, in straight lines, which cut bends short as blur does; that is taken back too
     """
     memory = memory or MapMemory()
     return {
-        name: _sharp(phase_map, cameras.cameras[name].blur_px, step_rad, memory) if name in cameras.cameras else phase_map
+        name: _sharp(phase_map, cameras.cameras[name].blur_px, step_rad, memory, name in read) if name in cameras.cameras else phase_map
         for name, phase_map in phase_maps.items()
     }
 
 
-def _sharp(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: MapMemory) -> PhaseMap:
+def _sharp(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: MapMemory, read: bool) -> PhaseMap:
     if blur_px <= 0:
         return phase_map
     phase, sigma = read_only(phase_map.phase_rad, np.float32), read_only(phase_map.sigma_rad, np.float32)
     grey, state = read_only(phase_map.grey, np.uint16), read_only(phase_map.state, np.uint8)
     out = memory.empty(phase_map.phase_rad.shape, np.float32)
-    numbers = np.float32(min(blur_px, MOST_PX) ** 2), np.float32(step_rad)
+    variance = min(blur_px, MOST_PX) ** 2
+    numbers = np.float32(variance), np.float32(READ_PX2 / variance if read else 0.0), np.float32(step_rad)
     in_bands(lambda start, stop: kernels.take_blur(phase, sigma, grey, state, *numbers, start, stop, out), len(phase))
-    across = None if phase_map.across is None else _sharp(phase_map.across, blur_px, step_rad, memory)
+    across = None if phase_map.across is None else _sharp(phase_map.across, blur_px, step_rad, memory, read)
     return replace(phase_map, phase_rad=read_only(out), across=across)

@@ -74,8 +74,9 @@ def reconstruct(
     rectifier = rectifier or Rectifier(cameras)
     memory = memory or MapMemory()
     names = _usable_names(phase_maps, cameras)
-    phase_maps = without_blur(phase_maps, cameras, settings.max_phase_step_rad, memory)
-    if settings.grid == "rectified" or (settings.grid == "auto" and len(names) == 2):
+    rectified = settings.grid == "rectified" or (settings.grid == "auto" and len(names) == 2)
+    phase_maps = without_blur(phase_maps, cameras, settings.max_phase_step_rad, memory, read=names if rectified else names[1:])
+    if rectified:
         return _on_rectified_grid(names, phase_maps, rectifier, settings, progress, memory)
     return _reconstruct(names, phase_maps, rectifier, settings, progress, memory)
 

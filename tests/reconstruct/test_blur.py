@@ -79,6 +79,32 @@ def test_an_edge_of_two_planes_is_no_bend_and_noise_hardly_grows(away: float) ->
     assert left.std() < 1.05 * noise[INNER].std()
 
 
+def test_at_the_rim_of_a_round_body_neither_light_nor_bend_is_taken_alone() -> None:
+    """Towards the rim the light falls and the phase bends, both like the root of the distance; what each does all but cancels."""
+    rim = 15
+    away = np.sqrt(np.maximum(COLUMNS - rim + 0.5, 0.0))
+    on = rim <= COLUMNS
+    round_part, light = 20.0 + 1.6 * away, np.where(on, 1500.0 * (1 + 0.16 * away), 300.0)
+    blurred = seen(light, np.where(on, round_part, 14.0))
+    state = np.where(rim + 2 <= COLUMNS, 0, PixelState.EDGE).astype(np.uint8)
+    made = without_blur({"one": replace(blurred, state=state)}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad
+    error = (made - round_part)[30]
+    alone = np.gradient(np.log(light), axis=1)[30] * np.gradient(round_part, axis=1)[30] * BLUR_PX**2  # what the light alone would take off
+    assert alone[rim + 5] > 0.005
+    assert np.abs(error[rim + 5 : rim + 12]).max() < 0.2 * alone[rim + 5]
+
+
+def test_what_reading_between_pixels_does_to_a_bent_phase_is_taken_back() -> None:
+    bend = 0.003 * (COLUMNS - 40) ** 2
+    phase_map = seen(np.full(PHASE.shape, 2000.0), PHASE + bend)
+    made = without_blur({"one": phase_map}, camera(BLUR_PX), STEP_RAD, read=["one"])["one"].phase_rad
+    places = np.linspace(0, 1, 101)[:-1] + 0.005
+    left, right = made[INNER][:, :-1, None], made[INNER][:, 1:, None]
+    between = COLUMNS[INNER][:, :-1, None] + places
+    error = left + places * (right - left) - (20.0 + 0.5 * between + 0.2 * ROWS[INNER][:, :-1, None] + 0.003 * (between - 40) ** 2)
+    assert abs(error.mean()) < 0.1 * 0.006 / 12
+
+
 def test_evenly_lit_fringes_a_sharp_camera_and_one_of_unknown_blur_change_nothing() -> None:
     even, steep = seen(np.full(PHASE.shape, 2000.0)), seen(2000 * np.exp(0.02 * COLUMNS))
     made = without_blur({"one": even}, camera(BLUR_PX), STEP_RAD)["one"]
@@ -95,7 +121,8 @@ def test_pixels_without_a_phase_stay_so_and_do_not_reach_their_neighbours() -> N
     assert made[30, 40] == 0.0
     whole = without_blur({"one": steep}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad
     touched = np.argwhere(np.abs(made - whole) > 1e-6)
-    assert {(int(y), int(x)) for y, x in touched} <= {(30, 40), (30, 38), (30, 42), (28, 40), (32, 40)}
+    near = {(30 + a, 40) for a in (-3, -2, 2, 3)} | {(30, 40 + a) for a in (-3, -2, 2, 3)}
+    assert {(int(y), int(x)) for y, x in touched} <= {(30, 40), *near}
     np.testing.assert_allclose(made[30, [38, 42]], steep.phase_rad[30, [38, 42]], atol=1e-5)  # light changes along rows alone
 
 

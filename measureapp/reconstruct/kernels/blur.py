@@ -23,13 +23,17 @@ ALIKE = np.float32(0.25)  # of a bend: by how much an even one may differ from t
 BENDS_APART, HALVES_APART = np.float32(17), np.float32(6.3)  # and two standard deviations of both in those of the phase
 PER_SLOPES, PER_BEND, PER_RUN = np.float32(1 / (2 * REACH) ** 2), np.float32(0.5 / FAR**2), np.float32(1 / (2 * FAR) ** 2)
 SPAN, ONE, TWO, ZERO = np.float32(2 * REACH), np.float32(1), np.float32(2), np.float32(0)
-SHIFT, RUN, RISE, HOLE, FAR_BEND, NEAR_BEND, SKEW = (k * CHUNK for k in range(7))
+SHIFT, RUN, RISE, HOLE, FAR_BEND, NEAR_BEND, CUT = (k * CHUNK for k in range(7))
 SCRATCH = 7 * CHUNK
 
 
 @njit(**INLINE)
-def add_slope(s: Any, n: int, phases: Any, lights: Any, states: Any, farthest: Any) -> None:
-    """Add what comes of light that changes along one direction, ∇φ · ∇ ln I, of pixels between a row before and a row behind them."""
+def add_slope(s: Any, n: int, phases: Any, lights: Any, states: Any, around: Any, farthest: Any) -> None:
+    """Add what comes of light that changes along one direction, ∇φ · ∇ ln I, of pixels between a row before and a row behind them.
+
+    Where a hole is too near to tell how the phase bends (``around``, the states as `add_bend` has them), that stays with it: at the rim of a
+    round body the phase bends as much as the light falls, and one without the other is worse than neither.
+    """
     before, behind = phases
     for i in range(n):
         s[RUN + i] = behind[i] - before[i]
@@ -38,8 +42,9 @@ def add_slope(s: Any, n: int, phases: Any, lights: Any, states: Any, farthest: A
         first, second = np.float32(light_before[i]), np.float32(light_behind[i])
         s[RISE + i] = TWO * (second - first) / (first + second + ONE)
     no_before, no_behind = states
+    _, no_near_before, no_near_behind, _ = around
     for i in range(n):
-        s[HOLE + i] = np.float32(no_before[i] | no_behind[i])
+        s[HOLE + i] = np.float32(no_before[i] | no_behind[i] | no_near_before[i] | no_near_behind[i])
     steepest = STEEPEST * SPAN
     for i in range(n):
         run, rise = s[RUN + i], s[RISE + i]
@@ -48,11 +53,12 @@ def add_slope(s: Any, n: int, phases: Any, lights: Any, states: Any, farthest: A
 
 
 @njit(**INLINE)
-def add_bend(s: Any, n: int, own: Any, phases: Any, states: Any, noise: Any, variance: Any) -> None:
+def add_bend(s: Any, n: int, own: Any, phases: Any, states: Any, noise: Any, variances: Any) -> None:
     """Add what comes of a phase that bends evenly along one direction, of pixels between rows far and near before and behind them.
 
     Of blurred fringes exp(i φ) that is φ'' (1 - s² φ'²) / 2: steep ones fade where they are out of step, and count less.
     An edge between two walls is no even bend: on it the near pixels bend more than the far ones, beside it one half of them does not bend.
+    Where a hole is among the far pixels, the near ones have to do.
     """
     far_before, near_before, near_behind, far_behind = phases
     for i in range(n):
@@ -62,17 +68,22 @@ def add_bend(s: Any, n: int, own: Any, phases: Any, states: Any, noise: Any, var
     for i in range(n):
         s[RUN + i] = far_behind[i] - far_before[i]
     for i in range(n):
-        s[SKEW + i] = s[RUN + i] - TWO * (near_behind[i] - near_before[i])
+        s[RISE + i] = TWO * (near_behind[i] - near_before[i])
     no_far_before, no_near_before, no_near_behind, no_far_behind = states
     for i in range(n):
-        s[HOLE + i] = np.float32(no_far_before[i] | no_near_before[i] | no_near_behind[i] | no_far_behind[i])
+        s[HOLE + i] = np.float32(no_near_before[i] | no_near_behind[i])
     for i in range(n):
-        far, sigma = s[FAR_BEND + i], noise[i]
+        s[CUT + i] = np.float32(no_far_before[i] | no_far_behind[i])
+    variance, read = variances
+    for i in range(n):
+        far, near, sigma = s[FAR_BEND + i], s[NEAR_BEND + i], noise[i]
         allowed = ALIKE * abs(far)
-        even = (abs(far - s[NEAR_BEND + i]) <= allowed + BENDS_APART * sigma) & (abs(s[SKEW + i]) <= allowed + HALVES_APART * sigma)
-        even = even & (s[HOLE + i] == ZERO)
-        steep = max(ONE - variance * PER_RUN * s[RUN + i] * s[RUN + i], ZERO)
-        s[SHIFT + i] += PER_BEND * far * steep if even else ZERO
+        even = (abs(far - near) <= allowed + BENDS_APART * sigma) & (abs(s[RUN + i] - s[RISE + i]) <= allowed + HALVES_APART * sigma)
+        cut = s[CUT + i] != ZERO
+        run = s[RISE + i] if cut else s[RUN + i]
+        steep = max(ONE - variance * PER_RUN * run * run, ZERO) + read
+        bend = near if cut else (far if even else ZERO)
+        s[SHIFT + i] += PER_BEND * bend * steep if s[HOLE + i] == ZERO else ZERO
 
 
 @njit(**INLINE)
@@ -106,6 +117,7 @@ def take_blur(
     grey: Any,  # (H, W) uint16
     state: Any,  # (H, W) uint8, 0 valid
     variance: Any,  # float32, of the blur, px²
+    read: Any,  # float32, what reading between pixels does as well, in shares of it
     step: Any,  # float32, largest phase step between neighbours of one surface
     row_start: int,
     row_stop: int,
@@ -125,10 +137,15 @@ def take_blur(
             n, own, noise = last - first, row[first:last], sigma[y, first:last]
             for i in range(n):
                 s[SHIFT + i] = ZERO
-            add_slope(s, n, two_beside(row, first, last), two_beside(grey[y], first, last), two_beside(state[y], first, last), farthest)
-            add_slope(s, n, two_rows(phase, y, first, last), two_rows(grey, y, first, last), two_rows(state, y, first, last), farthest)
-            add_bend(s, n, own, four_beside(row, first, last), four_beside(state[y], first, last), noise, variance)
-            add_bend(s, n, own, four_rows(phase, y, first, last), four_rows(state, y, first, last), noise, variance)
+            beside, rows = four_beside(state[y], first, last), four_rows(state, y, first, last)
+            add_slope(
+                s, n, two_beside(row, first, last), two_beside(grey[y], first, last), two_beside(state[y], first, last), beside, farthest
+            )
+            add_slope(
+                s, n, two_rows(phase, y, first, last), two_rows(grey, y, first, last), two_rows(state, y, first, last), rows, farthest
+            )
+            add_bend(s, n, own, four_beside(row, first, last), beside, noise, (variance, read))
+            add_bend(s, n, own, four_rows(phase, y, first, last), rows, noise, (variance, read))
             made, valid = shown[first:last], state[y, first:last]
             for i in range(n):
                 s[HOLE + i] = ZERO if valid[i] else variance
