@@ -17,8 +17,8 @@ from measureapp.register.clouds.filters import in_large_patches
 from measureapp.register.grid.voxels import VoxelSums
 
 # columns of the sums of one voxel
-WEIGHT, POSITION, NORMAL, GREY, NOISE = 0, slice(1, 4), slice(4, 7), 7, 8
-WIDTH = 9
+WEIGHT, POSITION, NORMAL, GREY, NOISE, ALONG = 0, slice(1, 4), slice(4, 7), 7, 8, 9
+WIDTH = 10
 GRAZING = 0.15  # cosine below which a point counts no less than this
 LEAST_SIGMA_MM = 0.005
 LAYER_GAP = 1.5  # in voxels: layers of one face nearer than this along its axis are one surface
@@ -108,6 +108,7 @@ def _rows(cloud: PointCloud, origin_mm: FloatArray, voxel_mm: float) -> tuple[In
     rows[:, NORMAL] = normals * weight[:, None]
     rows[:, GREY] = cloud.grey * weight
     rows[:, NOISE] = (weight * sigma) ** 2
+    rows[:, ALONG] = np.einsum("ij,ij->i", normals, points) * weight
     return voxel_keys(points, dominant_faces(normals), voxel_mm), rows
 
 
@@ -155,11 +156,14 @@ def _layers(
     heaviest = np.lexsort((rows[:, WEIGHT], group))[np.append(first[1:], len(keys)) - 1]
     total = np.add.reduceat(rows, first, axis=0)
     weight = total[:, WEIGHT]
+    mean = total[:, POSITION] / weight[:, None]
     normals = total[:, NORMAL]
-    length = np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
+    # the mean of points on a curved surface lies inside it, by half of what they lie before it along their own normals
+    inside = 0.5 * (total[:, ALONG] - np.einsum("ij,ij->i", normals, mean)) / weight
+    normals = normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
     return MergedPoints(
-        total[:, POSITION] / weight[:, None],
-        (normals / length).astype(np.float32),
+        mean + inside[:, None] * normals,
+        normals.astype(np.float32),
         (np.sqrt(total[:, NOISE]) / weight).astype(np.float32),
         np.clip(total[:, GREY] / weight, 0, 1).astype(np.float32),
         view[heaviest],

@@ -32,6 +32,22 @@ def test_merging_lowers_the_noise_as_predicted():
     assert abs(merged.points_mm[:, 2].mean()) < 4 * 0.04 / np.sqrt(90_000)
 
 
+@pytest.mark.parametrize(("radius_mm", "outwards"), [(5.0, 1.0), (5.0, -1.0), (45.0, 1.0)])
+def test_merged_points_lie_on_a_curved_surface_not_inside_it(radius_mm: float, outwards: float):
+    """Means over columns of 0.5 mm would lie 0.5² / 24 R and more inside, 2.1 µm of a radius of 5 mm."""
+    rng = np.random.default_rng(4)
+    around, up = rng.uniform(-np.pi, np.pi, 200_000), rng.uniform(-6, 6, 200_000)
+    normals = np.column_stack([np.cos(around), np.sin(around), np.zeros(len(around))])
+    points = radius_mm * normals + np.column_stack([np.zeros((len(up), 2)), up]) + 0.005 * rng.normal(size=(len(up), 1)) * normals
+    tilted = outwards * normals + rng.normal(0, 0.02, points.shape)
+    tilted /= np.linalg.norm(tilted, axis=1, keepdims=True)
+    same = np.full(len(up), 0.005)
+    cloud = PointCloud(points, tilted, same, same, np.full((len(up), 2), -1), np.ones(len(up)), "part", "v")
+    merged = merge([cloud], [np.array([0.0, 0.0, 500.0])], 0.5)
+    radii = np.hypot(merged.points_mm[:, 0], merged.points_mm[:, 1])
+    assert abs(np.median(radii) - radius_mm) < max(0.05 * 0.5**2 / 24 / radius_mm, 4 * 0.005 / np.sqrt(len(up)))
+
+
 def test_the_better_view_weighs_more():
     merged = merge([plane(20_000, 0.01, 1, height_mm=0.1), plane(20_000, 0.1, 2)], [ABOVE] * 2, 1.0)
     assert merged.points_mm[:, 2].mean() == pytest.approx(0.1 * 100 / 101, abs=0.003)
