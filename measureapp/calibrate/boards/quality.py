@@ -25,8 +25,9 @@ WIDEST_EDGE_PX = 6.0  # from 10 to 90 %; a sharp lens and chip give 2 to 3
 WIDEST_EDGE_SHARE = 0.10  # of the distance of marks, where that allows more
 WORST_SIGMA_PX = 0.5
 WORST_FIT_SHARE = 0.25  # a mark may leave the homography of all by this share of the distance of marks; lenses distort by less
-STEP_PX = 0.25
-BETWEEN_PIXELS = 1 / 6  # px², of bilinear interpolation, on average over where between the pixels
+STEP_PX = 0.125
+MOST_OFF_PX = 1.0  # by which an edge may lie off its place to be laid onto the others
+KERNEL_PX = 4  # to either side, of what profiles are read with
 GAUSSIAN_RISE = 2.563  # from 10 to 90 % of an edge, over the standard deviation of its blur
 STRIPS, STRIP_SHARE = 12, 4
 TELLING_SHARE = 0.15  # of a board's marks: fewer in a grid may be anything
@@ -38,7 +39,7 @@ EXPOSED_MORE = "Lengthen the exposure or add light until the board's white reach
 
 
 def require_usable(grey: ImageArray, board: BoardDescription, ids: IntArray, corners_px: FloatArray, sigma_px: FloatArray) -> float:
-    """Return the width of the edges at the marks, px (10 to 90 %); refuse an image whose marks cannot be trusted.
+    """Return the width of the edges at the marks, px (10 to 90 %, rms of both directions); refuse an image whose marks cannot be trusted.
 
     Raises
     ------
@@ -58,30 +59,33 @@ def require_usable(grey: ImageArray, board: BoardDescription, ids: IntArray, cor
     _require_levels(grey, corners_px, _half_white(board) * spacing)
     if isinstance(board, CheckerboardDescription) and len(ids) == board.count:
         require_plain(grey, corners_px.reshape(board.rows, board.columns, 2))
-    width = edge_width(grey, board, corners_px, axes)
+    widths = edge_widths(grey, board, corners_px, axes)
     widest = max(WIDEST_EDGE_PX, WIDEST_EDGE_SHARE * spacing)
-    if width > widest:
-        raise BoardRefused(f"The board is blurred: its edges are {width:.1f} px wide, {widest:.1f} px is the most.", BLURRED, "blurred")
+    if max(widths) > widest:
+        raise BoardRefused(
+            f"The board is blurred: its edges are {max(widths):.1f} px wide, {widest:.1f} px is the most.", BLURRED, "blurred"
+        )
     if np.median(sigma_px) > WORST_SIGMA_PX:
         raise BoardRefused(
             f"The marks scatter by {np.median(sigma_px):.2f} px about a smooth grid, {WORST_SIGMA_PX} px is the most.",
             "Take a sharper and brighter image of the flat board.",
             "blurred",
         )
-    return width
+    seen = [width**2 for width in widths if width > 0]
+    return float(np.sqrt(np.mean(seen))) if seen else 0.0
 
 
-def edge_width(grey: ImageArray, board: BoardDescription, corners_px: FloatArray, axes: FloatArray) -> float:
-    """Return the distance over which edges at the marks rise from 10 to 90 %, px, in the more blurred direction.
+def edge_widths(grey: ImageArray, board: BoardDescription, corners_px: FloatArray, axes: FloatArray) -> tuple[float, ...]:
+    """Return the distances over which edges at the marks rise from 10 to 90 %, px, in both directions of the board; 0 where none is seen.
 
-    Profiles across the edges of all marks are averaged, as for the edge spread function of ISO 12233.
+    Profiles across the edges of all marks are laid onto each other and averaged, as for the edge spread function of ISO 12233.
 
     Parameters
     ----------
     corners_px : (N, 2)
     axes : (N, 2 axes, 2), 1 mm along x and y of the board in the image
     """
-    return max(_profile_width(_profiles(grey, *places)) for places in _edges(board, corners_px, axes))
+    return tuple(_profile_width(_aligned(_profiles(grey, *places))) for places in _edges(board, corners_px, axes))
 
 
 def missing(grey: ImageArray, board: BoardDescription, squares: SquaresInSight | None = None) -> BoardRefused:
@@ -197,33 +201,46 @@ def _edges(board: BoardDescription, corners_px: FloatArray, axes: FloatArray) ->
 def _profiles(grey: ImageArray, places: FloatArray, normals: FloatArray, reach_px: float) -> FloatArray:
     steps = np.arange(-max(reach_px, 1.5), max(reach_px, 1.5) + STEP_PX / 2, STEP_PX)
     at = (places[:, None, :] + steps[:, None] * normals[:, None, :]).astype(np.float32)
-    inside = np.all((at > 0) & (at < np.array(grey.shape[::-1]) - 1), axis=(1, 2))
+    inside = np.all((at > KERNEL_PX) & (at < np.array(grey.shape[::-1]) - 1 - KERNEL_PX), axis=(1, 2))
     if not inside.any():
         return np.empty((0, len(steps)))
     at = at[inside]
-    seen = cv2.remap(grey, at[..., 0], at[..., 1], cv2.INTER_LINEAR).astype(float)
+    seen = cv2.remap(grey.astype(np.float32), at[..., 0], at[..., 1], cv2.INTER_LANCZOS4).astype(float)  # linear reading widens edges
     return np.where((seen[:, -1] > seen[:, 0])[:, None], seen, seen[:, ::-1])
+
+
+def _aligned(profiles: FloatArray) -> FloatArray:
+    """Shift profiles by whole steps so that all rise in the middle: marks and edges lie a little off their places."""
+    if not len(profiles):
+        return profiles
+    low, high = _ends(profiles)
+    rise = (profiles - low[:, None]) / np.maximum(high - low, 1e-9)[:, None]
+    length = profiles.shape[1]
+    most = min(round(MOST_OFF_PX / STEP_PX), length // 4)
+    shifts = np.clip(np.rint(length / 2 - np.clip(rise, 0, 1).sum(axis=1)).astype(int), -most, most)
+    return np.asarray(np.take_along_axis(rise, shifts[:, None] + np.arange(most, length - most), axis=1))
+
+
+def _ends(profiles: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return the levels before and behind edges, means over a tenth of their profiles (…, length)."""
+    end = max(1, profiles.shape[-1] // 10)
+    return np.asarray(profiles[..., :end].mean(axis=-1)), np.asarray(profiles[..., -end:].mean(axis=-1))
 
 
 def _profile_width(profiles: FloatArray) -> float:
     if not len(profiles):
         return 0.0
     profile = np.median(profiles, axis=0)
-    end = max(1, len(profile) // 10)
-    low, high = profile[:end].mean(), profile[-end:].mean()
-    rise = np.maximum.accumulate((profile - low) / max(high - low, 1e-9))
+    low, high = _ends(profile)
+    rise = np.maximum.accumulate((profile - low) / np.maximum(high - low, 1e-9))
     start, stop = np.interp([0.1, 0.9], rise, np.arange(len(rise)))
     return float((stop - start) * STEP_PX)
 
 
 def blur_px(edges_px: Sequence[float]) -> float:
-    """Return the standard deviation of the blur of a camera's images by how wide edges are in them; 0 where none is known.
-
-    Edges are read between pixels, which widens them as a blur of a sixth of a px² does.
-    """
+    """Return the standard deviation of the blur of a camera's images by how wide edges are in them; 0 where none is known."""
     known = [edge for edge in edges_px if edge > 0]
-    variance = (float(np.median(known)) / GAUSSIAN_RISE) ** 2 - BETWEEN_PIXELS if known else 0.0
-    return float(np.sqrt(max(variance, 0.0)))
+    return float(np.median(known)) / GAUSSIAN_RISE if known else 0.0
 
 
 def nothing_sharp(grey: ImageArray) -> bool:
