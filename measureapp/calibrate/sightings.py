@@ -107,12 +107,6 @@ def spreads(sightings: Sequence[Sighting]) -> list[FloatArray | None]:
     ]
 
 
-def shared_corners(first: Sighting, second: Sighting) -> tuple[IntArray, IntArray, IntArray]:
-    """Return the ids both sightings hold, and where they stand in the first and in the second; each (M,)."""
-    ids, at_first, at_second = np.intersect1d(first.known_ids, second.known_ids, assume_unique=True, return_indices=True)
-    return ids, at_first, at_second
-
-
 @dataclass(frozen=True, slots=True)
 class Rejection:
     """A sighting that was left out, or some corners of it, and why."""

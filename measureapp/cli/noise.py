@@ -25,6 +25,9 @@ def register(app: typer.Typer) -> None:
         rig: Annotated[
             str | None, typer.Option("--rig", help="Rig whose cameras take the images: a TOML file, or a name in resources/rigs.")
         ] = None,
+        fringes: Annotated[
+            Path | None, typer.Option("--fringes", metavar="MANIFEST", help="MANIFEST.toml of recorded fringes, where there are no flats.")
+        ] = None,
         plan: Annotated[Path | None, typer.Option("--plan", help="With --rig: move to the first viewpoint of this plan before.")] = None,
         out: Annotated[Path | None, typer.Option("--out", help="File of the noise models, for `decode --noise`.")] = None,
         project: Annotated[Path | None, typer.Option("--project", help="Project whose images are decoded with it from then on.")] = None,
@@ -36,24 +39,28 @@ def register(app: typer.Typer) -> None:
 
         From files: at least two images of each of five or more brightnesses, from dark to nearly saturated, of an evenly lit surface that
         does not move; images are grouped by their mean. Dark images are needed where the camera adds a black level. By a rig: whatever
-        its cameras see, at seven exposures; without --plan nothing moves.
+        its cameras see, at seven exposures; without --plan nothing moves. By fringes: what four steps or more disagree by; a projector
+        whose light is not sinusoidal, and anything that moves, counts as noise there, which is told where it shows.
         """
         from measureapp.errors import InputError
         from measureapp.project.folder import ProjectFolder
         from measureapp.project.fringes.noise_file import write_noise
 
-        if (rig is None) == (not images):
-            raise InputError("Give either --images or --rig.", "Give --images once for every camera, or --rig alone.")
+        if sum([rig is not None, bool(images), fringes is not None]) != 1:
+            raise InputError(
+                "Give one of --images, --rig and --fringes.", "Give --images once for every camera, or one of the others alone."
+            )
         if out is None and project is None:
             raise InputError("The noise models have no place to go.", "Add --out FILE or --project PROJECT.")
         if rig is None and plan is not None:
             raise InputError("--plan says where a rig looks from.", "Add --rig, or leave --plan out.")
-        if rig is not None and (dark or saturation is not None):
-            raise InputError(
-                "--dark and --saturation are of images from files.", "Leave them out: the rig's description has the saturation."
-            )
+        if not images and (dark or saturation is not None):
+            raise InputError("--dark and --saturation belong to --images.", "Leave them out: the rig, or the manifest, has the saturation.")
         opened = None if project is None else ProjectFolder.open(project)
-        estimates = _of_files(images or [], dark or [], saturation) if rig is None else _of_rig(rig, plan)
+        if fringes is not None:
+            estimates = _of_fringes(fringes)
+        else:
+            estimates = _of_files(images or [], dark or [], saturation) if rig is None else _of_rig(rig, plan)
         if opened is not None:
             with opened.claimed():
                 opened.save_noise(estimates)
@@ -67,6 +74,14 @@ def register(app: typer.Typer) -> None:
 def _of_files(images: list[str], dark: list[str], saturation: int | None) -> dict[str, NoiseEstimate]:
     darks = _assigned("--dark", dark)
     return {camera: _estimate(camera, pattern, darks.get(camera), saturation) for camera, pattern in _assigned("--images", images).items()}
+
+
+def _of_fringes(manifest: Path) -> dict[str, NoiseEstimate]:
+    from measureapp.fringe.noise.stack_noise import noise_of_stack
+    from measureapp.project.fringes.manifest import read_manifest
+
+    stack = read_manifest(manifest)
+    return {camera: noise_of_stack(stack, camera) for camera in stack.images}
 
 
 def _of_rig(rig: str, plan: Path | None) -> dict[str, NoiseEstimate]:

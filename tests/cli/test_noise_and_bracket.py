@@ -70,6 +70,40 @@ def test_dark_images_give_the_black_level_of_a_twelve_bit_camera(tmp_path: Path,
     assert found["noise"]["read_noise_e"] == pytest.approx(8, rel=0.03)
 
 
+def write_noisy_fringes(folder: Path, camera: CameraNoise, steps: int) -> Path:
+    """Write fringes of two pitches on a surface of uneven albedo, and the manifest that says so."""
+    random = np.random.default_rng(6)
+    columns, albedo = np.linspace(0, 1023, 400), np.linspace(0.15, 1.0, 240)[:, None]
+    gain = camera.electrons_per_grey(255)
+    lines = ["shift_sign = -1", "projector_px = 1024", "saturation = 255", "[[exposure]]", "exposure_us = 1000"]
+    for pitch in (32, 33):
+        names = [f"{pitch}_{n}.png" for n in range(steps)]
+        for n, name in enumerate(names):
+            grey = albedo * (20 + 100 * (1 + np.cos(2 * np.pi * (columns / pitch - n / steps))))
+            electrons = random.poisson(grey * gain) + random.normal(0, camera.read_noise_e, grey.shape)
+            cv2.imwrite(str(folder / name), np.clip(np.rint(electrons / gain), 0, 255).astype(np.uint8))
+        listed = ", ".join(f'"{name}"' for name in names)
+        lines += ["[[exposure.group]]", 'kind = "phase-shift"', f"pitch_px = {pitch}", f"images = {{ left = [{listed}] }}"]
+    (folder / "MANIFEST.toml").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return folder / "MANIFEST.toml"
+
+
+def test_recorded_fringes_tell_the_noise_where_there_are_no_flats(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    camera = CameraNoise(full_well_e=4000, read_noise_e=12)
+    manifest = write_noisy_fringes(tmp_path, camera, 6)
+    found = answer(capsys, "noise", "--fringes", manifest, "--out", tmp_path / "noise.json")["cameras"]["left"]
+    assert found["noise"]["full_well_e"] == pytest.approx(4000, abs=4 * found["full_well_sd_e"])
+    assert found["noise"]["read_noise_e"] == pytest.approx(12, abs=4 * found["read_noise_sd_e"])
+    assert read_noise(tmp_path / "noise.json")["left"].full_well_e == pytest.approx(found["noise"]["full_well_e"])
+    three = write_noisy_fringes(tmp_path, camera, 3)
+    assert "no group of four steps or more" in refused_with(capsys, "noise", "--fringes", three, "--out", tmp_path / "none.json")
+    out = ("--out", tmp_path / "none.json")
+    assert "one of --images, --rig and --fringes" in refused_with(capsys, "noise", *out)
+    assert "one of --images, --rig and --fringes" in refused_with(capsys, "noise", "--fringes", manifest, "--rig", "paper", *out)
+    assert "belong to --images" in refused_with(capsys, "noise", "--fringes", manifest, "--saturation", 255, *out)
+    assert not (tmp_path / "none.json").exists()
+
+
 def test_flats_that_cannot_be_used_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     flats = write_flats(tmp_path / "flats", CameraNoise())
     out = ("--out", tmp_path / "noise.json")

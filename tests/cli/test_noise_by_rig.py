@@ -84,8 +84,8 @@ def test_a_project_is_decoded_with_the_noise_its_rig_measured(demo: Demo, rig: P
 
 def test_noise_that_cannot_be_measured_or_kept_is_refused(rig: Path, plan: Path, tmp_path: Path, capsys) -> None:
     out = ("--out", tmp_path / "noise.json")
-    assert "either --images or --rig" in refused_with(capsys, "noise", *out)
-    assert "either --images or --rig" in refused_with(capsys, "noise", "--rig", rig, "--images", "left=*.png", *out)
+    assert "one of --images, --rig and --fringes" in refused_with(capsys, "noise", *out)
+    assert "one of --images, --rig and --fringes" in refused_with(capsys, "noise", "--rig", rig, "--images", "left=*.png", *out)
     assert "no place to go" in refused_with(capsys, "noise", "--rig", rig)
     assert "where a rig looks from" in refused_with(capsys, "noise", "--images", "left=*.png", "--plan", plan, *out)
     assert "--dark and --saturation" in refused_with(capsys, "noise", "--rig", rig, "--saturation", 255, *out)

@@ -41,31 +41,6 @@ class RigObservation:
     approach: int | None = None  # of the robot, see `approaches_to`; None: equal poses that follow one another are one
 
 
-class RigDraft:
-    """Collects sightings of the board until they determine the rig."""
-
-    def __init__(self, cameras: CameraArrayCalibration, noise: AxisNoise | None = None) -> None:
-        self._cameras = cameras
-        self._noise = noise or AxisNoise()
-        self._observations: list[RigObservation] = []
-
-    def add(self, observation: RigObservation) -> None:
-        """Add one sighting."""
-        self._observations.append(observation)
-
-    def remove(self, name: str) -> None:
-        """Take a sighting out again."""
-        self._observations = [observation for observation in self._observations if observation.name != name]
-
-    def shortfalls(self) -> tuple[str, ...]:
-        """Say what is still missing."""
-        return shortfalls([observation.readback for observation in self._observations])
-
-    def solve(self, progress: Progress | None = None) -> RigSolution:
-        """Solve what was collected."""
-        return solve_rig(self._observations, self._cameras, noise=self._noise, progress=progress)
-
-
 def approaches_to(poses: Sequence[RigidTransform]) -> tuple[int, ...]:
     """Number the approaches of the robot to poses base_from_flange in the order it went to them.
 

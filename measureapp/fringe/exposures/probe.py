@@ -106,32 +106,3 @@ def _summed(stack: FringeStack, pixels: ImageArray | FloatArray) -> tuple[FloatA
     if not means:
         raise DecodeError("The probe has no sinusoids.", "Probe with a phase-shift group.")
     return np.mean(means, axis=0), np.mean(powers, axis=0), count
-
-
-def probed_from_plain(
-    camera: str, white: ImageArray, black: ImageArray, exposure_us: int, saturation: float, noise: CameraNoise | None = None
-) -> ProbedCamera:
-    """Read the rates out of one image under white and one under black light of the projector, (H, W) each.
-
-    Raises
-    ------
-    DecodeError
-        As `probed`.
-    """
-    noise = noise or CameraNoise()
-    step = max(1, white.size // MOST_PIXELS)
-    bright, dark = (image.ravel()[::step].astype(np.float64) for image in (white, black))
-    swing, mean = (bright - dark) / 2, (bright + dark) / 2
-    bound = bright >= saturation
-    seen = ~bound & (swing > SEEN * np.sqrt(noise.variance(mean, saturation) / 2))
-    if (seen | bound).mean() < LEAST_LIT:
-        raise DecodeError(f"Camera {camera!r} sees no light of the projector at {exposure_us} µs.", "Probe with a longer exposure.")
-    if bound.sum() > MOST_UNKNOWN * (seen | bound).sum():
-        raise DecodeError(
-            f"Camera {camera!r} is saturated nearly everywhere at {exposure_us} µs.", f"Probe with {max(1, exposure_us // 8)} µs."
-        )
-    brighter = np.geomspace(1.0, BEYOND_BOUND, int(bound.sum())) if bound.any() else np.zeros(0)
-    mean[bound] *= brighter
-    swing[bound] *= brighter
-    chosen = seen | bound
-    return ProbedCamera(camera, mean[chosen] / exposure_us, swing[chosen] / exposure_us, bound[chosen], noise, saturation, exposure_us)

@@ -14,7 +14,7 @@ from measureapp.data.plan import ExposureBracket
 from measureapp.errors import DecodeError
 from measureapp.fringe.decode import decode
 from measureapp.fringe.exposures.bracket import BracketLimits, BracketProposal, propose_bracket
-from measureapp.fringe.exposures.probe import probed, probed_from_plain
+from measureapp.fringe.exposures.probe import probed
 from measureapp.fringe.noise.model import CameraNoise
 from measureapp.fringe.settings import DecodeSettings
 from tests.fringe.conftest import images_of, ramp
@@ -130,28 +130,6 @@ def test_a_probe_that_saturates_a_part_of_the_scene_says_so_and_still_serves_it(
     assert "probe with 25000 µs" in found.note
     share, _ = observed(1, found.exposures_us, brightness=2.0)
     assert share > observed(1, PAPER, brightness=2.0)[0]
-
-
-def test_white_and_black_images_serve_as_a_probe() -> None:
-    mean, modulation = scene(4)
-    noise = CameraNoise()
-    random = np.random.default_rng(5)
-
-    def image(level: FloatArray) -> np.ndarray:
-        grey = 0.2 * level
-        return np.clip(np.rint(grey + random.normal(size=level.shape) * np.sqrt(noise.variance(grey, 255))), 0, 255).astype(np.uint8)
-
-    plain = probed_from_plain("left", image(mean + modulation), image(mean - modulation), 20_000, 255.0)
-    found = propose_bracket({"left": plain}, PATTERNS, BracketLimits(PAPER_TIME_S))
-    share, sigma = observed(4, found.exposures_us)
-    assert share == pytest.approx(found.figures.decodable_share, abs=0.03)
-    assert sigma == pytest.approx(found.figures.median_sigma_rad, rel=0.12)
-    dark = image(0 * mean)
-    with pytest.raises(DecodeError, match="sees no light of the projector at 20000 µs"):
-        probed_from_plain("left", dark, dark, 20_000, 255.0)
-    white = np.full(mean.shape, 255, np.uint8)
-    with pytest.raises(DecodeError, match="saturated nearly everywhere"):
-        probed_from_plain("left", white, dark, 20_000, 255.0)
 
 
 def test_a_noisier_camera_is_given_longer_exposures_or_fewer_pixels() -> None:
