@@ -1,4 +1,4 @@
-"""What the views of a stitched cloud err by, all together: where each lies, and how the cameras' calibration bends its cloud."""
+"""What the views of a stitched cloud err by: where each lies, how the cameras' calibration bends its cloud, what form it has by itself."""
 
 from __future__ import annotations
 
@@ -52,6 +52,46 @@ class CalibrationErrors:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class FormErrors:
+    """Errors of form that the clouds of the views have by themselves: smooth over the surface, independent from view to view.
+
+    Each is a random field with a Gaussian covariance, told by its values at a few nodes (C. E. Rasmussen, C. K. I. Williams, Gaussian
+    Processes for Machine Learning, 2006, 8.3.2), less the motion of the view that lays it onto the surface: that one stitching follows.
+    """
+
+    nodes_mm: FloatArray  # (N, 3), in the frame that the poses lead to
+    view: IntArray  # (N,), whose
+    sizes_mm: FloatArray  # (V,), standard deviation
+    reaches_mm: FloatArray  # (V,), over which they change
+    motions: FloatArray  # (6V, N), by which the views follow, as those of `ViewErrors`
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "nodes_mm", read_only(self.nodes_mm, np.float64, (None, 3)))
+        object.__setattr__(self, "view", read_only(self.view, np.int64, (len(self.nodes_mm),)))
+        object.__setattr__(self, "sizes_mm", read_only(self.sizes_mm, np.float64, (None,)))
+        object.__setattr__(self, "reaches_mm", read_only(self.reaches_mm, np.float64, (len(self.sizes_mm),)))
+        object.__setattr__(self, "motions", read_only(self.motions, np.float64, (POSE * len(self.sizes_mm), len(self.nodes_mm))))
+
+    def of(self, number: int, points_mm: FloatArray) -> FloatArray:
+        """Return the displacements (M, N) of points (M, 3) along their normals by the errors of view ``number``, motions not in them."""
+        own = np.flatnonzero(self.view == number)
+        by_node = np.zeros((len(points_mm), len(self.nodes_mm)))
+        by_node[:, own] = self.sizes_mm[number] * smooth_patterns(points_mm, self.nodes_mm[own], float(self.reaches_mm[number]))
+        return by_node
+
+
+def smooth_patterns(points_mm: FloatArray, nodes_mm: FloatArray, reach_mm: float) -> FloatArray:
+    """Return patterns (M, N) at points (M, 3) whose products sum to the covariance of a smooth error of variance one, seen from its nodes."""
+
+    def alike(places_mm: FloatArray) -> FloatArray:
+        squared = np.sum((places_mm[:, None] - nodes_mm) ** 2, axis=2)
+        return np.asarray(np.exp(-squared / (2 * reach_mm**2)))
+
+    values, vectors = np.linalg.eigh(alike(nodes_mm))
+    return np.asarray(alike(points_mm) @ vectors / np.sqrt(np.maximum(values, HELD)))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class ViewErrors:
     """Independent errors of one standard deviation each, and what each does to all views; what moves all alike may be left out.
 
@@ -63,6 +103,7 @@ class ViewErrors:
     by_stitching: FloatArray  # (6V, M), motions of all views
     by_calibration: FloatArray  # (6V, K), motions by the errors of the cameras' calibration
     bends: CloudBends | None = None  # by the same K errors; None where the calibration's errors are not known
+    form: FormErrors | None = None  # None where they are not known
 
     def __post_init__(self) -> None:
         rows = POSE * len(self.poses)
@@ -78,10 +119,13 @@ class ViewErrors:
             centres_mm=transform.apply(self.centres_mm),
             by_stitching=_turned(transform.rotation, self.by_stitching),
             by_calibration=_turned(transform.rotation, self.by_calibration),
+            form=None
+            if self.form is None
+            else replace(self.form, nodes_mm=transform.apply(self.form.nodes_mm), motions=_turned(transform.rotation, self.form.motions)),
         )
 
     def along(self, points_mm: FloatArray, directions: FloatArray, view: IntArray) -> dict[str, FloatArray]:
-        """Return the displacements of points along directions (N, 3), by "stitching" (N, M) and, where known, by "calibration" (N, K).
+        """Return the displacements of points along directions (N, 3), by "stitching" (N, M) and, where known, by "calibration" and "form".
 
         Parameters
         ----------
@@ -89,6 +133,7 @@ class ViewErrors:
         """
         stitching = np.zeros((len(points_mm), self.by_stitching.shape[1]))
         calibration = np.zeros((len(points_mm), self.by_calibration.shape[1]))
+        form = np.zeros((len(points_mm), 0 if self.form is None else len(self.form.nodes_mm)))
         for number in np.unique(view):
             rows = np.flatnonzero(view == number)
             arms, across = points_mm[rows] - self.centres_mm[number], directions[rows]
@@ -99,7 +144,10 @@ class ViewErrors:
             if self.bends is not None:
                 back = self.poses[number].inverse()
                 calibration[rows] += self.bends.along(back.apply(points_mm[rows]), back.rotate(across))
-        return {"stitching": stitching, "calibration": calibration} if self.bends is not None else {"stitching": stitching}
+            if self.form is not None:
+                form[rows] = self.form.of(number, points_mm[rows]) + lever @ self.form.motions[block]
+        known = {"stitching": True, "calibration": self.bends is not None, "form": self.form is not None}
+        return {share: columns for share, columns in zip(known, (stitching, calibration, form), strict=True) if known[share]}
 
 
 def without_common_motion(errors: ViewErrors, points_mm: FloatArray, normals: FloatArray, view: IntArray) -> ViewErrors:
@@ -124,7 +172,12 @@ def without_common_motion(errors: ViewErrors, points_mm: FloatArray, normals: Fl
         common = [np.vstack([shift + np.cross(turn.T, centre - middle).T, turn]) for centre in errors.centres_mm]
         return motions - np.vstack(common)
 
-    return replace(errors, by_stitching=left("stitching", errors.by_stitching), by_calibration=left("calibration", errors.by_calibration))
+    return replace(
+        errors,
+        by_stitching=left("stitching", errors.by_stitching),
+        by_calibration=left("calibration", errors.by_calibration),
+        form=None if errors.form is None else replace(errors.form, motions=left("form", errors.form.motions)),
+    )
 
 
 def independent(covariance: FloatArray, negligible: float = 1e-10) -> FloatArray:

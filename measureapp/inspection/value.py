@@ -17,7 +17,7 @@ AXES = ("cylinder", "cone", "line")
 CENTRES = ("point", "sphere", "circle", "torus")
 
 
-Budget = Mapping[str, float]  # what each share ("noise", "stitching", "calibration") adds to a standard uncertainty, in the value's unit
+Budget = Mapping[str, float]  # what each of the `SHARES` adds to a standard uncertainty, in the value's unit
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,8 @@ A pixel shows the light of its surroundings. Where that grows to one side, as on
 the brighter side counts more, and the pixel shows the phase of a place beside it: for a blur of variance s², which is small beside
 the distance over which things change, of the place s² ∇ ln I further on. In a measurement this puts walls seen askance some
 micrometres before their place, all to the same side. And where the phase bends, the surroundings lie to one side of the pixel: the mean
-is off by s² ∇²φ / 2, which makes holes narrower and round bodies thinner (decision 15).
+is off by s² ∇²φ / 2, which makes holes narrower and round bodies thinner. Reading a phase in straight lines between pixels does the
+same, like a blur of a sixth of a px² (decision 15).
 """
 
 from __future__ import annotations

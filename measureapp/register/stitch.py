@@ -9,7 +9,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.data.cloud import PointCloud, StitchedCloud, ViewPlacement
-from measureapp.data.view_errors import CalibrationErrors, ViewErrors, motions_of
+from measureapp.data.view_errors import CalibrationErrors, FormErrors, ViewErrors, motions_of
 from measureapp.errors import RegistrationError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import NoProgress, PartOf, Progress
@@ -105,7 +105,14 @@ def _of_all(errors: ViewErrors, chosen: Sequence[int], placements: Sequence[View
         centres_mm=centres,
         by_stitching=by_stitching,
         by_calibration=by_calibration,
+        form=None if errors.form is None else _form_of_all(errors.form, chosen, len(placements)),
     )
+
+
+def _form_of_all(form: FormErrors, chosen: Sequence[int], count: int) -> FormErrors:
+    sizes, reaches = np.zeros(count), np.ones(count)
+    sizes[chosen], reaches[chosen] = form.sizes_mm, form.reaches_mm
+    return FormErrors(form.nodes_mm, np.asarray(chosen, int)[form.view], sizes, reaches, motions_of(chosen, form.motions, count))
 
 
 def _left_out(cloud: PointCloud, kinematic: RigidTransform) -> ViewPlacement:

@@ -9,7 +9,7 @@ import pytest
 
 from measureapp.data.dimension import Dimension
 from measureapp.data.inspection_program import InspectionProgram
-from measureapp.data.view_errors import POWERS, CloudBends, ViewErrors
+from measureapp.data.view_errors import POWERS, CloudBends, FormErrors, ViewErrors
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.dimensions import inspect
 from measureapp.inspection.measured import MeasuredPoints
@@ -61,12 +61,14 @@ class Drawn:
         errors, points, view = self.exact.errors, self.exact.points_mm, self.exact.view
         assert errors is not None and view is not None and self.exact.normals is not None
         chosen = [rng.standard_normal(columns.shape[1]) for columns in (errors.by_stitching, errors.by_calibration)]
-        moved = np.zeros_like(points)
+        moved, normals = np.zeros_like(points), np.asarray(self.exact.normals, float)
         for axis, direction in enumerate(np.eye(3)):
             along = errors.along(points, np.tile(direction, (len(points), 1)), view)
             moved[:, axis] = along["stitching"] @ chosen[0] + along["calibration"] @ chosen[1]
-        noise = NOISE_MM * rng.standard_normal(len(points))[:, None] * np.asarray(self.exact.normals, float)
-        return replace(self.exact, points_mm=points + moved + noise)
+        out = NOISE_MM * rng.standard_normal(len(points))
+        if errors.form is not None:
+            out += errors.along(points, normals, view)["form"] @ rng.standard_normal(len(errors.form.nodes_mm))
+        return replace(self.exact, points_mm=points + moved + out[:, None] * normals)
 
 
 def surfaces(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
@@ -115,12 +117,24 @@ def drawn(own: float = 1.0) -> Drawn:
     return Drawn(MeasuredPoints(points, normals, np.full(len(points), NOISE_MM), view, errors_of(rng, own)))
 
 
+def with_form(made: Drawn) -> Drawn:
+    """Add errors of form as large as those by the poses, that change over less than the part."""
+    points, view = made.exact.points_mm, made.exact.view
+    assert made.exact.errors is not None and view is not None
+    nodes = [points[view == number][::60] for number in range(VIEWS)]
+    of = np.repeat(np.arange(VIEWS), [len(each) for each in nodes])
+    motions = np.random.default_rng(2).normal(size=(6 * VIEWS, len(of))) * np.tile([SHIFT_MM / 9] * 3 + [TURN_RAD / 9] * 3, VIEWS)[:, None]
+    form = FormErrors(np.vstack(nodes), of, np.full(VIEWS, SHIFT_MM), np.full(VIEWS, 30.0), motions)
+    return Drawn(replace(made.exact, errors=replace(made.exact.errors, form=form)))
+
+
 def inspected(points: MeasuredPoints) -> tuple[Dimension, ...]:
     return inspect(points, PROGRAM).dimensions
 
 
-def test_intervals_hold_the_truth_in_95_of_100_cases_when_views_and_calibration_err_as_they_say() -> None:
-    made, scores = drawn(), []
+@pytest.mark.parametrize("made", [drawn(), with_form(drawn())], ids=["poses", "form"])
+def test_intervals_hold_the_truth_in_95_of_100_cases_when_views_and_calibration_err_as_they_say(made: Drawn) -> None:
+    scores = []
     for seed in range(DRAWS):
         found = inspected(made.measured(np.random.default_rng(seed)))
         scores.append([2 * (one.error or 0.0) / (one.uncertainty or np.nan) for one in found])
@@ -145,6 +159,15 @@ def test_shares_add_up_and_are_told() -> None:
         assert "assumed" not in one.origin
     assert found["width"].budget["calibration"] == pytest.approx(2 * SCALE * 80, rel=1e-3)
     assert found["corner"].budget["calibration"] < 1e-6  # a scale turns nothing
+
+
+def test_what_clouds_have_of_form_is_a_share_of_its_own() -> None:
+    plain, formed = ({one.name: one for one in inspected(made.exact)} for made in (drawn(), with_form(drawn())))
+    for name, one in formed.items():
+        assert set(one.budget) == {"noise", "stitching", "calibration", "form"}
+        assert np.linalg.norm(list(one.budget.values())) == pytest.approx(one.uncertainty)
+        assert one.budget["stitching"] == pytest.approx(plain[name].budget["stitching"])
+    assert formed["width"].budget["form"] > 0.2 * SHIFT_MM
 
 
 def test_where_nothing_is_known_of_the_views_the_result_says_what_was_assumed() -> None:

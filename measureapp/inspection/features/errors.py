@@ -19,7 +19,7 @@ from measureapp.geometry.fits import following_points
 from measureapp.inspection.features.shapes import outward_normals
 from measureapp.inspection.measured import MeasuredPoints
 
-NOISE, STITCHING, CALIBRATION = SHARES
+NOISE, STITCHING, CALIBRATION, FORM = SHARES
 MOST_POINTS = 4000  # the errors of views change slowly over a feature
 TURN_MM = 100.0  # a turn counts as what it moves so far away, where errors are compared in size
 NEGLIGIBLE = 1e-6  # of the largest variance: each of some dozens
@@ -29,7 +29,7 @@ STEP = 1e-5  # mm and rad: small beside what the shapes are curved by, large bes
 class Source(NamedTuple):
     """Where independent errors come from; those of one source are the same in all features."""
 
-    share: str  # "noise", "stitching" or "calibration"
+    share: str  # of `SHARES`
     owner: str = ""  # the feature, where it alone has them
 
 

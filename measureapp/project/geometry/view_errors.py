@@ -9,12 +9,13 @@ from typing import Any
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.data.view_errors import POSE, POWERS, CloudBends, ViewErrors
+from measureapp.data.view_errors import POSE, POWERS, CloudBends, FormErrors, ViewErrors
 from measureapp.errors import FrameMismatch, InputError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.geometry.ply import Ply
 
 VIEW, STITCHING, CALIBRATION, BEND, BOX = "view_pose", "stitching_error", "calibration_error", "cloud_bend", "cloud_bend_box"
+FORM, NODE, FOLLOWING = "cloud_form", "cloud_form_node", "cloud_form_motion"
 MATRIX = tuple(f"m{row}{column}" for row in range(4) for column in range(4))
 CENTRE = ("x", "y", "z")
 
@@ -29,6 +30,10 @@ def error_elements(errors: ViewErrors | None) -> dict[str, dict[str, Any]]:
     if errors.bends is not None:
         arrays[BEND] = errors.bends.coefficients_mm
         elements[BOX] = dict(zip(CENTRE, np.stack([errors.bends.middle_mm, errors.bends.reach_mm]).T, strict=True))
+    if errors.form is not None:
+        arrays[FOLLOWING] = errors.form.motions
+        elements[FORM] = {"size": errors.form.sizes_mm, "reach": errors.form.reaches_mm}
+        elements[NODE] = dict(zip((*CENTRE, "view"), np.column_stack([errors.form.nodes_mm, errors.form.view]).T, strict=True))
     return elements | {name: {"value": array.ravel()} for name, array in arrays.items() if array.size}
 
 
@@ -45,12 +50,19 @@ def errors_from(path: Path, ply: Ply, frame: str) -> ViewErrors | None:
         if BEND in ply.elements:
             middle, reach = _table(ply.elements[BOX], CENTRE)
             bends = CloudBends(middle, reach, _numbers(ply, BEND).reshape(len(POWERS), 3, by_calibration.shape[1]))
-        made = ViewErrors(poses, table[:, 16:], by_stitching, by_calibration, bends)
+        form = None
+        if FORM in ply.elements:
+            sizes, reaches = _table(ply.elements[FORM], ("size", "reach")).T
+            nodes = _table(ply.elements[NODE], (*CENTRE, "view"))
+            form = FormErrors(nodes[:, :3], nodes[:, 3].astype(int), sizes, reaches, _numbers(ply, FOLLOWING).reshape(rows, len(nodes)))
+        made = ViewErrors(poses, table[:, 16:], by_stitching, by_calibration, bends, form)
     except (KeyError, ValueError, FrameMismatch) as error:
         raise InputError(
             f"{path} is damaged where it says what its views err by: {error}.", "Stitch again, or copy the file again."
         ) from error
-    if not all(np.isfinite(array).all() for array in (made.by_stitching, made.by_calibration, made.centres_mm)):
+    numbers = [made.by_stitching, made.by_calibration, made.centres_mm]
+    numbers += [] if made.form is None else [made.form.nodes_mm, made.form.sizes_mm, made.form.reaches_mm, made.form.motions]
+    if not all(np.isfinite(array).all() for array in numbers):
         raise InputError(f"{path} says of its views what is not a number.", "Stitch again, or copy the file again.")
     return made
 

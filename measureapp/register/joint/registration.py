@@ -14,6 +14,7 @@ from measureapp.data.view_errors import CalibrationErrors, ViewErrors, independe
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Progress
 from measureapp.register.joint.contradiction import free_correction, quantile
+from measureapp.register.joint.form_errors import form_errors
 from measureapp.register.joint.groundwork import Groundwork, PlacedCloud, in_parallel
 from measureapp.register.joint.pose_errors import PairInfluence, by_calibration
 from measureapp.register.joint.pose_graph import PoseGraphSolution, beside_each_other, following, solve
@@ -134,16 +135,17 @@ class Registration:
         return judged, ring, self._errors(poses, fitted, known)
 
     def _errors(self, poses: Sequence[RigidTransform], edges: Sequence[PairMeasurement], known: PoseGraphSolution) -> ViewErrors:
-        """Return how the views err together: by pairs and axes, and by the calibration of the cameras, which bends all clouds alike."""
+        """Return how the views err: by pairs and axes, by the cameras' calibration, which bends all clouds alike, and by each cloud's own form."""
         by_stitching = independent(known.covariance)
-        if self.calibration is None:
-            return ViewErrors(tuple(poses), self.centres, by_stitching, np.zeros((len(by_stitching), 0)))
         clouds = [view.prepared for view in self.views]
+        form = form_errors(clouds, self._errors_of_clouds(edges), poses, self.centres)
+        if self.calibration is None:
+            return ViewErrors(tuple(poses), self.centres, by_stitching, np.zeros((len(by_stitching), 0)), form=form)
         linear = following(poses, self.kinematic, self.prior, edges, self.centres)
         influences = in_parallel(lambda edge: PairInfluence.of(edge, clouds[edge.target], clouds[edge.source]), edges)
         bends = self.calibration.bends
         moved = by_calibration(linear, influences, clouds, poses, self.calibration.by_axes, bends)
-        return ViewErrors(tuple(poses), self.centres, by_stitching, moved, bends)
+        return ViewErrors(tuple(poses), self.centres, by_stitching, moved, bends, form)
 
     def _overlapping(self) -> list[tuple[int, int]]:
         """Return the pairs that share enough surface by the axes alone, the best of every view."""

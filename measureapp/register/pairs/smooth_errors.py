@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from measureapp.arrays import FloatArray
+from measureapp.arrays import FloatArray, IntArray
 
 LENGTH = 1.0  # of the common surface's rms radius: the distance over which the errors change
 PATCHES = 3.0  # per rms radius: far finer than what is looked for
@@ -49,7 +49,7 @@ def smooth_errors(
     kept = weights > LEAST_SHARE * np.median(weights)
     weights, sums = weights[kept], sums[kept]
     gradient, places = sums[:, :6], sums[:, 7:] / weights[:, None]
-    patterns = _patterns(places, LENGTH * radius)
+    _, patterns = pivoted(places, LENGTH * radius, LEFT_OUT)
     root = np.sqrt(weights)
     scale = np.array([1.0] * 3 + [1 / radius] * 3)
     variance = _smooth_variance(gradient * scale / root[:, None], sums[:, 6] / root, patterns * root[:, None])
@@ -57,16 +57,19 @@ def smooth_errors(
     return float(np.sqrt(variance)), variance * by_patterns @ by_patterns.T
 
 
-def _patterns(places_mm: FloatArray, length_mm: float) -> FloatArray:
-    """Return few patterns (P, M) whose products sum to the covariance (P, P) of a smooth error of variance one (pivoted Cholesky)."""
-    left = np.ones(len(places_mm))
-    patterns = np.empty((0, len(places_mm)))
-    while left.max() > LEFT_OUT:
+def pivoted(places_mm: FloatArray, length_mm: float, left_out: float) -> tuple[IntArray, FloatArray]:
+    """Return the places (M,) from whose values a smooth error of variance one is known at all places (P, 3) but for a share ``left_out`` of its
+    variance, and patterns (P, M) whose products sum to its covariance (pivoted Cholesky decomposition).
+    """
+    left, patterns = np.ones(len(places_mm)), np.empty((0, len(places_mm)))
+    chosen: list[int] = []
+    while len(left) and left.max() > left_out:
         most = int(np.argmax(left))
         alike = np.exp(-np.sum((places_mm - places_mm[most]) ** 2, axis=1) / (2 * length_mm**2))
         patterns = np.vstack([patterns, (alike - patterns[:, most] @ patterns) / np.sqrt(left[most])])
         left -= patterns[-1] ** 2
-    return patterns.T
+        chosen.append(most)
+    return np.array(chosen, np.int64), patterns.T
 
 
 def _smooth_variance(motions: FloatArray, left: FloatArray, patterns: FloatArray) -> float:
