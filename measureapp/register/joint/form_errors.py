@@ -12,7 +12,7 @@ from measureapp.geometry.transform import RigidTransform
 from measureapp.register.pairs.prepare import PreparedCloud
 from measureapp.register.pairs.smooth_errors import LENGTH, pivoted
 
-LEFT_OUT = 0.05  # of a smooth error's variance at any point: what its nodes need not explain
+LEFT_OUT = 0.1  # of a smooth error's variance at any point: what its nodes need not explain
 MOST_POINTS = 2000  # tell how a view follows
 
 

@@ -44,7 +44,7 @@ def test_form_is_what_a_motion_of_the_view_leaves_of_a_smooth_error() -> None:
         squared = np.sum((points[:, None] - points) ** 2, axis=2)
         exact = left @ (SIZES_MM[number] ** 2 * np.exp(-squared / (2 * (LENGTH * cloud.radius_mm) ** 2))) @ left
         size = float(exact.diagonal().max())
-        np.testing.assert_allclose(columns @ columns.T, exact, atol=0.06 * SIZES_MM[number] ** 2)  # a twentieth is left out at most
+        np.testing.assert_allclose(columns @ columns.T, exact, atol=0.11 * SIZES_MM[number] ** 2)  # a tenth is left out at most
         assert size > 0.05 * SIZES_MM[number] ** 2
 
 
