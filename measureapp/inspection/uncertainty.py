@@ -21,8 +21,9 @@ from measureapp.arrays import FloatArray, IntArray
 from measureapp.inspection.settings import UncertaintySettings
 
 COVERAGE_FACTOR = 2.0
-CELL_SIZES = (1.0, 2.0)
-LEAST_CELLS = 8
+CELL_SIZES, LEAST_CELLS = (1.0, 2.0), 8  # of the correlation length; so many cells make a size count
+SMALL_CELL_SIZES, LEAST_SMALL_CELLS = (0.125, 0.25, 0.5), 24
+CHANCE = 2.0  # standard deviations of the square of a factor, which independent errors have by chance in small cells
 FITTED = 3  # unknowns of the fit that flatten the sums: a plane's
 
 
@@ -33,23 +34,29 @@ def shared_error_factor(points_mm: FloatArray, residuals_mm: FloatArray, correla
     independent errors, √(points per cell) for errors that are the same throughout a cell (the design effect of
     cluster sampling, as in the sandwich covariance of K.-Y. Liang and S. L. Zeger, Biometrika 73(1), 1986). Cells
     must be larger than the errors reach, yet many: the largest factor of several cell sizes is taken, each
-    corrected for what the fit has taken out of the sums.
+    corrected for what the fit has taken out of the sums. Patches too small for those are divided into smaller cells, which show at
+    least what next neighbours share.
     """
     total = float(residuals_mm @ residuals_mm)
     if len(points_mm) < 2 or total <= 0:
         return 1.0
-    offset = points_mm - points_mm.min(axis=0)
-    factors = [1.0]
-    for cell_mm in (correlation_mm * size for size in CELL_SIZES):
-        index = np.floor(offset / cell_mm).astype(np.int64)
-        key = (index[:, 0] << 42) + (index[:, 1] << 21) + index[:, 2]
-        cells, cell = np.unique(key, return_inverse=True)
-        if len(cells) < LEAST_CELLS:
-            break
-        sums = np.bincount(cell.ravel(), weights=residuals_mm)
-        correction = len(cells) / (len(cells) - FITTED)
-        factors.append(float(np.sqrt(correction * (sums @ sums) / total)))
-    return max(factors)
+
+    def factors(places_mm: FloatArray, sizes: tuple[float, ...], least: int, chance: float) -> list[float]:
+        found = []
+        for size in sizes:
+            cells, cell = np.unique(np.floor((places_mm - places_mm.min(axis=0)) / (correlation_mm * size)), axis=0, return_inverse=True)
+            if len(cells) >= least:
+                sums = np.bincount(cell.ravel(), weights=residuals_mm)
+                square = len(cells) / (len(cells) - FITTED) * float(sums @ sums) / total
+                found.append(float(np.sqrt(square)) if square > 1 + chance * np.sqrt(2 / len(cells)) else 1.0)
+        return found
+
+    known = factors(points_mm, CELL_SIZES, LEAST_CELLS, 0.0)
+    if not known:  # in space the border of a small cell sorts points by their own errors
+        middle = points_mm - points_mm.mean(axis=0)
+        flat = middle @ np.linalg.svd(middle, full_matrices=False)[2][:2].T
+        known = factors(flat, SMALL_CELL_SIZES, LEAST_SMALL_CELLS, CHANCE)
+    return max(1.0, *known)
 
 
 def effective_views(view: IntArray | None) -> float:

@@ -77,7 +77,7 @@ def test_the_impeller_s_blades_are_as_thick_and_as_far_apart_as_stated() -> None
     off = np.minimum(np.abs(distances - 107.5), np.abs(distances - 112.5)).min(axis=1)
     np.testing.assert_allclose(off, 0.0, atol=1e-9)
     assert part.dimensions["blade_thickness"] == 112.5 - 107.5
-    assert part.dimensions["blade_pitch"] == pytest.approx(86.7767, abs=1e-4)
+    assert part.dimensions["blade_pitch"] == pytest.approx(86.776748, abs=1e-6)
     assert part.dimensions["blade_pitch"] == pytest.approx(2 * 100 * sin(pi / 7))
     assert on_end.any()
 
