@@ -56,7 +56,7 @@ def shared_error_factor(points_mm: FloatArray, residuals_mm: FloatArray, correla
         middle = points_mm - points_mm.mean(axis=0)
         flat = middle @ np.linalg.svd(middle, full_matrices=False)[2][:2].T
         known = factors(flat, SMALL_CELL_SIZES, LEAST_SMALL_CELLS, CHANCE)
-    return max(1.0, *known)
+    return max([1.0, *known])
 
 
 def effective_views(view: IntArray | None) -> float:

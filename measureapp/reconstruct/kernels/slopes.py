@@ -35,9 +35,12 @@ BENT = np.float32(0.2)  # curvature, as a share of the rise over the window, bey
 BENT_SIGMAS = np.float32(4.0)
 # of φ'': what a blur of 0.75 px, s² / 2, and reading between pixels, 1 / 12, shift the phase by where it is not taken back
 DOUBT = np.float32(0.37)
-# standard deviations of the phase that are no bend, told over REACH pixels and over one
-FAR_NOISE, NEAR_NOISE = np.float32(8.0 / REACH**2), np.float32(4.0)
-PER_FAR = np.float32(1 / REACH**2)
+# standard deviations of the phase that may come of noise, in a bend over REACH pixels and, beside a hole, over one
+NO_BEND, NO_NEAR_BEND = np.float32(8.0 / REACH**2), np.float32(14.0)
+AT_BORDER = np.float32(
+    0.25
+)  # of the slope, that the phase is taken to bend by where a neighbour is missing: at the rim of a round body that is steep
+PER_BENT = np.float32(1 / REACH**2)
 
 # four valid pixels of one surface; four valid pixels with a step between them; two or three valid ones beside a hole
 WHOLE, TORN, BESIDE = np.uint8(1), np.uint8(2), np.uint8(3)
@@ -95,7 +98,7 @@ def five_parts(copied: Any) -> Any:
 def take_slopes(s: Any, n: int, phases: Any, states: Any, noise: Any, step: Any) -> None:
     """Take the slopes of n pixels, and what is in doubt of their phases where these bend: at the rim of a round body blur is hard to tell.
 
-    Without that such pixels, where the phase is steep, would count most. At a border the phase is taken to bend by half its slope.
+    Without that such pixels, where the phase is steep, would count most.
     """
     up3, up, here, down, down3 = phases
     no_up3, no_up, none, no_down, no_down3 = states
@@ -116,10 +119,11 @@ def take_slopes(s: Any, n: int, phases: Any, states: Any, noise: Any, step: Any)
         narrow_y = (wd * d + wu * u) * (HALF if wd + wu > ONE else ONE)
         wide = all_valid & smooth
         gx, gy = rise_x * PER_WIDE if wide else narrow_x, rise_y * PER_WIDE if wide else narrow_y
-        far_bent = PER_FAR * (abs(right + left - TWO * p) + abs(below + above - TWO * p)) - FAR_NOISE * sigma
-        bent_x = abs(wr * r - wq * q) * (ONE if wr + wq > ONE else HALF)
-        bent_y = abs(wd * d - wu * u) * (ONE if wd + wu > ONE else HALF)
-        doubt = DOUBT * max(far_bent if all_valid else bent_x + bent_y - NEAR_NOISE * sigma, ZERO)
+        bent = PER_BENT * (abs(right + left - TWO * p) + abs(below + above - TWO * p)) - NO_BEND * sigma
+        near_bent = abs(wr * r - wq * q) * (ONE if wr + wq > ONE else AT_BORDER) + abs(wd * d - wu * u) * (
+            ONE if wd + wu > ONE else AT_BORDER
+        )
+        doubt = DOUBT * max(bent if all_valid else near_bent - NO_NEAR_BEND * sigma, ZERO)
         s[OWN + i], s[SIGMA + i] = p, np.sqrt(sigma * sigma + doubt * doubt)
         s[GX + i] = gx if none[k] == 0 else ZERO
         s[GY + i] = gy if none[k] == 0 else ZERO
