@@ -37,9 +37,8 @@ BENT_SIGMAS = np.float32(4.0)
 DOUBT = np.float32(0.37)
 # standard deviations of the phase that may come of noise, in a bend over REACH pixels and, beside a hole, over one
 NO_BEND, NO_NEAR_BEND = np.float32(8.0 / REACH**2), np.float32(14.0)
-AT_BORDER = np.float32(
-    0.25
-)  # of the slope, that the phase is taken to bend by where a neighbour is missing: at the rim of a round body that is steep
+# of the slope, by which the phase is taken to bend where a neighbour is missing: at the rim of a round body that is steep
+AT_BORDER = np.float32(0.25)
 PER_BENT = np.float32(1 / REACH**2)
 
 # four valid pixels of one surface; four valid pixels with a step between them; two or three valid ones beside a hole
