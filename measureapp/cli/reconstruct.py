@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from measureapp.data.fringe import FringeStack
     from measureapp.data.phase import PhaseMap
     from measureapp.progress import Progress
-    from measureapp.reconstruct.diagnose import Finding
+    from measureapp.reconstruct.diagnosis.diagnose import Finding
     from measureapp.reconstruct.reconstruct import Reconstruction
 
 
@@ -89,7 +89,7 @@ def _no_points(maps: Mapping[str, PhaseMap], manifest: Path, cameras: Path) -> t
 
 def diagnosed(maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration) -> tuple[Finding, ...]:
     """Return what looks suspicious, also said aloud; raises ReconstructError where points would be wrong."""
-    from measureapp.reconstruct.diagnose import diagnose
+    from measureapp.reconstruct.diagnosis.diagnose import diagnose
 
     findings = diagnose(maps, calibration)
     for finding in findings:
@@ -106,7 +106,7 @@ def _validity(maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration)
     from measureapp.calibrate.cameras.drift import camera_drift
     from measureapp.calibrate.cameras.validity import shortfalls
     from measureapp.data.validity import Validity
-    from measureapp.reconstruct.camera_shift import camera_shift
+    from measureapp.reconstruct.diagnosis.camera_shift import camera_shift
     from measureapp.report.json_document import validity_document
 
     shift = camera_shift(maps, calibration)
@@ -121,8 +121,8 @@ def _made(
     maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration, with_projector: bool, progress: Progress
 ) -> tuple[Reconstruction, dict[str, Any]]:
     """Return the reconstruction, and how well the projector agrees where it takes part."""
+    from measureapp.reconstruct.projector.with_projector import reconstruct_view_with_projector
     from measureapp.reconstruct.reconstruct import reconstruct as reconstruct_maps
-    from measureapp.reconstruct.with_projector import reconstruct_view_with_projector
 
     if not with_projector:
         return reconstruct_maps(maps, calibration, None, progress), {}

@@ -35,10 +35,10 @@ from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.reach import check_reach
 from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.project.folder import ProjectFolder
-from measureapp.reconstruct.camera_shift import camera_shift
-from measureapp.reconstruct.diagnose import diagnose
+from measureapp.reconstruct.diagnosis.camera_shift import camera_shift
+from measureapp.reconstruct.diagnosis.diagnose import diagnose
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
-from measureapp.reconstruct.rectifier import Rectifier
+from measureapp.reconstruct.rectification.rectifier import Rectifier
 from measureapp.register.clouds.quality import judge
 from measureapp.register.joint.groundwork import Groundwork
 

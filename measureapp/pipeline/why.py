@@ -18,10 +18,10 @@ from measureapp.fringe.settings import DecodeSettings
 from measureapp.pipeline.noise import decode_settings_of
 from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.project.folder import ProjectFolder
+from measureapp.reconstruct.projector.with_projector import looked_at_alone
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
 from measureapp.reconstruct.settings import ReconstructSettings
 from measureapp.reconstruct.why import POINT, HoleReason, line_of, shares_of_region, shares_of_view, why
-from measureapp.reconstruct.with_projector import looked_at_alone
 
 SEEN_BY_ANOTHER = "seen by another"
 NO_HOLES = (POINT, SEEN_BY_ANOTHER)  # the surface of such a pixel is measured

@@ -19,17 +19,17 @@ from measureapp.map_memory import MapMemory
 from measureapp.progress import NoProgress, Progress
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.blur import without_blur
-from measureapp.reconstruct.clean import cleaned, rejections
-from measureapp.reconstruct.coverage import check_across, keep_new
-from measureapp.reconstruct.depth_grid import DepthGrid, Lens
-from measureapp.reconstruct.figures import PairFigures, pair_figures
-from measureapp.reconstruct.gather import PointArrays, gather
-from measureapp.reconstruct.match import DepthMap, match_view, sample_step
+from measureapp.reconstruct.cleaning.clean import cleaned, rejections
+from measureapp.reconstruct.cleaning.depth_grid import DepthGrid, Lens
+from measureapp.reconstruct.cleaning.gather import PointArrays, gather
+from measureapp.reconstruct.matching.coverage import check_across, keep_new
+from measureapp.reconstruct.matching.figures import PairFigures, pair_figures
+from measureapp.reconstruct.matching.match import DepthMap, match_view, sample_step
+from measureapp.reconstruct.matching.tables import LEAST_SINE, fringe_sine, pair_sides, pair_tables
 from measureapp.reconstruct.phase_view import PhaseView
-from measureapp.reconstruct.rectified_grid import on_rectified_grid
-from measureapp.reconstruct.rectifier import Rectifier
+from measureapp.reconstruct.rectification.rectified_grid import on_rectified_grid
+from measureapp.reconstruct.rectification.rectifier import Rectifier
 from measureapp.reconstruct.settings import ReconstructSettings
-from measureapp.reconstruct.tables import LEAST_SINE, fringe_sine, pair_sides, pair_tables
 
 
 @dataclass(frozen=True, slots=True, eq=False)

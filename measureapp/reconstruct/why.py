@@ -11,7 +11,7 @@ from measureapp.arrays import BoolArray
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.point_state import PointState
 from measureapp.errors import ReconstructError
-from measureapp.reconstruct.projector_fate import ProjectorFate
+from measureapp.reconstruct.projector.fate import ProjectorFate
 from measureapp.reconstruct.reconstruct import Reconstruction
 from measureapp.reconstruct.settings import ReconstructSettings
 

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from measureapp.data.phase import PhaseMap
-from measureapp.reconstruct.diagnose import diagnose
-from measureapp.reconstruct.projector_depth import triangulate_with_projector
-from measureapp.reconstruct.rectifier import Rectifier
+from measureapp.reconstruct.diagnosis.diagnose import diagnose
+from measureapp.reconstruct.projector.depth import triangulate_with_projector
+from measureapp.reconstruct.rectification.rectifier import Rectifier
 from tests.reconstruct.conftest import plane
 from tests.reconstruct.projector_scene import HEAD, ProjectorHead, make_head
 

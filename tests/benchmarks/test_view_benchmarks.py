@@ -25,15 +25,15 @@ from measureapp.fringe.decode import decode_camera
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
-from measureapp.reconstruct.clean import cleaned
-from measureapp.reconstruct.depth_grid import Lens
-from measureapp.reconstruct.gather import gathered_normals
-from measureapp.reconstruct.match import flat, partner_of
+from measureapp.reconstruct.cleaning.clean import cleaned
+from measureapp.reconstruct.cleaning.depth_grid import Lens
+from measureapp.reconstruct.cleaning.gather import gathered_normals
+from measureapp.reconstruct.matching.match import flat, partner_of
+from measureapp.reconstruct.matching.tables import pair_tables
 from measureapp.reconstruct.phase_view import PhaseView
 from measureapp.reconstruct.reconstruct import reconstruct
-from measureapp.reconstruct.rectifier import Rectifier
+from measureapp.reconstruct.rectification.rectifier import Rectifier
 from measureapp.reconstruct.settings import ReconstructSettings
-from measureapp.reconstruct.tables import pair_tables
 from tests.benchmarks.conftest import copies_of
 from tests.fringe.conftest import EXPOSURES_US, images_of
 from tests.reconstruct.conftest import Head, make_head, plane

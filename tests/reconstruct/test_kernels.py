@@ -9,15 +9,15 @@ import pytest
 from measureapp.arrays import read_only
 from measureapp.data.point_state import PointState
 from measureapp.reconstruct import kernels
-from measureapp.reconstruct.clean import cleaned
-from measureapp.reconstruct.cubics import PixelSteps
-from measureapp.reconstruct.depth_grid import Lens
-from measureapp.reconstruct.gather import gathered_normals
-from measureapp.reconstruct.match import flat, partner_of
+from measureapp.reconstruct.cleaning.clean import cleaned
+from measureapp.reconstruct.cleaning.depth_grid import Lens
+from measureapp.reconstruct.cleaning.gather import gathered_normals
+from measureapp.reconstruct.matching.match import flat, partner_of
+from measureapp.reconstruct.matching.tables import pair_tables
 from measureapp.reconstruct.phase_view import PhaseView
-from measureapp.reconstruct.rectifier import Rectifier
+from measureapp.reconstruct.rectification.cubics import PixelSteps
+from measureapp.reconstruct.rectification.rectifier import Rectifier
 from measureapp.reconstruct.settings import ReconstructSettings
-from measureapp.reconstruct.tables import pair_tables
 from tests.reconstruct.conftest import Head, sphere
 
 FLOAT32 = 2e-3  # rounding of float32 sums, relative

@@ -13,7 +13,7 @@ from measureapp.errors import ReconstructError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import CallbackProgress, Cancelled
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
-from measureapp.reconstruct.rectifier import Rectifier
+from measureapp.reconstruct.rectification.rectifier import Rectifier
 from measureapp.reconstruct.settings import ReconstructSettings
 from tests.reconstruct.conftest import Head, Surface, make_head, nearest, plane, sphere
 

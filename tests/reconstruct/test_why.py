@@ -9,10 +9,10 @@ from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.point_state import PointState
 from measureapp.errors import ReconstructError
+from measureapp.reconstruct.projector.with_projector import looked_at_alone
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
 from measureapp.reconstruct.settings import ReconstructSettings
 from measureapp.reconstruct.why import OF_PHASE, OF_POINT, shares_of_region, shares_of_view, why
-from measureapp.reconstruct.with_projector import looked_at_alone
 from tests.reconstruct.conftest import Head, plane
 from tests.reconstruct.projector_scene import ProjectorHead
 from tests.reconstruct.projector_scene import make_head as make_projector_head

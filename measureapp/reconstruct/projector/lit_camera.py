@@ -1,0 +1,97 @@
+"""One camera beside a calibrated projector: what both need to measure together."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from measureapp.arrays import BoolArray, FloatArray
+from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, ProjectorCalibration
+from measureapp.data.cloud import PROJECTOR_BIT, PointCloud
+from measureapp.data.phase import PhaseMap
+from measureapp.errors import ReconstructError
+from measureapp.reconstruct.blur import without_blur
+from measureapp.reconstruct.cleaning.clean import CleanDepth, Partner, clean
+from measureapp.reconstruct.projector.depth import ProjectorDepth, triangulate_with_projector
+from measureapp.reconstruct.rectification.rectifier import Rectifier
+from measureapp.reconstruct.settings import ReconstructSettings
+
+UNUSUAL = 3.0  # times the median standard deviation
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LitCamera:
+    """The phases of one camera, with its calibration and that of the projector that lit what it sees."""
+
+    phase_map: PhaseMap
+    camera: CameraCalibration
+    projector: ProjectorCalibration
+    number: int  # of the camera among those of the calibration
+    rays: FloatArray  # (H, W, 2) float32, see `Rectifier.rays`
+    settings: ReconstructSettings
+
+    @classmethod
+    def of(
+        cls,
+        phase_map: PhaseMap,
+        cameras: CameraArrayCalibration,
+        settings: ReconstructSettings | None = None,
+        rectifier: Rectifier | None = None,
+    ) -> LitCamera:
+        """Find the calibrations that belong to a phase map.
+
+        Parameters
+        ----------
+        settings : None for the defaults
+        rectifier : of ``cameras``, to share its rays; None: a new one
+
+        Raises
+        ------
+        ReconstructError
+            The projector or the camera is not calibrated.
+        """
+        if cameras.projector is None:
+            raise ReconstructError("The projector is not calibrated.", "Give cameras.json a projector, or use two cameras.")
+        name = phase_map.camera
+        if name not in cameras.cameras:
+            raise ReconstructError(
+                f"Camera {name!r} is not in the calibration, which knows {', '.join(cameras.names)}.",
+                "Use the calibration of the cameras that took the images.",
+            )
+        rays, settings = (rectifier or Rectifier(cameras)).rays(name), settings or ReconstructSettings()
+        sharp = without_blur({name: phase_map}, cameras, settings.max_phase_step_rad)[name]
+        return cls(sharp, cameras.cameras[name], cameras.projector, cameras.names.index(name), rays, settings)
+
+    def triangulated(self) -> ProjectorDepth:
+        """Measure every pixel, see `triangulate_with_projector`. Raises ReconstructError for images of another size."""
+        return triangulate_with_projector(self.phase_map, self.camera, self.projector, self.settings, self.rays)
+
+    def cleaned(self, depth_mm: FloatArray, sigma_mm: FloatArray, of_projector: BoolArray) -> CleanDepth:
+        """Clean a depth map (H, W) whose pixels ``of_projector`` (H, W) the projector took part in.
+
+        A projector beside its camera knows depth less well than two cameras far apart: a point is too uncertain beyond three times the
+        median of the view, where that is more than the settings allow.
+        """
+        usual = float(np.median(sigma_mm[depth_mm > 0])) if (depth_mm > 0).any() else 0.0
+        settings = self.settings.model_copy(update={"max_sigma_mm": max(self.settings.max_sigma_mm, UNUSUAL * usual)})
+        camera_from_reference = self.camera.reference_from_camera.inverse()
+        centre = camera_from_reference.apply(np.array(self.projector.reference_from_projector.translation_mm))
+        spacing = 1.0 / float(self.camera.pinhole.matrix[0, 0])
+        return clean(depth_mm, sigma_mm, self.rays, spacing, [Partner(centre, of_projector)], settings)
+
+    def points(self, cleaned: CleanDepth, sigma_mm: FloatArray, keep: BoolArray) -> PointCloud:
+        """Return the pixels ``keep`` (H, W) of a cleaned depth map as a cloud in frame ``camera``, marked as the projector's."""
+        reference_from_camera, phase_map = self.camera.reference_from_camera, self.phase_map
+        flat = np.column_stack([self.rays[keep].astype(np.float64), np.ones(int(keep.sum()))])
+        depth = cleaned.depth_mm[keep].astype(np.float64)
+        return PointCloud(
+            points_mm=reference_from_camera.apply(flat * depth[:, None]),
+            normals=reference_from_camera.rotate(cleaned.normals[keep]),
+            sigma_mm=sigma_mm[keep] * np.linalg.norm(flat, axis=1),
+            grey=np.clip(phase_map.grey[keep] / phase_map.saturation, 0.0, 1.0),
+            pixel=np.argwhere(keep),
+            cameras=np.full(len(flat), (1 << self.number) | PROJECTOR_BIT, np.uint8),
+            frame="camera",
+            viewpoint_id=phase_map.viewpoint_id,
+        )

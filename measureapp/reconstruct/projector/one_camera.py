@@ -1,0 +1,62 @@
+"""Measuring with a single camera and the projector."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from measureapp.arrays import IntArray, read_only
+from measureapp.data.cloud import PointCloud
+from measureapp.data.point_state import PointState
+from measureapp.errors import ReconstructError
+from measureapp.reconstruct.projector.fate import OF_POINT, ProjectorFate
+from measureapp.reconstruct.projector.lit_camera import LitCamera
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ProjectorReconstruction:
+    """The cloud of a single camera and the projector, in frame ``camera``, and how it came about."""
+
+    cloud: PointCloud
+    rejected: Mapping[str, int]  # reason -> count
+    residual_rms_px: float | None
+    fate: IntArray  # (H, W) uint8 of PointState
+
+
+def reconstruct_with_projector(lit: LitCamera) -> ProjectorReconstruction:
+    """Measure with one camera and the projector alone; cleaned as the points of camera pairs are.
+
+    Raises
+    ------
+    ReconstructError
+        The images have another size than the camera is calibrated for, or no ray meets its column.
+    """
+    made = measured_with_projector(lit)
+    lost = {state.words: made.rejected[state.words] for state in list(ProjectorFate)[2:]}
+    if sum(lost.values()) == np.count_nonzero(made.fate != PointState.NO_PHASE):
+        most, name = max(lost, key=lambda reason: lost[reason]), lit.camera.name
+        raise ReconstructError(
+            f"Camera {name!r} and the projector give no points: {lost[most]} pixels are {most}."
+            if lost[most]
+            else f"Camera {name!r} has no pixel with a phase.",
+            "Check shift_sign, the pitches and that the calibration belongs to these images.",
+        )
+    return made
+
+
+def measured_with_projector(lit: LitCamera) -> ProjectorReconstruction:
+    """Do what `reconstruct_with_projector` does, but return an empty cloud with the fate of every pixel where no ray meets its column.
+
+    Raises
+    ------
+    ReconstructError
+        The images have another size than the camera is calibrated for.
+    """
+    made = lit.triangulated()
+    cleaned = lit.cleaned(made.depth_mm, made.sigma_mm, made.depth_mm > 0)
+    cloud = lit.points(cleaned, made.sigma_mm, np.asarray(cleaned.depth_mm > 0))
+    met = np.array([OF_POINT[state] for state in ProjectorFate], np.uint8)[made.fate]
+    fate = read_only(np.where(made.depth_mm > 0, cleaned.fate, met))
+    return ProjectorReconstruction(cloud, made.rejected | cleaned.rejected, made.residual_rms_px, fate)

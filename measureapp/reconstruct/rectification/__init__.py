@@ -1,0 +1,1 @@
+"""What of a calibration reconstruction needs before it sees an image: rectified pairs, epipolar lines, viewing rays."""
