@@ -17,8 +17,8 @@ from ui.look.look import Look
 from ui.look.wording import part_words, several, storage
 from ui.pages.calibration import CalibrationPage
 from ui.pages.calibration_chip import calibration_state
-from ui.pages.clouds import CloudsPage
-from ui.pages.inspection import InspectionPage
+from ui.pages.clouds.clouds import CloudsPage
+from ui.pages.inspection.inspection import InspectionPage
 from ui.pages.page import Page
 from ui.pages.plan import PlanPage
 from ui.pages.report import ReportPage

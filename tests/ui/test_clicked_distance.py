@@ -11,7 +11,7 @@ import pytest
 from measureapp.inspection.point_distance import point_distance
 from ui.look.look import Look
 from ui.pages.clicked_distance import FIRST, SECOND, ClickedPoint, DistanceTool
-from ui.pages.cloud_picture import CloudPicture
+from ui.pages.clouds.cloud_picture import CloudPicture
 from ui.pages.picked_point import PickedPoint
 
 

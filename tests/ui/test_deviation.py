@@ -10,9 +10,9 @@ import pytest
 from measureapp.data.mesh import Mesh
 from ui.controllers import comparison as comparisons
 from ui.look.look import Look
-from ui.pages.deviation_card import DeviationCard, scale_end_mm
+from ui.pages.inspection.deviation_card import DeviationCard, scale_end_mm
+from ui.pages.inspection.section_bar import CutPlane, cut_lines
 from ui.pages.layers import deviation_layers, vertex_normals
-from ui.pages.section_bar import CutPlane, cut_lines
 from ui.session import Comparison
 from ui.viewport.colouring import DIVERGING, UNKNOWN
 from ui.widgets.histogram import BINS, Histogram

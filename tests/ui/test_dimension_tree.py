@@ -12,7 +12,7 @@ from measureapp.data.feature import Feature
 from measureapp.data.measurement import Alignment
 from measureapp.geometry.transform import RigidTransform
 from ui.look.look import Look
-from ui.pages.dimension_rows import branches_of, datum_words, dimension_properties, tolerance
+from ui.pages.inspection.dimension_rows import branches_of, datum_words, dimension_properties, tolerance
 from ui.pages.layers import filled_share
 from ui.widgets.data_table import Cell
 from ui.widgets.data_tree import Branch, DataTree

@@ -15,7 +15,7 @@ from measureapp.pipeline import why as pipeline_why
 from measureapp.pipeline.why import ExplainedView
 from measureapp.reconstruct.reconstruct import Reconstruction
 from ui.look.look import Look
-from ui.pages.holes_dialog import ASK
+from ui.pages.clouds.holes_dialog import ASK
 from ui.widgets.pixel_picture import PixelPicture, coloured_image
 
 HEIGHT, WIDTH = 48, 64

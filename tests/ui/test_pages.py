@@ -313,7 +313,7 @@ def test_stored_images_of_every_camera_are_read_from_the_project(tmp_path, monke
 def test_a_view_that_stitching_left_out_says_so_with_its_reason(measurement):
     from dataclasses import replace
 
-    from ui.pages.view_words import view_properties, view_verdict
+    from ui.pages.clouds.view_words import view_properties, view_verdict
 
     view, placement = measurement.views[0], measurement.stitched.placements[0]
     assert view_verdict(view, placement)[:2] == ("pass", "Good")
@@ -323,7 +323,7 @@ def test_a_view_that_stitching_left_out_says_so_with_its_reason(measurement):
 
 
 def test_the_name_of_a_dimension_is_words_but_a_letter_of_the_drawing_stays():
-    from ui.pages.dimension_rows import dimension_words
+    from ui.pages.inspection.dimension_rows import dimension_words
 
     assert dimension_words("sphere_5_diameter") == "Sphere 5 diameter"
     assert dimension_words("a") == "a"
@@ -363,7 +363,7 @@ def test_the_papers_patterns_promise_their_wrong_orders(rig):
 def test_decoded_shares_and_losses_are_told_where_they_are_stored(filled, application, measurement):
     from dataclasses import replace
 
-    from ui.pages.view_words import view_properties
+    from ui.pages.clouds.view_words import view_properties
 
     figures = {"decoded_ratio": 0.152, "order_conflicts": 3, "phase_sigma_median": 0.0071}
     decode = {"left": figures, "right": {**figures, "decoded_ratio": 0.131}}

@@ -15,8 +15,8 @@ from measureapp.progress import CallbackProgress, Cancelled
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.program_file import program_from
-from ui.pages.grow_bar import ADD
-from ui.pages.inspection import REMOVE
+from ui.pages.inspection.grow_bar import ADD
+from ui.pages.inspection.inspection import REMOVE
 
 PATIENCE_MS = 60_000
 PROGRAM = """# by hand

@@ -11,10 +11,10 @@ from measureapp.inspection.blades.curves import BladeCurves
 from measureapp.inspection.drawn_sections import DrawnSections
 from measureapp.inspection.surface.section import Section
 from ui.look.look import Look
-from ui.pages.dimension_rows import feature_words
-from ui.pages.feature_lines import OUTLINE, dimension_labels, feature_lines
-from ui.pages.section_bar import CutPlane, SectionBar
-from ui.pages.section_lines import GAINS, Whiskers, measured_on
+from ui.pages.inspection.dimension_rows import feature_words
+from ui.pages.inspection.feature_lines import OUTLINE, dimension_labels, feature_lines
+from ui.pages.inspection.section_bar import CutPlane, SectionBar
+from ui.pages.inspection.section_lines import GAINS, Whiskers, measured_on
 
 GREEN = (27, 153, 139)
 

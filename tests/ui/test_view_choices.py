@@ -11,7 +11,7 @@ from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import RegistrationError
 from measureapp.pipeline import restitch as stitching_again
 from measureapp.project import folder as folders
-from ui.pages.view_words import LEAVE_OUT, USE, choice_for, view_verdict
+from ui.pages.clouds.view_words import LEAVE_OUT, USE, choice_for, view_verdict
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QSlider, QWidget
 
 from ui.look.look import Look
 from ui.look.wording import millimetres
-from ui.pages.section_lines import Whiskers
+from ui.pages.inspection.section_lines import Whiskers
 from ui.viewport.layers import LineLayer
 from ui.widgets.basic import Button, label, row
 from ui.widgets.segments import Segments

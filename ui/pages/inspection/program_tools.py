@@ -11,9 +11,9 @@ from PySide6.QtWidgets import QWidget
 from ui.controllers.programming import ProgrammingController
 from ui.look.look import Look
 from ui.look.wording import sentence_case
-from ui.pages.dimension_bar import DimensionBar
-from ui.pages.drawing_button import DrawingButton
-from ui.pages.program_dialog import ProgramDialog
+from ui.pages.inspection.dimension_bar import DimensionBar
+from ui.pages.inspection.drawing_button import DrawingButton
+from ui.pages.inspection.program_dialog import ProgramDialog
 from ui.session import Session
 from ui.widgets.basic import Button
 

@@ -11,8 +11,8 @@ from PySide6.QtWidgets import QWidget
 from ui.controllers.growing import GrowingController, GrownFeature
 from ui.look.look import Look
 from ui.look.wording import millimetres, quantity
-from ui.pages.dimension_rows import feature_group, feature_words
-from ui.pages.outlines import outline
+from ui.pages.inspection.dimension_rows import feature_group, feature_words
+from ui.pages.inspection.outlines import outline
 from ui.viewport.layers import Label, LineLayer
 from ui.widgets.basic import Button, ElidedLabel, label, row
 from ui.widgets.properties_panel import Group, Properties

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QObject, Signal, Slot
 
 from ui.controllers.jobs import JobRunner
-from ui.pages.section_bar import SectionBar, cut_lines
+from ui.pages.inspection.section_bar import SectionBar, cut_lines
 from ui.session import Session
 from ui.viewport.layers import LineLayer
 

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject
 from ui.controllers.growing import GrowingController
 from ui.look.look import Look
 from ui.pages.clicked_distance import DistanceTool
-from ui.pages.grow_bar import GrowBar
+from ui.pages.inspection.grow_bar import GrowBar
 
 if TYPE_CHECKING:
     from ui.look.theme import Theme

@@ -12,12 +12,12 @@ from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.wording import counted, millimetres, several
 from ui.pages.clicked_distance import DistanceTool
-from ui.pages.cloud_picture import CloudPicture
-from ui.pages.holes_dialog import HolesDialog
+from ui.pages.clouds.cloud_picture import CloudPicture
+from ui.pages.clouds.holes_dialog import HolesDialog
+from ui.pages.clouds.view_table import TABLE_WIDTH, ViewTable
+from ui.pages.clouds.view_words import choice_for, view_properties
 from ui.pages.layers import ColourBy, placements_of, rgb, scale_end
 from ui.pages.picked_point import point_properties
-from ui.pages.view_table import TABLE_WIDTH, ViewTable
-from ui.pages.view_words import choice_for, view_properties
 from ui.pages.viewport_page import Composer, ViewportPage
 from ui.session import Session
 from ui.viewport.colouring import DIVERGING, GROWING

@@ -9,10 +9,10 @@ import numpy as np
 
 from ui.look.theme import Theme
 from ui.look.wording import quantity
-from ui.pages.dimension_rows import dimension_words, features_of, unit_of
+from ui.pages.inspection.dimension_rows import dimension_words, features_of, unit_of
+from ui.pages.inspection.outlines import outline
+from ui.pages.inspection.section_lines import Whiskers, blade_layers
 from ui.pages.layers import rgb
-from ui.pages.outlines import outline
-from ui.pages.section_lines import Whiskers, blade_layers
 from ui.viewport.layers import Label, LineLayer
 
 if TYPE_CHECKING:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ui.pages.deviation_card import scale_end_mm
+from ui.pages.inspection.deviation_card import scale_end_mm
 from ui.pages.layers import deviation_layers, filled_share, mesh_layer, points_layer
 from ui.pages.viewport_page import Composer, Picture
 from ui.session import Session

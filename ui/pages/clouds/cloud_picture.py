@@ -9,9 +9,9 @@ import numpy as np
 
 from ui.look.look import Look
 from ui.pages.clicked_distance import ClickedPoint
+from ui.pages.clouds.residuals import Residuals
 from ui.pages.layers import ColourBy, PlacedClouds, placements_of, stitched_layer, view_layer
 from ui.pages.picked_point import PickedPoint, merged_point, view_point
-from ui.pages.residuals import Residuals
 from ui.pages.viewport_page import Composer, Picture
 from ui.session import Session
 from ui.workers.job import Job

@@ -10,8 +10,8 @@ from PySide6.QtGui import QResizeEvent, QShortcut
 from PySide6.QtWidgets import QWidget
 
 from ui.look.look import Look
-from ui.pages.deviation_card import DeviationCard
-from ui.pages.dimension_rows import Chosen, branches_of, chosen_of, decision_rule, rule_name
+from ui.pages.inspection.deviation_card import DeviationCard
+from ui.pages.inspection.dimension_rows import Chosen, branches_of, chosen_of, decision_rule, rule_name
 from ui.widgets.basic import column, label, row
 from ui.widgets.data_tree import DataTree
 from ui.widgets.verdict_banner import VerdictBanner

@@ -13,16 +13,16 @@ from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.wording import millimetres, percent, sentence_case
 from ui.pages.clicked_distance import ClickedPoint
-from ui.pages.clicking import ClickingTools
-from ui.pages.cutting import Cutting
-from ui.pages.dimension_rows import decision_rule, dimension_properties, feature_group
-from ui.pages.dimension_side import TABLE_WIDTH, DimensionSide
-from ui.pages.feature_lines import OUTLINE, dimension_labels, feature_lines, verdict_rgb
+from ui.pages.inspection.clicking import ClickingTools
+from ui.pages.inspection.cutting import Cutting
+from ui.pages.inspection.dimension_rows import decision_rule, dimension_properties, feature_group
+from ui.pages.inspection.dimension_side import TABLE_WIDTH, DimensionSide
+from ui.pages.inspection.feature_lines import OUTLINE, dimension_labels, feature_lines, verdict_rgb
+from ui.pages.inspection.part_picture import SHAPE_TIPS, SHAPES, filled_in, mesh_of, part_composer
+from ui.pages.inspection.program_tools import ProgramTools
+from ui.pages.inspection.section_bar import SectionBar
 from ui.pages.layers import rgb
-from ui.pages.part_picture import SHAPE_TIPS, SHAPES, filled_in, mesh_of, part_composer
 from ui.pages.picked_point import merged_point, point_properties
-from ui.pages.program_tools import ProgramTools
-from ui.pages.section_bar import SectionBar
 from ui.pages.viewport_page import Composer, ViewportPage
 from ui.session import Session
 from ui.viewport.layers import Label

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QHeaderView
 
 from ui.look.look import Look
 from ui.look.wording import NOTHING, counted, millimetres
-from ui.pages.view_words import REFUSED, view_verdict
+from ui.pages.clouds.view_words import REFUSED, view_verdict
 from ui.widgets.data_table import Cell, DataTable, number, verdict_cell
 
 if TYPE_CHECKING:

@@ -1,0 +1,1 @@
+"""The Clouds page and what stands on it."""

@@ -1,0 +1,1 @@
+"""The Inspection page and what stands on it."""
