@@ -150,11 +150,8 @@ def _shared(common: _Common, solved: _Solved) -> tuple[float, FloatArray]:
     smooth_mm, scatter = smooth_errors(
         common.arm_mm[kept], common.normal[kept], solved.jacobian[kept], solved.weight[kept], solved.left_mm[kept]
     )
-    size = _sizes(solved.matrix)
-    values, vectors = np.linalg.eigh(solved.matrix / np.outer(size, size))
-    strong = values > WEAK * values[-1]
-    inverse = np.divide(1, values, out=np.zeros_like(values), where=strong)
-    lever = (vectors * inverse) @ vectors.T / np.outer(size, size)
+    values, axes, _ = _measured(solved.matrix)
+    lever = (axes / values) @ axes.T
     return smooth_mm, np.asarray(lever @ scatter @ lever)
 
 
@@ -218,8 +215,9 @@ def _solved(common: _Common, *, settled: bool) -> _Solved:
         weight = (1 - away) ** 2 / common.variance_mm2
         matrix, right = normal_equations(common.arm_mm, common.normal, common.distance_mm, weight, common.tilt_rad)
         if last and settled:  # before that, a surface that the start puts too far away would be rejected for good
-            matrix, right = _without(_disputed(jacobian, weight, 1 / common.variance_mm2), matrix, right)
-        change, matrix = _observable(matrix, right)
+            matrix_disputed, right_disputed = _disputed(jacobian, weight, 1 / common.variance_mm2, right)
+            matrix, right = matrix - (1 + common.tilt_rad**2) * matrix_disputed, right - right_disputed
+        change, matrix = _solution(matrix, right)
         left = common.distance_mm + jacobian @ change
         middle = 0.0
     slope = (1 - away) * (1 - 5 * away) / common.variance_mm2
@@ -236,11 +234,8 @@ def _information(common: _Common, solved: _Solved) -> FloatArray:
     Journal of Time Series Analysis 16(1), 67-103, 1995). The size that makes most of it counts.
     """
     kept = solved.weight > 0
-    size = _sizes(solved.matrix)
-    values, vectors = np.linalg.eigh(solved.matrix / np.outer(size, size))
-    strong = values > WEAK * values[-1]
-    values, vectors = values[strong], vectors[:, strong]
-    sums: FloatArray = solved.jacobian[kept] * (solved.weight[kept] * solved.left_mm[kept])[:, None] @ (vectors / size[:, None])
+    values, axes, forms = _measured(solved.matrix)
+    sums: FloatArray = solved.jacobian[kept] * (solved.weight[kept] * solved.left_mm[kept])[:, None] @ axes
     cells: IntArray = np.floor(common.arm_mm[kept] / SMALLEST_BLOCK_MM).astype(np.int64)
     well = values > WELL_HELD * values[-1]
     own, usual, smaller = np.zeros(len(values)), LEAST_FACTOR, None
@@ -254,8 +249,7 @@ def _information(common: _Common, solved: _Solved) -> FloatArray:
         smaller, cells = scatter, cells >> 1
     # one factor for all directions is known better than one for each, but where the normals' errors take most of the matrix it is not enough
     factor = np.where(well, usual, np.maximum(own, usual)) / solved.steepness**2
-    root = vectors * size[:, None]
-    return np.asarray((root * (values / factor)) @ root.T)
+    return np.asarray((forms * (values / factor)) @ forms.T)
 
 
 def _summed(cells: IntArray, rows: FloatArray) -> tuple[IntArray, FloatArray]:
@@ -271,11 +265,14 @@ def _sizes(matrix: FloatArray) -> FloatArray:
     return np.sqrt(np.maximum(diagonal, 1e-9 * np.array([diagonal[:3].max()] * 3 + [diagonal[3:].max()] * 3)))
 
 
-def _disputed(jacobian: FloatArray, weight: FloatArray, stated: FloatArray) -> FloatArray:
-    """Return the directions (6, K) that too few of the points which see them agree in, in units that keep them apart.
+def _disputed(jacobian: FloatArray, weight: FloatArray, stated: FloatArray, right: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return what the normal equations know by directions that too few of the points which see them agree in: of matrix and right side.
 
     A wall of which two views share no more than stray points along an edge would otherwise be measured by those of them that happen
     to lie as far off as the poses do: they agree with each other because the others were rejected.
+
+    The directions are apart from all others both for all points and for those left, so that nothing else is taken away with them.
+    That holds of the sums over the points as they are, not once the errors of their normals are taken off.
 
     Parameters
     ----------
@@ -287,25 +284,25 @@ def _disputed(jacobian: FloatArray, weight: FloatArray, stated: FloatArray) -> F
     values, vectors = np.linalg.eigh(whole / np.outer(size, size))
     whitened = vectors / np.sqrt(np.maximum(values, LEAST_FACTOR * values[-1])) / size[:, None]
     kept, directions = np.linalg.eigh(whitened.T @ left @ whitened)
-    return np.asarray(whitened @ directions[:, kept < LEAST_KEPT])
+    disputed = whitened @ directions[:, kept < LEAST_KEPT]
+    along = left @ disputed
+    gain = along @ np.linalg.pinv(disputed.T @ along)
+    matrix = gain @ along.T
+    return (matrix + matrix.T) / 2, gain @ (disputed.T @ right)
 
 
-def _without(directions: FloatArray, matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return normal equations that know nothing of ``directions`` (6, K): as if those were unknowns of their own."""
-    if not directions.shape[1]:
-        return matrix, right
-    along = matrix @ directions
-    gain = along @ np.linalg.pinv(directions.T @ along)
-    left = matrix - gain @ along.T
-    return (left + left.T) / 2, right - gain @ directions.T @ right
+def _measured(matrix: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return the directions that a normal matrix knows something of: how much (K,), the axes (6, K), and their dual forms (6, K).
 
-
-def _observable(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Solve ``matrix @ x = right`` in the directions that are measured; the others get neither change nor information."""
+    Left out are directions of next to no information, and those that have less than none once the normals' errors are taken off.
+    """
     size = _sizes(matrix)
     values, vectors = np.linalg.eigh(matrix / np.outer(size, size))
     strong = values > WEAK * values[-1]
-    inverse = np.divide(1, values, out=np.zeros_like(values), where=strong)
-    change = (vectors @ (inverse * (vectors.T @ (right / size)))) / size
-    cleaned = (vectors * np.where(strong, values, 0)) @ vectors.T * np.outer(size, size)
-    return change, cleaned
+    return values[strong], vectors[:, strong] / size[:, None], vectors[:, strong] * size[:, None]
+
+
+def _solution(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Solve ``matrix @ x = right`` in the directions that are measured; the others get neither change nor information."""
+    values, axes, forms = _measured(matrix)
+    return axes @ ((axes.T @ right) / values), (forms * values) @ forms.T
