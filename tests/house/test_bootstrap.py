@@ -209,6 +209,7 @@ def test_too_little_space_is_refused_before_anything_is_made(installer, monkeypa
 def test_an_old_linux_is_refused_in_words(installer, monkeypatch) -> None:
     monkeypatch.setattr(installer.environment.platform, "libc_ver", lambda: ("glibc", "2.31"))
     monkeypatch.setattr(installer.environment.platform, "machine", lambda: "x86_64")
+    monkeypatch.setattr(installer.environment.shutil, "disk_usage", lambda path: SimpleNamespace(free=1e12))
     with pytest.raises(installer.trouble.SetupTrouble, match=r"glibc 2\.31"):
         installer.environment._check_machine()
 
