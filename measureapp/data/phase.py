@@ -46,6 +46,7 @@ class PhaseMap:
     across: PhaseMap | None = None  # of the horizontal fringes, where the set has both directions
     direction: Direction = "vertical"  # of the fringes
     snr_at_one_rad: float = 0.0  # B/σ_I of one image at which the phase would have a standard deviation of 1 rad
+    exposures_us: tuple[float, ...] = ()  # those that `exposure_index` counts, longest first; of a single one nothing need be told
 
     @property
     def valid(self) -> BoolArray:

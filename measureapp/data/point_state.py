@@ -20,3 +20,4 @@ class PointState(IntEnum):
     PARTNER_GRAZING = 9  # the same for another camera that takes part
     ISLAND = 10  # in a small group without neighbours
     SEEN_BY_ANOTHER = 11  # a camera before it already has the surface
+    RIM = 12  # at the border of its surface, beyond which other light is mixed in

@@ -178,6 +178,7 @@ class DirectionDecoder:
             },
             saturation=float(recipe.saturation),
             direction=recipe.direction,
+            exposures_us=tuple(float(exposure) for exposure in recipe.exposures_us),
             snr_at_one_rad=_snr_at_one_rad(model, self._loop.layout),
         )
 

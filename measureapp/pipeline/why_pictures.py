@@ -41,6 +41,7 @@ REASON_COLOURS: dict[str, Colour | None] = {
     "partner grazing": (204, 196, 240),
     "island": (181, 168, 0),
     "seen by another": (110, 170, 172),
+    "rim": (205, 235, 139),
 }
 # from long (blue) to short (yellow), ever lighter; in between they are interpolated
 EXPOSURE_ENDS: tuple[Colour, ...] = ((44, 90, 168), (90, 140, 190), (150, 170, 160), (205, 185, 110), (254, 232, 56))

@@ -20,6 +20,7 @@ from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.phase import PhaseMap
 from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
+from measureapp.reconstruct.other_light import other_light
 
 READ_PX2 = 1 / 6  # variance of what reading between pixels does, (1 - f) f, over all places f between two of them
 MOST_PX = 1.5  # of the blur; the first order takes back no more, and slopes over four pixels show no more
@@ -53,7 +54,12 @@ def _sharp(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: MapMemo
     grey, state = read_only(phase_map.grey, np.uint16), read_only(phase_map.state, np.uint8)
     out = memory.empty(phase_map.phase_rad.shape, np.float32)
     variance = min(blur_px, MOST_PX) ** 2
-    numbers = np.float32(variance), np.float32(READ_PX2 / variance if read else 0.0), np.float32(step_rad)
+    numbers = (
+        np.float32(variance),
+        np.float32(READ_PX2 / variance if read else 0.0),
+        np.float32(step_rad),
+        np.float32(other_light(phase_map)),
+    )
     in_bands(lambda start, stop: kernels.take_blur(phase, sigma, grey, state, *numbers, start, stop, out), len(phase))
     across = None if phase_map.across is None else _sharp(phase_map.across, blur_px, step_rad, memory, read)
     return replace(phase_map, phase_rad=read_only(out), across=across)

@@ -29,6 +29,7 @@ from measureapp.reconstruct.matching.tables import LEAST_SINE, fringe_sine, pair
 from measureapp.reconstruct.phase_view import PhaseView
 from measureapp.reconstruct.rectification.rectified_grid import on_rectified_grid
 from measureapp.reconstruct.rectification.rectifier import Rectifier
+from measureapp.reconstruct.rims import without_rims
 from measureapp.reconstruct.settings import ReconstructSettings
 
 
@@ -75,7 +76,8 @@ def reconstruct(
     memory = memory or MapMemory()
     names = _usable_names(phase_maps, cameras)
     rectified = settings.grid == "rectified" or (settings.grid == "auto" and len(names) == 2)
-    phase_maps = without_blur(phase_maps, cameras, settings.max_phase_step_rad, memory, read=names if rectified else names[1:])
+    sharp = without_blur(phase_maps, cameras, settings.max_phase_step_rad, memory, read=names if rectified else names[1:])
+    phase_maps = without_rims(sharp, cameras, memory)
     if rectified:
         return _on_rectified_grid(names, phase_maps, rectifier, settings, progress, memory)
     return _reconstruct(names, phase_maps, rectifier, settings, progress, memory)
@@ -110,6 +112,7 @@ def _native_fate(fate: IntArray, native: FloatArray, phase_map: PhaseMap) -> Int
     for chosen in (told & (fate != PointState.VALID), told & (fate == PointState.VALID)):
         back[at[..., 1][chosen], at[..., 0][chosen]] = fate[chosen]
     back[phase_map.state != 0] = PointState.NO_PHASE
+    back[phase_map.state == PointState.RIM] = PointState.RIM
     return np.asarray(read_only(back))
 
 
@@ -217,8 +220,14 @@ class _Work:
         if number == 0:
             state = self.views[name].state
             skip = self.memory.empty(state.shape, np.bool_)
-            in_bands(lambda start, stop: np.not_equal(state[start:stop], PixelState.VALID, out=skip[start:stop]), len(state))
-            return skip.view(np.uint8)  # True is PointState.NO_PHASE
+            fate = skip.view(np.uint8)
+
+            def mark(start: int, stop: int) -> None:
+                np.not_equal(state[start:stop], PixelState.VALID, out=skip[start:stop])  # True is PointState.NO_PHASE
+                np.copyto(fate[start:stop], np.uint8(PointState.RIM), where=state[start:stop] == PointState.RIM)
+
+            in_bands(mark, len(state))
+            return fate
         return self._marked(name, 0, PointState.VALID)
 
     def _marked(self, name: str, sampled: int, uncovered: PointState) -> IntArray:

@@ -41,6 +41,7 @@ OF_POINT = {
     PointState.PARTNER_GRAZING: "Another camera that takes part sees the surface more than {partner:g}° off its normal.",
     PointState.ISLAND: "Its group has fewer than {island} pixels without a neighbour.",
     PointState.SEEN_BY_ANOTHER: "A camera before this one has the surface: its point stands in that camera's image.",
+    PointState.RIM: "At the border of its surface, where the light of what lies beyond is mixed in. Another viewpoint sees it from further inside.",
     PointState.VALID: "It has a point.",
 }
 

@@ -29,6 +29,7 @@ WORDS = {
     PointState.GRAZING: "grazing",
     PointState.PARTNER_GRAZING: "grazing for a partner",
     PointState.ISLAND: "island",
+    PointState.RIM: "at a rim",
 }
 
 

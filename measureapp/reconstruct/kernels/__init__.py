@@ -14,6 +14,7 @@ from measureapp.reconstruct.kernels.islands import drop_islands, find_runs
 from measureapp.reconstruct.kernels.lanes import Found
 from measureapp.reconstruct.kernels.looking import resample
 from measureapp.reconstruct.kernels.matching import match
+from measureapp.reconstruct.kernels.rims import mark_rims
 from measureapp.reconstruct.kernels.seen import BLANK, MATCHED, PARTLY, REPEATS, SEEN, WITHOUT_PARTNER
 from measureapp.reconstruct.kernels.sightlines import keep_new
 from measureapp.reconstruct.kernels.slopes import slopes
@@ -40,6 +41,7 @@ __all__ = [
     "judge",
     "keep_new",
     "mark_covered",
+    "mark_rims",
     "match",
     "match_and_fuse",
     "rectified_lines",

@@ -28,19 +28,20 @@ SCRATCH = 7 * CHUNK
 
 
 @njit(**INLINE)
-def add_slope(s: Any, n: int, phases: Any, lights: Any, states: Any, around: Any, farthest: Any) -> None:
+def add_slope(s: Any, n: int, phases: Any, lights: Any, states: Any, around: Any, limits: Any) -> None:
     """Add what comes of light that changes along one direction, ∇φ · ∇ ln I, of pixels between a row before and a row behind them.
 
     Where a hole is too near to tell how the phase bends (``around``, the states as `add_bend` has them), that stays with it: at the rim of a
     round body the phase bends as much as the light falls, and one without the other is worse than neither.
     """
     before, behind = phases
+    farthest, twice_dark = limits
     for i in range(n):
         s[RUN + i] = behind[i] - before[i]
     light_before, light_behind = lights
     for i in range(n):
         first, second = np.float32(light_before[i]), np.float32(light_behind[i])
-        s[RISE + i] = TWO * (second - first) / (first + second + ONE)
+        s[RISE + i] = TWO * (second - first) / max(first + second - twice_dark, ONE)
     no_before, no_behind = states
     _, no_near_before, no_near_behind, _ = around
     for i in range(n):
@@ -119,13 +120,14 @@ def take_blur(
     variance: Any,  # float32, of the blur, px²
     read: Any,  # float32, what reading between pixels does as well, in shares of it
     step: Any,  # float32, largest phase step between neighbours of one surface
+    dark: Any,  # float32, grey level without the light of the projector
     row_start: int,
     row_stop: int,
     out: Any,  # (H, W) float32
 ) -> None:
     """Write the phase of some rows as it were without blur; what has no neighbours on its surface, and FAR pixels at every border, stay."""
     height, width = phase.shape
-    farthest, s = step * SPAN, stack_float32(SCRATCH)
+    limits, s = (step * SPAN, TWO * dark), stack_float32(SCRATCH)
     for y in range(row_start, row_stop):
         row, shown = phase[y], out[y]
         for x in range(width):
@@ -139,11 +141,9 @@ def take_blur(
                 s[SHIFT + i] = ZERO
             beside, rows = four_beside(state[y], first, last), four_rows(state, y, first, last)
             add_slope(
-                s, n, two_beside(row, first, last), two_beside(grey[y], first, last), two_beside(state[y], first, last), beside, farthest
+                s, n, two_beside(row, first, last), two_beside(grey[y], first, last), two_beside(state[y], first, last), beside, limits
             )
-            add_slope(
-                s, n, two_rows(phase, y, first, last), two_rows(grey, y, first, last), two_rows(state, y, first, last), rows, farthest
-            )
+            add_slope(s, n, two_rows(phase, y, first, last), two_rows(grey, y, first, last), two_rows(state, y, first, last), rows, limits)
             add_bend(s, n, own, four_beside(row, first, last), beside, noise, (variance, read))
             add_bend(s, n, own, four_rows(phase, y, first, last), rows, noise, (variance, read))
             made, valid = shown[first:last], state[y, first:last]

@@ -10,21 +10,21 @@ from numba import njit
 from measureapp.data.point_state import PointState
 from measureapp.reconstruct.kernels.options import LOOP
 
-NO_PHASE, SEEN_BY_ANOTHER = np.uint8(PointState.NO_PHASE), np.uint8(PointState.SEEN_BY_ANOTHER)
+NO_PHASE, SEEN_BY_ANOTHER, RIM = np.uint8(PointState.NO_PHASE), np.uint8(PointState.SEEN_BY_ANOTHER), np.uint8(PointState.RIM)
 RADIUS_PX = 2  # gaps between the pixels that take part in points of another camera
 NOTHING = np.uint8(0)
 
 
 @njit(**LOOP)
 def mark_covered(
-    state: Any,  # (H, W) uint8, 0 for pixels with a phase
+    state: Any,  # (H, W) uint8, 0 for pixels with a phase, RIM at rims
     covered: Any,  # (H, W) uint8, 1 for pixels that take part in points of another camera
     sample: int,  # at every so many pixels only the pixel itself counts, or nothing where `sampled` is 0
     sampled: Any,  # uint8, 1 or 0
     uncovered: Any,  # uint8, what is written for all others
     row_start: int,
     row_stop: int,
-    marked: Any,  # out (H, W) uint8: NO_PHASE, SEEN_BY_ANOTHER or `uncovered`
+    marked: Any,  # out (H, W) uint8: NO_PHASE, SEEN_BY_ANOTHER, RIM or `uncovered`
 ) -> None:
     """Mark pixels without a phase, and those within RADIUS_PX of a covered one."""
     height, width = state.shape
@@ -43,4 +43,5 @@ def mark_covered(
                 out[x] = covered[y, x] & sampled
         for x in range(width):
             seen = SEEN_BY_ANOTHER if out[x] != NOTHING else uncovered
-            out[x] = NO_PHASE if valid[x] != NOTHING else seen
+            without = RIM if valid[x] == RIM else NO_PHASE
+            out[x] = without if valid[x] != NOTHING else seen

@@ -15,6 +15,7 @@ from measureapp.reconstruct.blur import without_blur
 from measureapp.reconstruct.cleaning.clean import CleanDepth, Partner, clean
 from measureapp.reconstruct.projector.depth import ProjectorDepth, triangulate_with_projector
 from measureapp.reconstruct.rectification.rectifier import Rectifier
+from measureapp.reconstruct.rims import without_rims
 from measureapp.reconstruct.settings import ReconstructSettings
 
 UNUSUAL = 3.0  # times the median standard deviation
@@ -60,8 +61,9 @@ class LitCamera:
                 "Use the calibration of the cameras that took the images.",
             )
         rays, settings = (rectifier or Rectifier(cameras)).rays(name), settings or ReconstructSettings()
-        sharp = without_blur({name: phase_map}, cameras, settings.max_phase_step_rad)[name]
-        return cls(sharp, cameras.cameras[name], cameras.projector, cameras.names.index(name), rays, settings)
+        sharp = without_blur({name: phase_map}, cameras, settings.max_phase_step_rad)
+        inner = without_rims(sharp, cameras)[name]
+        return cls(inner, cameras.cameras[name], cameras.projector, cameras.names.index(name), rays, settings)
 
     def triangulated(self) -> ProjectorDepth:
         """Measure every pixel, see `triangulate_with_projector`. Raises ReconstructError for images of another size."""

@@ -11,6 +11,7 @@ from measureapp.arrays import IntArray, read_only
 from measureapp.data.cloud import PointCloud
 from measureapp.data.point_state import PointState
 from measureapp.errors import ReconstructError
+from measureapp.reconstruct.cleaning.clean import WORDS
 from measureapp.reconstruct.projector.fate import OF_POINT, ProjectorFate
 from measureapp.reconstruct.projector.lit_camera import LitCamera
 
@@ -35,7 +36,7 @@ def reconstruct_with_projector(lit: LitCamera) -> ProjectorReconstruction:
     """
     made = measured_with_projector(lit)
     lost = {state.words: made.rejected[state.words] for state in list(ProjectorFate)[2:]}
-    if sum(lost.values()) == np.count_nonzero(made.fate != PointState.NO_PHASE):
+    if sum(lost.values()) == np.count_nonzero((made.fate != PointState.NO_PHASE) & (made.fate != PointState.RIM)):
         most, name = max(lost, key=lambda reason: lost[reason]), lit.camera.name
         raise ReconstructError(
             f"Camera {name!r} and the projector give no points: {lost[most]} pixels are {most}."
@@ -58,5 +59,7 @@ def measured_with_projector(lit: LitCamera) -> ProjectorReconstruction:
     cleaned = lit.cleaned(made.depth_mm, made.sigma_mm, made.depth_mm > 0)
     cloud = lit.points(cleaned, made.sigma_mm, np.asarray(cleaned.depth_mm > 0))
     met = np.array([OF_POINT[state] for state in ProjectorFate], np.uint8)[made.fate]
-    fate = read_only(np.where(made.depth_mm > 0, cleaned.fate, met))
-    return ProjectorReconstruction(cloud, made.rejected | cleaned.rejected, made.residual_rms_px, fate)
+    rims = lit.phase_map.state == PointState.RIM
+    fate = np.where(made.depth_mm > 0, cleaned.fate, np.where(rims, np.uint8(PointState.RIM), met))
+    rejected = made.rejected | cleaned.rejected | {WORDS[PointState.RIM]: int(np.count_nonzero(rims))}
+    return ProjectorReconstruction(cloud, rejected, made.residual_rms_px, read_only(fate))
