@@ -42,19 +42,20 @@ def blurred(head: ProjectorHead) -> CameraArrayCalibration:
     return replace(head.cameras, cameras={name: replace(each, blur_px=BLUR_PX) for name, each in head.cameras.cameras.items()})
 
 
-def rims(hole: BoolArray) -> BoolArray:
-    made = without_rims({"one": phase_map(np.where(hole, np.uint8(PixelState.SHADOW), np.uint8(0)))}, cameras(BLUR_PX))["one"]
+def rims(hole: BoolArray, blur_px: float = BLUR_PX) -> BoolArray:
+    made = without_rims({"one": phase_map(np.where(hole, np.uint8(PixelState.SHADOW), np.uint8(0)))}, cameras(blur_px))["one"]
     assert (made.state[hole] == PixelState.SHADOW).all()
     return np.asarray(made.state == PointState.RIM)
 
 
-def test_two_pixels_round_a_hole_are_its_rim() -> None:
+@pytest.mark.parametrize(("blur_px", "width"), [(0.5, 2), (BLUR_PX, 2), (0.95, 2), (1.2, 3), (1.5, 4), (2.0, 5)])
+def test_pixels_round_a_hole_are_its_rim_as_wide_as_the_blur_reaches(blur_px: float, width: int) -> None:
     hole = np.zeros((HEIGHT, WIDTH), np.bool_)
     hole[15:22, 20:30] = True
     cross = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
-    expected = cv2.dilate(hole.astype(np.uint8), cross, iterations=2).astype(bool) & ~hole
-    np.testing.assert_array_equal(rims(hole), expected)
-    np.testing.assert_array_equal(rims(hole.T.copy()[:HEIGHT]), expected.T[:HEIGHT])
+    expected = cv2.dilate(hole.astype(np.uint8), cross, iterations=width).astype(bool) & ~hole
+    np.testing.assert_array_equal(rims(hole, blur_px), expected)
+    np.testing.assert_array_equal(rims(hole.T.copy()[:HEIGHT], blur_px), expected.T[:HEIGHT])
 
 
 def test_single_pixels_without_a_phase_end_no_surface_and_borders_of_the_image_are_none() -> None:
@@ -66,15 +67,16 @@ def test_single_pixels_without_a_phase_end_no_surface_and_borders_of_the_image_a
     assert not rims(hole)[:, -3:].any()
 
 
-def test_what_is_left_of_a_blurred_border_lies_where_it_should() -> None:
-    """Light of a surface that ends in the dark: beside its border the phase is that of a place further in, by up to a third of a pixel."""
+@pytest.mark.parametrize("blur_px", [0.5, BLUR_PX, 1.0, 1.2, 1.5])
+def test_what_is_left_of_a_blurred_border_lies_where_it_should(blur_px: float) -> None:
+    """Light of a surface that ends in the dark: beside its border the phase is that of a place further in, by about one and a half times the blur."""
     columns = np.mgrid[:HEIGHT, :WIDTH][1].astype(float)
     truth = 10 + SLOPE * columns
     fringes = np.where(columns >= 20, 1000.0, 0.0) * np.exp(1j * truth)
-    blurred = cv2.GaussianBlur(fringes.real, (0, 0), BLUR_PX) + 1j * cv2.GaussianBlur(fringes.imag, (0, 0), BLUR_PX)
+    blurred = cv2.GaussianBlur(fringes.real, (0, 0), blur_px) + 1j * cv2.GaussianBlur(fringes.imag, (0, 0), blur_px)
     seen = truth + np.angle(blurred * np.exp(-1j * truth))
     state = np.where(np.abs(blurred) > 100, np.uint8(0), np.uint8(PixelState.SHADOW))
-    made = without_rims({"one": phase_map(state, seen)}, cameras(BLUR_PX))["one"]
+    made = without_rims({"one": phase_map(state, seen)}, cameras(blur_px))["one"]
     inner = (slice(5, -5), slice(5, -5))
     off = np.abs(seen - truth)[inner] / SLOPE
     assert off[(state == 0)[inner]].max() > 0.2
