@@ -76,8 +76,8 @@ def reconstruct(
     memory = memory or MapMemory()
     names = _usable_names(phase_maps, cameras)
     rectified = settings.grid == "rectified" or (settings.grid == "auto" and len(names) == 2)
-    sharp = without_blur(phase_maps, cameras, settings.max_phase_step_rad, memory, read=names if rectified else names[1:])
-    phase_maps = without_rims(sharp, cameras, memory)
+    inner = without_rims(phase_maps, cameras, memory)
+    phase_maps = without_blur(inner, cameras, settings.max_phase_step_rad, memory, read=names if rectified else names[1:])
     if rectified:
         return _on_rectified_grid(names, phase_maps, rectifier, settings, progress, memory)
     return _reconstruct(names, phase_maps, rectifier, settings, progress, memory)

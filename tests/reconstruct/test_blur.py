@@ -43,7 +43,9 @@ def seen(light: FloatArray, true_phase: FloatArray = PHASE) -> PhaseMap:
         (2000 * np.exp(0.02 * COLUMNS), 0.02),  # of the shift: what is blurred by the fringes' own slope is of the second order
         (2000 * np.exp(-0.03 * ROWS), 0.02),
         (2000 * np.exp(0.02 * COLUMNS - 0.02 * ROWS), 0.02),
-        (3000 * (1 + 0.5 * np.tanh((COLUMNS - 40) / 4)), 0.25),  # a printed edge 8 px wide, of which slopes over 4 px lose a part
+        (3000 * (1 + 0.5 * np.tanh((COLUMNS - 40) / 4)), 0.03),  # a printed edge 8 px wide
+        (np.where(COLUMNS >= 40, 3600.0, 2000.0), 0.13),  # one as sharp as the blur leaves it, of which differences of pixels lose a part
+        (np.where(ROWS >= 30, 2600.0, 2000.0), 0.13),
     ],
 )
 def test_the_shift_by_changing_light_is_taken_back(light: FloatArray, left: float) -> None:
@@ -52,6 +54,12 @@ def test_the_shift_by_changing_light_is_taken_back(light: FloatArray, left: floa
     after = np.abs(without_blur({"one": phase_map}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad - PHASE)[INNER].max()
     assert before > 0.003
     assert after < left * before + 1e-4  # grey levels are whole numbers
+
+
+def test_a_step_of_the_light_shifts_nothing_further_away_than_the_blur_reaches() -> None:
+    made = without_blur({"one": seen(np.where(COLUMNS >= 40, 3000.0, 2000.0))}, camera(BLUR_PX), STEP_RAD)["one"]
+    beyond = INNER[0], np.r_[9:38, 42 : WIDTH - 9]
+    np.testing.assert_allclose(made.phase_rad[beyond], PHASE[beyond], atol=0.003)
 
 
 @pytest.mark.parametrize("bend", [0.002 * (COLUMNS - 40) ** 2, -0.003 * (ROWS - 30) ** 2, 0.002 * ((COLUMNS - 40) ** 2 + (ROWS - 30) ** 2)])

@@ -108,3 +108,18 @@ def test_rims_give_no_points_and_say_so(chosen: tuple[str, ...]) -> None:
     told = why(seen, made, "left", 110, 98)
     assert (told.stage, told.reason) == ("clean", "rim")
     assert "border of its surface" in told.sentence
+
+
+def test_the_phase_of_a_rim_touches_no_other_pixel() -> None:
+    """What blur does is told without it: beside a border it would bend the phase of pixels up to six further in."""
+    head = make_projector_head()
+    maps = head.phase_maps(plane(550, 0.2, 0.1))
+    state = maps["left"].state.copy()
+    state[80:140, 100:180] = PixelState.SHADOW
+    seen = {**maps, "left": replace(maps["left"], state=state)}
+    rim = without_rims({"left": seen["left"]}, blurred(head))["left"].state == PointState.RIM
+    off = {**seen, "left": replace(seen["left"], phase_rad=(seen["left"].phase_rad + 0.3 * rim).astype(np.float32))}
+    made, shifted = (reconstruct(phases, blurred(head)).cloud for phases in (seen, off))
+    np.testing.assert_array_equal(made.points_mm, shifted.points_mm)
+    alone, shifted_alone = (looked_at_alone(phases["left"], blurred(head)).cloud for phases in (seen, off))
+    np.testing.assert_array_equal(alone.points_mm, shifted_alone.points_mm)

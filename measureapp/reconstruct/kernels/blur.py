@@ -15,14 +15,15 @@ from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.scratch import stack_float32
 
 CHUNK = 512  # pixels of a row at a time
-REACH = 2  # px to either side, over which slopes are taken: noise of the phase hardly grows by it, and the blur reaches no further
+REACH = 2  # px to either side, over which slopes of the phase are taken: its noise hardly grows by it, and the blur reaches no further
 STEEPEST = np.float32(0.3)  # of the logarithm of the light per px; beyond, at edges, the first order says nothing
 NEAR, FAR = 3, 6  # px to either side, over which bends are taken; over the far ones they cost 3 % in noise
 RATIO = np.float32((FAR / NEAR) ** 2)  # of an even bend over both
 ALIKE = np.float32(0.25)  # of a bend: by how much an even one may differ from that over the near pixels, and its halves from each other,
 BENDS_APART, HALVES_APART = np.float32(17), np.float32(6.3)  # and two standard deviations of both in those of the phase
-PER_SLOPES, PER_BEND, PER_RUN = np.float32(1 / (2 * REACH) ** 2), np.float32(0.5 / FAR**2), np.float32(1 / (2 * FAR) ** 2)
-SPAN, ONE, TWO, ZERO = np.float32(2 * REACH), np.float32(1), np.float32(2), np.float32(0)
+PER_RISE, PER_RUNS = np.float32(1 / 12), np.float32(1 / (2 * REACH))
+PER_BEND, PER_RUN = np.float32(0.5 / FAR**2), np.float32(1 / (2 * FAR) ** 2)
+SPAN, EIGHT, TWO, ONE, ZERO = np.float32(2 * REACH), np.float32(8), np.float32(2), np.float32(1), np.float32(0)
 SHIFT, RUN, RISE, HOLE, FAR_BEND, NEAR_BEND, CUT = (k * CHUNK for k in range(7))
 SCRATCH = 7 * CHUNK
 
@@ -31,26 +32,30 @@ SCRATCH = 7 * CHUNK
 def add_slope(s: Any, n: int, phases: Any, lights: Any, states: Any, around: Any, limits: Any) -> None:
     """Add what comes of light that changes along one direction, ∇φ · ∇ ln I, of pixels between a row before and a row behind them.
 
+    Of a phase that rises evenly the shift follows, however the light changes, from the slope of the blurred light at the pixel itself: by
+    differences over one and two pixels, which leave nothing of the third order. Over a wider reach an edge would act where it does not reach.
     Where a hole is too near to tell how the phase bends (``around``, the states as `add_bend` has them), that stays with it: at the rim of a
     round body the phase bends as much as the light falls, and one without the other is worse than neither.
     """
     before, behind = phases
-    farthest, twice_dark = limits
+    farthest, dark = limits
     for i in range(n):
         s[RUN + i] = behind[i] - before[i]
-    light_before, light_behind = lights
+    light, two_before, one_before, one_behind, two_behind = lights
     for i in range(n):
-        first, second = np.float32(light_before[i]), np.float32(light_behind[i])
-        s[RISE + i] = TWO * (second - first) / max(first + second - twice_dark, ONE)
+        s[RISE + i] = EIGHT * (np.float32(one_behind[i]) - np.float32(one_before[i]))
+    for i in range(n):
+        s[RISE + i] -= np.float32(two_behind[i]) - np.float32(two_before[i])
+    for i in range(n):
+        s[RISE + i] *= PER_RISE / max(np.float32(light[i]) - dark, ONE)
     no_before, no_behind = states
     _, no_near_before, no_near_behind, _ = around
     for i in range(n):
         s[HOLE + i] = np.float32(no_before[i] | no_behind[i] | no_near_before[i] | no_near_behind[i])
-    steepest = STEEPEST * SPAN
     for i in range(n):
         run, rise = s[RUN + i], s[RISE + i]
-        whole = (s[HOLE + i] == ZERO) & (abs(rise) < steepest) & (abs(run) < farthest)
-        s[SHIFT + i] += PER_SLOPES * run * rise if whole else ZERO
+        whole = (s[HOLE + i] == ZERO) & (abs(rise) < STEEPEST) & (abs(run) < farthest)
+        s[SHIFT + i] += PER_RUNS * run * rise if whole else ZERO
 
 
 @njit(**INLINE)
@@ -100,6 +105,18 @@ def two_rows(image: Any, y: int, first: int, last: int) -> Any:
 
 
 @njit(**INLINE)
+def five_beside(row: Any, first: int, last: int) -> Any:
+    """Return pixels first … last, and those two and one to the left, one and two to the right."""
+    return row[first:last], row[first - 2 : last - 2], row[first - 1 : last - 1], row[first + 1 : last + 1], row[first + 2 : last + 2]
+
+
+@njit(**INLINE)
+def five_rows(image: Any, y: int, first: int, last: int) -> Any:
+    """Return pixels first … last of a row, and of those two and one above, one and two below."""
+    return image[y, first:last], image[y - 2, first:last], image[y - 1, first:last], image[y + 1, first:last], image[y + 2, first:last]
+
+
+@njit(**INLINE)
 def four_beside(row: Any, first: int, last: int) -> Any:
     """Return the pixels FAR and NEAR to the left, NEAR and FAR to the right."""
     return row[first - FAR : last - FAR], row[first - NEAR : last - NEAR], row[first + NEAR : last + NEAR], row[first + FAR : last + FAR]
@@ -127,7 +144,7 @@ def take_blur(
 ) -> None:
     """Write the phase of some rows as it were without blur; what has no neighbours on its surface, and FAR pixels at every border, stay."""
     height, width = phase.shape
-    limits, s = (step * SPAN, TWO * dark), stack_float32(SCRATCH)
+    limits, s = (step * SPAN, dark), stack_float32(SCRATCH)
     for y in range(row_start, row_stop):
         row, shown = phase[y], out[y]
         for x in range(width):
@@ -141,9 +158,9 @@ def take_blur(
                 s[SHIFT + i] = ZERO
             beside, rows = four_beside(state[y], first, last), four_rows(state, y, first, last)
             add_slope(
-                s, n, two_beside(row, first, last), two_beside(grey[y], first, last), two_beside(state[y], first, last), beside, limits
+                s, n, two_beside(row, first, last), five_beside(grey[y], first, last), two_beside(state[y], first, last), beside, limits
             )
-            add_slope(s, n, two_rows(phase, y, first, last), two_rows(grey, y, first, last), two_rows(state, y, first, last), rows, limits)
+            add_slope(s, n, two_rows(phase, y, first, last), five_rows(grey, y, first, last), two_rows(state, y, first, last), rows, limits)
             add_bend(s, n, own, four_beside(row, first, last), beside, noise, (variance, read))
             add_bend(s, n, own, four_rows(phase, y, first, last), rows, noise, (variance, read))
             made, valid = shown[first:last], state[y, first:last]

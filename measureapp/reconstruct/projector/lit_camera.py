@@ -61,9 +61,9 @@ class LitCamera:
                 "Use the calibration of the cameras that took the images.",
             )
         rays, settings = (rectifier or Rectifier(cameras)).rays(name), settings or ReconstructSettings()
-        sharp = without_blur({name: phase_map}, cameras, settings.max_phase_step_rad)
-        inner = without_rims(sharp, cameras)[name]
-        return cls(inner, cameras.cameras[name], cameras.projector, cameras.names.index(name), rays, settings)
+        inner = without_rims({name: phase_map}, cameras)
+        sharp = without_blur(inner, cameras, settings.max_phase_step_rad)[name]
+        return cls(sharp, cameras.cameras[name], cameras.projector, cameras.names.index(name), rays, settings)
 
     def triangulated(self) -> ProjectorDepth:
         """Measure every pixel, see `triangulate_with_projector`. Raises ReconstructError for images of another size."""
