@@ -6,6 +6,9 @@ the distance over which things change, of the place s² ∇ ln I further on. In 
 micrometres before their place, all to the same side. And where the phase bends, the surroundings lie to one side of the pixel: the mean
 is off by s² ∇²φ / 2, which makes holes narrower and round bodies thinner. Reading a phase in straight lines between pixels does the
 same, like a blur of a sixth of a px² (decision 15).
+
+Where a hole or an edge hides how much that is, it stays, and counts as noise: such pixels, steep at the rims of round bodies, would
+weigh most otherwise.
 """
 
 from __future__ import annotations
@@ -33,7 +36,9 @@ def without_blur(
     memory: MapMemory | None = None,
     read: Collection[str] = (),
 ) -> dict[str, PhaseMap]:
-    """Return the phase maps as cameras without blur would give them; those of cameras whose blur is not known as they are.
+    """Return the phase maps as cameras without blur would give them, with what is in doubt of that in ``sigma_rad``.
+
+    Those of cameras whose blur is not known stay as they are.
 
     Parameters
     ----------
@@ -52,7 +57,7 @@ def _sharp(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: MapMemo
         return phase_map
     phase, sigma = read_only(phase_map.phase_rad, np.float32), read_only(phase_map.sigma_rad, np.float32)
     grey, state = read_only(phase_map.grey, np.uint16), read_only(phase_map.state, np.uint8)
-    out = memory.empty(phase_map.phase_rad.shape, np.float32)
+    out, doubted = memory.empty(phase.shape, np.float32), memory.empty(phase.shape, np.float32)
     variance = min(blur_px, MOST_PX) ** 2
     numbers = (
         np.float32(variance),
@@ -60,6 +65,6 @@ def _sharp(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: MapMemo
         np.float32(step_rad),
         np.float32(other_light(phase_map)),
     )
-    in_bands(lambda start, stop: kernels.take_blur(phase, sigma, grey, state, *numbers, start, stop, out), len(phase))
+    in_bands(lambda start, stop: kernels.take_blur(phase, sigma, grey, state, *numbers, start, stop, out, doubted), len(phase))
     across = None if phase_map.across is None else _sharp(phase_map.across, blur_px, step_rad, memory, read)
-    return replace(phase_map, phase_rad=read_only(out), across=across)
+    return replace(phase_map, phase_rad=read_only(out), sigma_rad=read_only(doubted), across=across)

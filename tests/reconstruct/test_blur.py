@@ -15,7 +15,7 @@ from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
 from measureapp.reconstruct.blur import without_blur
 
-HEIGHT, WIDTH, BLUR_PX, STEP_RAD = 60, 80, 0.8, 3.0
+HEIGHT, WIDTH, BLUR_PX, STEP_RAD, NOISE_RAD = 60, 80, 0.8, 3.0, 0.01
 ROWS, COLUMNS = np.mgrid[:HEIGHT, :WIDTH].astype(float)
 PHASE = 20.0 + 0.5 * COLUMNS + 0.2 * ROWS
 INNER = (slice(9, -9), slice(9, -9))  # beyond the image nothing is known of what is blurred into its borders
@@ -32,7 +32,7 @@ def seen(light: FloatArray, true_phase: FloatArray = PHASE) -> PhaseMap:
     blurred = cv2.GaussianBlur(amplitude.real, (0, 0), BLUR_PX) + 1j * cv2.GaussianBlur(amplitude.imag, (0, 0), BLUR_PX)
     phase = true_phase + np.angle(blurred * np.exp(-1j * true_phase))
     grey = np.rint(cv2.GaussianBlur(light, (0, 0), BLUR_PX)).astype(np.uint16)
-    same = np.full(PHASE.shape, 0.01, np.float32)
+    same = np.full(PHASE.shape, NOISE_RAD, np.float32)
     nothing = np.zeros(PHASE.shape, np.uint8)
     return PhaseMap("one", "v", phase.astype(np.float32), same, grey, grey, nothing, nothing.astype(np.int8), 16.0, 1024)
 
@@ -100,6 +100,54 @@ def test_at_the_rim_of_a_round_body_neither_light_nor_bend_is_taken_alone() -> N
     alone = np.gradient(np.log(light), axis=1)[30] * np.gradient(round_part, axis=1)[30] * BLUR_PX**2  # what the light alone would take off
     assert alone[rim + 5] > 0.005
     assert np.abs(error[rim + 5 : rim + 12]).max() < 0.2 * alone[rim + 5]
+
+
+def doubt(made: PhaseMap) -> FloatArray:
+    """What `without_blur` added to the noise, in rad."""
+    return np.asarray(np.sqrt(np.maximum(made.sigma_rad.astype(float) ** 2 - NOISE_RAD**2, 0.0)))
+
+
+def test_beside_a_hole_what_blur_does_stays_and_counts_as_noise() -> None:
+    beside = (INNER[0], slice(57, 60))
+    steep = seen(60 * np.exp(0.08 * COLUMNS))
+    cut = replace(steep, state=np.where(COLUMNS >= 60, PixelState.SHADOW, 0).astype(np.uint8))
+    made = without_blur({"one": cut}, camera(BLUR_PX), STEP_RAD)["one"]
+    left = np.abs(made.phase_rad - PHASE)
+    assert left[beside].min() > 0.02
+    assert (left[beside] < 1.01 * doubt(made)[beside]).all()
+    assert doubt(made)[9:-9, 9:57].max() < 0.1 * NOISE_RAD
+
+
+@pytest.mark.parametrize("rim", [15.0, 15.25, 15.5, 15.75])
+def test_at_the_rim_of_a_round_body_what_stays_counts_as_noise(rim: float) -> None:
+    away = np.sqrt(np.maximum(COLUMNS - rim + 0.5, 0.0))
+    on = rim <= COLUMNS
+    round_part = 20.0 + 1.6 * away
+    blurred = seen(np.where(on, 1500.0 * (1 + 0.16 * away), 300.0), np.where(on, round_part, 14.0))
+    state = np.where(rim + 2 <= COLUMNS, 0, PixelState.EDGE).astype(np.uint8)
+    made = without_blur({"one": replace(blurred, state=state)}, camera(BLUR_PX), STEP_RAD)["one"]
+    first = int(np.ceil(rim)) + 2
+    left = np.abs(made.phase_rad - round_part)[30, first : first + 6]
+    assert (left < 2.0 * doubt(made)[30, first : first + 6] + 0.1 * NOISE_RAD).all()
+
+
+@pytest.mark.parametrize("away", np.linspace(-0.5, 0.5, 5))
+@pytest.mark.parametrize("fold", [0.1, -0.3, 0.6])
+def test_at_an_edge_of_two_planes_what_blur_does_counts_as_noise(away: float, fold: float) -> None:
+    folded = PHASE + fold * np.abs(COLUMNS - 40 - away)
+    made = without_blur({"one": seen(np.full(PHASE.shape, 2000.0), folded)}, camera(BLUR_PX), STEP_RAD)["one"]
+    left = np.abs(made.phase_rad - folded)[INNER]
+    assert left.max() > 0.1 * abs(fold)
+    assert (left < 2.0 * doubt(made)[INNER] + 0.1 * NOISE_RAD).all()
+
+
+def test_flat_and_evenly_bent_parts_are_as_certain_as_they_were() -> None:
+    noise = np.random.default_rng(2).normal(0.0, NOISE_RAD, PHASE.shape)
+    for bend in (0.0, 0.003 * (COLUMNS - 40) ** 2):
+        phase_map = seen(2000 * np.exp(0.02 * COLUMNS), PHASE + bend)
+        noisy = replace(phase_map, phase_rad=(phase_map.phase_rad + noise).astype(np.float32))
+        made = without_blur({"one": noisy}, camera(BLUR_PX), STEP_RAD)["one"]
+        assert np.mean(made.sigma_rad[INNER]) < 1.01 * NOISE_RAD
 
 
 def test_what_reading_between_pixels_does_to_a_bent_phase_is_taken_back() -> None:

@@ -141,23 +141,6 @@ def test_records_of_pixels_hold_phase_slopes_and_sigma(every: int) -> None:
     assert np.array_equal(np.moveaxis(samples, 0, -1), pixels[::every, ::every, :3])
 
 
-def test_bent_phases_and_those_at_rims_are_in_doubt_and_noise_is_not() -> None:
-    v, u = np.mgrid[0:40, 0:200].astype(np.float32)
-    sigma, state = np.full(u.shape, 0.01, np.float32), np.zeros(u.shape, np.uint8)
-    state[:, 150:] = 1
-    bent, plane = 0.02 * (u - 100) ** 2, 0.2 * u + 0.1 * v
-    inner = (slice(5, -5), slice(10, 140))
-    of_bent, _, _ = slopes_of(bent.astype(np.float32), sigma, state)
-    assert np.allclose(of_bent[..., 3][inner], np.hypot(0.01, 0.37 * (0.04 - 0.08 / 9)), rtol=1e-3)
-    noisy = plane + np.random.default_rng(3).normal(0, 0.01, u.shape)
-    of_noisy, _, _ = slopes_of(noisy.astype(np.float32), sigma, state)
-    assert np.mean(of_noisy[..., 3][inner]) < 1.002 * 0.01
-    of_plane, _, _ = slopes_of(plane, sigma, state)
-    assert np.allclose(of_plane[..., 3], 0.01, rtol=1e-3)  # a flat part may end anywhere
-    of_rim, _, _ = slopes_of((0.8 * u).astype(np.float32), sigma, state)  # so steep it only is next to a rim
-    assert np.allclose(of_rim[5:-5, 149, 3], np.hypot(0.01, 0.37 * (0.25 * 0.8 - 0.14)), rtol=1e-3)
-
-
 def slopes_of(phase: np.ndarray, sigma: np.ndarray, state: np.ndarray, every: int = 1) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     height, width = phase.shape
     pixels, quad = np.empty((height, width, 4), np.float32), np.empty(phase.shape, np.uint8)

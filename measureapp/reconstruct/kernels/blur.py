@@ -1,4 +1,4 @@
-"""Compiled loops that take from the phase by how far blur has shifted it.
+"""Compiled loops that take from the phase by how far blur has shifted it, and tell the doubt where that is not known.
 
 Loops of few arrays write to one scratch array at constant offsets: only then does the compiler see what cannot overlap, and uses SIMD
 instructions.
@@ -23,24 +23,30 @@ ALIKE = np.float32(0.25)  # of a bend: by how much an even one may differ from t
 BENDS_APART, HALVES_APART = np.float32(17), np.float32(6.3)  # and two standard deviations of both in those of the phase
 PER_RISE, PER_RUNS = np.float32(1 / 12), np.float32(1 / (2 * REACH))
 PER_BEND, PER_RUN = np.float32(0.5 / FAR**2), np.float32(1 / (2 * FAR) ** 2)
-SPAN, EIGHT, TWO, ONE, ZERO = np.float32(2 * REACH), np.float32(8), np.float32(2), np.float32(1), np.float32(0)
-SHIFT, RUN, RISE, HOLE, FAR_BEND, NEAR_BEND, CUT = (k * CHUNK for k in range(7))
-SCRATCH = 7 * CHUNK
+# How a phase bends 2 to 5 px from the rim of a round body, where a hole hides that: φ'' is there φ' over twice the distance.
+BEND_AT_RIM = np.float32(1 / 7)
+SPAN, EIGHT, TWO, ONE, HALF, ZERO = (np.float32(number) for number in (2 * REACH, 8, 2, 1, 0.5, 0))
+SHIFT, RUN, RISE, HOLE, FAR_BEND, NEAR_BEND, CUT, DOUBT = (k * CHUNK for k in range(8))
+SCRATCH = 8 * CHUNK
 
 
 @njit(**INLINE)
-def add_slope(s: Any, n: int, phases: Any, lights: Any, states: Any, around: Any, limits: Any) -> None:
+def add_slope(s: Any, n: int, own: Any, phases: Any, lights: Any, states: Any, around: Any, limits: Any) -> None:
     """Add what comes of light that changes along one direction, ∇φ · ∇ ln I, of pixels between a row before and a row behind them.
 
     Of a phase that rises evenly the shift follows, however the light changes, from the slope of the blurred light at the pixel itself: by
     differences over one and two pixels, which leave nothing of the third order. Over a wider reach an edge would act where it does not reach.
     Where a hole is too near to tell how the phase bends (``around``, the states as `add_bend` has them), that stays with it: at the rim of a
-    round body the phase bends as much as the light falls, and one without the other is worse than neither.
+    round body the phase bends as much as the light falls, and one without the other is worse than neither. Both are in doubt then, as they are
+    where the light changes too fast.
     """
     before, behind = phases
-    farthest, dark = limits
+    farthest, dark, hidden_bend = limits
+    no_before, no_behind = states
     for i in range(n):
-        s[RUN + i] = behind[i] - before[i]
+        back, ahead = own[i] - before[i] if no_before[i] == 0 else ZERO, behind[i] - own[i] if no_behind[i] == 0 else ZERO
+        one_sided = (no_before[i] | no_behind[i]) != 0
+        s[RUN + i] = (TWO if one_sided else ONE) * (back + ahead)
     light, two_before, one_before, one_behind, two_behind = lights
     for i in range(n):
         s[RISE + i] = EIGHT * (np.float32(one_behind[i]) - np.float32(one_before[i]))
@@ -48,14 +54,16 @@ def add_slope(s: Any, n: int, phases: Any, lights: Any, states: Any, around: Any
         s[RISE + i] -= np.float32(two_behind[i]) - np.float32(two_before[i])
     for i in range(n):
         s[RISE + i] *= PER_RISE / max(np.float32(light[i]) - dark, ONE)
-    no_before, no_behind = states
     _, no_near_before, no_near_behind, _ = around
     for i in range(n):
         s[HOLE + i] = np.float32(no_before[i] | no_behind[i] | no_near_before[i] | no_near_behind[i])
     for i in range(n):
         run, rise = s[RUN + i], s[RISE + i]
-        whole = (s[HOLE + i] == ZERO) & (abs(rise) < STEEPEST) & (abs(run) < farthest)
-        s[SHIFT + i] += PER_RUNS * run * rise if whole else ZERO
+        slope = PER_RUNS * run if abs(run) < farthest else ZERO
+        known = (s[HOLE + i] == ZERO) & (abs(rise) < STEEPEST)
+        s[SHIFT + i] += slope * rise if known else ZERO
+        doubt = ZERO if known else slope * (min(abs(rise), ONE) + hidden_bend)
+        s[DOUBT + i] += doubt * doubt
 
 
 @njit(**INLINE)
@@ -64,7 +72,8 @@ def add_bend(s: Any, n: int, own: Any, phases: Any, states: Any, noise: Any, var
 
     Of blurred fringes exp(i φ) that is φ'' (1 - s² φ'²) / 2: steep ones fade where they are out of step, and count less.
     An edge between two walls is no even bend: on it the near pixels bend more than the far ones, beside it one half of them does not bend.
-    Where a hole is among the far pixels, the near ones have to do.
+    Where a hole is among the far pixels, the near ones have to do. Twice what an uneven bend would do is in doubt: an edge may be sharper than
+    the near pixels tell.
     """
     far_before, near_before, near_behind, far_behind = phases
     for i in range(n):
@@ -89,7 +98,10 @@ def add_bend(s: Any, n: int, own: Any, phases: Any, states: Any, noise: Any, var
         run = s[RISE + i] if cut else s[RUN + i]
         steep = max(ONE - variance * PER_RUN * run * run, ZERO) + read
         bend = near if cut else (far if even else ZERO)
-        s[SHIFT + i] += PER_BEND * bend * steep if s[HOLE + i] == ZERO else ZERO
+        told = s[HOLE + i] == ZERO
+        s[SHIFT + i] += PER_BEND * bend * steep if told else ZERO
+        doubt = TWO * PER_BEND * near * steep if told & (not cut) & (not even) else ZERO
+        s[DOUBT + i] += doubt * doubt
 
 
 @njit(**INLINE)
@@ -128,6 +140,17 @@ def four_rows(image: Any, y: int, first: int, last: int) -> Any:
     return image[y - FAR, first:last], image[y - NEAR, first:last], image[y + NEAR, first:last], image[y + FAR, first:last]
 
 
+@njit(**INLINE)
+def write_taken(s: Any, n: int, own: Any, noise: Any, states: Any, variance: Any, phases: Any, sigmas: Any) -> None:
+    """Write the phases of n pixels less what blur has added, and their standard deviations with what is in doubt of it."""
+    for i in range(n):
+        s[HOLE + i] = ZERO if states[i] else variance
+    for i in range(n):
+        phases[i] = own[i] - s[HOLE + i] * s[SHIFT + i]
+    for i in range(n):
+        sigmas[i] = np.sqrt(noise[i] * noise[i] + s[HOLE + i] * s[HOLE + i] * s[DOUBT + i])
+
+
 @njit(**LOOP)
 def take_blur(
     phase: Any,  # (H, W) float32
@@ -141,30 +164,33 @@ def take_blur(
     row_start: int,
     row_stop: int,
     out: Any,  # (H, W) float32
+    out_sigma: Any,  # (H, W) float32
 ) -> None:
-    """Write the phase of some rows as it were without blur; what has no neighbours on its surface, and FAR pixels at every border, stay."""
+    """Write the phase of some rows as it were without blur, and its standard deviation with what of that is in doubt.
+
+    What has no neighbours on its surface, and FAR pixels at every border, stay.
+    """
     height, width = phase.shape
-    limits, s = (step * SPAN, dark), stack_float32(SCRATCH)
+    limits, s = (step * SPAN, dark, BEND_AT_RIM * HALF * (ONE + read)), stack_float32(SCRATCH)
     for y in range(row_start, row_stop):
-        row, shown = phase[y], out[y]
+        row, noise, made, doubted = phase[y], sigma[y], out[y], out_sigma[y]
         for x in range(width):
-            shown[x] = row[x]
+            made[x] = row[x]
+        for x in range(width):
+            doubted[x] = noise[x]
         if y < FAR or y >= height - FAR:
             continue
         for first in range(FAR, width - FAR, CHUNK):
             last = min(first + CHUNK, width - FAR)
-            n, own, noise = last - first, row[first:last], sigma[y, first:last]
+            part = slice(first, last)
+            n, own = last - first, row[part]
             for i in range(n):
-                s[SHIFT + i] = ZERO
-            beside, rows = four_beside(state[y], first, last), four_rows(state, y, first, last)
-            add_slope(
-                s, n, two_beside(row, first, last), five_beside(grey[y], first, last), two_beside(state[y], first, last), beside, limits
-            )
-            add_slope(s, n, two_rows(phase, y, first, last), five_rows(grey, y, first, last), two_rows(state, y, first, last), rows, limits)
-            add_bend(s, n, own, four_beside(row, first, last), beside, noise, (variance, read))
-            add_bend(s, n, own, four_rows(phase, y, first, last), rows, noise, (variance, read))
-            made, valid = shown[first:last], state[y, first:last]
-            for i in range(n):
-                s[HOLE + i] = ZERO if valid[i] else variance
-            for i in range(n):
-                made[i] -= s[HOLE + i] * s[SHIFT + i]
+                s[SHIFT + i], s[DOUBT + i] = ZERO, ZERO
+            beside, above = four_beside(state[y], first, last), four_rows(state, y, first, last)
+            phases, lights, states = two_beside(row, first, last), five_beside(grey[y], first, last), two_beside(state[y], first, last)
+            add_slope(s, n, own, phases, lights, states, beside, limits)
+            phases, lights, states = two_rows(phase, y, first, last), five_rows(grey, y, first, last), two_rows(state, y, first, last)
+            add_slope(s, n, own, phases, lights, states, above, limits)
+            add_bend(s, n, own, four_beside(row, first, last), beside, noise[part], (variance, read))
+            add_bend(s, n, own, four_rows(phase, y, first, last), above, noise[part], (variance, read))
+            write_taken(s, n, own, noise[part], state[y, part], variance, made[part], doubted[part])

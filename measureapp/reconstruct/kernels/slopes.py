@@ -33,13 +33,6 @@ MISSING = np.uint8(1)
 PER_WIDE = np.float32(1 / (2 * REACH))
 BENT = np.float32(0.2)  # curvature, as a share of the rise over the window, beyond which a wide slope says nothing about its middle
 BENT_SIGMAS = np.float32(4.0)
-# of φ'': what a blur of 0.75 px, s² / 2, and reading between pixels, 1 / 12, shift the phase by where it is not taken back
-DOUBT = np.float32(0.37)
-# standard deviations of the phase that may come of noise, in a bend over REACH pixels and, beside a hole, over one
-NO_BEND, NO_NEAR_BEND = np.float32(8.0 / REACH**2), np.float32(14.0)
-# of the slope, by which the phase is taken to bend where a neighbour is missing: at the rim of a round body that is steep
-AT_BORDER = np.float32(0.25)
-PER_BENT = np.float32(1 / REACH**2)
 
 # four valid pixels of one surface; four valid pixels with a step between them; two or three valid ones beside a hole
 WHOLE, TORN, BESIDE = np.uint8(1), np.uint8(2), np.uint8(3)
@@ -95,10 +88,7 @@ def five_parts(copied: Any) -> Any:
 
 @njit(**INLINE)
 def take_slopes(s: Any, n: int, phases: Any, states: Any, noise: Any, step: Any) -> None:
-    """Take the slopes of n pixels, and what is in doubt of their phases where these bend: at the rim of a round body blur is hard to tell.
-
-    Without that such pixels, where the phase is steep, would count most.
-    """
+    """Take the slopes of n pixels."""
     up3, up, here, down, down3 = phases
     no_up3, no_up, none, no_down, no_down3 = states
     for i in range(n):
@@ -118,12 +108,7 @@ def take_slopes(s: Any, n: int, phases: Any, states: Any, noise: Any, step: Any)
         narrow_y = (wd * d + wu * u) * (HALF if wd + wu > ONE else ONE)
         wide = all_valid & smooth
         gx, gy = rise_x * PER_WIDE if wide else narrow_x, rise_y * PER_WIDE if wide else narrow_y
-        bent = PER_BENT * (abs(right + left - TWO * p) + abs(below + above - TWO * p)) - NO_BEND * sigma
-        near_bent = abs(wr * r - wq * q) * (ONE if wr + wq > ONE else AT_BORDER) + abs(wd * d - wu * u) * (
-            ONE if wd + wu > ONE else AT_BORDER
-        )
-        doubt = DOUBT * max(bent if all_valid else near_bent - NO_NEAR_BEND * sigma, ZERO)
-        s[OWN + i], s[SIGMA + i] = p, np.sqrt(sigma * sigma + doubt * doubt)
+        s[OWN + i], s[SIGMA + i] = p, sigma
         s[GX + i] = gx if none[k] == 0 else ZERO
         s[GY + i] = gy if none[k] == 0 else ZERO
 
@@ -164,7 +149,7 @@ def slopes(
     every: int,  # 1 or 2
     row_start: int,
     row_stop: int,
-    pixels: Any,  # out (H, 4 W) float32, records of four: phase, slope in rad/px along x and y, (0, 0) where unknown, and sigma with what is in doubt
+    pixels: Any,  # out (H, 4 W) float32, records of four: phase, slope in rad/px along x and y, (0, 0) where unknown, and sigma
     quad: Any,  # out (H, W) uint8, of the pixel with its right, lower and lower right neighbour: WHOLE, TORN, BESIDE or 0
     samples: Any,  # out (3, H / every, W / every), rounded up: phase and slopes of every so many pixels in both directions
 ) -> None:
