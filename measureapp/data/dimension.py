@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-SHARES = ("noise", "stitching", "calibration", "form")  # that make up the uncertainty of a dimension
+SHARES = ("noise", "stitching", "calibration", "form", "common")  # that make up the uncertainty of a dimension
 
 
 class Verdict(StrEnum):

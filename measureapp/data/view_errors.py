@@ -1,4 +1,4 @@
-"""What the views of a stitched cloud err by: where each lies, how the cameras' calibration bends its cloud, what form it has by itself."""
+"""What the views of a stitched cloud err by: where each lies, how the calibration bends its cloud, what form it has by itself or as all have."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from measureapp.geometry.transform import RigidTransform
 POSE = 6
 HELD = 1e-3  # singular value over the largest, from which on a surface holds a motion
 DEGREE = 3
+RADIAN = 1.0  # over which common errors change: of unit normals, between one side of a part and another
 POWERS = tuple((i, j, k) for i in range(DEGREE + 1) for j in range(DEGREE + 1 - i) for k in range(DEGREE + 1 - i - j))
 
 
@@ -31,6 +32,11 @@ class CloudBends:
         object.__setattr__(self, "middle_mm", read_only(self.middle_mm, np.float64, (3,)))
         object.__setattr__(self, "reach_mm", read_only(self.reach_mm, np.float64, (3,)))
         object.__setattr__(self, "coefficients_mm", read_only(self.coefficients_mm, np.float64, (len(POWERS), 3, None)))
+
+    @property
+    def count(self) -> int:
+        """How many errors."""
+        return int(self.coefficients_mm.shape[2])
 
     def products(self, points_mm: FloatArray) -> FloatArray:
         """Return the products (N, B) of points (N, 3) in the camera's frame."""
@@ -80,6 +86,32 @@ class FormErrors:
         return by_node
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class CommonErrors:
+    """Errors that all clouds have in common, by how the surface is turned to the cameras: light and blur act by that in every view.
+
+    A random field over directions, along the normals, told by its values at a few of them as `FormErrors` are by theirs at places.
+    """
+
+    nodes: FloatArray  # (N, 3), unit normals in the reference camera's frame
+    size_mm: float  # standard deviation
+    motions: FloatArray  # (6V, N), by which the views follow, as those of `ViewErrors`
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "nodes", read_only(self.nodes, np.float64, (None, 3)))
+        object.__setattr__(self, "motions", read_only(self.motions, np.float64, (None, len(self.nodes))))
+
+    @property
+    def count(self) -> int:
+        """How many independent errors the field is told by."""
+        return len(self.nodes)
+
+    def along(self, points_mm: FloatArray, directions: FloatArray) -> FloatArray:
+        """Return the displacements (M, N) of points (M, 3) along their normals (M, 3), to either side, all in the camera's frame; motions not in them."""
+        towards = -np.sign(np.sum(points_mm * directions, axis=1))[:, None]
+        return np.asarray(towards * self.size_mm * smooth_patterns(towards * directions, self.nodes, RADIAN))
+
+
 def smooth_patterns(points_mm: FloatArray, nodes_mm: FloatArray, reach_mm: float) -> FloatArray:
     """Return patterns (M, N) at points (M, 3) whose products sum to the covariance of a smooth error of variance one, seen from its nodes."""
 
@@ -104,6 +136,7 @@ class ViewErrors:
     by_calibration: FloatArray  # (6V, K), motions by the errors of the cameras' calibration
     bends: CloudBends | None = None  # by the same K errors; None where the calibration's errors are not known
     form: FormErrors | None = None  # None where they are not known
+    common: CommonErrors | None = None  # None where they are not known
 
     def __post_init__(self) -> None:
         rows = POSE * len(self.poses)
@@ -122,10 +155,11 @@ class ViewErrors:
             form=None
             if self.form is None
             else replace(self.form, nodes_mm=transform.apply(self.form.nodes_mm), motions=_turned(transform.rotation, self.form.motions)),
+            common=None if self.common is None else replace(self.common, motions=_turned(transform.rotation, self.common.motions)),
         )
 
     def along(self, points_mm: FloatArray, directions: FloatArray, view: IntArray) -> dict[str, FloatArray]:
-        """Return the displacements of points along directions (N, 3), by "stitching" (N, M) and, where known, by "calibration" and "form".
+        """Return the displacements of points along their normals (N, 3), by "stitching" (N, M) and, where known, by "calibration", "form" and "common".
 
         Parameters
         ----------
@@ -134,6 +168,7 @@ class ViewErrors:
         stitching = np.zeros((len(points_mm), self.by_stitching.shape[1]))
         calibration = np.zeros((len(points_mm), self.by_calibration.shape[1]))
         form = np.zeros((len(points_mm), 0 if self.form is None else len(self.form.nodes_mm)))
+        common = np.zeros((len(points_mm), 0 if self.common is None else len(self.common.nodes)))
         for number in np.unique(view):
             rows = np.flatnonzero(view == number)
             arms, across = points_mm[rows] - self.centres_mm[number], directions[rows]
@@ -141,13 +176,16 @@ class ViewErrors:
             block = slice(POSE * number, POSE * number + POSE)
             stitching[rows] = lever @ self.by_stitching[block]
             calibration[rows] = lever @ self.by_calibration[block]
+            back = self.poses[number].inverse()
+            seen = back.apply(points_mm[rows]), back.rotate(across)
             if self.bends is not None:
-                back = self.poses[number].inverse()
-                calibration[rows] += self.bends.along(back.apply(points_mm[rows]), back.rotate(across))
+                calibration[rows] += self.bends.along(*seen)
             if self.form is not None:
                 form[rows] = self.form.of(number, points_mm[rows]) + lever @ self.form.motions[block]
-        known = {"stitching": True, "calibration": self.bends is not None, "form": self.form is not None}
-        return {share: columns for share, columns in zip(known, (stitching, calibration, form), strict=True) if known[share]}
+            if self.common is not None:
+                common[rows] = self.common.along(*seen) + lever @ self.common.motions[block]
+        known = {"stitching": True, "calibration": self.bends is not None, "form": self.form is not None, "common": self.common is not None}
+        return {share: columns for share, columns in zip(known, (stitching, calibration, form, common), strict=True) if known[share]}
 
 
 def without_common_motion(errors: ViewErrors, points_mm: FloatArray, normals: FloatArray, view: IntArray) -> ViewErrors:
@@ -177,6 +215,7 @@ def without_common_motion(errors: ViewErrors, points_mm: FloatArray, normals: Fl
         by_stitching=left("stitching", errors.by_stitching),
         by_calibration=left("calibration", errors.by_calibration),
         form=None if errors.form is None else replace(errors.form, motions=left("form", errors.form.motions)),
+        common=None if errors.common is None else replace(errors.common, motions=left("common", errors.common.motions)),
     )
 
 

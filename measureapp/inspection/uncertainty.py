@@ -5,7 +5,9 @@ Standard uncertainties are combined in quadrature (JCGM 100), by shares:
 - noise: standard deviations of the fit from the points' residuals, widened by a factor when neighbouring points
   err together (see `shared_error_factor`);
 - stitching: where the views lie, by the joint covariance of their poses; what moves features alike drops out;
-- calibration: how the cameras' calibration bends all clouds alike, while poses follow.
+- calibration: how the cameras' calibration bends all clouds alike, while poses follow;
+- form: smooth errors that each cloud has by itself;
+- common: what all clouds may have alike beside the calibration.
 
 Where a cloud does not know of its views or of the calibration, the settings stand in and every result says so: each view stands off
 by `placement_mm` on its own, and lengths by `systematic_mm` and `systematic_relative` of the length.

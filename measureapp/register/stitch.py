@@ -106,6 +106,9 @@ def _of_all(errors: ViewErrors, chosen: Sequence[int], placements: Sequence[View
         by_stitching=by_stitching,
         by_calibration=by_calibration,
         form=None if errors.form is None else _form_of_all(errors.form, chosen, len(placements)),
+        common=None
+        if errors.common is None
+        else replace(errors.common, motions=motions_of(chosen, errors.common.motions, len(placements))),
     )
 
 

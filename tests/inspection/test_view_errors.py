@@ -9,7 +9,7 @@ import pytest
 
 from measureapp.data.dimension import Dimension
 from measureapp.data.inspection_program import InspectionProgram
-from measureapp.data.view_errors import POWERS, CloudBends, FormErrors, ViewErrors
+from measureapp.data.view_errors import POWERS, CloudBends, CommonErrors, FormErrors, ViewErrors
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.dimensions import inspect
 from measureapp.inspection.measured import MeasuredPoints
@@ -66,8 +66,9 @@ class Drawn:
             along = errors.along(points, np.tile(direction, (len(points), 1)), view)
             moved[:, axis] = along["stitching"] @ chosen[0] + along["calibration"] @ chosen[1]
         out = NOISE_MM * rng.standard_normal(len(points))
-        if errors.form is not None:
-            out += errors.along(points, normals, view)["form"] @ rng.standard_normal(len(errors.form.nodes_mm))
+        for share, columns in errors.along(points, normals, view).items():
+            if share in ("form", "common"):
+                out += columns @ rng.standard_normal(columns.shape[1])
         return replace(self.exact, points_mm=points + moved + out[:, None] * normals)
 
 
@@ -128,11 +129,20 @@ def with_form(made: Drawn) -> Drawn:
     return Drawn(replace(made.exact, errors=replace(made.exact.errors, form=form)))
 
 
+def with_common(made: Drawn) -> Drawn:
+    """Add errors that all views have in common, as large as those by the poses."""
+    assert made.exact.errors is not None
+    nodes = np.random.default_rng(3).normal(size=(12, 3))
+    nodes /= np.linalg.norm(nodes, axis=1, keepdims=True)
+    motions = np.random.default_rng(4).normal(size=(6 * VIEWS, 12)) * np.tile([SHIFT_MM / 4] * 3 + [TURN_RAD / 4] * 3, VIEWS)[:, None]
+    return Drawn(replace(made.exact, errors=replace(made.exact.errors, common=CommonErrors(nodes, SHIFT_MM, motions))))
+
+
 def inspected(points: MeasuredPoints) -> tuple[Dimension, ...]:
     return inspect(points, PROGRAM).dimensions
 
 
-@pytest.mark.parametrize("made", [drawn(), with_form(drawn())], ids=["poses", "form"])
+@pytest.mark.parametrize("made", [drawn(), with_form(drawn()), with_common(drawn())], ids=["poses", "form", "common"])
 def test_intervals_hold_the_truth_in_95_of_100_cases_when_views_and_calibration_err_as_they_say(made: Drawn) -> None:
     scores = []
     for seed in range(DRAWS):
@@ -161,13 +171,14 @@ def test_shares_add_up_and_are_told() -> None:
     assert found["corner"].budget["calibration"] < 1e-6  # a scale turns nothing
 
 
-def test_what_clouds_have_of_form_is_a_share_of_its_own() -> None:
-    plain, formed = ({one.name: one for one in inspected(made.exact)} for made in (drawn(), with_form(drawn())))
+@pytest.mark.parametrize(("share", "made"), [("form", with_form(drawn())), ("common", with_common(drawn()))])
+def test_what_clouds_have_of_form_by_themselves_or_in_common_is_a_share_of_its_own(share: str, made: Drawn) -> None:
+    plain, formed = ({one.name: one for one in inspected(each.exact)} for each in (drawn(), made))
     for name, one in formed.items():
-        assert set(one.budget) == {"noise", "stitching", "calibration", "form"}
+        assert set(one.budget) == {"noise", "stitching", "calibration", share}
         assert np.linalg.norm(list(one.budget.values())) == pytest.approx(one.uncertainty)
         assert one.budget["stitching"] == pytest.approx(plain[name].budget["stitching"])
-    assert formed["width"].budget["form"] > 0.2 * SHIFT_MM
+    assert formed["width"].budget[share] > 0.2 * SHIFT_MM
 
 
 def test_where_nothing_is_known_of_the_views_the_result_says_what_was_assumed() -> None:

@@ -17,7 +17,7 @@ LEAST_IN_SECTION = 0.3  # share of a normal that lies in the section; steeper si
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BladeErrors:
-    """By shares ("stitching", "calibration", "form") of the errors of the views, which all blades have in common."""
+    """By shares ("stitching", "calibration", "form", "common") of the errors of the views, which all blades have in common."""
 
     turn_rad: Mapping[str, FloatArray]  # (M,), about the part's axis
     stagger_rad: Mapping[str, FloatArray]  # (M,), changes of the stagger, by turn and by shift in the section

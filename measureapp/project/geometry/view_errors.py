@@ -9,13 +9,14 @@ from typing import Any
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.data.view_errors import POSE, POWERS, CloudBends, FormErrors, ViewErrors
+from measureapp.data.view_errors import POSE, POWERS, CloudBends, CommonErrors, FormErrors, ViewErrors
 from measureapp.errors import FrameMismatch, InputError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.geometry.ply import Ply
 
 VIEW, STITCHING, CALIBRATION, BEND, BOX = "view_pose", "stitching_error", "calibration_error", "cloud_bend", "cloud_bend_box"
 FORM, NODE, FOLLOWING = "cloud_form", "cloud_form_node", "cloud_form_motion"
+COMMON, COMMON_FOLLOWING = "common_error", "common_error_motion"
 MATRIX = tuple(f"m{row}{column}" for row in range(4) for column in range(4))
 CENTRE = ("x", "y", "z")
 
@@ -34,6 +35,10 @@ def error_elements(errors: ViewErrors | None) -> dict[str, dict[str, Any]]:
         arrays[FOLLOWING] = errors.form.motions
         elements[FORM] = {"size": errors.form.sizes_mm, "reach": errors.form.reaches_mm}
         elements[NODE] = dict(zip((*CENTRE, "view"), np.column_stack([errors.form.nodes_mm, errors.form.view]).T, strict=True))
+    if errors.common is not None:
+        arrays[COMMON_FOLLOWING] = errors.common.motions
+        sizes = np.full(errors.common.count, errors.common.size_mm)
+        elements[COMMON] = dict(zip((*CENTRE, "size"), np.column_stack([errors.common.nodes, sizes]).T, strict=True))
     return elements | {name: {"value": array.ravel()} for name, array in arrays.items() if array.size}
 
 
@@ -55,13 +60,18 @@ def errors_from(path: Path, ply: Ply, frame: str) -> ViewErrors | None:
             sizes, reaches = _table(ply.elements[FORM], ("size", "reach")).T
             nodes = _table(ply.elements[NODE], (*CENTRE, "view"))
             form = FormErrors(nodes[:, :3], nodes[:, 3].astype(int), sizes, reaches, _numbers(ply, FOLLOWING).reshape(rows, len(nodes)))
-        made = ViewErrors(poses, table[:, 16:], by_stitching, by_calibration, bends, form)
+        common = None
+        if COMMON in ply.elements:
+            nodes = _table(ply.elements[COMMON], (*CENTRE, "size"))
+            common = CommonErrors(nodes[:, :3], float(nodes[0, 3]), _numbers(ply, COMMON_FOLLOWING).reshape(rows, len(nodes)))
+        made = ViewErrors(poses, table[:, 16:], by_stitching, by_calibration, bends, form, common)
     except (KeyError, ValueError, FrameMismatch) as error:
         raise InputError(
             f"{path} is damaged where it says what its views err by: {error}.", "Stitch again, or copy the file again."
         ) from error
     numbers = [made.by_stitching, made.by_calibration, made.centres_mm]
     numbers += [] if made.form is None else [made.form.nodes_mm, made.form.sizes_mm, made.form.reaches_mm, made.form.motions]
+    numbers += [] if made.common is None else [made.common.nodes, np.array(made.common.size_mm), made.common.motions]
     if not all(np.isfinite(array).all() for array in numbers):
         raise InputError(f"{path} says of its views what is not a number.", "Stitch again, or copy the file again.")
     return made

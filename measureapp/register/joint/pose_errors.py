@@ -1,20 +1,31 @@
-"""How the poses of the joint estimate follow errors of the cameras' calibration, which bend all clouds alike."""
+"""How the poses of the joint estimate follow errors that displace all clouds alike, as those of the cameras' calibration do."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray
-from measureapp.data.view_errors import CloudBends
 from measureapp.geometry.transform import RigidTransform
 from measureapp.register.joint.pose_graph import Following
 from measureapp.register.pairs.icp import FLOOR_MM, PairMeasurement
 from measureapp.register.pairs.prepare import PreparedCloud
 
 HELD = 1e-3  # singular value over the largest, from which on the common surface holds a motion
+
+
+class CloudErrors(Protocol):
+    """Independent errors that displace all clouds alike."""
+
+    @property
+    def count(self) -> int:
+        """How many."""
+
+    def along(self, points_mm: FloatArray, directions: FloatArray) -> FloatArray:
+        """Return the displacements (M, K) of points (M, 3) along directions (M, 3), all in the camera's frame."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -38,23 +49,34 @@ class PairInfluence:
         gain[3:] /= length
         return cls(pair, points, normals, gain)
 
-    def bent(self, source: PreparedCloud, source_from_target: RigidTransform, bends: CloudBends) -> FloatArray:
-        """Return the motions (6, K) of the source where the calibration bends both clouds."""
-        gap = bends.along(self.points_mm, self.normals)
-        gap -= bends.along(source.points_mm[self.pair.matched_source], source_from_target.rotate(self.normals))
+    def moved(self, source: PreparedCloud, source_from_target: RigidTransform, errors: CloudErrors) -> FloatArray:
+        """Return the motions (6, K) of the source where both clouds err."""
+        gap = errors.along(self.points_mm, self.normals)
+        gap -= errors.along(source.points_mm[self.pair.matched_source], source_from_target.rotate(self.normals))
         return np.asarray(self.gain @ gap)
 
 
-def by_calibration(
-    following: Following, influences: Sequence[PairInfluence], clouds: Sequence[PreparedCloud], poses: Sequence[RigidTransform],
-    by_axes: FloatArray, bends: CloudBends,
-) -> FloatArray:  # fmt: skip
-    """Return the motions (6N, K) of all views by errors of the calibration, which bend the clouds and move the poses by the axes."""
-    right = following.by_axes @ by_axes
-    for one, weight in zip(influences, following.by_pairs, strict=True):
-        source_from_target = poses[one.pair.source].inverse() @ poses[one.pair.target]
-        right[_rows(one.pair)] += weight @ one.bent(clouds[one.pair.source], source_from_target, bends)
-    return np.asarray(following.inverse @ right)
+@dataclass(frozen=True, slots=True, eq=False)
+class JointInfluence:
+    """What the joint estimate makes of errors that all clouds share: by its pairs, and by the poses by the axes."""
+
+    following: Following
+    pairs: Sequence[PairInfluence]
+    clouds: Sequence[PreparedCloud]
+    poses: Sequence[RigidTransform]
+
+    def by_clouds(self, errors: CloudErrors) -> FloatArray:
+        """Return the motions (6N, K) of all views by errors that displace all clouds alike."""
+        right = np.zeros((6 * len(self.poses), errors.count))
+        for one, weight in zip(self.pairs, self.following.by_pairs, strict=True):
+            target, source = one.pair.target, one.pair.source
+            source_from_target = self.poses[source].inverse() @ self.poses[target]
+            right[_rows(one.pair)] += weight @ one.moved(self.clouds[source], source_from_target, errors)
+        return np.asarray(self.following.inverse @ right)
+
+    def by_axes(self, motions: FloatArray) -> FloatArray:
+        """Return the motions (6N, K) of all views by those (6N, K) of the poses by the axes."""
+        return np.asarray(self.following.inverse @ (self.following.by_axes @ motions))
 
 
 def _rows(pair: PairMeasurement) -> IntArray:

@@ -13,10 +13,11 @@ from measureapp.data.cloud import RingClosure, ViewPlacement
 from measureapp.data.view_errors import CalibrationErrors, ViewErrors, independent
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Progress
+from measureapp.register.joint.common_errors import common_errors
 from measureapp.register.joint.contradiction import free_correction, quantile
 from measureapp.register.joint.form_errors import form_errors
 from measureapp.register.joint.groundwork import Groundwork, PlacedCloud, in_parallel
-from measureapp.register.joint.pose_errors import PairInfluence, by_calibration
+from measureapp.register.joint.pose_errors import JointInfluence, PairInfluence
 from measureapp.register.joint.pose_graph import PoseGraphSolution, beside_each_other, following, solve
 from measureapp.register.joint.pose_prior import KinematicPrior, about_centres, largest_sigmas, with_cloud_errors
 from measureapp.register.joint.ring import largest_gap
@@ -135,17 +136,17 @@ class Registration:
         return judged, ring, self._errors(poses, fitted, known)
 
     def _errors(self, poses: Sequence[RigidTransform], edges: Sequence[PairMeasurement], known: PoseGraphSolution) -> ViewErrors:
-        """Return how the views err: by pairs and axes, by the cameras' calibration, which bends all clouds alike, and by each cloud's own form."""
+        """Return how the views err: by pairs and axes, by the calibration, which bends all clouds alike, and by the form of each and of all clouds."""
         by_stitching = independent(known.covariance)
-        clouds = [view.prepared for view in self.views]
-        form = form_errors(clouds, self._errors_of_clouds(edges), poses, self.centres)
-        if self.calibration is None:
-            return ViewErrors(tuple(poses), self.centres, by_stitching, np.zeros((len(by_stitching), 0)), form=form)
-        linear = following(poses, self.kinematic, self.prior, edges, self.centres)
+        clouds, sizes = [view.prepared for view in self.views], self._errors_of_clouds(edges)
         influences = in_parallel(lambda edge: PairInfluence.of(edge, clouds[edge.target], clouds[edge.source]), edges)
+        joint = JointInfluence(following(poses, self.kinematic, self.prior, edges, self.centres), influences, clouds, poses)
+        form, common = form_errors(clouds, sizes, poses, self.centres), common_errors(joint, sizes)
+        if self.calibration is None:
+            return ViewErrors(tuple(poses), self.centres, by_stitching, np.zeros((len(by_stitching), 0)), None, form, common)
         bends = self.calibration.bends
-        moved = by_calibration(linear, influences, clouds, poses, self.calibration.by_axes, bends)
-        return ViewErrors(tuple(poses), self.centres, by_stitching, moved, bends, form)
+        moved = joint.by_axes(self.calibration.by_axes) + joint.by_clouds(bends)
+        return ViewErrors(tuple(poses), self.centres, by_stitching, moved, bends, form, common)
 
     def _overlapping(self) -> list[tuple[int, int]]:
         """Return the pairs that share enough surface by the axes alone, the best of every view."""

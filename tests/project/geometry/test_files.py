@@ -9,7 +9,7 @@ import pytest
 
 from measureapp.data.cloud import PointCloud, StitchedCloud
 from measureapp.data.mesh import Mesh
-from measureapp.data.view_errors import POWERS, CloudBends, FormErrors, ViewErrors
+from measureapp.data.view_errors import POWERS, CloudBends, CommonErrors, FormErrors, ViewErrors
 from measureapp.errors import InputError, StorageError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.geometry.files import (
@@ -78,7 +78,8 @@ def errors_of(count: int, frame: str = "part") -> ViewErrors:
     by_stitching, by_calibration = rng.normal(size=(6 * count, 9)), rng.normal(size=(6 * count, 4))
     nodes, sizes = 20 * rng.normal(size=(3 * count, 3)), rng.uniform(0.001, 0.002, count)
     form = FormErrors(nodes, np.repeat(np.arange(count), 3), sizes, 20 + 1000 * sizes, 1e-3 * rng.normal(size=(6 * count, 3 * count)))
-    return ViewErrors(poses, rng.normal(size=(count, 3)), by_stitching, by_calibration, bends, form)
+    common = CommonErrors(rng.normal(size=(5, 3)), 0.002, 1e-3 * rng.normal(size=(6 * count, 5)))
+    return ViewErrors(poses, rng.normal(size=(count, 3)), by_stitching, by_calibration, bends, form, common)
 
 
 @pytest.mark.parametrize("calibrated", [True, False])
@@ -88,7 +89,7 @@ def test_what_the_views_err_by_comes_back_with_the_stitched_cloud(tmp_path: Path
     if not calibrated:
         errors = replace(errors, bends=None, by_calibration=np.zeros((18, 0)))
     if not formed:
-        errors = replace(errors, form=None)
+        errors = replace(errors, form=None, common=None)
     number = np.arange(50) % 3
     cloud = StitchedCloud(view.points_mm, view.normals, view.sigma_mm, view.grey, number, (), drawn_view=(number + 1) % 3, errors=errors)
     write_cloud(tmp_path / "s.ply", cloud)
@@ -96,7 +97,7 @@ def test_what_the_views_err_by_comes_back_with_the_stitched_cloud(tmp_path: Path
     assert back.errors is not None and back.drawn_view is not None
     np.testing.assert_array_equal(back.drawn_view, cloud.drawn_view)
     one, other = (each.along(cloud.points_mm, np.asarray(cloud.normals, float), number) for each in (errors, back.errors))
-    assert one.keys() == other.keys() and ("calibration" in one, "form" in one) == (calibrated, formed)
+    assert one.keys() == other.keys() and ("calibration" in one, "form" in one, "common" in one) == (calibrated, formed, formed)
     for share, columns in one.items():
         np.testing.assert_allclose(other[share], columns, atol=1e-9)
 

@@ -1,0 +1,70 @@
+"""What all clouds err by alike: as large as their form, and followed by the views as stitching follows it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from measureapp.arrays import FloatArray
+from measureapp.data.cloud import PointCloud, StitchedCloud
+from measureapp.data.view_errors import CommonErrors
+from measureapp.register.joint.pose_graph import beside_each_other
+from measureapp.register.stitch import stitch
+from tests.register.conftest import Scan, impeller
+
+DRAWN_MM = 0.005  # far above what is found to be common, and small enough for weights to stay
+
+
+def stitched(scan: Scan, clouds: list[PointCloud]) -> StitchedCloud:
+    return stitch(clouds, scan.truth, stations=scan.stations)
+
+
+def displaced(cloud: PointCloud, common: CommonErrors, drawn: FloatArray) -> PointCloud:
+    normals = np.asarray(cloud.normals, float)
+    along = common.along(cloud.points_mm, normals) @ drawn
+    return replace(cloud, points_mm=cloud.points_mm + along[:, None] * normals)
+
+
+def moved(before: StitchedCloud, after: StitchedCloud) -> FloatArray:
+    """Motions (6V,) of the views about their centres, beside what all have in common."""
+    assert before.errors is not None
+    motions = []
+    for old, new, centre in zip(before.placements, after.placements, before.errors.centres_mm, strict=True):
+        change = new.part_from_camera @ old.part_from_camera.inverse()
+        motions.append(np.concatenate([change.apply(centre) - centre, change.rotation_vector]))
+    return np.asarray(beside_each_other(before.errors.centres_mm) @ np.concatenate(motions))
+
+
+@pytest.fixture(scope="module")
+def scan(scanned: Callable[..., Scan]) -> Scan:
+    return scanned(impeller(), [36.0 * k for k in range(10)], [40.0], noise_mm=0.01, step_mm=0.6)
+
+
+@pytest.fixture(scope="module")
+def before(scan: Scan) -> StitchedCloud:
+    return stitched(scan, scan.clouds)
+
+
+def test_common_errors_are_as_large_as_those_of_form_whichever_way_a_surface_is_turned(before: StitchedCloud) -> None:
+    assert before.errors is not None and before.errors.form is not None and before.errors.common is not None
+    common, form = before.errors.common, before.errors.form
+    assert common.size_mm == pytest.approx(np.sqrt(np.mean(form.sizes_mm**2)))
+    turned = np.random.default_rng(1).normal(size=(200, 3)) + np.array([0, 0, -1.5])
+    turned /= np.linalg.norm(turned, axis=1, keepdims=True)
+    places = np.tile([0.0, 0.0, 500.0], (200, 1))
+    sizes = np.linalg.norm(common.along(places, turned)[turned[:, 2] < -0.3], axis=1)
+    assert (sizes > 0.9 * common.size_mm).all() and (sizes < 1.01 * common.size_mm).all()
+    np.testing.assert_array_equal(common.along(places, -turned), -common.along(places, turned))  # the same side of the surface
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_views_follow_common_errors_as_told(scan: Scan, before: StitchedCloud, seed: int) -> None:
+    assert before.errors is not None and before.errors.common is not None
+    common = before.errors.common
+    drawn = np.random.default_rng(seed).standard_normal(common.count) * DRAWN_MM / common.size_mm
+    after = stitched(scan, [displaced(cloud, common, drawn) for cloud in scan.clouds])
+    told, found = common.motions @ drawn, moved(before, after)
+    assert np.linalg.norm(found - told) < 0.25 * np.linalg.norm(told)
