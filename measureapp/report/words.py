@@ -70,12 +70,14 @@ def datums(names: Sequence[str]) -> str:
 
 
 def shares(dimension: Dimension) -> str:
-    """Return where an uncertainty comes from: the largest share first, each k = 2.
+    """Return where an uncertainty comes from: the largest share first, each k = 2, and none that would read as zero.
 
     >>> shares(Dimension("a", 10, 10, 0.05, -0.1, 0.1, Verdict.PASS, budget={"noise": 0.03, "stitching": 0.04})).replace(TOGETHER, " ")
     'stitching 0.0400, noise 0.0300 mm'
+    >>> shares(Dimension("a", 10, 10, 0.05, -0.1, 0.1, Verdict.PASS, budget={"noise": 0.03, "form": 0.00002})).replace(TOGETHER, " ")
+    'noise 0.0300 mm'
     """
-    named = ", ".join(f"{name}{TOGETHER}{number(size, SHARE_DIGITS)}" for name, size in dimension.shares)
+    named = ", ".join(f"{name}{TOGETHER}{number(size, SHARE_DIGITS)}" for name, size in dimension.shares if round(size, SHARE_DIGITS))
     return f"{named}{'' if dimension.unit == '°' else TOGETHER}{dimension.unit}" if named else NONE
 
 
