@@ -65,7 +65,7 @@ def errors_from(path: Path, ply: Ply, frame: str) -> ViewErrors | None:
             nodes = _table(ply.elements[COMMON], (*CENTRE, "size"))
             common = CommonErrors(nodes[:, :3], float(nodes[0, 3]), _numbers(ply, COMMON_FOLLOWING).reshape(rows, len(nodes)))
         made = ViewErrors(poses, table[:, 16:], by_stitching, by_calibration, bends, form, common)
-    except (KeyError, ValueError, FrameMismatch) as error:
+    except (LookupError, ValueError, FrameMismatch) as error:
         raise InputError(
             f"{path} is damaged where it says what its views err by: {error}.", "Stitch again, or copy the file again."
         ) from error

@@ -22,6 +22,8 @@ from measureapp.project.geometry.files import (
     write_cloud,
     write_mesh,
 )
+from measureapp.project.geometry.ply import Ply
+from measureapp.project.geometry.view_errors import error_elements, errors_from
 
 CORNERS = np.array([[0, 0, 0], [10, 0, 0], [0, 10, 0], [0, 0, 10.0]])
 FACES = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -100,6 +102,14 @@ def test_what_the_views_err_by_comes_back_with_the_stitched_cloud(tmp_path: Path
     assert one.keys() == other.keys() and ("calibration" in one, "form" in one, "common" in one) == (calibrated, formed, formed)
     for share, columns in one.items():
         np.testing.assert_allclose(other[share], columns, atol=1e-9)
+
+
+@pytest.mark.parametrize("element", ["view_pose", "cloud_form", "cloud_form_node", "common_error"])
+def test_elements_of_errors_that_lost_their_rows_are_refused(element: str):
+    elements = error_elements(errors_of(3))
+    elements[element] = {name: np.zeros(0) for name in elements[element]}
+    with pytest.raises(InputError, match=r"s\.ply is damaged where it says what its views err by"):
+        errors_from(Path("s.ply"), Ply((), elements), "part")
 
 
 def test_points_of_views_that_a_file_does_not_describe_are_refused(tmp_path: Path, view: PointCloud):
