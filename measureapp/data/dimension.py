@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 
 SHARES = ("noise", "stitching", "calibration", "form", "common")  # that make up the uncertainty of a dimension
+SHARE_DIGITS = 4  # so that what a small share adds is seen
 
 
 class Verdict(StrEnum):
@@ -42,10 +43,9 @@ class Dimension:
         """Measured minus nominal."""
         return None if self.measured is None else self.measured - self.nominal
 
-    @property
-    def shares(self) -> list[tuple[str, float]]:
-        """The shares of the uncertainty (k = 2) that are not zero, the largest first."""
-        return sorted(((name, size) for name, size in self.budget.items() if size > 0), key=lambda share: -share[1])
+    def shares_shown(self, digits: int = SHARE_DIGITS) -> list[tuple[str, float]]:
+        """Return the shares of the uncertainty (k = 2), the largest first, without those that would read as zero."""
+        return sorted(((name, size) for name, size in self.budget.items() if round(size, digits) > 0), key=lambda share: -share[1])
 
     def uncertainty_shown(self, digits: int = 3) -> float | None:
         """Return the uncertainty for so many digits: one that would read as zero is rounded up to the last of them (JCGM 100, 7.2.6)."""

@@ -168,7 +168,7 @@ class ViewErrors:
         stitching = np.zeros((len(points_mm), self.by_stitching.shape[1]))
         calibration = np.zeros((len(points_mm), self.by_calibration.shape[1]))
         form = np.zeros((len(points_mm), 0 if self.form is None else len(self.form.nodes_mm)))
-        common = np.zeros((len(points_mm), 0 if self.common is None else len(self.common.nodes)))
+        common = np.zeros((len(points_mm), 0 if self.common is None else self.common.count))
         for number in np.unique(view):
             rows = np.flatnonzero(view == number)
             arms, across = points_mm[rows] - self.centres_mm[number], directions[rows]

@@ -6,13 +6,12 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
-from measureapp.data.dimension import Dimension, Verdict
+from measureapp.data.dimension import SHARE_DIGITS, Dimension, Verdict
 
 MINUS = "−"
 NONE = "–"
 TOGETHER = "\u00a0"  # a space at which no line ends
 DATUM_LETTERS = "ABC"
-SHARE_DIGITS = 4  # so that what a small share adds is seen
 SIGNS: dict[Verdict, str] = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdict.NOT_MEASURED: "–"}
 COLOURS: dict[Verdict, str] = {
     Verdict.PASS: "#1B998B",
@@ -77,7 +76,7 @@ def shares(dimension: Dimension) -> str:
     >>> shares(Dimension("a", 10, 10, 0.05, -0.1, 0.1, Verdict.PASS, budget={"noise": 0.03, "form": 0.00002})).replace(TOGETHER, " ")
     'noise 0.0300 mm'
     """
-    named = ", ".join(f"{name}{TOGETHER}{number(size, SHARE_DIGITS)}" for name, size in dimension.shares if round(size, SHARE_DIGITS))
+    named = ", ".join(f"{name}{TOGETHER}{number(size, SHARE_DIGITS)}" for name, size in dimension.shares_shown())
     return f"{named}{'' if dimension.unit == '°' else TOGETHER}{dimension.unit}" if named else NONE
 
 

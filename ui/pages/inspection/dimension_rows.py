@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from measureapp.data.dimension import SHARE_DIGITS
 from ui.look.wording import counted, millimetres, percent, quantity, sentence, sentence_case, several
 from ui.widgets.data_table import Cell, number, verdict_cell
 from ui.widgets.data_tree import Branch
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import Alignment, Inspection
 
 DIGITS = {"mm": 3, "deg": 3, "°": 3}
-SHARE_DIGITS = 4  # so that what a small share adds is seen
 OTHERS = "Other features"
 DATUM_LETTERS = "ABC"
 
@@ -168,8 +168,8 @@ def dimension_properties(dimension: Dimension, features: Sequence[Feature], alig
     )
     taken = tuple(("", sentence(part)) for part in dimension.origin.split("; ") if part and not part.startswith("datums "))
     groups = [values]
-    if dimension.shares:
-        rows = tuple((sentence_case(name), quantity(size, unit, SHARE_DIGITS)) for name, size in dimension.shares)
+    if shares := dimension.shares_shown():
+        rows = tuple((sentence_case(name), quantity(size, unit, SHARE_DIGITS)) for name, size in shares)
         groups.append(Group("Shares of the uncertainty (k = 2)", rows))
     if taken:
         groups.append(Group("Where the value comes from", taken))
