@@ -11,7 +11,6 @@ from recorded import recorded
 
 from measureapp.cli import main
 from measureapp.project.calibration.camera_file import read_cameras
-from measureapp.project.calibration.camera_inputs import read_camera_inputs
 
 
 def run(capsys, *arguments):
@@ -44,7 +43,31 @@ def test_recorded_pairs_are_cross_validated_and_mapped(capsys, tmp_path):
     assert all(len(digest) == 64 for digest in calibration.provenance.inputs.values())
     for name, camera in calibration.cameras.items():  # a sharp lens and chip show edges of 2 to 3 px
         assert 0.5 < camera.blur_px == answer["blur_px"][name] < 1.5
-    assert len(read_camera_inputs(tmp_path / "corners.json").sightings) == 26
+
+
+def test_corners_found_once_are_solved_again_without_images(capsys, tmp_path):
+    stored = ("calibrate", "cameras", "--corners", str(tmp_path / "corners.json"))
+    first = run(capsys, "--corners-out", tmp_path / "corners.json", "--out", tmp_path / "first.json")[1]
+    assert main([*stored, "--out", str(tmp_path / "second.json"), "--json"]) == 0
+    second = json.loads(capsys.readouterr().out)
+    for figure in ("joint_rms_px", "cameras", "pairs", "views", "rejected", "cross_validation"):
+        assert second[figure] == first[figure]
+    assert main(["calibrate", "again", str(tmp_path / "second.json"), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["inputs"] == 1
+    assert main([*stored, "--distortion", "4", "--reference", "right", "--json"]) == 0
+    other = json.loads(capsys.readouterr().out)
+    assert other["reference"] == "right"
+    assert len(other["cameras"]["left"]["distortion"]) == 4
+    assert len(other["views"]) + len(other["rejected"]) == 26
+    (tmp_path / "cut.json").write_bytes((tmp_path / "corners.json").read_bytes()[:5000])
+    for arguments, said in (
+        ((*stored, "--board", "9x6", "--square-mm", "25"), "--corners already holds"),
+        ((*stored, "--serial", "middle=7"), "'middle=7' names no camera"),
+        ((*stored[:-1], str(tmp_path / "cut.json")), "does not hold the corners"),
+        ((*stored[:-1], str(tmp_path / "absent.json")), "cannot be read"),
+    ):
+        assert main([*arguments, "--json"]) == 2
+        assert said in json.loads(capsys.readouterr().out)["error"]["message"]
 
 
 def test_a_serial_number_of_no_camera_is_refused(capsys):

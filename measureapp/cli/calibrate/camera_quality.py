@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -110,14 +109,3 @@ def write_map(path: Path, quality: Quality) -> dict[str, Path]:
     write_uncertainty(path, quality.uncertainty)
     write_uncertainty_picture(picture, quality.uncertainty)
     return {"uncertainty_map": path, "uncertainty_picture": picture}
-
-
-def serials_of(options: Sequence[str], cameras: Sequence[str]) -> dict[str, str]:
-    """Return camera -> serial number of ``--serial camera=number``. Raises InputError."""
-    serials = {}
-    for option in options:
-        camera, given, serial = option.partition("=")
-        if not given or not serial or camera not in cameras:
-            raise InputError(f"--serial {option!r} names no camera and number.", f"Give it as {cameras[0]}=12345.")
-        serials[camera] = serial
-    return serials

@@ -9,19 +9,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.calibrate.camera_quality import quality_answer, quality_lines, quality_of, serials_of, write_map
+from measureapp.cli.calibrate.camera_corners import CornerSource
+from measureapp.cli.calibrate.camera_quality import quality_answer, quality_lines, quality_of, write_map
 from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.made_from import MadeFrom, made_from
 from measureapp.cli.calibrate.option_groups import with_groups
-from measureapp.cli.calibrate.options import BoardChoice, ImagesOption, OutOption
+from measureapp.cli.calibrate.options import OutOption
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 if TYPE_CHECKING:
-    from measureapp.calibrate.cameras.array import CameraArrayProblem, CameraArraySolution
-    from measureapp.data.board import BoardDescription
+    from measureapp.calibrate.cameras.array import CameraArraySolution
     from measureapp.data.calibration import CameraArrayCalibration
-    from measureapp.progress import Progress
-    from measureapp.project.calibration.board_images import BoardImages
 
 
 def register(group: typer.Typer) -> None:
@@ -31,16 +29,12 @@ def register(group: typer.Typer) -> None:
     @with_groups
     def cameras(
         ctx: typer.Context,
-        board: BoardChoice,
+        source: CornerSource,
         asked: AskedLimits,
-        images: ImagesOption = None,
         out: OutOption = None,
-        reference: Annotated[str | None, typer.Option(help="Reference camera; default: the first given.")] = None,
-        distortion: Annotated[int, typer.Option(help="Distortion coefficients: 4, 5 or 8.")] = 5,
         standoff_mm: Annotated[float | None, typer.Option(help="Distance at which parts are measured; default: that of the board.")] = None,
         uncertainty_map: Annotated[Path | None, typer.Option(help="npz to write the uncertainty map to; a PNG goes beside it.")] = None,
-        corners_out: Annotated[Path | None, typer.Option(help="File for the corners found, to solve again without images.")] = None,
-        serial: Annotated[list[str] | None, typer.Option(help="Serial number of a camera: name=number; once per camera.")] = None,
+        corners_out: Annotated[Path | None, typer.Option(help="File for the corners found, to solve again with --corners.")] = None,
         temperature_c: Annotated[float | None, typer.Option(help="Temperature when the images were taken.")] = None,
         valid_days: Annotated[float | None, typer.Option(help="Days after which the calibration expires.", min=0)] = None,
         as_json: JsonOption = False,
@@ -49,28 +43,25 @@ def register(group: typer.Typer) -> None:
         from measureapp.calibrate.cameras.array import solve
         from measureapp.calibrate.rig.limits import camera_limits
         from measureapp.progress import PartOf
-        from measureapp.project.calibration.board_images import find_board_images
         from measureapp.project.calibration.camera_file import write_cameras
         from measureapp.project.calibration.camera_inputs import write_camera_inputs
 
-        description, wanted = board.description(), asked.values(("shape",))
-        files = find_board_images(images or ())
-        numbers = serials_of(serial or (), files.cameras)
-        progress = TerminalProgress()
-        problem = _problem(files, description, reference or files.cameras[0], distortion, PartOf(progress, 0.0, 0.6))
-        solution = _dated(solve(problem, PartOf(progress, 0.6, 0.7)), numbers, temperature_c, valid_days)
-        quality = quality_of(problem, solution, standoff_mm, PartOf(progress, 0.7, 1.0))
+        wanted, progress = asked.values(("shape",)), TerminalProgress()
+        inputs = source.inputs(PartOf(progress, 0.0, 0.6))
+        solved = solve(inputs.problem, PartOf(progress, 0.6, 0.7))
+        solution = _dated(solved, source.serials(tuple(inputs.problem.sizes_px)), temperature_c, valid_days)
+        quality = quality_of(inputs.problem, solution, standoff_mm, PartOf(progress, 0.7, 1.0))
         written: dict[str, Path] = {}
         if uncertainty_map is not None:
             written |= write_map(uncertainty_map, quality)
         if corners_out is not None:
-            write_camera_inputs(corners_out, problem)
+            write_camera_inputs(corners_out, inputs)
             written["corners"] = corners_out
         if out is not None:
             write_cameras(out, _with_inputs(solution.calibration, made_from(ctx, out)))
             written["cameras"] = out
         limits = camera_limits(quality.uncertainty, wanted)
-        document = cameras_answer(solution, files) | quality_answer(quality) | limits_answer(limits) | {"files": written}
+        document = cameras_answer(solution, inputs.images) | quality_answer(quality) | limits_answer(limits) | {"files": written}
         lines = [*_lines(solution, document), *quality_lines(quality), *limit_lines(limits), *_written(written)]
         reply(document, "\n".join(lines), as_json)
         asked.exit_unless_met(limits)
@@ -78,27 +69,6 @@ def register(group: typer.Typer) -> None:
 
 def _written(files: Mapping[str, Path]) -> list[str]:
     return [f"Written: {path}" for path in files.values()]
-
-
-def _problem(files: BoardImages, board: BoardDescription, reference: str, distortion: int, progress: Progress) -> CameraArrayProblem:
-    from measureapp.calibrate.boards.find import find_board
-    from measureapp.calibrate.cameras.draft import CameraArrayDraft
-    from measureapp.calibrate.sightings import sighting_of
-    from measureapp.errors import CalibrationError
-
-    draft = CameraArrayDraft(board, reference, {camera: files.size_px(camera) for camera in files.cameras}, distortion)
-    total = len(files.cameras) * files.positions
-    for done, (camera, position, image) in enumerate(files.each()):
-        progress.report(done, total, f"board in {files.path(camera, position).name}")
-        try:
-            draft.add_sighting(sighting_of(camera, _view(position), find_board(image, board)))
-        except CalibrationError as error:
-            draft.reject(camera, _view(position), f"{error.message} {error.hint}".rstrip("."))
-    return draft.problem()
-
-
-def _view(position: int) -> str:
-    return f"{position + 1:02d}"
 
 
 def _with_inputs(calibration: CameraArrayCalibration, made: MadeFrom) -> CameraArrayCalibration:
@@ -126,8 +96,8 @@ def _dated(
     return replace(solution, calibration=replace(solution.calibration, cameras=cameras, provenance=provenance))
 
 
-def cameras_answer(solution: CameraArraySolution, files: BoardImages) -> dict[str, Any]:
-    """Return the JSON answer of a solution."""
+def cameras_answer(solution: CameraArraySolution, images: Mapping[tuple[str, str], str]) -> dict[str, Any]:
+    """Return the JSON answer of a solution. ``images`` names the file of each (camera, view)."""
     calibration = solution.calibration
     return {
         "reference": calibration.reference,
@@ -140,17 +110,24 @@ def cameras_answer(solution: CameraArraySolution, files: BoardImages) -> dict[st
         "pairs": _pairs(solution),
         "loops": [{"cameras": loop.cameras, "angle_deg": loop.angle_deg, "distance_mm": loop.distance_mm} for loop in solution.loops],
         "views": [
-            {"camera": view.camera, "view": view.view, "image": _image(files, view), "rms_px": view.rms_px, "corners": view.corners}
+            {
+                "camera": view.camera,
+                "view": view.view,
+                "image": images[view.camera, view.view],
+                "rms_px": view.rms_px,
+                "corners": view.corners,
+            }
             for view in solution.views
         ],
         "rejected": [
-            {"camera": one.camera, "view": one.view, "image": _image(files, one), "reason": one.reason} for one in solution.rejected
+            {"camera": one.camera, "view": one.view, "image": images[one.camera, one.view], "reason": one.reason}
+            for one in solution.rejected
         ],
         "rejected_corners": [
             {
                 "camera": one.camera,
                 "view": one.view,
-                "image": _image(files, one),
+                "image": images[one.camera, one.view],
                 "corner": one.corner,
                 "distance_px": one.distance_px,
                 "reason": one.reason,
@@ -158,10 +135,6 @@ def cameras_answer(solution: CameraArraySolution, files: BoardImages) -> dict[st
             for one in solution.rejected_corners
         ],
     }
-
-
-def _image(files: BoardImages, sighting: Any) -> str:
-    return files.path(sighting.camera, int(sighting.view) - 1).name
 
 
 def _parameters(solution: CameraArraySolution, name: str) -> dict[str, Any]:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -19,8 +21,17 @@ SCHEMA_VERSION = 1
 BOARD: TypeAdapter[Any] = TypeAdapter(AnyBoard)
 
 
-def write_camera_inputs(path: Path, problem: CameraArrayProblem) -> None:
+@dataclass(frozen=True, slots=True, eq=False)
+class CameraInputs:
+    """What cameras are solved from, and the images it was found in."""
+
+    problem: CameraArrayProblem
+    images: Mapping[tuple[str, str], str]  # (camera, view) -> name of the file
+
+
+def write_camera_inputs(path: Path, inputs: CameraInputs) -> None:
     """Write everything the solution depends on; numbers are kept to the last bit."""
+    problem = inputs.problem
     document = {
         "schema_version": SCHEMA_VERSION,
         "board": problem.board.model_dump(mode="json") | {"kind": getattr(problem.board, "kind", "checkerboard")},
@@ -29,18 +40,21 @@ def write_camera_inputs(path: Path, problem: CameraArrayProblem) -> None:
         "distortion_count": problem.distortion_count,
         "free_bow": problem.free_bow,
         "sightings": [
-            {"camera": one.camera, "view": one.view, "corners_px": one.corners_px.tolist()}
+            {"camera": one.camera, "view": one.view, "image": inputs.images[one.camera, one.view], "corners_px": one.corners_px.tolist()}
             | ({} if one.ids is None else {"ids": one.ids.tolist()})
             | ({} if one.sigma_px is None else {"sigma_px": one.sigma_px.tolist()})
             | ({"edge_px": one.edge_px} if one.edge_px else {})
             for one in problem.sightings
         ],
-        "rejected": [{"camera": one.camera, "view": one.view, "reason": one.reason} for one in problem.rejected],
+        "rejected": [
+            {"camera": one.camera, "view": one.view, "image": inputs.images[one.camera, one.view], "reason": one.reason}
+            for one in problem.rejected
+        ],
     }
     write_json(Path(path), document)
 
 
-def read_camera_inputs(path: Path) -> CameraArrayProblem:
+def read_camera_inputs(path: Path) -> CameraInputs:
     """Read what `write_camera_inputs` wrote.
 
     Raises
@@ -53,19 +67,35 @@ def read_camera_inputs(path: Path) -> CameraArrayProblem:
         document = json.loads(path.read_text(encoding="utf-8"))
         if document["schema_version"] != SCHEMA_VERSION:
             raise ValueError(f"schema_version is {document['schema_version']!r}, not {SCHEMA_VERSION}")
-        return CameraArrayProblem(
+        problem = CameraArrayProblem(
             board=BOARD.validate_python(document["board"]),
             reference=str(document["reference"]),
             sizes_px={str(name): (int(width), int(height)) for name, (width, height) in document["sizes_px"].items()},
             sightings=tuple(_sighting(entry) for entry in document["sightings"]),
-            rejected=tuple(Rejection(**entry) for entry in document["rejected"]),
+            rejected=tuple(Rejection(str(one["camera"]), str(one["view"]), str(one["reason"])) for one in document["rejected"]),
             distortion_count=int(document["distortion_count"]),
             free_bow=bool(document["free_bow"]),
         )
+        _require_whole(problem)
+        entries = [*document["sightings"], *document["rejected"]]
+        return CameraInputs(problem, {(str(one["camera"]), str(one["view"])): str(one["image"]) for one in entries})
     except OSError as error:
         raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give a file that `calibrate cameras` wrote.") from error
     except (ValueError, KeyError, TypeError, AttributeError) as error:
         raise InputError(f"{path} does not hold the corners of a camera calibration: {error}.", "Detect the corners again.") from error
+
+
+def _require_whole(problem: CameraArrayProblem) -> None:
+    """Raise ValueError where the parts of a file do not belong together."""
+    for camera, size in problem.sizes_px.items():
+        if min(size) < 1:
+            raise ValueError(f"images of {camera} are {size[0]} × {size[1]} px")
+    for one in problem.sightings:
+        if one.camera not in problem.sizes_px:
+            raise ValueError(f"the size of the images of {one.camera} is not there")
+        marks = np.arange(len(one.corners_px)) if one.ids is None else one.ids
+        if (one.ids is None and len(marks) != problem.board.count) or np.any((marks < 0) | (marks >= problem.board.count)):
+            raise ValueError(f"corners of {one.camera} in view {one.view} are not those of the {problem.board.label}")
 
 
 def _sighting(entry: dict[str, Any]) -> Sighting:

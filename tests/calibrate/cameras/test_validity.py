@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from datetime import UTC, datetime
 
@@ -12,6 +13,7 @@ from measureapp.calibrate.cameras.array import solve
 from measureapp.calibrate.cameras.validity import check_fits, shortfalls
 from measureapp.data.calibration import CameraArrayCalibration, Provenance
 from measureapp.errors import CalibrationError, InputError
+from measureapp.project.calibration.camera_inputs import CameraInputs, read_camera_inputs, write_camera_inputs
 from tests.calibrate import paper_head
 
 NOW = datetime(2031, 5, 20, 12, tzinfo=UTC)
@@ -80,13 +82,14 @@ def test_age_and_temperature_are_judged(provenance, temperature_c, said):
 
 
 def test_solving_the_stored_inputs_again_gives_the_same_numbers(tmp_path):
-    from measureapp.project.calibration.camera_inputs import read_camera_inputs, write_camera_inputs
-
     generator = np.random.default_rng(3)
     drawn = paper_head.problem(paper_head.drawn_head(generator), 6, 0.1, generator)
     problem = replace(drawn, sightings=tuple(replace(one, edge_px=2.5) for one in drawn.sightings))
-    write_camera_inputs(tmp_path / "inputs.json", problem)
-    first, again = solve(problem), solve(read_camera_inputs(tmp_path / "inputs.json"))
+    images = {(one.camera, one.view): f"{one.camera}{one.view}.png" for one in problem.sightings}
+    write_camera_inputs(tmp_path / "inputs.json", CameraInputs(problem, images))
+    stored = read_camera_inputs(tmp_path / "inputs.json")
+    assert stored.images == images
+    first, again = solve(problem), solve(stored.problem)
     assert first.parameters == again.parameters
     np.testing.assert_array_equal(first.covariance, again.covariance)
     for name, camera in first.calibration.cameras.items():
@@ -97,9 +100,28 @@ def test_solving_the_stored_inputs_again_gives_the_same_numbers(tmp_path):
         assert camera.blur_px == other.blur_px > 0
 
 
-def test_a_file_that_holds_no_corners_is_refused(tmp_path):
-    from measureapp.project.calibration.camera_inputs import read_camera_inputs
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (lambda file: file["sightings"][0].update(camera="middle"), "the size of the images of middle"),
+        (lambda file: file["sizes_px"].update(left=[0, 1944]), "images of left are 0 × 1944 px"),
+        (lambda file: file["board"].update(columns=13), "are not those of the board of 13 × 11 corners"),
+        (lambda file: file["sightings"][0]["ids"].__setitem__(0, 154), "are not those of the board of 14 × 11 corners"),
+    ],
+)
+def test_a_file_whose_parts_do_not_belong_together_is_refused(tmp_path, change, said):
+    generator = np.random.default_rng(3)
+    problem = paper_head.problem(paper_head.drawn_head(generator), 6, 0.1, generator)
+    path = tmp_path / "inputs.json"
+    write_camera_inputs(path, CameraInputs(problem, {(one.camera, one.view): "an image" for one in problem.sightings}))
+    document = json.loads(path.read_text())
+    change(document)
+    path.write_text(json.dumps(document))
+    with pytest.raises(InputError, match=said):
+        read_camera_inputs(path)
 
+
+def test_a_file_that_holds_no_corners_is_refused(tmp_path):
     with pytest.raises(InputError, match="cannot be read"):
         read_camera_inputs(tmp_path / "absent.json")
     (tmp_path / "other.json").write_text('{"schema_version": 1}')

@@ -1,0 +1,89 @@
+"""Where `calibrate cameras` has its corners from: images of a board, or a file of corners found before."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from measureapp.cli.calibrate.options import BoardChoice, ImagesOption
+from measureapp.errors import CalibrationError, InputError
+
+if TYPE_CHECKING:
+    from measureapp.progress import Progress
+    from measureapp.project.calibration.board_images import BoardImages
+    from measureapp.project.calibration.camera_inputs import CameraInputs
+
+DISTORTION = 5  # coefficients, where neither an option nor the file of corners says
+
+
+@dataclass(frozen=True, slots=True)
+class CornerSource:
+    """Images and board, or corners found before; and what is to be solved from them."""
+
+    board: BoardChoice
+    images: ImagesOption = None
+    corners: Annotated[Path | None, typer.Option(help="Corners that --corners-out wrote; stands for images and board.")] = None
+    reference: Annotated[str | None, typer.Option(help="Reference camera; default: the first given, or as in --corners.")] = None
+    distortion: Annotated[int | None, typer.Option(help="Distortion coefficients: 4, 5 or 8; default: 5, or as in --corners.")] = None
+    serial: Annotated[list[str] | None, typer.Option(help="Serial number of a camera: name=number; once per camera.")] = None
+
+    def inputs(self, progress: Progress) -> CameraInputs:
+        """Find or read the corners. Raises InputError where the options do not go together, name nothing, or a file cannot be read."""
+        if self.corners is None:
+            return self._from_images(progress)
+        if self.images or self.board != BoardChoice():
+            raise InputError("--corners already holds board and corners.", "Leave out --images and what describes the board, or --corners.")
+        from measureapp.project.calibration.camera_inputs import read_camera_inputs
+
+        stored = read_camera_inputs(self.corners)
+        self.serials(tuple(stored.problem.sizes_px))
+        problem = replace(
+            stored.problem,
+            reference=self.reference or stored.problem.reference,
+            distortion_count=stored.problem.distortion_count if self.distortion is None else self.distortion,
+        )
+        return replace(stored, problem=problem)
+
+    def serials(self, cameras: Sequence[str]) -> dict[str, str]:
+        """Return camera -> serial number of ``--serial camera=number``. Raises InputError."""
+        numbers = {}
+        for option in self.serial or ():
+            camera, given, number = option.partition("=")
+            if not given or not number or camera not in cameras:
+                raise InputError(f"--serial {option!r} names no camera and number.", f"Give it as {cameras[0]}=12345.")
+            numbers[camera] = number
+        return numbers
+
+    def _from_images(self, progress: Progress) -> CameraInputs:
+        from measureapp.calibrate.boards.find import find_board
+        from measureapp.calibrate.cameras.draft import CameraArrayDraft
+        from measureapp.calibrate.sightings import sighting_of
+        from measureapp.project.calibration.board_images import find_board_images
+        from measureapp.project.calibration.camera_inputs import CameraInputs
+
+        board, files = self.board.description(), find_board_images(self.images or ())
+        self.serials(files.cameras)
+        sizes = {camera: files.size_px(camera) for camera in files.cameras}
+        draft = CameraArrayDraft(
+            board, self.reference or files.cameras[0], sizes, DISTORTION if self.distortion is None else self.distortion
+        )
+        total = len(files.cameras) * files.positions
+        for done, (camera, position, image) in enumerate(files.each()):
+            progress.report(done, total, f"board in {files.path(camera, position).name}")
+            try:
+                draft.add_sighting(sighting_of(camera, _view(position), find_board(image, board)))
+            except CalibrationError as error:
+                draft.reject(camera, _view(position), f"{error.message} {error.hint}".rstrip("."))
+        return CameraInputs(draft.problem(), _names(files))
+
+
+def _names(files: BoardImages) -> dict[tuple[str, str], str]:
+    return {(camera, _view(number)): files.path(camera, number).name for camera in files.cameras for number in range(files.positions)}
+
+
+def _view(position: int) -> str:
+    return f"{position + 1:02d}"
