@@ -67,7 +67,7 @@ def errors_from(path: Path, ply: Ply, frame: str) -> ViewErrors | None:
         made = ViewErrors(poses, table[:, 16:], by_stitching, by_calibration, bends, form, common)
     except (LookupError, ValueError, FrameMismatch) as error:
         raise InputError(
-            f"{path} is damaged where it says what its views err by: {error}.", "Stitch again, or copy the file again."
+            f"{path} is damaged: what it says of its views' errors is not whole.", "Stitch again, or copy the file again."
         ) from error
     numbers = [made.by_stitching, made.by_calibration, made.centres_mm]
     numbers += [] if made.form is None else [made.form.nodes_mm, made.form.sizes_mm, made.form.reaches_mm, made.form.motions]

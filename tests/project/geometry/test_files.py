@@ -108,7 +108,7 @@ def test_what_the_views_err_by_comes_back_with_the_stitched_cloud(tmp_path: Path
 def test_elements_of_errors_that_lost_their_rows_are_refused(element: str):
     elements = error_elements(errors_of(3))
     elements[element] = {name: np.zeros(0) for name in elements[element]}
-    with pytest.raises(InputError, match=r"s\.ply is damaged where it says what its views err by"):
+    with pytest.raises(InputError, match=r"s\.ply is damaged: what it says of its views' errors"):
         errors_from(Path("s.ply"), Ply((), elements), "part")
 
 
