@@ -70,7 +70,7 @@ def _blade(angle_rad: float) -> _Blade:
     centre = (BLADE_CENTRE_MM * float(np.cos(angle_rad)), BLADE_CENTRE_MM * float(np.sin(angle_rad)))
     outer, right = (_flank(BLADE_RADIUS_MM + side * BLADE_THICKNESS_MM / 2, angle_rad, centre) for side in (1, -1))
     left = outer[::-1]
-    return _Blade(right, _between(right[-1], left[0]), left, _between(right[0], left[-1])[::-1])
+    return _Blade(right, _between(right[-1], left[0], BLADE_END_RADIUS_MM), left, _between(right[0], left[-1], HUB_RADIUS_MM)[::-1])
 
 
 def _flank(radius_mm: float, angle_rad: float, centre: tuple[float, float]) -> FloatArray:
@@ -86,18 +86,21 @@ def _on_flank(rho_mm: float, radius_mm: float, angle_rad: float) -> FloatArray:
     return rho_mm * np.array([np.cos(polar), np.sin(polar)])
 
 
-def _between(start: FloatArray, end: FloatArray) -> FloatArray:
+def _between(start: FloatArray, end: FloatArray, radius_mm: float) -> FloatArray:
     """The arc about the z axis, counter-clockwise from ``start`` to ``end``."""
     first, last = float(np.arctan2(start[1], start[0])), float(np.arctan2(end[1], end[0]))
     sweep = (last - first) % (2 * pi)
-    points = arc(float(np.linalg.norm(start)), first, first + sweep)
+    points = arc(radius_mm, first, first + sweep)
     points[0], points[-1] = start, end
     return points
 
 
 def _gaps(blades: list[_Blade]) -> list[FloatArray]:
     """The hub's outline between neighbouring blades, counter-clockwise."""
-    return [_between(blade.left[-1], following.right[0]) for blade, following in zip(blades, blades[1:] + blades[:1], strict=True)]
+    return [
+        _between(blade.left[-1], following.right[0], HUB_RADIUS_MM)
+        for blade, following in zip(blades, blades[1:] + blades[:1], strict=True)
+    ]
 
 
 def _hub_outline(blades: list[_Blade]) -> FloatArray:

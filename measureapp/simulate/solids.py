@@ -11,7 +11,8 @@ from scipy.spatial import Delaunay
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 
-CHORD_ERROR_MM = 0.00005  # round walls are then on average a thirtieth of a micrometre from round, a tenth of what is measured
+CHORD_ERROR_MM = 0.00005  # sagitta of the chords of round walls
+MEAN_SAGITTA = 2 / 3  # by which a chord lies inside its arc on average
 MERGE_DECIMALS = 6  # corners closer than a nanometre are one corner
 
 
@@ -22,13 +23,17 @@ def segments(radius_mm: float, angle_rad: float, chord_error_mm: float = CHORD_E
 
 
 def arc(radius_mm: float, start_rad: float, end_rad: float, centre: tuple[float, float] = (0.0, 0.0), count: int = 0) -> FloatArray:
-    """Return points (n + 1, 2) on an arc, both ends included; ``count`` chords, or as many as the chord error asks for."""
+    """Return the corners (n + 1, 2) of an arc of ``count`` chords, or as many as the chord error asks for, both ends included.
+
+    The chords lie on the arc on average, their corners outside, so that a circle fitted to the wall has the radius.
+    """
     angles = np.linspace(start_rad, end_rad, (count or segments(radius_mm, end_rad - start_rad)) + 1)
-    return np.column_stack([np.cos(angles), np.sin(angles)]) * radius_mm + centre
+    sagitta_mm = radius_mm * (1.0 - np.cos((angles[1] - angles[0]) / 2.0))
+    return np.column_stack([np.cos(angles), np.sin(angles)]) * (radius_mm + MEAN_SAGITTA * sagitta_mm) + centre
 
 
 def circle(radius_mm: float, centre: tuple[float, float] = (0.0, 0.0)) -> FloatArray:
-    """Return points (n, 2) round a circle, counter-clockwise, the first not repeated."""
+    """Return the corners (n, 2) of a circle of chords, counter-clockwise, the first not repeated."""
     return arc(radius_mm, 0.0, 2.0 * np.pi, centre)[:-1]
 
 
