@@ -16,10 +16,10 @@ from measureapp.errors import FitError
 from measureapp.inspection.features.cut import NominalFeature, cut_points, nominal_features
 from measureapp.inspection.features.errors import NOISE, Errors, Source, errors_by_views, following, noise_of
 from measureapp.inspection.features.shapes import signed_distances
-from measureapp.inspection.features.surface_point import surface_point, surface_point_following
+from measureapp.inspection.features.surface_point import QUADRIC, surface_point, surface_point_following
 from measureapp.inspection.measured import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
-from measureapp.inspection.uncertainty import effective_views, shared_error_factor
+from measureapp.inspection.uncertainty import PLANE, effective_views, shared_error_factor
 
 MAD_TO_SIGMA = 1.4826
 TRIM_ROUNDS = 3
@@ -96,7 +96,8 @@ def fitted(
     if reason := _implausible(feature, expected):
         return Found(name, None, f"{name}: {reason}", nominal=drawn)
     used = cut.where(kept)
-    factor = shared_error_factor(used.points_mm, residuals, settings.uncertainty.correlation_mm)
+    unknowns = QUADRIC if expected.surface_point else PLANE
+    factor = shared_error_factor(used.points_mm, residuals, settings.uncertainty.correlation_mm, unknowns)
     views = effective_views(used.view)
     by_views = _errors_by_views(expected, feature, used, settings.uncertainty.placement_mm, views)
     return Found(

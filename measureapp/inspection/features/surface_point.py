@@ -9,7 +9,7 @@ from measureapp.data.feature import Feature
 from measureapp.errors import FitError
 from measureapp.inspection.measured import MeasuredPoints
 
-UNKNOWNS = 6
+QUADRIC = 6  # unknowns
 
 
 def surface_point(nominal: Feature, used: MeasuredPoints, all_points_mm: FloatArray) -> tuple[Feature, FloatArray]:
@@ -34,10 +34,10 @@ def surface_point(nominal: Feature, used: MeasuredPoints, all_points_mm: FloatAr
     if _one_sided(design[:, 1:3]):
         raise FitError("the points of the patch do not surround the nominal point", "Scan this place from another side.")
     solution, _, rank, _ = np.linalg.lstsq(design, heights, rcond=1e-9)
-    if rank < UNKNOWNS:
+    if rank < QUADRIC:
         raise FitError("the points of the patch do not determine a surface", "Scan this place more densely.")
     residuals = heights - design @ solution
-    variance = float(residuals @ residuals) / max(len(heights) - UNKNOWNS, 1)
+    variance = float(residuals @ residuals) / max(len(heights) - QUADRIC, 1)
     position_sigma = float(np.sqrt(variance * np.linalg.inv(design.T @ design)[0, 0]))
     feature = Feature(
         nominal.name,
