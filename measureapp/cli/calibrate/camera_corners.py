@@ -40,7 +40,7 @@ class CornerSource:
         from measureapp.project.calibration.camera_inputs import read_camera_inputs
 
         stored = read_camera_inputs(self.corners)
-        self.serials(tuple(stored.problem.sizes_px))
+        self.serials(tuple(stored.problem.sizes_px))  # a wrong --serial is refused before minutes of work
         problem = replace(
             stored.problem,
             reference=self.reference or stored.problem.reference,
@@ -66,7 +66,7 @@ class CornerSource:
         from measureapp.project.calibration.camera_inputs import CameraInputs
 
         board, files = self.board.description(), find_board_images(self.images or ())
-        self.serials(files.cameras)
+        self.serials(files.cameras)  # as above
         sizes = {camera: files.size_px(camera) for camera in files.cameras}
         draft = CameraArrayDraft(
             board, self.reference or files.cameras[0], sizes, DISTORTION if self.distortion is None else self.distortion

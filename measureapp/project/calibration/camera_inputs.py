@@ -82,7 +82,8 @@ def read_camera_inputs(path: Path) -> CameraInputs:
     except OSError as error:
         raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give a file that `calibrate cameras` wrote.") from error
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise InputError(f"{path} does not hold the corners of a camera calibration: {error}.", "Detect the corners again.") from error
+        reason = f"{error} is missing" if isinstance(error, KeyError) else error
+        raise InputError(f"{path} does not hold the corners of a camera calibration: {reason}.", "Detect the corners again.") from error
 
 
 def _require_whole(problem: CameraArrayProblem) -> None:
