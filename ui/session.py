@@ -103,6 +103,11 @@ class Session(QObject):
         self.drivers: tuple[DriverRow, ...] = ()
         self._forget()
 
+    @property
+    def scale_ppm(self) -> float:
+        """The standard uncertainty of all lengths, as the rig's description states it; zero: taken as exact."""
+        return 0.0 if self.rig is None else self.rig.calibration_rules.scale_ppm
+
     def _tell_results(self) -> None:
         """Tell everyone that everything which follows from the images may be another."""
         for signal in (

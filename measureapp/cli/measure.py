@@ -28,13 +28,19 @@ def register(app: typer.Typer) -> None:
                 "rps:POINT,POINT,POINT,… or datums:A,B,C.",
             ),
         ] = None,
+        scale_ppm: Annotated[
+            float,
+            typer.Option(
+                "--scale-ppm", min=0, help="Standard uncertainty of all lengths, by the calibration board and the part's temperature."
+            ),
+        ] = 0.0,
         unit: UnitOption = LengthUnit.MM,
         as_json: JsonOption = False,
     ) -> None:
         """Measure the dimensions of an inspection program; exit code 1 when any does not pass."""
         from measureapp.data.dimension import Verdict
         from measureapp.inspection.dimensions import inspect
-        from measureapp.inspection.settings import InspectionSettings
+        from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
         from measureapp.inspection.verdict import RULES
         from measureapp.project.geometry.files import read_cloud_or_mesh
         from measureapp.project.program_file import read_program, read_program_nominal, with_alignment
@@ -44,7 +50,7 @@ def register(app: typer.Typer) -> None:
         if alignment is not None:
             described = with_alignment(described, alignment)
         nominal = read_program_nominal(program, described)
-        settings = InspectionSettings()
+        settings = InspectionSettings(uncertainty=UncertaintySettings(scale_ppm=scale_ppm))
         inspection = inspect(read_cloud_or_mesh(cloud, unit=unit), described, nominal, settings, TerminalProgress())
         rule = RULES[settings.verdict_rule]
         document = {

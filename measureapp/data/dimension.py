@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-SHARES = ("noise", "stitching", "calibration", "form", "common")  # that make up the uncertainty of a dimension
+SHARES = ("noise", "stitching", "calibration", "form", "common", "scale")  # that make up the uncertainty of a dimension
 SHARE_DIGITS = 4  # so that what a small share adds is seen
 
 

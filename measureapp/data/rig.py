@@ -101,6 +101,11 @@ class CalibrationRules(Model):
     )
     largest_temperature_change_k: float = Field(default=3.0, gt=0, description="of the head since the calibration")
     head_expansion_per_k: float = Field(default=23e-6, ge=0, description="of the head's frame; aluminium by default")
+    scale_ppm: float = Field(
+        default=0.0,
+        ge=0,
+        description="standard uncertainty of the board's lengths by its certificate, and of the part's by its temperature; 0: exact",
+    )
     when_exceeded: Literal["warn", "refuse"] = Field(default="warn", description="refuse: such a calibration starts no scan")
 
 

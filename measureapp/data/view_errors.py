@@ -137,6 +137,7 @@ class ViewErrors:
     bends: CloudBends | None = None  # by the same K errors; None where the calibration's errors are not known
     form: FormErrors | None = None  # None where they are not known
     common: CommonErrors | None = None  # None where they are not known
+    scale: float = 0.0  # standard uncertainty of what all lengths are measured by, relative; 0: taken as exact
 
     def __post_init__(self) -> None:
         rows = POSE * len(self.poses)
@@ -159,7 +160,7 @@ class ViewErrors:
         )
 
     def along(self, points_mm: FloatArray, directions: FloatArray, view: IntArray) -> dict[str, FloatArray]:
-        """Return the displacements of points along their normals (N, 3), by "stitching" (N, M) and, where known, by "calibration", "form" and "common".
+        """Return the displacements of points along their normals (N, 3), by "stitching" (N, M) and, where known, by "calibration", "form", "common" and "scale".
 
         Parameters
         ----------
@@ -184,8 +185,15 @@ class ViewErrors:
                 form[rows] = self.form.of(number, points_mm[rows]) + lever @ self.form.motions[block]
             if self.common is not None:
                 common[rows] = self.common.along(*seen) + lever @ self.common.motions[block]
-        known = {"stitching": True, "calibration": self.bends is not None, "form": self.form is not None, "common": self.common is not None}
-        return {share: columns for share, columns in zip(known, (stitching, calibration, form, common), strict=True) if known[share]}
+        scale = self.scale * np.sum((points_mm - self.centres_mm.mean(axis=0)) * directions, axis=1)[:, None]
+        known = {
+            "stitching": True,
+            "calibration": self.bends is not None,
+            "form": self.form is not None,
+            "common": self.common is not None,
+            "scale": self.scale > 0,
+        }
+        return {share: columns for share, columns in zip(known, (stitching, calibration, form, common, scale), strict=True) if known[share]}
 
 
 def without_common_motion(errors: ViewErrors, points_mm: FloatArray, normals: FloatArray, view: IntArray) -> ViewErrors:

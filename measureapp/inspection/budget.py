@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from measureapp.inspection.features.errors import CALIBRATION
+from measureapp.inspection.features.errors import CALIBRATION, SCALE
 from measureapp.inspection.features.found import Found
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.uncertainty import assumed_calibration
@@ -22,4 +22,7 @@ def completed(value: Value, unit: str, found: Sequence[Found], settings: Inspect
         told.append(
             f"assumed of the calibration: ± {chosen.systematic_mm:g} mm and {chosen.systematic_relative * 1e6:.0f} ppm of the length (k = 1)"
         )
+    if chosen.scale_ppm > 0 and unit == "mm":
+        budget.setdefault(SCALE, chosen.scale_ppm * 1e-6 * abs(value.value))  # without views a value follows the scale as a length does
+        told.append(f"lengths ± {chosen.scale_ppm:g} ppm (k = 1), by the calibration board and the part's temperature")
     return budget, tuple(told)

@@ -57,7 +57,7 @@ def inspect(
     progress.report(0, 3, "alignment")
     placed = alignment or align(points, program, surface, settings, getattr(measured, "frame", "part"), PartOf(progress, 0.0, 1 / 3))
     progress.report(1, 3, "features")
-    in_place = points.seen_from(placed.nominal_from_part)
+    in_place = points.seen_from(placed.nominal_from_part).with_scale(settings.uncertainty.scale_ppm)
     if alignment is None and program.alignment.method != "none":
         in_place = in_place.aligned()
     found = find_all(in_place, program, surface, settings, progress)

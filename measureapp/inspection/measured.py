@@ -80,6 +80,10 @@ class MeasuredPoints:
         errors = without_common_motion(self.errors, some.points_mm, np.asarray(some.normals, np.float64), some.view)
         return replace(self, errors=errors)
 
+    def with_scale(self, ppm: float) -> MeasuredPoints:
+        """Return the same points with this standard uncertainty of all lengths, where it is known what their views err by."""
+        return self if self.errors is None else replace(self, errors=replace(self.errors, scale=ppm * 1e-6))
+
     def thinned(self, count: int) -> MeasuredPoints:
         """Return about ``count`` points spread evenly over the surface: one of each cell of a grid."""
         return self if len(self) <= count else self.where(thinned_indices(self.points_mm, count))

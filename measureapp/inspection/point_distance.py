@@ -32,11 +32,12 @@ def point_distance(
     views, errors : by number the views of both points, and how the views of the stitched cloud err; None where not known
     """
     length = float(np.linalg.norm(points_mm[1] - points_mm[0]))
+    scale_mm = settings.scale_ppm * 1e-6 * length
     if errors is not None and views is not None and length > 0:
         along = np.tile((points_mm[1] - points_mm[0]) / length, (2, 1))
         shares = {share: columns[1] - columns[0] for share, columns in errors.along(points_mm, along, np.array(views)).items()}
         known = [float(np.linalg.norm(change)) for change in shares.values()]
-        noise = float(np.linalg.norm([*sigmas_mm, *known]))
+        noise = float(np.linalg.norm([*sigmas_mm, *known, scale_mm]))
         return length, COVERAGE_FACTOR * noise if "calibration" in shares else expanded(noise, length, settings)
     placed = 0.0 if same_view else np.sqrt(2.0) * settings.placement_mm
-    return length, expanded(float(np.linalg.norm([*sigmas_mm, placed])), length, settings)
+    return length, expanded(float(np.linalg.norm([*sigmas_mm, placed, scale_mm])), length, settings)

@@ -33,6 +33,9 @@ class UncertaintySettings(Model):
     placement_mm: float = Field(default=0.010, ge=0, description="of a single view after stitching")
     systematic_mm: float = Field(default=0.006, ge=0, description="of the calibration, the same for every length")
     systematic_relative: float = Field(default=4e-5, ge=0, description="of the calibration's scale, per length")
+    scale_ppm: float = Field(
+        default=0.0, ge=0, description="of the lengths of the calibration board, and of the part by its temperature; 0: exact"
+    )
 
 
 class InspectionSettings(Model):

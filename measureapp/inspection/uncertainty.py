@@ -7,7 +7,8 @@ Standard uncertainties are combined in quadrature (JCGM 100), by shares:
 - stitching: where the views lie, by the joint covariance of their poses; what moves features alike drops out;
 - calibration: how the cameras' calibration bends all clouds alike, while poses follow;
 - form: smooth errors that each cloud has by itself;
-- common: what all clouds may have alike beside the calibration.
+- common: what all clouds may have alike beside the calibration;
+- scale: what all lengths are measured by, as far as it was stated: the calibration board's lengths, the temperature of the part.
 
 Where a cloud does not know of its views or of the calibration, the settings stand in and every result says so: each view stands off
 by `placement_mm` on its own, and lengths by `systematic_mm` and `systematic_relative` of the length.

@@ -182,7 +182,10 @@ def inspection_settings(calibration: RigCalibration, rig: RigDescription, views:
     scales = [
         camera.standard_deviations.get("fx", 0.0) / float(camera.pinhole.matrix[0, 0]) for camera in calibration.cameras.cameras.values()
     ]
-    return InspectionSettings(uncertainty=UncertaintySettings(placement_mm=placement_mm, systematic_relative=max(scales)))
+    scale_ppm = rig.calibration_rules.scale_ppm
+    return InspectionSettings(
+        uncertainty=UncertaintySettings(placement_mm=placement_mm, systematic_relative=max(scales), scale_ppm=scale_ppm)
+    )
 
 
 def _inspected(project: ProjectFolder, stitched: StitchedCloud, settings: InspectionSettings, progress: Progress) -> Inspection | None:

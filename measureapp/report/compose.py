@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import degrees
 from typing import Any
 
@@ -57,7 +57,10 @@ def compose(
         header=_header(measurement),
         sections=(
             Section("Cloud and alignment", _cloud_facts(measurement, deviation, why_not)),
-            Section("Calibration", (*_validity_facts(measurement.validity), *_calibration_facts(measurement.calibration))),
+            Section(
+                "Calibration",
+                (*_validity_facts(measurement.validity), *_calibration_facts(measurement.calibration), *_length_facts(dimensions)),
+            ),
             Section("Settings", _settings_facts(measurement.settings)),
         ),
         pictures=part_pictures(measurement) if pictures else (),
@@ -197,6 +200,15 @@ def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
     if provenance.method:
         facts.append(Fact("Method", provenance.method))
     return tuple(facts)
+
+
+def _length_facts(dimensions: Sequence[Dimension]) -> tuple[Fact, ...]:
+    """What lengths rest on, and whether its own uncertainty was stated."""
+    if not dimensions:
+        return ()
+    stated = any(one.budget.get("scale") for one in dimensions)
+    told = 'in the share "scale"' if stated else "taken as exact"
+    return (Fact("Lengths", f"by the calibration board; its lengths and the part's temperature are {told}"),)
 
 
 def _camera_words(camera: CameraCalibration) -> str:

@@ -35,6 +35,16 @@ def test_measuring_a_good_part_answers_its_dimensions_and_ends_with_0(clouds, ca
     assert "ISO 14253-1" in document["verdict_rule"]
 
 
+def test_the_uncertainty_of_all_lengths_can_be_stated(clouds, capsys) -> None:
+    shares = []
+    for scale_ppm in ("0", "50"):
+        assert main(["measure", str(clouds["good"]), str(PROGRAM), "--json", "--scale-ppm", scale_ppm]) == 0
+        shares.append({one["name"]: one["uncertainty_budget"].get("scale") for one in json.loads(capsys.readouterr().out)["dimensions"]})
+    assert set(shares[0].values()) == {None}
+    assert shares[1]["a"] == pytest.approx(2 * 50e-6 * 180, rel=1e-3)
+    assert main(["measure", str(clouds["good"]), str(PROGRAM), "--scale-ppm", "-1"]) == 2
+
+
 def test_a_dimension_out_of_tolerance_ends_with_1(clouds, capsys) -> None:
     assert main(["measure", str(clouds["grown"]), str(PROGRAM)]) == 1
     out = capsys.readouterr().out

@@ -14,9 +14,11 @@ from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.dimensions import inspect
 from measureapp.inspection.measured import MeasuredPoints
 from measureapp.inspection.point_distance import point_distance
+from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 
 VIEWS, DRAWS = 4, 80
 NOISE_MM, SHIFT_MM, TURN_RAD, SCALE = 0.01, 0.004, 3e-5, 3e-5
+SCALE_PPM = 200.0
 COMMON_MM, COMMON_RAD = 0.2, 1e-3  # of all views together: no dimension shows it
 
 
@@ -69,6 +71,8 @@ class Drawn:
         for share, columns in errors.along(points, normals, view).items():
             if share in ("form", "common"):
                 out += columns @ rng.standard_normal(columns.shape[1])
+        if errors.scale:
+            points = points * (1 + errors.scale * rng.standard_normal())
         return replace(self.exact, points_mm=points + moved + out[:, None] * normals)
 
 
@@ -138,11 +142,20 @@ def with_common(made: Drawn) -> Drawn:
     return Drawn(replace(made.exact, errors=replace(made.exact.errors, common=CommonErrors(nodes, SHIFT_MM, motions))))
 
 
+def with_scale(made: Drawn) -> Drawn:
+    """Add a scale of everything that errs more than all else together over 100 mm."""
+    assert made.exact.errors is not None
+    return Drawn(replace(made.exact, errors=replace(made.exact.errors, scale=SCALE_PPM * 1e-6)))
+
+
 def inspected(points: MeasuredPoints) -> tuple[Dimension, ...]:
-    return inspect(points, PROGRAM).dimensions
+    scale_ppm = 0.0 if points.errors is None else points.errors.scale * 1e6
+    return inspect(points, PROGRAM, settings=InspectionSettings(uncertainty=UncertaintySettings(scale_ppm=scale_ppm))).dimensions
 
 
-@pytest.mark.parametrize("made", [drawn(), with_form(drawn()), with_common(drawn())], ids=["poses", "form", "common"])
+@pytest.mark.parametrize(
+    "made", [drawn(), with_form(drawn()), with_common(drawn()), with_scale(drawn())], ids=["poses", "form", "common", "scale"]
+)
 def test_intervals_hold_the_truth_in_95_of_100_cases_when_views_and_calibration_err_as_they_say(made: Drawn) -> None:
     scores = []
     for seed in range(DRAWS):
@@ -179,6 +192,19 @@ def test_what_clouds_have_of_form_by_themselves_or_in_common_is_a_share_of_its_o
         assert np.linalg.norm(list(one.budget.values())) == pytest.approx(one.uncertainty)
         assert one.budget["stitching"] == pytest.approx(plain[name].budget["stitching"])
     assert formed["width"].budget[share] > 0.2 * SHIFT_MM
+
+
+@pytest.mark.parametrize("errors_known", [True, False])
+def test_a_stated_scale_is_a_share_of_lengths_and_named_in_their_origin(errors_known: bool) -> None:
+    exact = drawn().exact
+    settings = InspectionSettings(uncertainty=UncertaintySettings(scale_ppm=SCALE_PPM))
+    found = {
+        one.name: one for one in inspect(exact if errors_known else replace(exact, errors=None), PROGRAM, settings=settings).dimensions
+    }
+    for name, length_mm in {"width": 80, "half width": 40, "pin diameter": 30, "small radius": 4, "pins": 160, "foot to wall": 40}.items():
+        assert found[name].budget["scale"] == pytest.approx(2e-6 * SCALE_PPM * length_mm, rel=1e-3), name
+        assert "lengths ± 200 ppm (k = 1)" in found[name].origin
+    assert found["corner"].budget.get("scale", 0.0) < 1e-9 and "ppm (k = 1), by" not in found["corner"].origin  # no scale turns anything
 
 
 def test_where_nothing_is_known_of_the_views_the_result_says_what_was_assumed() -> None:

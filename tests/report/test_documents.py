@@ -57,6 +57,7 @@ def test_the_calibration_says_how_blurred_images_are_where_the_board_told_it(mea
     facts = {fact.name: fact.value for section in model.sections for fact in section.facts}
     assert facts["Camera left"] == "rms 0.040 px, blur 0.75 px, serial S1"
     assert facts["Camera right"] == "rms 0.040 px, serial S1"
+    assert facts["Lengths"] == "by the calibration board; its lengths and the part's temperature are taken as exact"
     cameras = json.loads(json.dumps(report_document(model)))["calibration"]["cameras"]
     assert (cameras["left"]["blur_px"], cameras["right"]["blur_px"]) == (0.75, None)
 

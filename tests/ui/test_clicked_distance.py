@@ -104,7 +104,19 @@ def test_on_the_inspection_page_a_click_tells_view_and_place_in_the_drawing_and_
 @pytest.mark.parametrize(("stage", "known"), [("before", False), ("after", True), ("merged", True), ("filtered", True)])
 def test_points_of_every_cloud_that_was_stitched_bring_the_errors_of_its_views(stage, known):
     errors = object()
-    session = SimpleNamespace(stitched=SimpleNamespace(view_names=("v0", "v1"), errors=errors))
+    session = SimpleNamespace(stitched=SimpleNamespace(view_names=("v0", "v1"), errors=errors), scale_ppm=5.0)
     point = PickedPoint("v1", np.zeros(3), 0.01, 0.5, None, 2)
     clicked = CloudPicture(SimpleNamespace(), session, ()).clicked(stage, point)
     assert (clicked.number, clicked.errors) == ((1, errors) if known else (None, None))
+    assert clicked.scale_ppm == 5.0
+
+
+def test_a_distance_is_as_uncertain_as_the_lengths_of_the_rig(tool):
+    tool.button.setChecked(True)
+    for scale_ppm in (0.0, 100.0):
+        tool.click(point(0.0))
+        tool.click(point(500.0))
+        tool.click(replace(point(0.0), scale_ppm=scale_ppm))
+        tool.click(point(500.0))
+    exact, by_board = tool.distances[0].uncertainty_mm, tool.distances[-1].uncertainty_mm
+    assert by_board**2 - exact**2 == pytest.approx((2 * 100e-6 * 500) ** 2)

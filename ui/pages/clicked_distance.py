@@ -33,6 +33,7 @@ class ClickedPoint:
     view: str
     number: int | None = None  # which of the errors' views that is; None where no errors are known
     errors: ViewErrors | None = None  # of the stitched views, in the frame of the position
+    scale_ppm: float = 0.0  # standard uncertainty of all lengths of the rig
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,10 +49,12 @@ class Distance:
     def between(cls, first: ClickedPoint, second: ClickedPoint) -> Distance:
         """Measure from one point to the other."""
         from measureapp.inspection.point_distance import point_distance
+        from measureapp.inspection.settings import UncertaintySettings
 
         places, sigmas = np.stack([first.position_mm, second.position_mm]), (first.sigma_mm, second.sigma_mm)
         views = None if first.number is None or second.number is None else (first.number, second.number)
-        length, uncertainty = point_distance(places, sigmas, first.view == second.view, views=views, errors=first.errors)
+        settings = UncertaintySettings(scale_ppm=first.scale_ppm)
+        length, uncertainty = point_distance(places, sigmas, first.view == second.view, settings, views, first.errors)
         return cls(first, second, length, uncertainty if min(sigmas) > 0 else None)
 
     @property

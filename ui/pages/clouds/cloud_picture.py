@@ -81,7 +81,8 @@ class CloudPicture:
         known = self._session.stitched if stage != "before" else None
         names = () if known is None else known.view_names
         number = names.index(point.viewpoint_id) if point.viewpoint_id in names else None
-        return ClickedPoint(point.position_mm, point.sigma_mm, point.viewpoint_id, number, None if known is None else known.errors)
+        errors = None if known is None else known.errors
+        return ClickedPoint(point.position_mm, point.sigma_mm, point.viewpoint_id, number, errors, self._session.scale_ppm)
 
     def _visible_views(self) -> list[int]:
         return [index for index, view in enumerate(self._session.views) if view.viewpoint_id not in self._hidden]

@@ -290,7 +290,8 @@ class InspectionPage(ViewportPage):
         position = inspection.alignment.nominal_from_part.apply(point.position_mm[None])[0]
         if self.distance.is_on:
             errors = None if stitched.errors is None else stitched.errors.seen_from(inspection.alignment.nominal_from_part)
-            self.distance.click(ClickedPoint(position, point.sigma_mm, point.viewpoint_id, int(stitched.view[place]), errors))
+            number, scale_ppm = int(stitched.view[place]), self.session.scale_ppm
+            self.distance.click(ClickedPoint(position, point.sigma_mm, point.viewpoint_id, number, errors, scale_ppm))
             return
         if self.grow.is_on:
             self.grow.click(position)
