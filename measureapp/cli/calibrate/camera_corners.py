@@ -40,7 +40,7 @@ class CornerSource:
         from measureapp.project.calibration.camera_inputs import read_camera_inputs
 
         stored = read_camera_inputs(self.corners)
-        self.serials(tuple(stored.problem.sizes_px))  # a wrong --serial is refused before minutes of work
+        self.serials(tuple(stored.problem.sizes_px))
         problem = replace(
             stored.problem,
             reference=self.reference or stored.problem.reference,
@@ -49,7 +49,7 @@ class CornerSource:
         return replace(stored, problem=problem)
 
     def serials(self, cameras: Sequence[str]) -> dict[str, str]:
-        """Return camera -> serial number of ``--serial camera=number``. Raises InputError."""
+        """Return camera -> serial number of ``--serial camera=number``; asked for early too, so that a wrong one costs no minutes. Raises InputError."""
         numbers = {}
         for option in self.serial or ():
             camera, given, number = option.partition("=")
@@ -66,7 +66,7 @@ class CornerSource:
         from measureapp.project.calibration.camera_inputs import CameraInputs
 
         board, files = self.board.description(), find_board_images(self.images or ())
-        self.serials(files.cameras)  # as above
+        self.serials(files.cameras)
         sizes = {camera: files.size_px(camera) for camera in files.cameras}
         draft = CameraArrayDraft(
             board, self.reference or files.cameras[0], sizes, DISTORTION if self.distortion is None else self.distortion

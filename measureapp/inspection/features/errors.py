@@ -19,7 +19,7 @@ from measureapp.geometry.fits import following_points
 from measureapp.inspection.features.shapes import outward_normals
 from measureapp.inspection.measured import MeasuredPoints
 
-NOISE, STITCHING, CALIBRATION, SCALE = *SHARES[:3], SHARES[-1]
+NOISE, STITCHING, CALIBRATION, *_, SCALE = SHARES
 MOST_POINTS = 4000  # the errors of views change slowly over a feature
 TURN_MM = 100.0  # a turn counts as what it moves so far away, where errors are compared in size
 NEGLIGIBLE = 1e-6  # of the largest variance: each of some dozens
