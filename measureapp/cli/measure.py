@@ -31,7 +31,10 @@ def register(app: typer.Typer) -> None:
         scale_ppm: Annotated[
             float,
             typer.Option(
-                "--scale-ppm", min=0, help="Standard uncertainty of all lengths, by the calibration board and the part's temperature."
+                "--scale-ppm",
+                min=0,
+                max=1e6,
+                help="Standard uncertainty of all lengths, by the calibration board and the part's temperature.",
             ),
         ] = 0.0,
         unit: UnitOption = LengthUnit.MM,

@@ -13,7 +13,7 @@ COVERAGE_FACTOR = 2.0
 RULES: dict[VerdictRule, str] = {
     "iso-14253-1:2017": (
         "ISO 14253-1:2017: PASS when the true value lies within the tolerance with a probability of at least 95 %, "
-        "FAIL when it lies outside with at least 95 %, otherwise NOT PROVEN. Uncertainties are expanded, k = 2."
+        "FAIL when it lies beyond one limit with at least 95 %, otherwise NOT PROVEN. Uncertainties are expanded, k = 2."
     ),
     "guard-band": (
         "ISO 14253-1 with a guard band of the expanded uncertainty (k = 2): PASS inside the tolerance reduced by it, "
@@ -41,10 +41,12 @@ def judge(error: float, expanded_uncertainty: float | None, lower: float, upper:
         return Verdict.NOT_PROVEN
     if rule == "guard-band":
         return _by_guard_band(error, expanded_uncertainty, lower, upper)
-    conforming = conformance_probability(error, expanded_uncertainty / COVERAGE_FACTOR, lower, upper)
-    if conforming >= CONFORMANCE_PROBABILITY:
+    sigma = expanded_uncertainty / COVERAGE_FACTOR
+    if conformance_probability(error, sigma, lower, upper) >= CONFORMANCE_PROBABILITY:
         return Verdict.PASS
-    return Verdict.FAIL if 1 - conforming >= CONFORMANCE_PROBABILITY else Verdict.NOT_PROVEN
+    # not outside of both: where a tolerance is far narrower than the uncertainty, even its middle would be proven wrong
+    beyond_one = float(ndtr(max(lower - error, error - upper) / sigma))
+    return Verdict.FAIL if beyond_one >= CONFORMANCE_PROBABILITY else Verdict.NOT_PROVEN
 
 
 def conformance_probability(error: float, standard_uncertainty: float, lower: float, upper: float) -> float:

@@ -42,7 +42,8 @@ def test_the_uncertainty_of_all_lengths_can_be_stated(clouds, capsys) -> None:
         shares.append({one["name"]: one["uncertainty_budget"].get("scale") for one in json.loads(capsys.readouterr().out)["dimensions"]})
     assert set(shares[0].values()) == {None}
     assert shares[1]["a"] == pytest.approx(2 * 50e-6 * 180, rel=1e-3)
-    assert main(["measure", str(clouds["good"]), str(PROGRAM), "--scale-ppm", "-1"]) == 2
+    for rubbish in ("-1", "nan", "inf", "1e9"):
+        assert main(["measure", str(clouds["good"]), str(PROGRAM), "--scale-ppm", rubbish]) == 2
 
 
 def test_a_dimension_out_of_tolerance_ends_with_1(clouds, capsys) -> None:

@@ -28,6 +28,12 @@ def test_an_uncertainty_as_wide_as_the_tolerance_never_passes() -> None:
     assert judge(0.0, 0.12, -0.1, 0.1) is Verdict.NOT_PROVEN
 
 
+@pytest.mark.parametrize("error", [0.0, 0.1, 0.5])
+def test_an_uncertainty_far_wider_than_the_tolerance_proves_nothing(error: float) -> None:
+    assert judge(error, 100.0, -0.1, 0.1) is Verdict.NOT_PROVEN
+    assert judge(error + 200.0, 100.0, -0.1, 0.1) is Verdict.FAIL
+
+
 def test_a_value_without_uncertainty_is_not_proven_however_good_it_looks() -> None:
     assert judge(0.0, None, -0.1, 0.1) is Verdict.NOT_PROVEN
     assert judge(0.0, 0.0, -0.1, 0.1) is Verdict.NOT_PROVEN
