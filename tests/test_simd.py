@@ -1,0 +1,160 @@
+"""Vectors in compiled loops against NumPy."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from numba import njit
+from numba.core.errors import TypingError
+
+from measureapp.map_memory import at_a_line
+from measureapp.simd.elements import (
+    any_of,
+    converted,
+    count_of,
+    filled,
+    larger,
+    largest,
+    rounded_down,
+    smaller,
+    smallest,
+    square_root,
+    where,
+)
+from measureapp.simd.memory import gathered, load, store, store_past_caches
+
+LANES, LENGTH = 16, 160
+KINDS = (np.float32, np.float64, np.int8, np.uint8, np.int16, np.uint16, np.int32)
+
+
+def numbers(kind: Any, seed: int) -> np.ndarray:
+    """Numbers of both signs where there are such, small enough for products that fit, with equal ones among them."""
+    drawn = np.random.default_rng(seed).integers(-11, 12, LENGTH)
+    if np.issubdtype(kind, np.floating):
+        return (drawn / 4).astype(kind)
+    return (drawn if np.issubdtype(kind, np.signedinteger) else abs(drawn)).astype(kind)
+
+
+def through(step: Callable[[Any, Any], Any]) -> Callable[..., None]:
+    """A compiled loop that puts ``step`` of two arrays into a third."""
+    compiled = njit(step)
+
+    @njit(error_model="numpy")
+    def loop(first: Any, second: Any, out: Any) -> None:
+        for j in range(0, LENGTH, LANES):
+            store(converted(compiled(load(first, j, LANES), load(second, j, LANES)), out.dtype), out, j)
+
+    return loop
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_arithmetic_and_choices_are_those_of_numpy(kind: Any) -> None:
+    a, b = numbers(kind, 1), numbers(kind, 2)
+    two = kind(2)
+    expected = {
+        (lambda x, y: x + y * two): a + b * two,
+        (lambda x, y: two * x - y): two * a - b,
+        (lambda x, y: larger(two, y)): np.maximum(two, b),
+        (lambda x, y: smaller(x, two)): np.minimum(a, two),
+        (lambda x, y: where((x < y) & (y != two), x, y)): np.where((a < b) & (b != two), a, b),
+        (lambda x, y: where((x >= y) | ~(x == two), two, y)): np.where((a >= b) | ~(a == two), two, b),
+    }
+    if np.issubdtype(kind, np.signedinteger) or np.issubdtype(kind, np.floating):
+        expected[lambda x, y: abs(x) - (-y)] = abs(a) + b
+    for step, wanted in expected.items():
+        found = np.empty_like(a)
+        through(step)(a, b, found)
+        assert np.array_equal(found, wanted.astype(kind))
+
+
+def test_division_roots_and_rounding_are_those_of_numpy_to_float_precision() -> None:
+    a, b = numbers(np.float32, 3), numbers(np.float32, 4)
+    found = np.empty_like(a)
+    through(lambda x, y: x / (abs(y) + np.float32(1)))(a, b, found)
+    np.testing.assert_allclose(found, a / (abs(b) + 1), rtol=1e-6)
+    through(lambda x, y: square_root(abs(x)) + rounded_down(y))(a, b, found)
+    np.testing.assert_allclose(found, np.sqrt(abs(a)) + np.floor(b), rtol=1e-6, atol=1e-6)
+
+
+@pytest.mark.parametrize("given", KINDS)
+@pytest.mark.parametrize("wanted", (np.float32, np.uint8, np.int16, np.int32))
+def test_conversions_are_those_of_numpy(given: Any, wanted: Any) -> None:
+    a = abs(numbers(given, 5)) if np.issubdtype(wanted, np.unsignedinteger) else numbers(given, 5)
+    found = np.empty(LENGTH, wanted)
+    through(lambda x, _y: x)(a, a, found)
+    assert np.array_equal(found, a.astype(wanted))
+
+
+def test_whole_numbers_shift_and_join_their_bits() -> None:
+    a, b = numbers(np.int32, 6), numbers(np.int32, 7)
+    found = np.empty_like(a)
+    through(lambda x, y: (x >> np.int32(1)) | (y & np.int32(5)))(a, b, found)
+    assert np.array_equal(found, (a >> 1) | (b & 5))
+
+
+def test_a_table_is_looked_up_at_every_element() -> None:
+    table, places = np.arange(40, dtype=np.float32) ** 2, np.random.default_rng(8).integers(0, 40, LENGTH).astype(np.uint16)
+    found = np.empty(LENGTH, np.float32)
+
+    @njit
+    def look_up(table: Any, places: Any, out: Any) -> None:
+        for j in range(0, LENGTH, LANES):
+            store(gathered(table, converted(load(places, j, LANES), np.int32)), out, j)
+
+    look_up(table, places, found)
+    assert np.array_equal(found, table[places])
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_all_elements_give_one_number(kind: Any) -> None:
+    a = numbers(kind, 9)
+
+    @njit
+    def sum_up(a: Any, bound: Any, out: Any) -> Any:
+        for j in range(0, LENGTH, LANES):
+            seen = load(a, j, LANES)
+            above = seen > bound
+            row = out[j // LANES]
+            row[0], row[1], row[2], row[3] = largest(seen), smallest(seen), count_of(above), any_of(above)
+
+    found = np.empty((LENGTH // LANES, 4))
+    for bound in (kind(1), kind(2), kind(100)):
+        sum_up(a, bound, found)
+        rows = a.reshape(-1, LANES)
+        above = rows > bound
+        assert np.array_equal(found, np.stack([rows.max(1), rows.min(1), above.sum(1), above.any(1)], 1))
+
+
+def test_whole_lines_are_written_past_the_caches() -> None:
+    a, written = numbers(np.float32, 10), at_a_line((LENGTH,), np.float32)
+
+    @njit
+    def copy(a: Any, out: Any) -> None:
+        for j in range(0, LENGTH, LANES):
+            store_past_caches(load(a, j, LANES) * filled(np.float32(2), LANES), out, j)
+
+    copy(a, written)
+    assert np.array_equal(written, 2 * a)
+
+
+def test_what_does_not_fit_together_is_refused_by_the_compiler() -> None:
+    a, out = np.zeros(LENGTH, np.float32), np.zeros(LENGTH, np.int32)
+
+    @njit
+    def other_type(a: Any, out: Any) -> None:
+        store(load(a, 0, LANES), out, 0)
+
+    @njit
+    def other_length(a: Any, out: Any) -> None:
+        store(load(a, 0, LANES) + load(a, 0, 2 * LANES), a, 0)
+
+    @njit
+    def no_constant(a: Any, out: Any) -> None:
+        store(load(a, 0, len(a)), a, 0)
+
+    for loop in (other_type, other_length, no_constant):
+        with pytest.raises(TypingError):
+            loop(a, out)
