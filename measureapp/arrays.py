@@ -51,7 +51,7 @@ def in_bands(work: Callable[[int, int], Any], count: int, bands: int | None = No
     -------
     list : what each call returned, in order; the exception of a call is raised
     """
-    threads = max(1, os.cpu_count() or 1)
+    threads = processors()
     edges = np.linspace(0, count, (bands or 4 * threads) + 1).astype(int)
     shares = [(int(start), int(stop)) for start, stop in pairwise(edges) if stop > start]
     done: list[Any] = [None] * len(shares)
@@ -70,6 +70,12 @@ def in_bands(work: Callable[[int, int], Any], count: int, bands: int | None = No
     for helper in begun:
         helper.result()
     return done
+
+
+@cache
+def processors() -> int:
+    """Return how many there are: asking the system takes as long as a small share."""
+    return os.cpu_count() or 1
 
 
 @cache

@@ -10,7 +10,7 @@ import numpy as np
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.phase import PixelState
 from measureapp.errors import DecodeError
-from measureapp.fringe.kernels.records import CHUNK, RESIDUAL_SCALE, ROWS, SPACING, Layout, Maps, Model, Work
+from measureapp.fringe.kernels.records import CHUNK, RESIDUAL_SCALE, ROWS, SPACING, Layout, Maps, Model, Work, in_chunks
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.unwrap import HeterodynePlan, extent_px, plan_heterodyne
 from measureapp.map_memory import MapMemory, at_a_line
@@ -35,18 +35,23 @@ def make_model(recipe: Recipe, plan: HeterodynePlan | None, decides_later: bool)
     """Return what turns sums into phase, with the origin at a crest."""
     groups, saturation = recipe.groups, recipe.saturation
     pitches = np.array([group.pitch_px for group in groups])
-    scales = pitches.min() / pitches
+    scales, steps = pitches.min() / pitches, np.array([group.steps for group in groups])
     frequencies = np.array(plan.frequencies if plan else [1.0])
+    combinations = np.array(plan.combinations if plan else np.empty((0, len(groups))))
     return Model(
         sine_sign=np.float32(-recipe.patterns.shift_sign),
         origin=np.float32(0),
-        combinations=np.array(plan.combinations if plan else np.empty((0, len(groups))), np.float32),
+        combinations=combinations.astype(np.float32),
+        alone=np.array([_alone(combination) for combination in combinations], np.int64),
         ratios=np.concatenate([[1.0], frequencies[1:] / frequencies[:-1]]).astype(np.float32),
         watched=-1 if plan else 0,
         guard=np.float32(plan.guard if plan else 0.0),
         complementary=bool(recipe.gray_code and recipe.gray_code.complementary),
         finest=recipe.finest,
         scales=scales.astype(np.float32),
+        norms=(4 / steps**2).astype(np.float32),
+        shares=(2 * scales**2 / steps).astype(np.float32),
+        pulls=(2 * scales / steps).astype(np.float32),
         correction=_correction_table(recipe),
         **_of_exposures(recipe),
         beyond=np.float32(min(saturation * max(recipe.exposures_us) / min(recipe.exposures_us), 65535.0)),
@@ -54,14 +59,20 @@ def make_model(recipe: Recipe, plan: HeterodynePlan | None, decides_later: bool)
         one_gain=np.float32(1 / recipe.noise.electrons_per_grey(saturation)),
         one_floor=np.float32(recipe.noise.floor_variance(saturation)),
         sure=np.float32(_sure_variance(recipe, plan, scales)),
-        most_sigma=np.float32(recipe.settings.max_sigma_rad),
-        dark_sigma=np.float32(sigma_of_nothing(scales)),
+        weak_variance=np.float32(recipe.settings.max_sigma_rad**2),
+        dark_variance=np.float32(sigma_of_nothing(scales) ** 2),
         zero_is_dark=recipe.settings.rule == "paper",
         lowest=np.float32(-RANGE_MARGIN_PX / pitches.min()),
         highest=np.float32((extent_px(recipe.patterns) + RANGE_MARGIN_PX) / pitches.min()),
         gate=np.float32(recipe.settings.residual_gate if plan else GRAY_GATE_CYCLES),
         undecided=decides_later,
     )
+
+
+def _alone(combination: FloatArray) -> int:
+    """Return the group that a combination of phases consists of, -1 where it takes more than its phase once."""
+    groups = np.flatnonzero(combination)
+    return int(groups[0]) if len(groups) == 1 and combination[groups[0]] == 1 else -1
 
 
 def _sure_variance(recipe: Recipe, plan: HeterodynePlan | None, scales: FloatArray) -> float:
@@ -73,7 +84,7 @@ def _sure_variance(recipe: Recipe, plan: HeterodynePlan | None, scales: FloatArr
     return plan.sure_sigma_rad**2 / float((scales**2).sum())
 
 
-def _of_exposures(recipe: Recipe) -> dict[str, FloatArray | IntArray]:
+def _of_exposures(recipe: Recipe) -> dict[str, FloatArray | IntArray | int]:
     """Tabulate by set of exposures, bit e for exposure e, what the solver needs of it."""
     noise, saturation = recipe.noise, recipe.saturation
     light, weight = np.array(recipe.exposures_us, float), np.array(recipe.weights, float)
@@ -89,6 +100,7 @@ def _of_exposures(recipe: Recipe) -> dict[str, FloatArray | IntArray]:
         "to_longest": (light[0] / total).astype(np.float32),
         "to_brightest": (np.where(first >= 0, light[first], 0.0) / total).astype(np.float32),
         "first": first.astype(np.int8),
+        "exposures": len(light),
     }
 
 
@@ -129,7 +141,8 @@ def _correction_table(recipe: Recipe) -> FloatArray:
 
 
 def make_maps(dtype: np.dtype[np.unsignedinteger], pixels: int, memory: MapMemory) -> Maps:
-    """Return room for the maps of one camera."""
+    """Return room for the maps of one camera, in whole chunks."""
+    pixels = in_chunks(pixels)
     return Maps(
         phase=memory.empty(pixels, np.float32),
         sigma=memory.empty(pixels, np.float32),
@@ -141,13 +154,17 @@ def make_maps(dtype: np.dtype[np.unsignedinteger], pixels: int, memory: MapMemor
     )
 
 
+def of_pixels(maps: Maps, pixels: int) -> Maps:
+    """Return the maps without what fills up their last chunk."""
+    return Maps(*(each[:pixels] for each in maps))
+
+
 def make_work(groups: int) -> Work:
     """Return the arrays in which a block of pixels is solved."""
     return Work(
-        phase=at_a_line((groups, CHUNK), np.float32),
-        power=at_a_line((groups, CHUNK), np.float32),
+        phase=at_a_line((groups * SPACING,), np.float32),
+        power=at_a_line((groups * SPACING,), np.float32),
         rows=at_a_line((ROWS * SPACING,), np.float32),
-        code=at_a_line((3, CHUNK), np.int32),
         known=np.full(1, -1),
     )
 

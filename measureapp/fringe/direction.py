@@ -16,6 +16,7 @@ from measureapp.fringe.absolute import (
     Solve,
     make_maps,
     make_model,
+    of_pixels,
     plan_of,
     sampled_chunks,
     with_origin,
@@ -23,13 +24,13 @@ from measureapp.fringe.absolute import (
 from measureapp.fringe.exposures.blooming import near_saturation
 from measureapp.fringe.kernels.records import CHUNK, STRETCH, Layout, Maps, Model, Sums
 from measureapp.fringe.order_vote import VoteLimits, order_steps, settle_orders
-from measureapp.fringe.pixel_loop import NOWHERE, STRETCH_ALONE, PixelLoop, flat
+from measureapp.fringe.pixel_loop import NOWHERE, STRETCH_ALONE, PixelLoop, Room, flat
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.unwrap import extent_px
 from measureapp.map_memory import MapMemory
 
 LEAST_USABLE, MOST_OUTSIDE = 0.01, 0.8
-Fill = Callable[[Sums, int, int, int], None]  # puts the sums of pixels begin … end at a place: fill(sums, place, begin, end)
+Fill = Callable[[Sums, list[tuple[int, int]]], None]  # puts the sums of stretches of pixels (begin, end) one after the other
 UNLIT = (PixelState.SATURATED, PixelState.WEAK_MODULATION, PixelState.SHADOW, PixelState.BLOOMING)
 
 
@@ -71,17 +72,21 @@ class DirectionDecoder:
             for exposure in range(len(images)):
                 self.add(exposure, images[exposure])
             return self.finish()
-        whole, room = flat(images.reshape(*images.shape[:2], self._pixels)), self._loop.room(self._loop.layout)
+        whole, loop = flat(images.reshape(*images.shape[:2], self._pixels)), self._loop
 
-        def sum_sample(sample: Sums, first: int, begin: int, end: int) -> None:
-            self._loop.run(sample, begin - first, begin, end, images=whole, room=room)
+        def sum_sample(sample: Sums, stretches: list[tuple[int, int]]) -> None:
+            shown = flat(np.concatenate([whole[..., begin:end] for begin, end in stretches], axis=-1))
+            loop.run(sample, 0, 0, shown.shape[-1], images=shown)
 
         model = self._model(sum_sample)
         maps = make_maps(self._dtype, self._pixels, self._memory)
+        spare: list[tuple[Sums, Room]] = []
 
         def work(start: int, stop: int) -> tuple[IntArray, IntArray]:
-            sums = self._recipe.sums(self._dtype, STRETCH, self._memory)
-            return self._loop.run(sums, STRETCH_ALONE, start, stop, images=whole, model=model, maps=maps)
+            sums, room = spare.pop() if spare else (self._recipe.sums(self._dtype, STRETCH, self._memory), loop.room(loop.layout))
+            done = loop.run(sums, STRETCH_ALONE, start, stop, images=whole, model=model, maps=maps, room=room)
+            spare.append((sums, room))
+            return done
 
         done = self._loop.in_bands(work)
         self._seen = np.sum([seen for seen, _ in done], axis=0)
@@ -102,10 +107,11 @@ class DirectionDecoder:
         assert self._sums is not None
         sums = self._sums
 
-        def copy_sample(sample: Sums, first: int, begin: int, end: int) -> None:
-            for whole, part in zip(sums[:-1], sample[:-1], strict=True):
-                part[..., first : first + end - begin] = whole[..., begin:end]
-            sample.alike[first // CHUNK] = sums.alike[begin // CHUNK]
+        def copy_sample(sample: Sums, stretches: list[tuple[int, int]]) -> None:
+            for number, (begin, _) in enumerate(stretches):
+                for whole, part in zip(sums[:-1], sample[:-1], strict=True):
+                    part[..., number * CHUNK : (number + 1) * CHUNK] = whole[..., begin : begin + CHUNK]
+                sample.alike[number] = sums.alike[begin // CHUNK]
 
         model = self._model(copy_sample)
         maps = make_maps(self._dtype, self._pixels, self._memory)
@@ -125,13 +131,12 @@ class DirectionDecoder:
         """Return what solves the sums of some chunks; these are too few to be worth sharing among processors."""
         pixels = sum(end - begin for begin, end in chunks)
         sums = self._recipe.sums(self._dtype, pixels, self._memory)
-        for number, (begin, end) in enumerate(chunks):
-            fill(sums, number * CHUNK, begin, end)
+        fill(sums, chunks)
 
         def solve(trial: Model, layout: Layout) -> Maps:
             maps = make_maps(self._dtype, pixels, self._memory)
             self._loop.run(sums, 0, 0, pixels, model=trial, layout=layout, maps=maps)
-            return maps
+            return of_pixels(maps, pixels)
 
         return solve
 
@@ -146,7 +151,7 @@ class DirectionDecoder:
         return tuple(float(ratio) for ratio in (good + (self._pixels - due) * share) / self._pixels)
 
     def _phase_map(self, maps: Maps, model: Model, counts: IntArray) -> PhaseMap:
-        recipe = self._recipe
+        recipe, maps = self._recipe, of_pixels(maps, self._pixels)
         states, complete = counts[:-1], int(counts[-1])
         self._check_within(states)
         amplification = self._plan.amplification if self._plan else 0.0

@@ -17,6 +17,7 @@ from measureapp.map_memory import MapMemory
 
 COUNTERS = len(PixelState) + 1  # of every state, and of complete pixels
 NOWHERE = np.empty(0, np.uint8)  # no pixel is kept from an exposure by its neighbours
+Room = tuple[Scratch, Work]  # the arrays that the kernel works in
 STRETCH_ALONE = -1  # of the sums: they are of the stretch at hand, see `sum_and_solve`
 
 
@@ -47,13 +48,15 @@ class PixelLoop:
         model: Model | None = None,
         layout: Layout | None = None,
         maps: Maps | None = None,
-        room: tuple[Scratch, Work] | None = None,
+        room: Room | None = None,
     ) -> tuple[IntArray, IntArray]:
         """Sum images, if any, and solve the sums, if there are maps for it; returns what was seen and counted, see `sum_and_solve`."""
         layout, seen, counts = layout or self.layout, self.nothing_seen(), np.zeros(COUNTERS, np.int64)
         scratch, work = room or self.room(layout)
+        shown = self._no_images if images is None else images
         decoding.sum_and_solve(
-            self._no_images if images is None else images,
+            shown,
+            last_chunk(shown) if stop == shown.shape[-1] else shown[:0],
             exposure,
             blocked,
             layout,
@@ -72,7 +75,7 @@ class PixelLoop:
         )
         return seen, counts
 
-    def room(self, layout: Layout) -> tuple[Scratch, Work]:
+    def room(self, layout: Layout) -> Room:
         """Return the arrays that the kernel works in."""
         return self._recipe.scratch(self._dtype), make_work(len(layout.steps))
 
@@ -84,6 +87,13 @@ class PixelLoop:
         """Share whole chunks of pixels among the processors."""
         chunks = -(-self._pixels // CHUNK)
         return in_bands(lambda start, stop: work(start * CHUNK, min(stop * CHUNK, self._pixels)), chunks)
+
+
+def last_chunk(images: ImageArray) -> ImageArray:
+    """Return the last chunk of images (E, P, N), filled up with their last pixel; nothing where the last one is a whole one."""
+    pixels = images.shape[-1]
+    left = pixels % CHUNK
+    return flat(images[..., np.minimum(np.arange(pixels - left, pixels - left + CHUNK), pixels - 1)] if left else images[:0])
 
 
 def flat(images: ImageArray) -> ImageArray:

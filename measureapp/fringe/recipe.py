@@ -9,7 +9,7 @@ import numpy as np
 from measureapp.data.fringe import Direction, GrayCodeGroup, PatternSet, PhaseShiftGroup
 from measureapp.errors import DecodeError
 from measureapp.fringe.exposures.weights import exposure_weights
-from measureapp.fringe.kernels.records import CHUNK, Layout, Rule, Scratch, Sums
+from measureapp.fringe.kernels.records import CHUNK, Layout, Rule, Scratch, Sums, in_chunks
 from measureapp.fringe.noise.model import CameraNoise
 from measureapp.fringe.phase_shift import shift_weights
 from measureapp.fringe.settings import DecodeSettings
@@ -107,12 +107,12 @@ class Recipe:
         return Rule(self.finest, dtype.type(top), self.settings.rule == "paper", np.array(self.weights, np.uint8))
 
     def sums(self, dtype: np.dtype[np.unsignedinteger], pixels: int, memory: MapMemory) -> Sums:
-        """Return room for the sums of so many pixels: whole numbers where these are exact and cannot overflow."""
+        """Return room for the sums of so many pixels, in whole chunks: whole numbers where these are exact and cannot overflow."""
+        pixels = in_chunks(pixels)
         steps = [group.steps for group in self.groups]
         short = dtype == np.uint8 and set(steps) == {4} and 255 * 4 * sum(self.weights) <= LARGEST_SHORT
         kind, groups, apart = np.int16 if short else np.float32, len(steps), 1 if self.settings.joint else len(steps)
         planes = self.gray_code.planes if self.gray_code else 0
-        chunks = -(-pixels // CHUNK)
         return Sums(
             sine=memory.empty(groups * pixels, kind).reshape(groups, pixels),
             cosine=memory.empty(groups * pixels, kind).reshape(groups, pixels),
@@ -121,14 +121,13 @@ class Recipe:
             taken=memory.empty(apart * pixels, np.uint16).reshape(apart, pixels),
             zero=memory.empty(pixels, np.uint8),
             bloomed=memory.empty(pixels, np.uint8),
-            alike=np.empty(chunks, np.int64),
+            alike=np.empty(pixels // CHUNK, np.int64),
         )
 
     def scratch(self, dtype: np.dtype[np.unsignedinteger]) -> Scratch:
         """Return the arrays of one chunk."""
         return Scratch(
             high=at_a_line((1 if self.settings.joint else len(self.groups), CHUNK), dtype),
-            peak=at_a_line((CHUNK,), dtype),
             low=at_a_line((CHUNK,), dtype),
             take=at_a_line((CHUNK,), np.uint8),
         )

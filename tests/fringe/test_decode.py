@@ -4,6 +4,7 @@ from math import erfc, pi, sqrt, tau
 
 import numpy as np
 import pytest
+from numba import njit
 
 from measureapp.arrays import FloatArray
 from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternSet, PhaseShiftGroup
@@ -12,12 +13,19 @@ from measureapp.data.phase import PixelState
 from measureapp.errors import DecodeError
 from measureapp.fringe.absolute import sampled_chunks
 from measureapp.fringe.decode import decode, decode_camera
-from measureapp.fringe.kernels.records import CHUNK, LOOKED_AT
+from measureapp.fringe.kernels.records import CHUNK, LOOKED_AT, PIXELS
 from measureapp.fringe.kernels.wrapping import atan2_cycles
 from measureapp.fringe.noise.model import CameraNoise, phase_sigma
 from measureapp.fringe.phase_shift import wrapped_phase
 from measureapp.fringe.settings import DecodeSettings
+from measureapp.simd.memory import load, store
 from tests.fringe.conftest import EXPOSURES_US, images_of, ramp, stack_of
+
+
+@njit
+def arctangents(sine: FloatArray, cosine: FloatArray, cycles: FloatArray) -> None:
+    for j in range(0, len(sine), PIXELS):
+        store(atan2_cycles(load(sine, j, PIXELS), load(cosine, j, PIXELS)), cycles, j)
 
 
 def predicted_sigma(mean: float, modulation: float) -> float:
@@ -211,9 +219,10 @@ def test_the_kernel_agrees_with_the_readable_statement() -> None:
 
 
 def test_the_polynomial_arc_tangent_is_exact_to_float_precision() -> None:
-    angle = np.linspace(-np.pi, np.pi, 20001)[1:-1].astype(np.float32)
-    found = tau * np.array([atan2_cycles(np.float32(np.sin(a)), np.float32(np.cos(a))) for a in angle[::20]])
-    assert np.abs(found - angle[::20]).max() < 7e-7
+    angle = np.linspace(-np.pi, np.pi, 1250 * PIXELS + 2)[1:-1].astype(np.float32)
+    found = np.empty_like(angle)
+    arctangents(np.sin(angle), np.cos(angle), found)
+    assert np.abs(tau * found - angle).max() < 7e-7
 
 
 def test_a_twelve_bit_camera_decodes_as_well_as_an_eight_bit_one() -> None:
@@ -311,3 +320,20 @@ def test_images_that_do_not_fit_the_set_are_refused() -> None:
         decode(stack_of(np.zeros((1, 7, 5, 5), np.uint8)))
     with pytest.raises(DecodeError, match="float32 images"):
         decode(FringeStack("v", PAPER_PATTERNS, (1,), {"left": np.zeros((1, 8, 5, 5), np.float32)}, 255))
+
+
+@pytest.mark.parametrize("rule", ["combined", "paper"])
+@pytest.mark.parametrize("guard_px", [0, 2])
+def test_pixels_beyond_the_last_whole_chunk_are_decoded_like_all_others(rule: str, guard_px: int) -> None:
+    images = images_of(ramp(48, 333), PAPER_PATTERNS, EXPOSURES_US, mean=150.0, modulation=110.0)
+    settings = DecodeSettings(rule=rule, vote_radius=0, edge_step_rad=1e6, blooming_radius_px=guard_px)
+    rows = 41
+    assert rows * 333 % CHUNK % PIXELS != 0
+    whole = decode(stack_of(images.copy(), exposures_us=EXPOSURES_US), settings)["left"]
+    part = decode(stack_of(images[:, :, :rows].copy(), exposures_us=EXPOSURES_US), settings)["left"]
+    for name in ("phase_rad", "sigma_rad", "modulation", "grey", "state", "exposure_index"):
+        mine, its = getattr(part, name), getattr(whole, name)
+        assert np.array_equal(mine[: -guard_px or None], its[: rows - guard_px]), name
+    assert sum(part.details[state.name.lower()] for state in PixelState) == rows * 333
+    assert part.details["valid"] == part.valid.sum()
+    assert part.valid_ratio_composite == pytest.approx(float((part.exposure_index >= 0).mean()), abs=1e-12)

@@ -324,7 +324,7 @@ def test_a_cloud_is_the_same_to_the_last_bit_however_many_processors_share_the_w
     maps = head.phase_maps(nearest(sphere((-60, 0, 470), 30), plane(560)), 0.012, 7)
     clouds = []
     for processors in (1, 2, 5, 5):
-        monkeypatch.setattr("os.cpu_count", lambda count=processors: count)
+        monkeypatch.setattr("measureapp.arrays.processors", lambda count=processors: count)
         clouds.append(reconstruct(maps, head.cameras, rectifier=rectifier).cloud)
     for cloud in clouds[1:]:
         for name in ("points_mm", "normals", "sigma_mm", "grey", "pixel", "cameras"):

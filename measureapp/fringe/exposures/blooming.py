@@ -6,23 +6,24 @@ import numpy as np
 
 from measureapp.arrays import BoolArray, ImageArray, in_bands
 from measureapp.fringe.kernels import summing
-from measureapp.fringe.kernels.records import CHUNK, Layout, Rule
+from measureapp.fringe.kernels.records import CHUNK, Layout, Rule, in_chunks
 
 
 def near_saturation(images: ImageArray, shape: tuple[int, int], layout: Layout, rule: Rule, radius_px: int) -> ImageArray:
-    """Mark pixels within a square of ``radius_px`` about those that one exposure (P, N) saturates, (N,) uint8.
+    """Mark pixels within a square of ``radius_px`` about those that one exposure (P, N) saturates, uint8.
 
-    It reads the images a second time, and the neighbourhood only where there is saturation.
+    The last chunk is filled up with its last pixel. It reads the images a second time, and the neighbourhood only where there is saturation.
     """
-    saturated = np.empty(images.shape[1], np.uint8)
-    chunks = -(-images.shape[1] // CHUNK)
+    pixels = images.shape[1]
+    marked = np.empty(in_chunks(pixels), np.uint8)
 
     def work(start: int, stop: int) -> None:
-        end = min(stop * CHUNK, images.shape[1])
-        summing.mark_saturated(images, layout, rule.limit, start * CHUNK, end, saturated)
+        summing.mark_saturated(images, layout, rule.limit, start * CHUNK, min(stop * CHUNK, pixels), marked)
 
-    in_bands(work, chunks)
-    return _widened(saturated.view(np.bool_).reshape(shape), radius_px).reshape(-1).view(np.uint8)
+    in_bands(work, len(marked) // CHUNK)
+    marked[:pixels] = _widened(marked[:pixels].view(np.bool_).reshape(shape), radius_px).reshape(-1)
+    marked[pixels:] = marked[pixels - 1]
+    return marked
 
 
 def _widened(mask: BoolArray, radius_px: int) -> BoolArray:

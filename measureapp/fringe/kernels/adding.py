@@ -1,118 +1,115 @@
-"""Compiled loops that add the images of one exposure to the sums of the pixels that take it."""
-# The innermost loops become SIMD code only when they are plain loops over one index.
+"""Compiled loops that add the images of one exposure to the sums of a chunk of pixels.
+
+They look at the grey levels as well: looking takes as long as adding, and both together no longer, because images are waited for once.
+"""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
-import numpy as np
 from numba import njit
 
 from measureapp.fringe.kernels.options import INLINE
+from measureapp.fringe.kernels.records import CHUNK
+from measureapp.simd.elements import converted, filled, larger, largest, smaller, smallest
+from measureapp.simd.memory import load, store
+
+ADDED = 32  # pixels that are added together: a register of whole numbers of 16 bits
+
+
+class Share(NamedTuple):
+    """How often images are added."""
+
+    often: Any  # int, every pixel
+    take: Any  # (CHUNK,) uint8, each so many times more
+    alike: Any  # bool, none of them more
+    fresh: Any  # bool, the sums hold nothing of use yet
 
 
 @njit(**INLINE)
-def begin_quad(a: Any, b: Any, c: Any, d: Any, n: int, sine: Any, cosine: Any, total: Any, counted: bool) -> None:
-    """Begin the sums of a group of four images with one exposure of all pixels; ``total`` only where it is ``counted``."""
-    kind = sine.dtype.type
-    if counted:
-        for j in range(n):
-            sine[j] = kind(b[j]) - kind(d[j])
-            cosine[j] = kind(a[j]) - kind(c[j])
-            total[j] = (kind(a[j]) + kind(b[j])) + (kind(c[j]) + kind(d[j]))
-    else:
-        for j in range(n):
-            sine[j] = kind(b[j]) - kind(d[j])
-            cosine[j] = kind(a[j]) - kind(c[j])
+def four_rows(images: Any, first: int, last: int, at: int) -> Any:
+    """Return the pixels of four images from ``first`` on; where there are fewer up to ``last``, the last one again."""
+    part = slice(at, at + CHUNK)
+    return images[first, part], images[min(first + 1, last), part], images[min(first + 2, last), part], images[min(first + 3, last), part]
 
 
 @njit(**INLINE)
-def add_quad(
-    a: Any, b: Any, c: Any, d: Any, n: int, sine: Any, cosine: Any, total: Any, counted: bool, take: Any, everywhere: bool
-) -> None:
-    """Add a group of four images of one exposure, of all pixels once or as often as ``take`` says."""
-    kind = sine.dtype.type
-    if everywhere and counted:
-        for j in range(n):
-            sine[j] += kind(b[j]) - kind(d[j])
-            cosine[j] += kind(a[j]) - kind(c[j])
-            total[j] += (kind(a[j]) + kind(b[j])) + (kind(c[j]) + kind(d[j]))
-    elif everywhere:
-        for j in range(n):
-            sine[j] += kind(b[j]) - kind(d[j])
-            cosine[j] += kind(a[j]) - kind(c[j])
-    else:
-        for j in range(n):
-            sine[j] += kind(take[j]) * (kind(b[j]) - kind(d[j]))
-            cosine[j] += kind(take[j]) * (kind(a[j]) - kind(c[j]))
+def add_quad(images: Any, p: int, at: int, share: Share, counted: bool, sine: Any, cosine: Any, total: Any, top: Any, bottom: Any) -> Any:
+    """Add a group of four images; returns the brightest and the darkest of ``top``, ``bottom`` and the images.
+
+    ``total`` gains them only where they are ``counted``.
+    """
+    a, b, c, d = four_rows(images, p, p + 3, at)
+    kind, often = sine.dtype, filled(sine.dtype.type(share.often), ADDED)
+    for j in range(0, CHUNK, ADDED):
+        w, x, y, z = load(a, j, ADDED), load(b, j, ADDED), load(c, j, ADDED), load(d, j, ADDED)
+        top = larger(top, larger(larger(w, x), larger(y, z)))
+        bottom = smaller(bottom, smaller(smaller(w, x), smaller(y, z)))
+        times = often if share.alike else often + converted(load(share.take, j, ADDED), kind)
+        first, second, third, fourth = converted(w, kind), converted(x, kind), converted(y, kind), converted(z, kind)
+        across, along = times * (second - fourth), times * (first - third)
+        store(across if share.fresh else load(sine, j, ADDED) + across, sine, j)
+        store(along if share.fresh else load(cosine, j, ADDED) + along, cosine, j)
         if counted:
-            for j in range(n):
-                total[j] += kind(take[j]) * ((kind(a[j]) + kind(b[j])) + (kind(c[j]) + kind(d[j])))
+            light = times * ((first + second) + (third + fourth))
+            store(light if share.fresh else load(total, j, ADDED) + light, total, j)
+    return top, bottom
 
 
 @njit(**INLINE)
-def add_weighted(images: Any, layout: Any, g: int, begin: int, n: int, sine: Any, cosine: Any, take: Any, everywhere: bool) -> None:
-    """Add a group of any number of images of one exposure, of all pixels once or as often as ``take`` says."""
-    kind = sine.dtype.type
+def add_weighted(images: Any, layout: Any, g: int, at: int, share: Share, sine: Any, cosine: Any, top: Any, bottom: Any) -> Any:
+    """Add a group of any number of images; otherwise like `add_quad`."""
+    kind, often = sine.dtype, filled(sine.dtype.type(share.often), ADDED)
     p = layout.first_image[g]
     for q in range(p, p + layout.steps[g]):
-        row = images[q, begin : begin + n]
-        weight_s = layout.sines[q]
-        weight_c = layout.cosines[q]
-        for j in range(n):
-            value = np.float32(row[j]) if everywhere else np.float32(row[j]) * np.float32(take[j])
-            sine[j] += kind(weight_s * value)
-            cosine[j] += kind(weight_c * value)
+        row = images[q, at : at + CHUNK]
+        fresh = share.fresh and q == p
+        for j in range(0, CHUNK, ADDED):
+            seen = load(row, j, ADDED)
+            top, bottom = larger(top, seen), smaller(bottom, seen)
+            times = often if share.alike else often + converted(load(share.take, j, ADDED), kind)
+            light = times * converted(seen, kind)
+            across, along = light * layout.sines[q], light * layout.cosines[q]
+            store(across if fresh else load(sine, j, ADDED) + across, sine, j)
+            store(along if fresh else load(cosine, j, ADDED) + along, cosine, j)
+    return top, bottom
 
 
 @njit(**INLINE)
-def add_images(images: Any, first: int, count: int, begin: int, n: int, total: Any, take: Any, everywhere: bool) -> None:
-    """Add consecutive images to one sum, of all pixels once or as often as ``take`` says."""
-    kind = total.dtype.type
+def add_images(images: Any, first: int, count: int, at: int, share: Share, total: Any) -> None:
+    """Add consecutive images to one sum."""
+    kind, often = total.dtype, filled(total.dtype.type(share.often), ADDED)
     for q in range(first, first + count):
-        row = images[q, begin : begin + n]
-        if everywhere:
-            for j in range(n):
-                total[j] += kind(row[j])
-        else:
-            for j in range(n):
-                total[j] += kind(row[j]) * kind(take[j])
+        row = images[q, at : at + CHUNK]
+        fresh = share.fresh and q == first
+        for j in range(0, CHUNK, ADDED):
+            times = often if share.alike else often + converted(load(share.take, j, ADDED), kind)
+            light = times * converted(load(row, j, ADDED), kind)
+            store(light if fresh else load(total, j, ADDED) + light, total, j)
 
 
 @njit(**INLINE)
-def add_taken(
-    images: Any, layout: Any, rule: Any, m: int, begin: int, n: int, sums: Any, off: int, take: Any, everywhere: bool, fresh: bool
-) -> None:
+def add_taken(images: Any, layout: Any, rule: Any, m: int, at: int, share: Share, sums: Any, off: int) -> Any:
     """Add all that one decision about an exposure covers: every group, or group ``m`` where each decides for itself.
 
-    Sums that are ``fresh`` hold nothing of use yet; only where pixels are taken ``everywhere``.
+    Returns the brightest and the darkest grey level of its sinusoids.
     """
     joint = sums.total.shape[0] == 1
+    top = filled(images[layout.first_image[m], at], ADDED)
+    bottom, here = top, slice(off, off + CHUNK)
     for g in range(layout.steps.shape[0]):
         if not joint and g != m:
             continue
-        counted = not joint or g == rule.finest
-        sine, cosine, total = sums.sine[g, off : off + n], sums.cosine[g, off : off + n], sums.total[m, off : off + n]
         p = layout.first_image[g]
+        counted = not joint or g == rule.finest
+        sine, cosine, total = sums.sine[g, here], sums.cosine[g, here], sums.total[m, here]
         if layout.steps[g] == 4:
-            a, b = images[p, begin : begin + n], images[p + 1, begin : begin + n]
-            c, d = images[p + 2, begin : begin + n], images[p + 3, begin : begin + n]
-            if fresh:
-                begin_quad(a, b, c, d, n, sine, cosine, total, counted)
-            else:
-                add_quad(a, b, c, d, n, sine, cosine, total, counted, take, everywhere)
+            top, bottom = add_quad(images, p, at, share, counted, sine, cosine, total, top, bottom)
             continue
-        if fresh:
-            sine[:] = 0
-            cosine[:] = 0
-        add_weighted(images, layout, g, begin, n, sine, cosine, take, everywhere)
+        top, bottom = add_weighted(images, layout, g, at, share, sine, cosine, top, bottom)
         if counted:
-            if fresh:
-                total[:] = 0
-            add_images(images, p, layout.steps[g], begin, n, total, take, everywhere)
+            add_images(images, p, layout.steps[g], at, share, total)
     if joint or m == rule.finest:
         for b in range(layout.planes.shape[0]):
-            plane = sums.planes[b, off : off + n]
-            if fresh:
-                plane[:] = 0
-            add_images(images, layout.planes[b], 1, begin, n, plane, take, everywhere)
+            add_images(images, layout.planes[b], 1, at, share, sums.planes[b, here])
+    return largest(top), smallest(bottom)

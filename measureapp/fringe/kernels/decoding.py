@@ -13,8 +13,9 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from measureapp.fringe.kernels.asking import ask_for_chunk
 from measureapp.fringe.kernels.options import LOOP
-from measureapp.fringe.kernels.records import CHUNK, LOOKED_AT, STRETCH
+from measureapp.fringe.kernels.records import ASKED, CHUNK, LOOKED_AT, STRETCH
 from measureapp.fringe.kernels.solving import solve
 from measureapp.fringe.kernels.summing import add_exposure, needs_no_more
 
@@ -22,8 +23,9 @@ from measureapp.fringe.kernels.summing import add_exposure, needs_no_more
 @njit(**LOOP)
 def sum_and_solve(
     images: Any,  # (E, P, N) consecutive exposures to add to the sums; may be none
+    tails: Any,  # (E, P, CHUNK) their last chunk where it is not a whole one, filled up
     exposure: int,  # number of the first of them
-    blocked: Any,  # see `add_exposure`
+    blocked: Any,  # (N and more,) uint8, whole chunks, not 0: beside a saturated pixel; empty: no guard
     layout: Any,
     rule: Any,
     model: Any,
@@ -38,10 +40,12 @@ def sum_and_solve(
     seen: Any,  # (2, 2, all exposures) int64, gains the pixels looked at, and those above zero and unsaturated: due, and of the sample
     counts: Any,  # see `solve`
 ) -> None:
-    """Add exposures of pixels ``start … stop``, whole chunks, to their sums, and turn these into their maps.
+    """Add exposures of pixels ``start … stop`` to their sums, and turn these into their maps.
 
-    Where one exposure is enough, chunks whose pixels have it are not looked at any more, but for a sample that is counted.
+    Sums and maps hold whole chunks of CHUNK pixels; only the last one of the image may have fewer that count. Where one exposure is
+    enough, chunks whose pixels have it are not looked at any more, but for a sample that is counted.
     """
+    soon = images[:1] if rule.first_only else images[:ASKED]
     for first in range(start, stop, STRETCH):
         last, place = min(first + STRETCH, stop), first - base if base >= 0 else 0
         for e in range(images.shape[0]):
@@ -50,9 +54,15 @@ def sum_and_solve(
                 sampled = np.int64(exposure + e > 0 and needs_no_more(rule, sums.alike[off // CHUNK]))
                 if sampled and (begin // CHUNK) % LOOKED_AT != 0:
                     continue
-                good = add_exposure(images[e], exposure + e, blocked, layout, rule, begin, n, scratch, sums, off)
+                whole = n == CHUNK
+                shown, at = (images[e] if whole else tails[e]), (begin if whole else 0)
+                near = blocked[begin : begin + CHUNK]
+                good = add_exposure(shown, at, exposure + e, near, layout, rule, n, scratch, sums, off)
+                if rule.first_only and e + 1 < images.shape[0] and not needs_no_more(rule, sums.alike[off // CHUNK]):
+                    ask_for_chunk(images[e + 1], layout, begin)
                 seen[sampled, 0, exposure + e] += n
                 seen[sampled, 1, exposure + e] += good
         if solves:
             for begin in range(first, last, CHUNK):
-                solve(sums, place + begin - first, layout, model, work, begin, min(CHUNK, last - begin), maps, counts)
+                ahead = begin + STRETCH if begin + STRETCH + CHUNK <= stop else -1
+                solve(sums, place + begin - first, soon, ahead, layout, model, work, begin, min(CHUNK, last - begin), maps, counts)

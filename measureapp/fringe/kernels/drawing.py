@@ -1,4 +1,4 @@
-"""Compiled loops that write a chunk of pixels into the maps, and count what became of them."""
+"""Compiled steps that write pixels into the maps, and count what became of them."""
 
 from __future__ import annotations
 
@@ -8,70 +8,73 @@ import numpy as np
 from numba import njit
 
 from measureapp.fringe.kernels.options import HALF, INLINE
-from measureapp.fringe.kernels.records import LEVEL, MODULATION, REASON, RESIDUAL, RESIDUAL_SCALE, SIGMA, VALUE
-from measureapp.machine_memory import STREAMED, write_past_caches
-from measureapp.map_memory import LINE
+from measureapp.fringe.kernels.records import CHUNK, RESIDUAL_SCALE
+from measureapp.simd.elements import converted, count_of, filled, smaller, where
+from measureapp.simd.memory import load, store, store_past_caches
+
+BYTES = 64  # of a line of the cache
 
 
 @njit(**INLINE)
-def write(row: Any, shown: Any, n: int) -> None:
-    """Write a row into a map: past the caches, where the map lies so that whole lines of them can be written."""
-    done = 0
-    if shown.ctypes.data % LINE == 0:
-        done = n - n % STREAMED
-        for j in range(0, done, STREAMED):
-            write_past_caches(row, shown, j)
-    for j in range(done, n):
-        shown[j] = row[j]
+def whole(values: Any, like: Any) -> Any:
+    """Return numbers above zero rounded, as the type of an array and not beyond what it holds."""
+    most = np.float32(255 if like.itemsize == 1 else 65535)
+    return converted(converted(smaller(values + HALF, most), np.int32), like.dtype)
 
 
 @njit(**INLINE)
-def draw(begin: int, n: int, model: Any, work: Any, maps: Any) -> None:
-    """Write the rows of the pixels into their maps."""
-    rows = work.rows
-    phase, sigma, state = maps.phase[begin : begin + n], maps.sigma[begin : begin + n], maps.state[begin : begin + n]
-    shown, grey = maps.modulation[begin : begin + n], maps.grey[begin : begin + n]
-    most, white = np.float32(255 if maps.modulation.itemsize == 1 else 65535), np.float32(65535)
-    write(rows[VALUE : VALUE + n], phase, n)
-    write(rows[SIGMA : SIGMA + n], sigma, n)
-    for j in range(n):
-        shown[j] = np.int32(min(rows[MODULATION + j] + HALF, most))
-    for j in range(n):
-        grey[j] = np.int32(min(rows[LEVEL + j] + HALF, white))
-    for j in range(n):
-        state[j] = np.int32(rows[REASON + j])
+def draw(place: int, solved: Any, residual: Any, model: Any, maps: Any) -> None:
+    """Write what `judge` returned of the pixels from ``place`` on into their maps."""
+    phase, sigma, modulation, grey, reason = solved
+    store_past_caches(phase, maps.phase, place)
+    store_past_caches(sigma, maps.sigma, place)
+    store(whole(modulation, maps.modulation), maps.modulation, place)
+    store(whole(grey, maps.grey), maps.grey, place)
+    store(converted(converted(reason, np.int32), np.uint8), maps.state, place)
     if model.undecided:
-        left = maps.residual[begin : begin + n]
-        for j in range(n):
-            left[j] = np.int32(rows[RESIDUAL + j] * np.float32(RESIDUAL_SCALE))
+        store(converted(converted(residual * np.float32(RESIDUAL_SCALE), np.int32), np.int8), maps.residual, place)
 
 
 @njit(**INLINE)
-def tally(sums: Any, off: int, n: int, alike: int, work: Any, state: Any, counts: Any) -> None:
-    """Count the pixels of every state, and last those with an exposure above zero in all groups."""
-    present = np.int32(0)
-    for j in range(n):
-        present |= np.int32(1) << np.int32(state[j])
+def draw_exposure(sums: Any, off: int, begin: int, alike: int, model: Any, maps: Any) -> None:
+    """Write the longest exposure that any group of a pixel took into its map."""
+    exposure = maps.exposure[begin : begin + CHUNK]
+    if alike >= 0:
+        for j in range(0, CHUNK, BYTES):
+            store(filled(model.first[alike], BYTES), exposure, j)
+        return
+    for j in range(0, CHUNK, BYTES):
+        taken = load(sums.taken[0], off + j, BYTES)
+        for m in range(1, sums.taken.shape[0]):
+            taken = taken | load(sums.taken[m], off + j, BYTES)
+        longest = filled(np.int8(-1), BYTES)
+        for e in range(model.exposures - 1, -1, -1):
+            longest = where((taken & np.uint16(1 << e)) != 0, np.int8(e), longest)
+        store(longest, exposure, j)
+
+
+@njit(**INLINE)
+def tally(sums: Any, off: int, n: int, alike: int, state: Any, counts: Any) -> None:
+    """Count the first ``n`` pixels of a chunk by state, and last those with an exposure above zero in all groups.
+
+    What fills up the chunk is like the last of them, and not counted.
+    """
+    last, more = n - 1, CHUNK - n
     for reason in range(counts.shape[0] - 1):
-        bit = np.int32(1) << np.int32(reason)
-        if present == bit:
-            counts[reason] += n
-        elif present & bit:
-            number = np.int32(0)
-            for j in range(n):
-                number += np.int32(state[j] == reason)
-            counts[reason] += number
+        number = np.int64(0)
+        for j in range(0, CHUNK, BYTES):
+            number += count_of(load(state, j, BYTES) == np.uint8(reason))
+        counts[reason] += number
+    counts[state[last]] -= more
     if alike >= 0:
         counts[-1] += n if alike > 0 else 0
         return
-    zero, complete = sums.zero[off : off + n], work.code[0]
-    for j in range(n):
-        complete[j] = np.int32(zero[j] == 0)
+    for j in range(0, CHUNK, BYTES):
+        lit = load(sums.zero, off + j, BYTES) == 0
+        for m in range(sums.taken.shape[0]):
+            lit = lit & (load(sums.taken[m], off + j, BYTES) != 0)
+        counts[-1] += count_of(lit)
+    lit_last = sums.zero[off + last] == 0
     for m in range(sums.taken.shape[0]):
-        taken = sums.taken[m, off : off + n]
-        for j in range(n):
-            complete[j] &= np.int32(taken[j] != 0)
-    whole = np.int32(0)
-    for j in range(n):
-        whole += complete[j]
-    counts[-1] += whole
+        lit_last &= sums.taken[m, off + last] != 0
+    counts[-1] -= more if lit_last else 0

@@ -5,11 +5,19 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 CHUNK = 512  # pixels that are summed and solved together; their images of one exposure stay in the processor's nearest cache
-STRETCH = 32 * CHUNK  # pixels whose sums of all exposures stay in its second cache
+STRETCH = 20 * CHUNK  # pixels whose sums of all exposures stay in its second cache, beside the images asked for meanwhile
+ASKED = 3  # exposures of the next stretch that are asked for while one is solved: as much as that cache takes
 DIFFER, COMPLETE = -1, -2  # the pixels of a chunk took different exposures; and where one is enough, each has its one
 # Of how many chunks one is counted that needs no further exposure: rarely a whole number of rows, so that they are all over the image.
-LOOKED_AT = 29
+LOOKED_AT = 59
+PIXELS = 16  # that are solved together: a line of the cache of float32
+SPACING = CHUNK + 80  # no power of two: lines of the cache at such distances drive each other out
 RESIDUAL_SCALE = 120.0  # a rounding residual of ±1 cycle in eight bits
+
+
+def in_chunks(pixels: int) -> int:
+    """Return so many pixels rounded up to whole chunks: room for them, as the kernels take and leave nothing less."""
+    return -(-pixels // CHUNK) * CHUNK
 
 
 class Layout(NamedTuple):
@@ -48,9 +56,8 @@ class Scratch(NamedTuple):
     """Arrays of one chunk for summing."""
 
     high: Any  # (M, CHUNK) of the images' type: brightest image of the groups that decide together
-    peak: Any  # (CHUNK,) of the images' type: brightest of all
     low: Any  # (CHUNK,) of the images' type: darkest of all
-    take: Any  # (CHUNK,) uint8, 1: the pixel takes the exposure
+    take: Any  # (CHUNK,) uint8, how often a pixel takes the exposure
 
 
 class Model(NamedTuple):
@@ -59,12 +66,16 @@ class Model(NamedTuple):
     sine_sign: Any  # float32, 1 where image n is A + B cos(phase - 2πn/N), -1 for the other sign
     origin: Any  # float32, phase at column 0 in cycles, 0 or -0.5
     combinations: Any  # (K, G) float32 integers; K = 0: numbered by Gray code
+    alone: Any  # (K,) int64, the group that is a combination by itself; -1: none
     ratios: Any  # (K,) float32, frequency of a combination over that of the one before
     watched: Any  # int, the decision whose rounding residual is kept; -1: the largest of all
     guard: Any  # float32, share of the coarsest period kept below 0
     complementary: Any  # bool, the last Gray plane changes in the middle of the periods
     finest: Any  # int, group of the finest pitch
     scales: Any  # (G,) float32, frequency of a group over the finest
+    norms: Any  # (G,) float32, squared modulation in grey levels over the power of the sums
+    shares: Any  # (G,) float32, weight of a group's phase, on the scale of the finest, over the power of its sums
+    pulls: Any  # (G,) float32, the same times what a cycle of the group is on that scale
     correction: Any  # (G, L + 1) float32, cycles to add to the wrapped phase at -0.5 … 0.5; (G, 0): none
     black: Any  # (2^E,) float32, grey levels of no light in the sum of a set
     gain: Any  # (2^E,) float32, variance of the sum of a set per grey level of it, shot noise
@@ -72,13 +83,14 @@ class Model(NamedTuple):
     to_longest: Any  # (2^E,) float32, the longest exposure over Σwt of a set
     to_brightest: Any  # (2^E,) float32, the longest exposure of a set over its Σwt
     first: Any  # (2^E,) int8, the longest exposure of a set, -1 for none
+    exposures: Any  # int, E
     beyond: Any  # float32, grey of a pixel saturated in all exposures, scaled to the longest
     least_modulation: Any  # float32, grey levels
     one_gain: Any  # float32, variance of one image per grey level of it, shot noise
     one_floor: Any  # float32, variance of one image in the dark, grey levels squared
     sure: Any  # float32, variance in rad² below which no order is in doubt; negative: the modulation alone counts
-    most_sigma: Any  # float32, rad
-    dark_sigma: Any  # float32, rad: above it nothing can be told from noise
+    weak_variance: Any  # float32, rad²: more is too much
+    dark_variance: Any  # float32, rad²: above it nothing can be told from noise
     zero_is_dark: Any  # bool, a pixel that is 0 in the exposure taken is not valid
     lowest: Any  # float32, cycles: smallest phase on the projector
     highest: Any  # float32, cycles
@@ -99,20 +111,13 @@ class Maps(NamedTuple):
 
 
 class Work(NamedTuple):
-    """Arrays of one chunk for solving."""
+    """Arrays of one chunk for solving, one row of SPACING numbers after the other."""
 
-    phase: Any  # (G, CHUNK) float32, cycles from column 0
-    power: Any  # (G, CHUNK) float32
-    rows: Any  # (ROWS · SPACING,) float32, one after the other
-    code: Any  # (3, CHUNK) int32
+    phase: Any  # (G · SPACING,) float32, cycles from column 0
+    power: Any  # (G · SPACING,) float32, squared modulations in the sums
+    rows: Any  # (ROWS · SPACING,) float32
     known: Any  # (1,) int64, the exposures taken whose numbers the rows hold, as bits; -1 for those of pixels that differ
 
 
-# Where the rows of `Work` begin. At fixed distances in one array the compiler sees that they do not overlap, and keeps loops over many
-# of them SIMD code; of arrays by themselves it would have to find out at every start of a loop, and gives up at more than a few.
-ROWS = 12
-SPACING = CHUNK + 80  # no power of two: lines of the cache at such distances drive each other out
-VALUE, RESIDUAL, WRAPPED, SHIFT, WEIGHT, MODULATION, BLACK, GAIN, FLOOR, TO_BRIGHTEST, TO_LONGEST, LOST = (
-    row * SPACING for row in range(ROWS)
-)
-SIGMA, LEVEL, REASON = WEIGHT, SHIFT, WRAPPED  # of no more use when these are known
+ROWS = 7
+MODULATION, BLACK, GAIN, FLOOR, TO_BRIGHTEST, TO_LONGEST, LOST = (row * SPACING for row in range(ROWS))  # where they begin

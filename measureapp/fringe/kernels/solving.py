@@ -3,7 +3,6 @@
 The readable statements stand in `phase_shift.py`, `gray_code.py`, `unwrap.py` and the tests. Inner functions are forced inline: a
 call would count the references of every array.
 """
-# The innermost loops become SIMD code only when they are plain loops over one index and few arrays.
 
 from __future__ import annotations
 
@@ -12,176 +11,127 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.fringe.kernels.drawing import draw, tally
-from measureapp.fringe.kernels.options import BLOOMING, CONFLICT, HALF, INLINE, LOOP, OUTSIDE, SATURATED, SHADOW, TAU, TINY, VALID, WEAK
+from measureapp.fringe.kernels.asking import ask_for
+from measureapp.fringe.kernels.drawing import draw, draw_exposure, tally
+from measureapp.fringe.kernels.options import BLOOMING, CONFLICT, HALF, INLINE, OUTSIDE, SATURATED, SHADOW, TAU, TINY, VALID, WEAK
 from measureapp.fringe.kernels.records import (
     BLACK,
     CHUNK,
     FLOOR,
     GAIN,
-    LEVEL,
     LOST,
     MODULATION,
-    REASON,
-    RESIDUAL,
-    SHIFT,
-    SIGMA,
+    PIXELS,
+    SPACING,
     TO_BRIGHTEST,
     TO_LONGEST,
-    VALUE,
-    WEIGHT,
 )
-from measureapp.fringe.kernels.taken import common, draw_exposure, look_up, set_apart, set_together
+from measureapp.fringe.kernels.taken import common, set_apart, set_together
 from measureapp.fringe.kernels.unwrapping import unwrap_gray, unwrap_heterodyne
-from measureapp.fringe.kernels.wrapping import correct, wrap
+from measureapp.fringe.kernels.wrapping import wrap_groups
+from measureapp.map_memory import LINE
+from measureapp.simd.elements import any_of, converted, filled, larger, rounded_down, smaller, square_root, where
+from measureapp.simd.memory import gathered, load, store
 
 LEAST = np.float32(1e-30)
 
 
-@njit(**LOOP, inline="always")
+@njit(**INLINE)
 def root(square: Any) -> Any:
-    """Return the square root of a positive number, by way of its reciprocal, for which processors have a fast estimate to refine."""
-    return square * (np.float32(1) / np.sqrt(square + LEAST))
+    """Return the square root of positive numbers, by way of its reciprocal, for which processors have a fast estimate to refine."""
+    return square * (np.float32(1) / square_root(square + LEAST))
 
 
 @njit(**INLINE)
-def least_modulation(n: int, layout: Any, work: Any) -> None:
-    """Put the least squared modulation of all groups, in the sums, into its row."""
-    rows = work.rows
-    for g in range(layout.steps.shape[0]):
-        power = work.power[g]
-        norm = np.float32(4.0) / np.float32(layout.steps[g] * layout.steps[g])
-        if g == 0:
-            for j in range(n):
-                rows[MODULATION + j] = norm * power[j]
-        else:
-            for j in range(n):
-                rows[MODULATION + j] = min(rows[MODULATION + j], norm * power[j])
-
-
-@njit(**INLINE)
-def weigh_groups(sums: Any, off: int, n: int, layout: Any, model: Any, work: Any) -> None:
+def weigh_groups(sums: Any, off: int, layout: Any, model: Any, work: Any) -> None:
     """Divide the power of groups that decide apart by the variance of their grey levels' sums; the noise left to them all is 1."""
     rows = work.rows
     for m in range(sums.total.shape[0]):
-        total, taken, power = sums.total[m, off : off + n], sums.taken[m, off : off + n], work.power[m]
-        each = np.float32(1) / np.float32(layout.steps[m])
-        norm = np.float32(4.0) * each * each
-        look_up(model.to_brightest, taken, n, rows[TO_BRIGHTEST : TO_BRIGHTEST + n])
-        for j in range(n):
-            part = rows[TO_BRIGHTEST + j]
-            own = norm * power[j] * part * part
-            rows[MODULATION + j] = own if m == 0 else min(rows[MODULATION + j], own)
-        look_up(model.black, taken, n, rows[BLACK : BLACK + n])
-        look_up(model.gain, taken, n, rows[GAIN : GAIN + n])
-        look_up(model.floor, taken, n, rows[FLOOR : FLOOR + n])
-        for j in range(n):
-            light = max(np.float32(total[j]) * each - rows[BLACK + j], np.float32(0))
-            power[j] /= light * rows[GAIN + j] + rows[FLOOR + j] + TINY
-    rows[TO_BRIGHTEST : TO_BRIGHTEST + n] = 1
-    rows[GAIN : GAIN + n] = 0
-    rows[FLOOR : FLOOR + n] = 1
+        each, norm = np.float32(1) / np.float32(layout.steps[m]), model.norms[m]
+        for j in range(0, CHUNK, PIXELS):
+            taken = converted(load(sums.taken[m], off + j, PIXELS), np.int32)
+            power, part = load(work.power, m * SPACING + j, PIXELS), gathered(model.to_brightest, taken)
+            own = norm * power * part * part
+            store(own if m == 0 else smaller(own, load(rows, MODULATION + j, PIXELS)), rows, MODULATION + j)
+            light = each * converted(load(sums.total[m], off + j, PIXELS), np.float32) - gathered(model.black, taken)
+            noise = larger(light, np.float32(0)) * gathered(model.gain, taken) + gathered(model.floor, taken)
+            store(power / (noise + TINY), work.power, m * SPACING + j)
+    rows[TO_BRIGHTEST : TO_BRIGHTEST + CHUNK] = 1
+    rows[GAIN : GAIN + CHUNK] = 0
+    rows[FLOOR : FLOOR + CHUNK] = 1
 
 
 @njit(**INLINE)
-def average(n: int, layout: Any, model: Any, work: Any) -> None:
-    """Sum the weights of all pitches, and what they take the phase of the finest away from it, each times its weight."""
-    rows = work.rows
-    own = work.power[model.finest]
-    share = np.float32(2) / np.float32(layout.steps[model.finest])
-    begun = False
-    for g in range(layout.steps.shape[0]):
+def averaged(value: Any, j: int, model: Any, work: Any) -> Any:
+    """Return the mean of the absolute phases of all pitches by inverse variance, and the sum of their weights, from that of the finest."""
+    shift = filled(np.float32(0), PIXELS)
+    weight = model.shares[model.finest] * load(work.power, model.finest * SPACING + j, PIXELS)
+    for g in range(model.scales.shape[0]):
         if g == model.finest:
             continue
-        power, phase = work.power[g], work.phase[g]
-        scale = model.scales[g]
-        factor = np.float32(2) * scale * scale / np.float32(layout.steps[g])
-        inverse = np.float32(1) / scale
-        if begun:
-            for j in range(n):
-                part = factor * power[j]
-                apart = phase[j] - rows[VALUE + j] * scale
-                apart -= np.floor(apart + HALF)
-                rows[SHIFT + j] += part * inverse * apart
-                rows[WEIGHT + j] += part
-        else:
-            for j in range(n):
-                part = factor * power[j]
-                apart = phase[j] - rows[VALUE + j] * scale
-                apart -= np.floor(apart + HALF)
-                rows[SHIFT + j] = part * inverse * apart
-                rows[WEIGHT + j] = part + share * own[j]
-        begun = True
-    if not begun:
-        for j in range(n):
-            rows[SHIFT + j] = 0
-            rows[WEIGHT + j] = share * own[j]
+        power = load(work.power, g * SPACING + j, PIXELS)
+        apart = load(work.phase, g * SPACING + j, PIXELS) - value * model.scales[g]
+        apart = apart - rounded_down(apart + HALF)
+        shift = shift + model.pulls[g] * power * apart
+        weight = weight + model.shares[g] * power
+    known = np.float32(1) / (weight + TINY)
+    return value + shift * known, known
 
 
 @njit(**INLINE)
-def judge(total: Any, n: int, layout: Any, model: Any, work: Any) -> None:
-    """Turn the rows into what the maps hold: average the phases by inverse variance, give every pixel its reason."""
+def reason_of(reason: Any, value: Any, variance: Any, noise: Any, light: Any, modulation: Any, j: int, model: Any, work: Any) -> Any:
+    """Return what becomes of pixels, of whose order it is known whether it is in doubt: the gravest reason of all that hold."""
+    rows, least = work.rows, model.least_modulation
+    square, brightest, lost = load(rows, MODULATION + j, PIXELS), load(rows, TO_BRIGHTEST + j, PIXELS), load(rows, LOST + j, PIXELS)
+    alone = light * brightest * model.one_gain + model.one_floor  # noise of one image at the longest exposure taken
+    faint = (modulation < least) & ((square * alone < least * least * noise) | (variance > model.sure))
+    reason = where((value < model.lowest) | (value > model.highest), np.float32(OUTSIDE), reason)
+    reason = where(faint | (variance > model.weak_variance) | (lost == np.float32(WEAK)), np.float32(WEAK), reason)
+    reason = where(variance > model.dark_variance, np.float32(SHADOW), reason)
+    return where((lost == np.float32(SATURATED)) | (lost == np.float32(BLOOMING)), lost, reason)
+
+
+@njit(**INLINE)
+def judge(value: Any, residual: Any, known: Any, level: Any, j: int, model: Any, work: Any) -> Any:
+    """Return what the maps hold of pixels: phase, its standard deviation, modulation, grey level and reason.
+
+    Reasons other than an order in doubt are looked at one by one only where there is one.
+
+    Parameters
+    ----------
+    known : 1 over the weights of all pitches; times the noise of the sums the variance of the phase
+    level : mean of the images summed of the finest pitch
+    """
     rows = work.rows
-    each = np.float32(1) / np.float32(layout.steps[model.finest])
-    weak, dark = model.most_sigma * model.most_sigma, model.dark_sigma * model.dark_sigma
-    low, high, gate, least = model.lowest, model.highest, model.gate, model.least_modulation
-    shot, floor, sure = model.one_gain, model.one_floor, model.sure
-    origin, beyond = model.origin, model.beyond
-    last = np.int32(OUTSIDE if model.undecided else VALID)
-    for j in range(n):
-        level = np.float32(total[j]) * each
-        known = np.float32(1) / (rows[WEIGHT + j] + TINY)
-        value = rows[VALUE + j] + rows[SHIFT + j] * known
-        light = max(level - rows[BLACK + j], np.float32(0))
-        noise = light * rows[GAIN + j] + rows[FLOOR + j]
-        variance = noise * known
-        modulation = root(rows[MODULATION + j]) * rows[TO_BRIGHTEST + j]
-        alone = light * rows[TO_BRIGHTEST + j] * shot + floor  # noise of one image at the longest exposure taken
-        faint = (modulation < least) & ((rows[MODULATION + j] * alone < least * least * noise) | (variance > sure))
-        lost = np.int32(rows[LOST + j])
-        reason = np.int32(CONFLICT) if abs(rows[RESIDUAL + j]) > gate else np.int32(VALID)
-        reason = np.int32(OUTSIDE) if (value < low) | (value > high) else reason
-        reason = np.int32(WEAK) if faint | (variance > weak) | (lost == WEAK) else reason
-        reason = np.int32(SHADOW) if variance > dark else reason
-        reason = lost if (lost == SATURATED) | (lost == BLOOMING) else reason
-        kept = (reason == VALID) | ((reason >= CONFLICT) & (reason <= last))
-        rows[VALUE + j] = (value + origin) * TAU if kept else np.float32(0)
-        rows[SIGMA + j] = root(variance) if kept else np.float32(0)
-        rows[MODULATION + j] = modulation
-        rows[LEVEL + j] = beyond if rows[TO_LONGEST + j] == 0 else level * rows[TO_LONGEST + j]
-        rows[REASON + j] = np.float32(reason)
-
-
-@njit(**INLINE)
-def wrap_groups(sums: Any, off: int, n: int, layout: Any, model: Any, work: Any) -> None:
-    """Turn the sums of all groups into corrected wrapped phases."""
-    for g in range(layout.steps.shape[0]):
-        sine, cosine = sums.sine[g, off : off + n], sums.cosine[g, off : off + n]
-        wrap(sine, cosine, n, model.sine_sign, model.origin, work.phase[g], work.power[g])
-        if model.correction.shape[1] > 0:
-            correct(work.phase[g], n, model.correction[g], model.origin)
-
-
-@njit(**INLINE)
-def weigh(sums: Any, off: int, n: int, alike: Any, layout: Any, model: Any, work: Any) -> None:
-    """Put the least modulation of the groups into its row; where they decide apart, make their powers and noise alike."""
-    if sums.total.shape[0] == 1:
-        least_modulation(n, layout, work)
-        return
-    if alike >= 0:
-        sums.taken[:, off : off + n] = np.uint16(alike)
-    weigh_groups(sums, off, n, layout, model, work)
+    longest, brightest, lost = load(rows, TO_LONGEST + j, PIXELS), load(rows, TO_BRIGHTEST + j, PIXELS), load(rows, LOST + j, PIXELS)
+    light = larger(level - load(rows, BLACK + j, PIXELS), np.float32(0))
+    noise = light * load(rows, GAIN + j, PIXELS) + load(rows, FLOOR + j, PIXELS)
+    variance = noise * known
+    modulation = root(load(rows, MODULATION + j, PIXELS)) * brightest
+    phase, sigma, grey = value * TAU + model.origin * TAU, root(variance), level * longest
+    unsure = abs(residual) > model.gate
+    reason, kept = where(unsure, filled(np.float32(CONFLICT), PIXELS), np.float32(VALID)), ~unsure | model.undecided
+    faint = (modulation < model.least_modulation) | (variance > min(model.weak_variance, model.dark_variance))
+    if any_of((value < model.lowest) | (value > model.highest) | faint | (lost != np.float32(VALID))):
+        reason = reason_of(reason, value, variance, noise, light, modulation, j, model, work)
+        last = np.float32(OUTSIDE if model.undecided else VALID)
+        kept = (reason == np.float32(VALID)) | ((reason >= np.float32(CONFLICT)) & (reason <= last))
+        grey = where(longest == np.float32(0), model.beyond, grey)
+    phase, sigma = where(kept, phase, np.float32(0)), where(kept, sigma, np.float32(0))
+    return phase, sigma, modulation, grey, reason
 
 
 @njit(**INLINE)
 def solve(
     sums: Any,
     off: int,  # of the pixels in the sums
+    images: Any,  # (E, P, N) that are summed soon
+    ahead: int,  # the first of CHUNK pixels of them to ask for; -1: none
     layout: Any,
     model: Any,
     work: Any,
-    begin: int,  # first of the pixels
-    n: int,  # how many they are
+    begin: int,  # first of CHUNK pixels
+    n: int,  # how many of them count
     maps: Any,
     counts: Any,  # (states + 1,) int64, gains the pixels of every state, and complete ones last
 ) -> None:
@@ -189,20 +139,28 @@ def solve(
     apart = sums.total.shape[0] > 1
     alike = sums.alike[off // CHUNK]
     if alike < 0:
-        alike = common(sums, off, n)
-    wrap_groups(sums, off, n, layout, model, work)
-    if model.combinations.shape[0] > 0:
-        unwrap_heterodyne(n, model, work)
-    else:
-        unwrap_gray(sums, off, n, layout, model, work)
+        alike = common(sums, off)
+    wrap_groups(sums, off, model, work)
     if alike < 0:
-        set_apart(sums, off, n, model, work)
+        set_apart(sums, off, model, work)
     elif alike != work.known[0]:
         set_together(alike, model, work)
     work.known[0] = -1 if apart else alike
-    weigh(sums, off, n, alike, layout, model, work)
-    average(n, layout, model, work)
-    judge(sums.total[model.finest if apart else 0, off : off + n], n, layout, model, work)
-    draw(begin, n, model, work, maps)
-    draw_exposure(sums, off, begin, n, alike, model, work, maps)
-    tally(sums, off, n, alike, work, maps.state[begin : begin + n], counts)
+    if apart:
+        if alike >= 0:
+            sums.taken[:, off : off + CHUNK] = np.uint16(alike)
+        weigh_groups(sums, off, layout, model, work)
+    total, each = sums.total[model.finest if apart else 0], np.float32(1) / np.float32(layout.steps[model.finest])
+    for j in range(0, CHUNK, PIXELS):
+        if ahead >= 0 and j * images.itemsize % LINE == 0:
+            for e in range(images.shape[0]):
+                ask_for(images[e], layout, ahead + j)
+        if model.combinations.shape[0] > 0:
+            value, residual = unwrap_heterodyne(j, model, work)
+        else:
+            value, residual = unwrap_gray(sums, off, j, layout, model, work)
+        value, known = averaged(value, j, model, work)
+        level = each * converted(load(total, off + j, PIXELS), np.float32)
+        draw(begin + j, judge(value, residual, known, level, j, model, work), residual, model, maps)
+    draw_exposure(sums, off, begin, alike, model, maps)
+    tally(sums, off, n, alike, maps.state[begin : begin + CHUNK], counts)

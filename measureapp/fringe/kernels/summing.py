@@ -5,7 +5,6 @@ one by one; the same code works on both, so that both give the same. The readabl
 Kernels release the interpreter, so that bands run on threads. Inner functions are forced inline: a call would count the references
 of every array.
 """
-# The innermost loops become SIMD code only when they are plain loops over one index.
 
 from __future__ import annotations
 
@@ -14,124 +13,86 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.fringe.kernels.adding import add_taken
+from measureapp.fringe.kernels.adding import ADDED, Share, add_taken, four_rows
 from measureapp.fringe.kernels.options import INLINE, LOOP
 from measureapp.fringe.kernels.records import CHUNK, COMPLETE, DIFFER
+from measureapp.simd.elements import any_of, converted, filled, larger, largest, smaller, smallest, where
+from measureapp.simd.memory import load, store
+
+WHOLE_NUMBERS = 2  # bytes of sums that hold them exactly, so that what was added can be taken away again
 
 
 @njit(**INLINE)
-def clear(sums: Any, off: int, n: int) -> None:
-    """Set the sums of ``n`` pixels to nothing."""
-    sums.sine[:, off : off + n] = 0
-    sums.cosine[:, off : off + n] = 0
-    sums.total[:, off : off + n] = 0
-    sums.planes[:, off : off + n] = 0
+def clear(sums: Any, off: int) -> None:
+    """Set the sums of a chunk to nothing."""
+    sums.sine[:, off : off + CHUNK] = 0
+    sums.cosine[:, off : off + CHUNK] = 0
+    sums.total[:, off : off + CHUNK] = 0
+    sums.planes[:, off : off + CHUNK] = 0
 
 
 @njit(**INLINE)
-def four_rows(images: Any, first: int, last: int, begin: int, n: int) -> Any:
-    """Return ``n`` pixels of four images from ``first`` on; where there are fewer up to ``last``, the last one again."""
-    part = slice(begin, begin + n)
-    return images[first, part], images[min(first + 1, last), part], images[min(first + 2, last), part], images[min(first + 3, last), part]
-
-
-@njit(**INLINE)
-def bounds(images: Any, layout: Any, begin: int, n: int) -> Any:
-    """Return the brightest and the darkest grey level of all sinusoids of a chunk."""
-    top = images[layout.first_image[0], begin]
+def extremes(images: Any, layout: Any, at: int, scratch: Any) -> Any:
+    """Find the brightest image of the groups that decide together and the darkest of all, per pixel; returns those of the chunk."""
+    apart, low = scratch.high.shape[0] > 1, scratch.low
+    top = filled(images[layout.first_image[0], at], ADDED)
     bottom = top
     for g in range(layout.steps.shape[0]):
-        last = layout.first_image[g] + layout.steps[g] - 1
-        for p in range(layout.first_image[g], last + 1, 4):
-            a, b, c, d = four_rows(images, p, last, begin, n)
-            high, low = a[0], a[0]
-            for j in range(n):
-                high = max(high, max(max(a[j], b[j]), max(c[j], d[j])))  # noqa: PLW3301
-                low = min(low, min(min(a[j], b[j]), min(c[j], d[j])))  # noqa: PLW3301
-            top, bottom = max(top, high), min(bottom, low)
-    return top, bottom
-
-
-@njit(**INLINE)
-def extremes(images: Any, layout: Any, begin: int, n: int, scratch: Any) -> None:
-    """Find the brightest image of the groups that decide together and the darkest of all, per pixel."""
-    low, apart = scratch.low, scratch.high.shape[0] > 1
-    for g in range(layout.steps.shape[0]):
-        first, last = layout.first_image[g], layout.first_image[g] + layout.steps[g] - 1
-        row = images[first, begin : begin + n]
+        begin, last = layout.first_image[g], layout.first_image[g] + layout.steps[g] - 1
         high = scratch.high[g if apart else 0]
-        if apart or g == 0:
-            for j in range(n):
-                high[j] = row[j]
-        if g == 0:
-            for j in range(n):
-                low[j] = row[j]
-        for p in range(first, last + 1, 4):
-            a, b, c, d = four_rows(images, p, last, begin, n)
-            for j in range(n):
-                high[j] = max(high[j], max(max(a[j], b[j]), max(c[j], d[j])))  # noqa: PLW3301
-                low[j] = min(low[j], min(min(a[j], b[j]), min(c[j], d[j])))  # noqa: PLW3301
+        for p in range(begin, last + 1, 4):
+            a, b, c, d = four_rows(images, p, last, at)
+            first = p == begin and g == 0
+            first_of_group = p == begin and (apart or g == 0)
+            for j in range(0, CHUNK, ADDED):
+                w, x, y, z = load(a, j, ADDED), load(b, j, ADDED), load(c, j, ADDED), load(d, j, ADDED)
+                bright, dark = larger(larger(w, x), larger(y, z)), smaller(smaller(w, x), smaller(y, z))
+                top, bottom = larger(top, bright), smaller(bottom, dark)
+                store(bright if first_of_group else larger(bright, load(high, j, ADDED)), high, j)
+                store(dark if first else smaller(dark, load(low, j, ADDED)), low, j)
+    return largest(top), smallest(bottom)
 
 
 @njit(**INLINE)
 def count_good(n: int, limit: Any, scratch: Any) -> Any:
-    """Count the pixels that are above zero and unsaturated, from their `extremes`."""
-    low, high = scratch.low, scratch.high[0]
-    if scratch.high.shape[0] > 1:
-        peak = scratch.peak
-        for j in range(n):
-            peak[j] = high[j]
+    """Count those of ``n`` pixels that are above zero and unsaturated, from their `extremes`."""
+    low, good = scratch.low, scratch.take
+    for j in range(0, CHUNK, ADDED):
+        peak = load(scratch.high[0], j, ADDED)
         for m in range(1, scratch.high.shape[0]):
-            other = scratch.high[m]
-            for j in range(n):
-                peak[j] = max(peak[j], other[j])
-        high = peak
-    good = np.uint16(0)
+            peak = larger(peak, load(scratch.high[m], j, ADDED))
+        store(converted((peak <= limit) & (load(low, j, ADDED) > 0), np.uint8), good, j)
+    count = np.uint16(0)
     for j in range(n):
-        good = np.uint16(good + np.uint16((high[j] <= limit) & (low[j] > 0)))
-    return np.int64(good)
+        count = np.uint16(count + good[j])
+    return np.int64(count)
 
 
 @njit(**INLINE)
-def range_of(values: Any, n: int) -> Any:
-    """Return the least and the greatest of ``n`` values."""
-    least, greatest = values[0], values[0]
-    for j in range(n):
-        least, greatest = min(least, values[j]), max(greatest, values[j])
-    return least, greatest
-
-
-@njit(**INLINE)
-def choose(exposure: int, blocked: Any, rule: Any, m: int, begin: int, n: int, scratch: Any, sums: Any, off: int) -> Any:
-    """Write how often each of ``n`` pixels takes an exposure, from their `extremes`; returns the least and the most of it."""
-    take, low, high = scratch.take, scratch.low, scratch.high[m]
-    taken = sums.taken[m, off : off + n]
-    limit = rule.limit
-    for j in range(n):
-        take[j] = np.uint8(high[j] <= limit)
-    if rule.first_only:
-        for j in range(n):
-            take[j] &= np.uint8(taken[j] == 0)
-    if blocked.shape[0] > 0:
-        near = blocked[begin : begin + n]
-        bloomed = sums.bloomed[off : off + n]
-        for j in range(n):
-            bloomed[j] |= take[j] & np.uint8(near[j] != 0)
-            take[j] &= np.uint8(near[j] == 0)
-    least, most = range_of(take, n)
-    if most == 0:
-        return least, most
-    if range_of(low, n)[0] == 0:
-        zero = sums.zero[off : off + n]
-        for j in range(n):
-            zero[j] |= take[j] & np.uint8(taken[j] == 0) & np.uint8(low[j] == 0)
-    bit = np.uint16(1 << exposure)
-    for j in range(n):
-        taken[j] |= bit * np.uint16(take[j])
-    weight = rule.weights[exposure]
-    for j in range(n):
-        take[j] *= weight
-    return np.uint8(least * weight), np.uint8(most * weight)
+def choose(exposure: int, near: Any, rule: Any, m: int, scratch: Any, sums: Any, off: int) -> Any:
+    """Write how often each pixel of a chunk takes an exposure, from their `extremes`; returns the least and the most of it."""
+    here, weight, bit = slice(off, off + CHUNK), rule.weights[exposure], np.uint16(1 << exposure)
+    high, low, take = scratch.high[m], scratch.low, scratch.take
+    taken, zero, bloomed = sums.taken[m, here], sums.zero[here], sums.bloomed[here]
+    guarded = near.shape[0] > 0
+    some = filled(rule.limit, ADDED) < rule.limit
+    others = some
+    for j in range(0, CHUNK, ADDED):
+        before = load(taken, j, ADDED)
+        takes = load(high, j, ADDED) <= rule.limit
+        if rule.first_only:
+            takes = takes & (before == 0)
+        if guarded:
+            beside = load(near, j, ADDED) != 0
+            store(where(takes & beside, np.uint8(1), load(bloomed, j, ADDED)), bloomed, j)
+            takes = takes & ~beside
+        unlit = takes & (before == 0) & (load(low, j, ADDED) == 0)
+        store(where(unlit, np.uint8(1), load(zero, j, ADDED)), zero, j)
+        store(where(takes, before | bit, before), taken, j)
+        store(converted(takes, np.uint8) * weight, take, j)
+        some, others = some | takes, others | ~takes
+    nothing = np.uint8(0)
+    return nothing if any_of(others) else weight, weight if any_of(some) else nothing
 
 
 @njit(**INLINE)
@@ -141,87 +102,121 @@ def needs_no_more(rule: Any, alike: Any) -> bool:
 
 
 @njit(**INLINE)
-def all_took_one(n: int, sums: Any, off: int) -> bool:
+def all_took_one(sums: Any, off: int) -> bool:
     """Tell whether every pixel of a chunk took an exposure, for every decision."""
-    took = np.uint16(1)
     for m in range(sums.taken.shape[0]):
-        taken = sums.taken[m, off : off + n]
-        for j in range(n):
-            took &= np.uint16(taken[j] != 0)
-    return took != 0
+        taken = sums.taken[m, off : off + CHUNK]
+        none = load(taken, 0, ADDED) == 0
+        for j in range(ADDED, CHUNK, ADDED):
+            none = none | (load(taken, j, ADDED) == 0)
+        if any_of(none):
+            return False
+    return True
 
 
 @njit(**INLINE)
-def begin_chunk(exposure: int, weight: Any, together: bool, alike: Any, n: int, scratch: Any, sums: Any, off: int) -> None:
-    """Prepare the sums of a chunk for one more exposure, which all its pixels take ``together`` or not."""
-    if exposure == 0 and not (together and weight == 1):
-        clear(sums, off, n)
-    if together:
-        for j in range(n):
-            scratch.take[j] = weight
-    elif alike >= 0:
-        sums.taken[:, off : off + n] = np.uint16(alike)
-        sums.zero[off : off + n] = 0
-        sums.bloomed[off : off + n] = 0
+def note_apart(alike: Any, sums: Any, off: int) -> None:
+    """Note with every pixel of a chunk the exposures that all of them took."""
+    sums.taken[:, off : off + CHUNK] = np.uint16(alike)
+    sums.zero[off : off + CHUNK] = 0
+    sums.bloomed[off : off + CHUNK] = 0
 
 
 @njit(**INLINE)
-def all_take(exposure: int, alike: Any, n: int, sums: Any, off: int) -> None:
+def note_taken(exposure: int, alike: Any, sums: Any, off: int) -> None:
     """Note that all pixels of a chunk take an exposure."""
     bit = 1 << exposure
     if alike >= 0:
         sums.alike[off // CHUNK] = alike | bit
         return
     for m in range(sums.taken.shape[0]):
-        taken = sums.taken[m, off : off + n]
-        for j in range(n):
-            taken[j] |= np.uint16(bit)
+        taken = sums.taken[m, off : off + CHUNK]
+        for j in range(0, CHUNK, ADDED):
+            store(load(taken, j, ADDED) | np.uint16(bit), taken, j)
+
+
+@njit(**INLINE)
+def add_to_all(images: Any, layout: Any, rule: Any, at: int, exposure: int, scratch: Any, sums: Any, off: int) -> Any:
+    """Add an exposure to the sums of all pixels of a chunk; returns the brightest and the darkest grey level of its sinusoids."""
+    share = Share(np.int64(rule.weights[exposure]), scratch.take, True, exposure == 0)
+    top, bottom = add_taken(images, layout, rule, 0, at, share, sums, off)
+    for m in range(1, sums.total.shape[0]):
+        high, low = add_taken(images, layout, rule, m, at, share, sums, off)
+        top, bottom = max(top, high), min(bottom, low)
+    return top, bottom
+
+
+@njit(**INLINE)
+def add_apart(
+    images: Any,
+    at: int,
+    exposure: int,
+    near: Any,
+    layout: Any,
+    rule: Any,
+    added: Any,  # uint8, how often the sums hold it already
+    together: bool,  # whether all pixels take it
+    alike: Any,
+    scratch: Any,
+    sums: Any,
+    off: int,
+) -> None:
+    """Add one exposure to the sums of those pixels of a chunk that take it, from their `extremes`."""
+    weight, taking, guarded = rule.weights[exposure], False, near.shape[0] > 0
+    if exposure == 0 and added == 0:
+        clear(sums, off)
+    if together:
+        scratch.take[:] = weight
+    elif alike >= 0:
+        note_apart(alike, sums, off)
+    for m in range(sums.total.shape[0]):
+        least, most = weight, weight
+        if not together:
+            least, most = choose(exposure, near, rule, m, scratch, sums, off)
+        if least != added or most != added:
+            add_taken(images, layout, rule, m, at, Share(-np.int64(added), scratch.take, False, False), sums, off)
+        taking |= most > 0
+    if together:
+        return
+    if alike >= 0 and not (taking or guarded):
+        sums.alike[off // CHUNK] = alike
+    else:
+        sums.alike[off // CHUNK] = COMPLETE if rule.first_only and all_took_one(sums, off) else DIFFER
 
 
 @njit(**INLINE)
 def add_exposure(
-    images: Any,  # (P, N) of one exposure
+    images: Any,  # (P, pixels) of one exposure
+    at: int,  # the first of CHUNK pixels
     exposure: int,
-    blocked: Any,  # (N,) uint8, not 0: beside a saturated pixel; empty: no guard
+    near: Any,  # (CHUNK,) uint8, not 0: beside a saturated pixel; empty: no guard
     layout: Any,
     rule: Any,
-    begin: int,
-    n: int,
+    n: int,  # how many of the pixels count
     scratch: Any,
     sums: Any,
     off: int,
 ) -> Any:
-    """Add one exposure of a chunk of ``n`` pixels to their sums; returns how many are above zero and unsaturated.
+    """Add one exposure of a chunk of pixels to their sums; returns how many are above zero and unsaturated.
 
-    The first exposure begins the sums anew. One that all pixels take, and one that none takes, needs no decision pixel by pixel.
+    The first exposure begins the sums anew. One that all pixels take, and one that none takes, needs no decision pixel by pixel. Sums of
+    whole numbers gain it before it is known whether all take it, and what pixels do not take is taken away again.
     """
-    alike, weight, guarded = np.int64(0) if exposure == 0 else sums.alike[off // CHUNK], rule.weights[exposure], blocked.shape[0] > 0
-    done = needs_no_more(rule, alike)
-    top, bottom = bounds(images, layout, begin, n)
-    clean = bool(top <= rule.limit and bottom > 0)
-    if clean and done:
-        return n
-    due = alike > 0 or (bottom > 0 and (alike == 0 or not rule.first_only))
-    together = bool(top <= rule.limit and due and not (done or guarded))
-    if not done:
-        begin_chunk(exposure, weight, together, alike, n, scratch, sums, off)
-    if not (together and clean):
-        extremes(images, layout, begin, n, scratch)
-    taking = False
-    for m in range(0 if done else sums.total.shape[0]):
-        least, most = weight, weight
-        if not together:
-            least, most = choose(exposure, blocked, rule, m, begin, n, scratch, sums, off)
-        if most > 0:
-            fresh = together and exposure == 0 and weight == 1
-            add_taken(images, layout, rule, m, begin, n, sums, off, scratch.take, least == 1 and most == 1, fresh)
-            taking = True
+    alike, weight = np.int64(0) if exposure == 0 else sums.alike[off // CHUNK], rule.weights[exposure]
+    done, guarded = needs_no_more(rule, alike), near.shape[0] > 0
+    hoped = not (done or guarded) and (alike >= 0 or not rule.first_only)
+    added = hoped and sums.sine.itemsize == WHOLE_NUMBERS
+    if added:
+        top, bottom = add_to_all(images, layout, rule, at, exposure, scratch, sums, off)
+    else:
+        top, bottom = extremes(images, layout, at, scratch)
+    clean, together = bool(top <= rule.limit and bottom > 0), bool(hoped and top <= rule.limit and (alike > 0 or bottom > 0))
+    if added and not clean:
+        extremes(images, layout, at, scratch)
+    if not (done or (added and together)):
+        add_apart(images, at, exposure, near, layout, rule, weight if added else np.uint8(0), together, alike, scratch, sums, off)
     if together:
-        all_take(exposure, alike, n, sums, off)
-    elif alike >= 0 and not (taking or done or guarded):
-        sums.alike[off // CHUNK] = alike
-    elif not done:
-        sums.alike[off // CHUNK] = COMPLETE if rule.first_only and all_took_one(n, sums, off) else DIFFER
+        note_taken(exposure, alike, sums, off)
     return n if clean else count_good(n, rule.limit, scratch)
 
 

@@ -8,75 +8,66 @@ import numpy as np
 from numba import njit
 
 from measureapp.fringe.kernels.options import BLOOMING, INLINE, SATURATED, VALID, WEAK
-from measureapp.fringe.kernels.records import BLACK, CHUNK, FLOOR, GAIN, LOST, TO_BRIGHTEST, TO_LONGEST
+from measureapp.fringe.kernels.records import BLACK, CHUNK, FLOOR, GAIN, LOST, PIXELS, TO_BRIGHTEST, TO_LONGEST
+from measureapp.simd.elements import any_of, converted, filled, where
+from measureapp.simd.memory import gathered, load, store
 
 
 @njit(**INLINE)
-def look_up(table: Any, taken: Any, n: int, out: Any) -> None:
-    """Write what belongs to the exposures that each pixel took."""
-    for j in range(n):
-        out[j] = table[taken[j]]
-
-
-@njit(**INLINE)
-def common(sums: Any, off: int, n: int) -> Any:
+def common(sums: Any, off: int) -> Any:
     """Return the exposures that all pixels of a chunk took, as bits; -1 where they differ or some have a reason of their own."""
-    zero, bloomed = sums.zero[off : off + n], sums.bloomed[off : off + n]
+    zero, bloomed = sums.zero[off : off + CHUNK], sums.bloomed[off : off + CHUNK]
     first = sums.taken[0, off]
-    marked, differs = np.uint8(0), np.uint16(0)
-    for j in range(n):
-        marked |= zero[j] | bloomed[j]
+    differs = filled(np.uint8(0), PIXELS) != 0
+    for j in range(0, CHUNK, PIXELS):
+        differs = differs | ((load(zero, j, PIXELS) | load(bloomed, j, PIXELS)) != 0)
     for m in range(sums.taken.shape[0]):
-        taken = sums.taken[m, off : off + n]
-        for j in range(n):
-            differs |= taken[j] ^ first
-    return np.int64(first) if marked == 0 and differs == 0 else np.int64(-1)
+        taken = sums.taken[m, off : off + CHUNK]
+        for j in range(0, CHUNK, PIXELS):
+            differs = differs | (load(taken, j, PIXELS) != first)
+    return np.int64(-1) if any_of(differs) else np.int64(first)
+
+
+@njit(**INLINE)
+def set_alike(taken: int, j: int, model: Any, work: Any) -> None:
+    """Put what belongs to the exposures ``taken`` into the rows of the noise and the light, from ``j`` on."""
+    store(filled(model.black[taken], PIXELS), work.rows, BLACK + j)
+    store(filled(model.gain[taken], PIXELS), work.rows, GAIN + j)
+    store(filled(model.floor[taken], PIXELS), work.rows, FLOOR + j)
+    store(filled(model.to_brightest[taken], PIXELS), work.rows, TO_BRIGHTEST + j)
+    store(filled(model.to_longest[taken], PIXELS), work.rows, TO_LONGEST + j)
 
 
 @njit(**INLINE)
 def set_together(alike: int, model: Any, work: Any) -> None:
     """Put what belongs to the exposures ``alike`` into the rows of the noise, the light and the reasons, for all pixels of a chunk."""
-    rows = work.rows
-    rows[BLACK : BLACK + CHUNK] = model.black[alike]
-    rows[GAIN : GAIN + CHUNK] = model.gain[alike]
-    rows[FLOOR : FLOOR + CHUNK] = model.floor[alike]
-    rows[TO_BRIGHTEST : TO_BRIGHTEST + CHUNK] = model.to_brightest[alike]
-    rows[TO_LONGEST : TO_LONGEST + CHUNK] = model.to_longest[alike]
-    rows[LOST : LOST + CHUNK] = np.float32(SATURATED if alike == 0 else VALID)
+    for j in range(0, CHUNK, PIXELS):
+        set_alike(alike, j, model, work)
+        store(filled(np.float32(SATURATED if alike == 0 else VALID), PIXELS), work.rows, LOST + j)
 
 
 @njit(**INLINE)
-def set_apart(sums: Any, off: int, n: int, model: Any, work: Any) -> None:
-    """Put what belongs to the exposures of every pixel into the same rows; where groups decide apart, those of the finest count."""
-    rows = work.rows
-    taken = sums.taken[0 if sums.taken.shape[0] == 1 else model.finest, off : off + n]
-    look_up(model.black, taken, n, rows[BLACK : BLACK + n])
-    look_up(model.gain, taken, n, rows[GAIN : GAIN + n])
-    look_up(model.floor, taken, n, rows[FLOOR : FLOOR + n])
-    look_up(model.to_brightest, taken, n, rows[TO_BRIGHTEST : TO_BRIGHTEST + n])
-    look_up(model.to_longest, taken, n, rows[TO_LONGEST : TO_LONGEST + n])
-    zero, bloomed, lost = sums.zero[off : off + n], sums.bloomed[off : off + n], rows[LOST : LOST + n]
+def set_apart(sums: Any, off: int, model: Any, work: Any) -> None:
+    """Put what belongs to the exposures of every pixel into the same rows; where groups decide apart, those of the finest count.
+
+    Neighbours mostly took the same, and looking up one set is faster than one for each.
+    """
+    rows, zero, bloomed = work.rows, sums.zero[off : off + CHUNK], sums.bloomed[off : off + CHUNK]
+    own = sums.taken[0 if sums.taken.shape[0] == 1 else model.finest, off : off + CHUNK]
     unlit = np.float32(WEAK if model.zero_is_dark else VALID)
-    for j in range(n):
-        lost[j] = unlit if zero[j] != 0 else np.float32(VALID)
-    for m in range(sums.taken.shape[0]):
-        taken = sums.taken[m, off : off + n]
-        for j in range(n):
-            reason = np.float32(BLOOMING) if bloomed[j] != 0 else np.float32(SATURATED)
-            lost[j] = reason if taken[j] == 0 else lost[j]
-
-
-@njit(**INLINE)
-def draw_exposure(sums: Any, off: int, begin: int, n: int, alike: int, model: Any, work: Any, maps: Any) -> None:
-    """Write the longest exposure that any group of a pixel took into its map."""
-    exposure, code = maps.exposure[begin : begin + n], work.code[0]
-    if alike >= 0:
-        exposure[:] = model.first[alike]
-        return
-    for j in range(n):
-        code[j] = 0
-    for k in range(sums.taken.shape[0]):
-        taken = sums.taken[k, off : off + n]
-        for j in range(n):
-            code[j] |= np.int32(taken[j])
-    look_up(model.first, code, n, exposure)
+    for j in range(0, CHUNK, PIXELS):
+        taken = load(own, j, PIXELS)
+        if any_of(taken != own[j]):
+            which = converted(taken, np.int32)
+            store(gathered(model.black, which), rows, BLACK + j)
+            store(gathered(model.gain, which), rows, GAIN + j)
+            store(gathered(model.floor, which), rows, FLOOR + j)
+            store(gathered(model.to_brightest, which), rows, TO_BRIGHTEST + j)
+            store(gathered(model.to_longest, which), rows, TO_LONGEST + j)
+        else:
+            set_alike(own[j], j, model, work)
+        lost = where(load(zero, j, PIXELS) != 0, filled(unlit, PIXELS), np.float32(VALID))
+        reason = where(load(bloomed, j, PIXELS) != 0, filled(np.float32(BLOOMING), PIXELS), np.float32(SATURATED))
+        for m in range(sums.taken.shape[0]):
+            lost = where(load(sums.taken[m], off + j, PIXELS) == 0, reason, lost)
+        store(lost, rows, LOST + j)

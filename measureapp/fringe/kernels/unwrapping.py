@@ -1,4 +1,4 @@
-"""Compiled loops from wrapped phases to fringe orders; the readable statements stand in `unwrap.py` and `gray_code.py`."""
+"""Compiled steps from wrapped phases to fringe orders; the readable statements stand in `unwrap.py` and `gray_code.py`."""
 
 from __future__ import annotations
 
@@ -8,98 +8,57 @@ import numpy as np
 from numba import njit
 
 from measureapp.fringe.kernels.options import HALF, INLINE, QUARTER, THREE_QUARTERS
-from measureapp.fringe.kernels.records import RESIDUAL, VALUE, WRAPPED
+from measureapp.fringe.kernels.records import PIXELS, SPACING
+from measureapp.simd.elements import converted, filled, rounded_down, where
+from measureapp.simd.memory import load
 
 
 @njit(**INLINE)
-def combine_phases(factors: Any, n: int, work: Any) -> Any:
-    """Put the sum of the groups' phases, each times its factor, into its row; where it is one group's alone, return that group, else -1."""
-    rows = work.rows
-    begun, single = -1, 0
-    for g in range(factors.shape[0]):
-        factor = factors[g]
-        if factor == 0:
-            continue
-        phase = work.phase[g]
-        if begun < 0:
-            begun, single = g, 1
-        elif single == 1:
-            first, before = work.phase[begun], factors[begun]
-            for j in range(n):
-                rows[WRAPPED + j] = before * first[j] + factor * phase[j]
-            single = 0
-        else:
-            for j in range(n):
-                rows[WRAPPED + j] += factor * phase[j]
-    if single == 1 and factors[begun] == 1:
-        return begun
-    if single == 1:
-        first, before = work.phase[begun], factors[begun]
-        for j in range(n):
-            rows[WRAPPED + j] = before * first[j]
-    return -1
+def combined(k: int, j: int, model: Any, work: Any) -> Any:
+    """Return a combination of the groups' phases: their sum, each times its factor."""
+    if model.alone[k] >= 0:
+        return load(work.phase, model.alone[k] * SPACING + j, PIXELS)
+    factors = model.combinations[k]
+    total = factors[0] * load(work.phase, j, PIXELS)
+    for g in range(1, factors.shape[0]):
+        total = total + factors[g] * load(work.phase, g * SPACING + j, PIXELS)
+    return total
 
 
 @njit(**INLINE)
-def unwrap_heterodyne(n: int, model: Any, work: Any) -> None:
-    """Unwrap from the coarsest combination of the phases to the finest pitch."""
-    rows = work.rows
-    alone = combine_phases(model.combinations[0], n, work)
-    wrapped = work.phase[alone, :n] if alone >= 0 else rows[WRAPPED : WRAPPED + n]
-    guard = model.guard
-    for j in range(n):
-        rows[VALUE + j] = wrapped[j] - np.floor(wrapped[j] + guard)
-        rows[RESIDUAL + j] = 0
+def unwrap_heterodyne(j: int, model: Any, work: Any) -> Any:
+    """Unwrap from the coarsest combination of the phases to the finest pitch; returns absolute phases and rounding residuals."""
+    wrapped = combined(0, j, model, work)
+    value, residual = wrapped - rounded_down(wrapped + model.guard), filled(np.float32(0), PIXELS)
     for k in range(1, model.combinations.shape[0]):
-        alone = combine_phases(model.combinations[k], n, work)
-        wrapped = work.phase[alone, :n] if alone >= 0 else rows[WRAPPED : WRAPPED + n]
-        ratio = model.ratios[k]
-        if k == model.watched:
-            for j in range(n):
-                decision = rows[VALUE + j] * ratio - wrapped[j]
-                order = np.floor(decision + HALF)
-                rows[RESIDUAL + j] = decision - order
-                rows[VALUE + j] = wrapped[j] + order
-        elif model.watched < 0:
-            for j in range(n):
-                decision = rows[VALUE + j] * ratio - wrapped[j]
-                order = np.floor(decision + HALF)
-                left, known = decision - order, rows[RESIDUAL + j]
-                rows[RESIDUAL + j] = left if abs(left) > abs(known) else known
-                rows[VALUE + j] = wrapped[j] + order
-        else:
-            for j in range(n):
-                rows[VALUE + j] = wrapped[j] + np.floor(rows[VALUE + j] * ratio - wrapped[j] + HALF)
+        wrapped = combined(k, j, model, work)
+        decision = value * model.ratios[k] - wrapped
+        order = rounded_down(decision + HALF)
+        left = decision - order
+        if model.watched < 0:
+            residual = where(abs(left) > abs(residual), left, residual)
+        elif k == model.watched:
+            residual = left
+        value = wrapped + order
+    return value, residual
 
 
 @njit(**INLINE)
-def unwrap_gray(sums: Any, off: int, n: int, layout: Any, model: Any, work: Any) -> None:
+def unwrap_gray(sums: Any, off: int, j: int, layout: Any, model: Any, work: Any) -> Any:
     """Number the periods by Gray code; half a period of overlap with the complementary plane heals the edges of the planes."""
-    value, residual = work.rows[VALUE : VALUE + n], work.rows[RESIDUAL : RESIDUAL + n]
-    code, coarse, bit = work.code[0], work.code[1], work.code[2]
+    code, coarse, bit = filled(np.int32(0), PIXELS), filled(np.int32(0), PIXELS), filled(np.int32(0), PIXELS)
+    light = converted(load(sums.total[0 if sums.total.shape[0] == 1 else model.finest], off + j, PIXELS), np.float32)
     steps = np.float32(layout.steps[model.finest])
-    total = sums.total[0 if sums.total.shape[0] == 1 else model.finest, off : off + n]
-    phase = work.phase[model.finest]
-    for j in range(n):
-        code[j] = 0
-    for j in range(n):
-        bit[j] = 0
     for b in range(layout.planes.shape[0]):
-        plane = sums.planes[b, off : off + n]
-        for j in range(n):
-            coarse[j] = code[j]
-        for j in range(n):
-            bit[j] ^= np.int32(np.float32(plane[j]) * steps > np.float32(total[j]))
-            code[j] = 2 * code[j] + bit[j]
+        bright = steps * converted(load(sums.planes[b], off + j, PIXELS), np.float32) > light
+        bit = where(bright, np.int32(1) - bit, bit)
+        coarse = code
+        code = code + code + bit
+    phase = load(work.phase, model.finest * SPACING + j, PIXELS)
+    aligned = phase - rounded_down(phase)
     if not model.complementary:
-        for j in range(n):
-            aligned = phase[j] - np.floor(phase[j])
-            residual[j] = HALF - aligned
-            value[j] = np.float32(code[j]) + aligned
-        return
-    for j in range(n):
-        aligned = phase[j] - np.floor(phase[j])
-        shifted = (code[j] + 1) // 2
-        period = shifted if aligned < QUARTER else (shifted - 1 if aligned >= THREE_QUARTERS else coarse[j])
-        residual[j] = np.float32(abs(coarse[j] - period) > 1)
-        value[j] = np.float32(period) + aligned
+        return converted(code, np.float32) + aligned, HALF - aligned
+    shifted = (code + np.int32(1)) >> np.int32(1)
+    period = where(aligned < QUARTER, shifted, where(aligned >= THREE_QUARTERS, shifted - np.int32(1), coarse))
+    apart = where(abs(coarse - period) > np.int32(1), filled(np.float32(1), PIXELS), np.float32(0))
+    return converted(period, np.float32) + aligned, apart

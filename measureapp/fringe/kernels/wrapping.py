@@ -7,44 +7,55 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.fringe.kernels.options import HALF, INLINE, LOOP, QUARTER, TINY
+from measureapp.fringe.kernels.options import HALF, INLINE, QUARTER, TINY
+from measureapp.fringe.kernels.records import CHUNK, MODULATION, PIXELS, SPACING
+from measureapp.simd.elements import converted, larger, rounded_down, smaller, where
+from measureapp.simd.memory import gathered, load, store
 
 # Odd polynomial for atan on 0…1 in cycles, fitted by iteratively reweighted least squares; error below 1e-7 rad.
 _RAD = (0.999999336, -0.33329861, 0.199465668, -0.139086327, 0.0964220148, -0.0559123465, 0.0218629532, -0.00405456218)
 A1, A3, A5, A7, A9, A11, A13, A15 = (np.float32(value / (2 * np.pi)) for value in _RAD)
 
 
-@njit(**LOOP, inline="always")
+@njit(**INLINE)
 def atan2_cycles(sine: Any, cosine: Any) -> Any:
-    """Return atan2 over 2π in float32; branch-free, so that the loop around it becomes SIMD code (numba's own is ten times slower)."""
-    across = abs(cosine)
-    up = abs(sine)
-    small = min(across, up)
-    large = max(across, up)
-    q = small / (large + TINY)
+    """Return atan2 over 2π of vectors of float32."""
+    across, up = abs(cosine), abs(sine)
+    q = smaller(across, up) / (larger(across, up) + TINY)
     p = q * q
     angle = q * (A1 + p * (A3 + p * (A5 + p * (A7 + p * (A9 + p * (A11 + p * (A13 + p * A15)))))))
-    angle = QUARTER - angle if up > across else angle
-    angle = HALF - angle if cosine < 0 else angle
-    return -angle if sine < 0 else angle
+    angle = where(up > across, QUARTER - angle, angle)
+    angle = where(cosine < np.float32(0), HALF - angle, angle)
+    return where(sine < np.float32(0), -angle, angle)
 
 
 @njit(**INLINE)
-def wrap(sine: Any, cosine: Any, n: int, sign: Any, origin: Any, phase: Any, power: Any) -> None:
-    """Turn the sums of a group into wrapped phase, from column 0 in cycles, and squared modulation."""
-    for j in range(n):
-        s = np.float32(sine[j])
-        c = np.float32(cosine[j])
-        power[j] = s * s + c * c
-        phase[j] = sign * atan2_cycles(s, c) - origin
-
-
-@njit(**INLINE)
-def correct(phase: Any, n: int, table: Any, origin: Any) -> None:
-    """Take out what the projector's response does to the phase."""
+def corrected(phase: Any, table: Any, origin: Any) -> Any:
+    """Return phases without what the projector's response does to them."""
     last = table.shape[0] - 1
-    for j in range(n):
-        turns = phase[j] + origin + HALF
-        place = (turns - np.floor(turns)) * np.float32(last)
-        k = min(max(int(place), 0), last - 1)
-        phase[j] += table[k] + (place - np.float32(k)) * (table[k + 1] - table[k])
+    turns = phase + origin + HALF
+    place = (turns - rounded_down(turns)) * np.float32(last)
+    k = smaller(larger(converted(place, np.int32), np.int32(0)), np.int32(last - 1))
+    low, high = gathered(table, k), gathered(table, k + np.int32(1))
+    return phase + low + (place - converted(k, np.float32)) * (high - low)
+
+
+@njit(**INLINE)
+def wrap_groups(sums: Any, off: int, model: Any, work: Any) -> None:
+    """Turn the sums of a chunk into wrapped phases of all groups, from column 0 in cycles, and into squared modulations.
+
+    The least modulation of all groups, squared and in the sums, goes into its row.
+    """
+    for g in range(sums.sine.shape[0]):
+        sine, cosine = sums.sine[g, off : off + CHUNK], sums.cosine[g, off : off + CHUNK]
+        norm = model.norms[g]
+        for j in range(0, CHUNK, PIXELS):
+            s, c = converted(load(sine, j, PIXELS), np.float32), converted(load(cosine, j, PIXELS), np.float32)
+            power = s * s + c * c
+            phase = model.sine_sign * atan2_cycles(s, c) - model.origin
+            if model.correction.shape[1] > 0:
+                phase = corrected(phase, model.correction[g], model.origin)
+            square = norm * power
+            store(phase, work.phase, g * SPACING + j)
+            store(power, work.power, g * SPACING + j)
+            store(square if g == 0 else smaller(square, load(work.rows, MODULATION + j, PIXELS)), work.rows, MODULATION + j)
