@@ -6,4 +6,5 @@ from pathlib import Path
 
 from measureapp.kernel_cache import drop_stale
 
-drop_stale(Path(__file__).parent / "kernels", Path(__file__).parents[1] / "machine_memory.py")
+_CORE = Path(__file__).parents[1]
+drop_stale(Path(__file__).parent / "kernels", _CORE / "machine_memory.py", *(_CORE / "simd").glob("*.py"))

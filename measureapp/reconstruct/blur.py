@@ -55,8 +55,9 @@ def without_blur(
 def _sharp(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: MapMemory, read: bool) -> PhaseMap:
     if blur_px <= 0:
         return phase_map
-    phase, sigma = read_only(phase_map.phase_rad, np.float32), read_only(phase_map.sigma_rad, np.float32)
-    grey, state = read_only(phase_map.grey, np.uint16), read_only(phase_map.state, np.uint8)
+    shape = phase_map.phase_rad.shape
+    phase, sigma = read_only(phase_map.phase_rad, np.float32).reshape(-1), read_only(phase_map.sigma_rad, np.float32).reshape(-1)
+    grey, state = read_only(phase_map.grey, np.uint16).reshape(-1), read_only(phase_map.state, np.uint8).reshape(-1)
     out, doubted = memory.empty(phase.shape, np.float32), memory.empty(phase.shape, np.float32)
     variance = min(blur_px, MOST_PX) ** 2
     numbers = (
@@ -65,6 +66,6 @@ def _sharp(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: MapMemo
         np.float32(step_rad),
         np.float32(other_light(phase_map)),
     )
-    in_bands(lambda start, stop: kernels.take_blur(phase, sigma, grey, state, *numbers, start, stop, out, doubted), len(phase))
+    in_bands(lambda start, stop: kernels.take_blur(phase, sigma, grey, state, *shape, *numbers, start, stop, out, doubted), shape[0])
     across = None if phase_map.across is None else _sharp(phase_map.across, blur_px, step_rad, memory, read)
-    return replace(phase_map, phase_rad=read_only(out), sigma_rad=read_only(doubted), across=across)
+    return replace(phase_map, phase_rad=read_only(out.reshape(shape)), sigma_rad=read_only(doubted.reshape(shape)), across=across)
