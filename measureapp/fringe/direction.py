@@ -158,7 +158,7 @@ class DirectionDecoder:
         repaired = 0
         limits = self._limits(model, amplification)
         if limits.radius or limits.edge_step_rad < recipe.patterns.phase_range_rad:
-            repaired, change = settle_orders(maps, self._shape, limits)
+            repaired, change = settle_orders(maps, self._shape, limits, self._memory)
             states = states + change
         return PhaseMap(
             camera=self._camera,

@@ -11,6 +11,7 @@ from measureapp.arrays import FloatArray, IntArray, in_bands
 from measureapp.data.phase import PixelState
 from measureapp.fringe.kernels import orders
 from measureapp.fringe.kernels.records import Maps
+from measureapp.map_memory import MapMemory
 
 CERTAIN = 3.5  # standard deviations by which a rounding residual may miss the order that the window wants
 
@@ -56,7 +57,7 @@ def order_steps(scales: FloatArray, steps: IntArray) -> FloatArray:
     return np.asarray(2 * pi * (change - (shares / scales * (off - np.rint(off))).sum(axis=1)), np.float32)
 
 
-def settle_orders(maps: Maps, shape: tuple[int, int], limits: VoteLimits) -> tuple[int, IntArray]:
+def settle_orders(maps: Maps, shape: tuple[int, int], limits: VoteLimits, memory: MapMemory) -> tuple[int, IntArray]:
     """Let the window decide doubtful orders and mark edges, in place.
 
     Only pixels in conflict with themselves or whose phase differs from their surroundings are looked at. A pixel changes its
@@ -69,7 +70,7 @@ def settle_orders(maps: Maps, shape: tuple[int, int], limits: VoteLimits) -> tup
     """
     phase, sigma, state = (array.reshape(shape) for array in (maps.phase, maps.sigma, maps.state))
     step = min(pi, limits.edge_step_rad) if limits.radius else limits.edge_step_rad
-    doubtful = np.empty(shape, np.uint8)
+    doubtful = memory.empty(shape, np.uint8)
 
     def find(start: int, stop: int) -> IntArray:
         orders.find_doubtful(phase, state, np.float32(step), limits.radius, start, stop, doubtful)

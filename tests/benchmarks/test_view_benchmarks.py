@@ -43,7 +43,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("threads_apart")]
 
 CAMERA_BYTES = 40 * 2592 * 1944
 BLUR_PX = 0.75
-ROUNDS = 7
+ROUNDS = 11
 ASKED_OF_PAIR, ASKED_OF_VIEW, ASKED_OF_TRIANGULATION = 3.2, 10.0, 500.0
 MOST_OF_PAIR, MOST_OF_VIEW, MOST_WITH_DECODING, LEAST_OF_MATCH, LEAST_OF_CLEANING = 20.0, 40.0, 60.0, 12.0, 30.0  # held
 
