@@ -1,9 +1,11 @@
 """Times of matching and reconstructing a view of the paper's full resolution, as ratios to a copy of its images; run with ``-m slow``.
 
-Asked for: a pair within 3.2 copies of a camera's images, a view with decoding within 10 copies of its images. Measured on two shared
-processors were 3.6 to 5.2, and 10.6 to 14.7 (reconstruction alone 7.9 to 10.3), with copies that took 8 to 18 and 27 to 48 ms. The tests
-hold the bounds that are reached on two busy processors; ratio and asked figure stand beside each other in the record of each run. A view is
-made in memory that is used again, as a scan does it from its second view on; what fresh memory costs is listed beside it.
+Asked for: a pair within 3.2 copies of a camera's images, a view with decoding within 10 copies of its images. On two shared processors with
+nothing beside them, in seven runs, a pair took 30 to 33 ms, beside copies of 10 to 12 ms 2.8 to 3.0 of them; a view 224 to 239 ms, beside
+copies of 23 to 24 ms 9.7 to 10.2 of them; reconstruction alone 182 to 194 ms, 7.8 to 8.3. In one process of three copies take two thirds of
+that, 6.7 and 17 ms, whatever the images; beside these a pair takes 4.9 and a view 14. The tests hold the bounds that are reached on two busy
+processors; ratio and asked figure stand beside each other in the record of each run. A view is made in memory that is used again, as a scan
+does it from its second view on; what fresh memory costs is listed beside it.
 """
 
 from __future__ import annotations
@@ -45,7 +47,7 @@ CAMERA_BYTES = 40 * 2592 * 1944
 BLUR_PX = 0.75
 ROUNDS = 11
 ASKED_OF_PAIR, ASKED_OF_VIEW, ASKED_OF_TRIANGULATION = 3.2, 10.0, 500.0
-MOST_OF_PAIR, MOST_OF_VIEW, MOST_WITH_DECODING, LEAST_OF_MATCH, LEAST_OF_CLEANING = 20.0, 40.0, 60.0, 12.0, 30.0  # held
+MOST_OF_PAIR, MOST_OF_VIEW, MOST_WITH_DECODING, LEAST_OF_MATCH, LEAST_OF_CLEANING = 12.0, 25.0, 30.0, 20.0, 100.0  # held
 
 
 @pytest.fixture(scope="module")
@@ -110,7 +112,7 @@ def matching(maps: dict[str, PhaseMap], rectifier: Rectifier) -> Callable[[], li
 
 
 def test_matching_a_pair(benchmark: Benchmark, maps: dict[str, PhaseMap], rectifier: Rectifier) -> None:
-    """Asked: 3.2 copies of a camera's images; measured 3.6, beside other work up to 5.2."""
+    """Asked: 3.2 copies of a camera's images."""
     match = matching(maps, rectifier)
     assert sum(match()) > 0.9 * 4_055_000
     assert noted(benchmark, match, CAMERA_BYTES, ASKED_OF_PAIR) <= MOST_OF_PAIR
@@ -182,7 +184,7 @@ def images_of_camera(seen: PhaseMap, seed: int) -> np.ndarray:
 
 
 def test_a_view_from_images_to_points(benchmark: Benchmark, head: Head, maps: dict[str, PhaseMap], rectifier: Rectifier) -> None:
-    """Decoding with order votes and edges, one camera after the other, and reconstruction; asked: 10 copies of the images; measured 10.6 to 14.7."""
+    """Decoding with order votes and edges, one camera after the other, and reconstruction; asked: 10 copies of the images."""
     images = {name: images_of_camera(each, 3 + number) for number, (name, each) in enumerate(maps.items())}
     stack = FringeStack("v", PAPER_PATTERNS, EXPOSURES_US, images, 255)
 
