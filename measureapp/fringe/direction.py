@@ -83,7 +83,10 @@ class DirectionDecoder:
         spare: list[tuple[Sums, Room]] = []
 
         def work(start: int, stop: int) -> tuple[IntArray, IntArray]:
-            sums, room = spare.pop() if spare else (self._recipe.sums(self._dtype, STRETCH, self._memory), loop.room(loop.layout))
+            try:
+                sums, room = spare.pop()
+            except IndexError:
+                sums, room = self._recipe.sums(self._dtype, STRETCH, self._memory), loop.room(loop.layout)
             done = loop.run(sums, STRETCH_ALONE, start, stop, images=whole, model=model, maps=maps, room=room)
             spare.append((sums, room))
             return done
