@@ -15,7 +15,7 @@ from numba.extending import intrinsic
 
 from measureapp.map_memory import LINE
 
-STREAMED = 16  # float32 of a line
+STREAMED = 16  # words of 32 bits of a line
 READING, NEAREST_CACHE, DATA = 0, 3, 1
 
 
@@ -38,7 +38,7 @@ will_read: Any = intrinsic(_will_read)
 
 
 def _write_past_caches(_typing: Any, source: Any, target: Any, index: Any) -> Any:
-    """Copy STREAMED elements from ``index`` on, both arrays contiguous float32; those of ``target`` must fill a line of the cache."""
+    """Copy a line of the cache from ``index`` on, of contiguous arrays of one type; in ``target`` one must begin there."""
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         line = ir.VectorType(ir.FloatType(), STREAMED).as_pointer()

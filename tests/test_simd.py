@@ -93,6 +93,9 @@ def test_whole_numbers_shift_and_join_their_bits() -> None:
     found = np.empty_like(a)
     through(lambda x, y: (x >> np.int32(1)) | (y & np.int32(5)))(a, b, found)
     assert np.array_equal(found, (a >> 1) | (b & 5))
+    bytes_, shifted = np.arange(96, 256, dtype=np.uint8), np.empty(LENGTH, np.uint8)
+    through(lambda x, _y: x >> np.uint8(3))(bytes_, bytes_, shifted)
+    assert np.array_equal(shifted, bytes_ >> 3)
 
 
 def test_a_table_is_looked_up_at_every_element() -> None:

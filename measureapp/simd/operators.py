@@ -21,7 +21,6 @@ ARITHMETIC = {  # in LLVM's words for numbers with a fraction and whole ones
     operator.sub: ("fsub", "sub"),
     operator.mul: ("fmul", "mul"),
     operator.truediv: ("fdiv", None),
-    operator.rshift: (None, "ashr"),
     operator.and_: (None, "and_"),
     operator.or_: (None, "or_"),
 }
@@ -72,10 +71,15 @@ def _magnitude(builder: Any, kind: Vector, args: Sequence[Any]) -> Any:
     return call(builder, "fabs", kind, args) if kind.real else call(builder, "abs", kind, [*args, UNCHECKED])
 
 
+def _shifted(builder: Any, kind: Vector, args: Sequence[Any]) -> Any:
+    return (builder.ashr if kind.signed else builder.lshr)(*args)
+
+
 for _function, (_real, _whole) in ARITHMETIC.items():
     _define_arithmetic(_function, _real, _whole)
 for _function, _sign in COMPARISONS.items():
     _define_comparison(_function, _sign)
+_define(operator.rshift, lambda kind: None if kind.real else kind, _shifted, 2)
 _define(operator.neg, lambda kind: kind, _negated, 1)
 _define(operator.invert, lambda kind: None if kind.real else kind, lambda builder, _kind, args: builder.not_(args[0]), 1)
 _define(abs, lambda kind: kind, _magnitude, 1)

@@ -187,3 +187,24 @@ def test_horizontal_fringes_of_the_same_images_follow() -> None:
     made = without_blur({"one": replace(steep, across=replace(steep, direction="horizontal"))}, camera(BLUR_PX), STEP_RAD)["one"]
     assert made.across is not None
     np.testing.assert_array_equal(made.across.phase_rad, made.phase_rad)
+
+
+def columns_of(whole: PhaseMap, width: int) -> PhaseMap:
+    names = ("phase_rad", "sigma_rad", "modulation", "grey", "state", "exposure_index")
+    return replace(whole, **{name: np.ascontiguousarray(getattr(whole, name)[:, :width]) for name in names})
+
+
+@pytest.mark.parametrize("width", [28, 29, 43, 45])
+def test_columns_beyond_the_last_whole_vector_are_taken_like_all_others(width: int) -> None:
+    whole = seen(2000 * np.exp(0.02 * COLUMNS), PHASE + 0.004 * COLUMNS**2 + 0.003 * ROWS**2)
+    part = columns_of(whole, width)
+    wide, narrow = (without_blur({"one": each}, camera(BLUR_PX), STEP_RAD)["one"] for each in (whole, part))
+    assert np.array_equal(narrow.phase_rad[:, :-6], wide.phase_rad[:, : width - 6])
+    assert np.array_equal(narrow.sigma_rad[:, :-6], wide.sigma_rad[:, : width - 6])
+    assert np.array_equal(narrow.phase_rad[:, -6:], part.phase_rad[:, -6:])
+    assert not np.array_equal(narrow.phase_rad, part.phase_rad)
+
+
+def test_images_too_narrow_for_it_stay() -> None:
+    part = columns_of(seen(2000 * np.exp(0.02 * COLUMNS)), 27)
+    assert np.array_equal(without_blur({"one": part}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad, part.phase_rad)
