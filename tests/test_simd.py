@@ -13,18 +13,29 @@ from numba.core.errors import TypingError
 from measureapp.map_memory import at_a_line
 from measureapp.simd.elements import (
     any_of,
+    bits_of,
     converted,
     count_of,
     filled,
     larger,
     largest,
+    lowest_bit,
     rounded_down,
     smaller,
     smallest,
     square_root,
     where,
 )
-from measureapp.simd.memory import gathered, load, store, store_past_caches
+from measureapp.simd.memory import (
+    fetch_records,
+    gathered,
+    load,
+    load_records,
+    store,
+    store_past_caches,
+    store_records,
+    store_records_past_caches,
+)
 
 LANES, LENGTH = 16, 160
 KINDS = (np.float32, np.float64, np.int8, np.uint8, np.int16, np.uint16, np.int32)
@@ -129,6 +140,62 @@ def test_all_elements_give_one_number(kind: Any) -> None:
         rows = a.reshape(-1, LANES)
         above = rows > bound
         assert np.array_equal(found, np.stack([rows.max(1), rows.min(1), above.sum(1), above.any(1)], 1))
+
+
+@pytest.mark.parametrize("width", (1, 2, 3, 4))
+@pytest.mark.parametrize("kind", (np.float32, np.float64, np.int32))
+def test_records_are_taken_apart_and_put_together(width: int, kind: Any) -> None:
+    count = LENGTH // 2
+    table = np.random.default_rng(11).integers(0, 200, (count, width)).astype(kind)
+    places = np.random.default_rng(12).integers(0, count, count).astype(np.int32)
+    one_by_one, written, beyond_caches = np.empty((width, count), kind), np.empty_like(table), at_a_line(table.shape, kind)
+
+    @njit
+    def apart(table: Any, places: Any, columns: Any, records: Any, past: Any) -> None:
+        for j in range(0, count, LANES):
+            fetched = fetch_records(table, width, places, j, LANES, width)
+            for number in range(width):
+                store(fetched[number], columns[number], j)
+            read = load_records(table, width * j, LANES, width)
+            store_records(read, records, width * j)
+            store_records_past_caches(read, past, width * j)
+
+    apart(table.reshape(-1), places, one_by_one, written.reshape(-1), beyond_caches.reshape(-1))
+    assert np.array_equal(one_by_one, table[places].T)
+    assert np.array_equal(written, table) and np.array_equal(beyond_caches, table)
+
+
+@pytest.mark.parametrize("kind", (np.float32, np.uint8))
+def test_records_may_overlap(kind: Any) -> None:
+    table, places = (np.arange(200) ** 2).astype(kind), np.random.default_rng(13).integers(0, 199, LANES).astype(np.int32)
+    steps = np.empty(LANES, kind)
+
+    @njit
+    def rises(table: Any, places: Any, out: Any) -> None:
+        before, behind = fetch_records(table, 1, places, 0, LANES, 2)
+        store(behind - before, out, 0)
+
+    rises(table, places, steps)
+    assert np.array_equal(steps, np.diff(table)[places])
+
+
+def test_a_mask_is_gone_through_bit_by_bit() -> None:
+    a = numbers(np.float32, 14)
+
+    @njit
+    def chosen(a: Any, bound: Any, out: Any) -> Any:
+        found = 0
+        for j in range(0, LENGTH, LANES):
+            bits = bits_of(load(a, j, LANES) > bound)
+            while bits != np.uint32(0):
+                out[found] = j + lowest_bit(bits)
+                found += 1
+                bits &= bits - np.uint32(1)
+        return found
+
+    places = np.empty(LENGTH, np.int64)
+    for bound in np.float32([-3, 0, 2.5, 100]):
+        assert np.array_equal(places[: chosen(a, bound, places)], np.flatnonzero(a > bound))
 
 
 def test_whole_lines_are_written_past_the_caches() -> None:

@@ -9,7 +9,7 @@ from numba import types
 from numba.extending import intrinsic
 
 from measureapp.simd.memory import WIDE, literal
-from measureapp.simd.vectors import Vector, call, compare, kind_of, select, spread, spread_all
+from measureapp.simd.vectors import PLACE, Vector, call, compare, kind_of, select, spread, spread_all
 
 
 def _filled(_typing: Any, value: Any, count: Any) -> Any:
@@ -102,6 +102,25 @@ def _any_of(_typing: Any, mask: Any) -> Any:
     return types.boolean(mask), generate
 
 
+def _bits_of(_typing: Any, mask: Any) -> Any:
+    """Return a number whose bits, the lowest first, are the elements of a mask of up to 32."""
+
+    def generate(_context: Any, builder: Any, _made: Any, args: Any) -> Any:
+        bits = builder.bitcast(args[0], ir.IntType(mask.count))
+        return builder.zext(bits, PLACE) if mask.count < PLACE.width else bits
+
+    return (types.uint32(mask), generate) if mask.count <= PLACE.width else None
+
+
+def _lowest_bit(_typing: Any, _bits: Any) -> Any:
+    """Return the place of the lowest bit that is set in a number other than 0."""
+
+    def generate(_context: Any, builder: Any, _made: Any, args: Any) -> Any:
+        return builder.cttz(args[0], ir.IntType(1)(1))
+
+    return types.uint32(types.uint32), generate
+
+
 def _count_of(_typing: Any, mask: Any) -> Any:
     """Return at how many places a mask of up to 64 is true."""
 
@@ -122,4 +141,6 @@ square_root: Any = intrinsic(_each("sqrt"))
 largest: Any = intrinsic(_of_all("max"))  # of all elements
 smallest: Any = intrinsic(_of_all("min"))
 any_of: Any = intrinsic(_any_of)
+bits_of: Any = intrinsic(_bits_of)
+lowest_bit: Any = intrinsic(_lowest_bit)
 count_of: Any = intrinsic(_count_of)

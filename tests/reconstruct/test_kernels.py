@@ -145,9 +145,8 @@ def slopes_of(phase: np.ndarray, sigma: np.ndarray, state: np.ndarray, every: in
     height, width = phase.shape
     pixels, quad = np.empty((height, width, 4), np.float32), np.empty(phase.shape, np.uint8)
     samples = np.empty((3, -(-height // every), -(-width // every)), np.float32)
-    kernels.slopes(
-        read_only(phase), read_only(sigma), read_only(state), np.float32(3), every, 0, height, pixels.reshape(height, -1), quad, samples
-    )
+    maps = tuple(read_only(each).reshape(-1) for each in (phase, sigma, state))
+    kernels.slopes(maps, height, width, np.float32(3), every, 0, height, pixels.reshape(-1), quad.reshape(-1), samples)
     return pixels, quad, samples
 
 

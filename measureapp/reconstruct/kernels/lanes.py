@@ -10,26 +10,36 @@ from numba import njit
 from measureapp.machine_memory import will_read
 from measureapp.map_memory import LINE as CACHE_LINE
 from measureapp.reconstruct.kernels.options import INLINE
-from measureapp.reconstruct.kernels.scratch import GROUP, equal_bits, lowest_bit
-from measureapp.reconstruct.kernels.seen import MATCHED
+from measureapp.reconstruct.kernels.seen import MATCHED, REPEATS
+from measureapp.simd.elements import bits_of, converted, lowest_bit
+from measureapp.simd.memory import load, load_records, store
 
 CHUNK = 256  # all lanes stay in the first cache of a processor
+GROUP = 16  # pixels that are worked on together, in registers; lanes behind the last pixel of a chunk hold anything but WANTED and HELD
 ZERO, ONE, HALF = np.float32(0), np.float32(1), np.float32(0.5)
-HELD = np.float32(MATCHED)
-LOST = np.float32(100.0)
+WANTED, HELD, TWICE = np.float32(1), np.float32(MATCHED), np.float32(REPEATS)  # in CODE
 NOWHERE = np.float32(-1000.0)
 TWO = np.uint32(1)  # as a shift
-NOTHING = np.uint32(0)
+NOTHING, NONE = np.uint8(0), np.uint32(0)
 
-(PHASE, X, Y, DEPTH_SCALE, U, V, QUAD, LEFT, NOISE, Z, GAIN, NEXT_U, NEXT_V, CODE, KEPT_U, KEPT_V) = (k * CHUNK for k in range(16))
-SCRATCH = 16 * CHUNK
-(PLACE, NEAREST, COLUMN, SOME) = (k * CHUNK for k in range(4))
-PLACES = 4 * CHUNK
+ROWS_AHEAD = 6  # so far below is asked for what rows soon need
+
+# The pixel that is matched, and what was found.
+(PHASE, X, Y, DEPTH_SCALE, CODE, DEPTH, GAIN, VARIANCE) = (k * CHUNK for k in range(8))
+# Where in the other camera it is looked for now and next, by how much x and y change with u and v there, and one over the area of both.
+(U, V, NEXT_U, NEXT_V, A, B, C, D, PER_AREA) = (k * CHUNK for k in range(8, 17))
+# What is there: four phases and what they are together, and of the nearest pixel the record and the rectified coordinates.
+(P00, P01, P10, P11, QUAD, NEAR_PHASE, NEAR_GX, NEAR_GY, NEAR_SIGMA, NEAR_X, NEAR_Y) = (k * CHUNK for k in range(17, 28))
+# What the row above came to: the nearest pixel, its phase, slopes and line, and by how much that changes.
+(KEPT_U, KEPT_V, KEPT_PHASE, KEPT_GX, KEPT_GY, KEPT_Y, KEPT_C, KEPT_D) = (k * CHUNK for k in range(28, 36))
+SCRATCH = 36 * CHUNK
+(PLACE, NEAREST, COLUMN, UNSETTLED) = (k * CHUNK for k in range(4))
+PLACES = 3 * CHUNK + CHUNK // GROUP
 
 
 @njit(**INLINE)
 def in_groups(n: int) -> int:
-    """Return n rounded up to whole groups: arithmetic on what lies behind the n-th pixel does no harm, and leaves nothing to single steps."""
+    """Return n rounded up to whole groups."""
     return (n + GROUP - 1) // GROUP * GROUP
 
 
@@ -55,40 +65,52 @@ def ask_for(phase: Any, lines: Any, rays: Any, skip: Any, start: int, n: int) ->
 
 
 @njit(**INLINE)
-def load(s: Any, n: int, phase: Any, lines: Any, rays: Any, turn: Any, skip: Any) -> None:
-    """Take n pixels of a row into the scratch array; in CODE which of them are wanted."""
-    t0, t1, t2 = turn
-    for i in range(n):
-        s[CODE + i] = ONE if skip[i] == 0 else ZERO
-    for i in range(n):
-        s[PHASE + i] = phase[i]
-    for i in range(n):
-        s[X + i] = lines[2 * i]
-        s[Y + i] = lines[2 * i + 1]
-    for i in range(n):
-        s[DEPTH_SCALE + i] = t0 * rays[2 * i] + t1 * rays[2 * i + 1] + t2
+def take_pixel(s: Any, at: Any, i: int, column: Any, phase: Any, lines: Any, rays: Any, turn: Any) -> None:
+    """Take a pixel of a row into the i-th place of the lanes."""
+    left, right = column << TWO, (column << TWO) + np.uint32(1)
+    s[PHASE + i], s[X + i], s[Y + i] = phase[column], lines[left], lines[right]
+    s[DEPTH_SCALE + i] = turn[0] * rays[left] + turn[1] * rays[right] + turn[2]
+    at[COLUMN + i] = column
 
 
 @njit(**INLINE)
-def list_wanted(at: Any, n: int, skip: Any) -> int:
-    """List those of n pixels that are wanted; returns how many they are."""
+def take_all(s: Any, at: Any, n: int, phase: Any, lines: Any, rays: Any, turn: Any, skip: Any) -> None:
+    """Take n pixels of a row into the lanes; in CODE which of them are wanted."""
+    whole = n - n % GROUP
+    for i in range(0, whole, GROUP):
+        x, y = load_records(lines, 2 * i, GROUP, 2)
+        ray_x, ray_y = load_records(rays, 2 * i, GROUP, 2)
+        store(load(phase, i, GROUP), s, PHASE + i)
+        store(x, s, X + i)
+        store(y, s, Y + i)
+        store(turn[0] * ray_x + turn[1] * ray_y + turn[2], s, DEPTH_SCALE + i)
+        store(converted(load(skip, i, GROUP) == NOTHING, np.float32), s, CODE + i)
+    for i in range(whole, n):
+        take_pixel(s, at, i, np.uint32(i), phase, lines, rays, turn)
+        s[CODE + i] = WANTED if skip[i] == 0 else ZERO
+    end_lanes(s, n)
+    for i in range(n):
+        at[COLUMN + i] = i
+
+
+@njit(**INLINE)
+def take_wanted(s: Any, at: Any, n: int, phase: Any, lines: Any, rays: Any, turn: Any, skip: Any) -> int:
+    """Take those of n pixels of a row that are wanted into the lanes; returns how many they are."""
     wanted = 0
     for i in range(n):
-        at[COLUMN + wanted] = i
-        wanted += skip[i] == 0
+        if skip[i] == 0:
+            take_pixel(s, at, wanted, np.uint32(i), phase, lines, rays, turn)
+            s[CODE + wanted] = WANTED
+            wanted += 1
+    end_lanes(s, wanted)
     return wanted
 
 
 @njit(**INLINE)
-def load_listed(s: Any, at: Any, n: int, phase: Any, lines: Any, rays: Any, turn: Any) -> None:
-    """Take the n pixels of a row that are listed into the scratch array."""
-    t0, t1, t2 = turn
-    for i in range(n):
-        k = np.uint32(at[COLUMN + i])
-        left, right = k << TWO, (k << TWO) + np.uint32(1)
-        s[PHASE + i], s[X + i], s[Y + i] = phase[k], lines[left], lines[right]
-        s[DEPTH_SCALE + i] = t0 * rays[left] + t1 * rays[right] + t2
-        s[CODE + i] = ONE
+def end_lanes(s: Any, n: int) -> None:
+    """Let nothing be done with what lies behind the n-th pixel in its group."""
+    for i in range(n, in_groups(n)):
+        s[CODE + i] = ZERO
 
 
 @njit(**INLINE)
@@ -96,29 +118,6 @@ def forget(s: Any) -> None:
     """Keep nothing of the row above."""
     for i in range(CHUNK):
         s[KEPT_U + i] = NOWHERE
-
-
-@njit(**INLINE)
-def keep_nearest(s: Any, n: int) -> None:
-    """Keep where the pixels nearest to the matches are, whose records stay where they are: the next row's matches lie beside them."""
-    for i in range(in_groups(n)):
-        s[KEPT_U + i] = np.float32(np.int32(s[U + i] + HALF)) if s[LEFT + i] < LOST else NOWHERE
-        s[KEPT_V + i] = np.float32(np.int32(s[V + i] + HALF))
-
-
-@njit(**INLINE)
-def list_marked(s: Any, at: Any, n: int) -> int:
-    """List those of n pixels that are marked by LEFT; returns how many they are."""
-    listed = 0
-    for i in range(0, n, GROUP):
-        bits = equal_bits(s, np.uint32(LEFT + i), ONE)
-        if n - i < GROUP:
-            bits &= np.uint32((1 << (n - i)) - 1)
-        while bits != NOTHING:
-            at[SOME + listed] = i + np.int32(lowest_bit(bits))
-            listed += 1
-            bits &= bits - np.uint32(1)
-    return listed
 
 
 class Found(NamedTuple):
@@ -139,50 +138,50 @@ def some_of(found: Found, row: int, first: int, n: int) -> Found:
 
 
 @njit(**INLINE)
-def store_all(s: Any, at: Any, n: int, found: Found) -> None:
-    """Write what the first step found of all n pixels."""
-    depth, gain, variance, there, reason = found
-    for i in range(n):
-        depth[i] = s[Z + i]
-    for i in range(n):
-        gain[i] = s[GAIN + i]
-    for i in range(n):
-        variance[i] = s[NOISE + i]
-    for i in range(n):
-        there[i] = at[NEAREST + i]
-    for i in range(n):
-        reason[i] = np.uint8(np.int32(s[CODE + i]))
-    for i in range(n):
-        at[COLUMN + i] = i
+def mark_unsettled(s: Any, at: Any, i: int, unsettled: Any, next_u: Any, next_v: Any) -> None:
+    """Note which of a group need another step, and from where."""
+    store(next_u, s, NEXT_U + i)
+    store(next_v, s, NEXT_V + i)
+    at[UNSETTLED + i // GROUP] = bits_of(unsettled)
 
 
 @njit(**INLINE)
-def store_some(s: Any, at: Any, n: int, found: Found) -> None:
-    """Write what a later step found of those that had not settled."""
-    depth, gain, variance, there, reason = found
-    for i in range(n):
-        k = np.uint32(at[COLUMN + i])
-        depth[k], gain[k], variance[k] = s[Z + i], s[GAIN + i], s[NOISE + i]
-        there[k] = at[NEAREST + i]
-        reason[k] = np.uint8(np.int32(s[CODE + i]))
+def write_group(at: Any, i: int, depth: Any, gain: Any, variance: Any, code: Any, out: Found) -> None:
+    """Write what was found of a group of pixels that lie side by side in the row."""
+    store(depth, out.depth, i)
+    store(gain, out.gain, i)
+    store(variance, out.variance, i)
+    store(load(at, NEAREST + i, GROUP), out.there, i)
+    store(converted(code, np.uint8), out.reason, i)
+
+
+@njit(**INLINE)
+def write_listed(s: Any, at: Any, i: int, n: int, depth: Any, gain: Any, variance: Any, code: Any, out: Found) -> None:
+    """Write what was found of a group of pixels, each to its own column."""
+    store(depth, s, DEPTH + i)
+    store(gain, s, GAIN + i)
+    store(variance, s, VARIANCE + i)
+    store(code, s, CODE + i)
+    for number in range(i, min(i + GROUP, n)):
+        k = np.uint32(number)
+        column = np.uint32(at[COLUMN + k])
+        out.depth[column], out.gain[column], out.variance[column] = s[DEPTH + k], s[GAIN + k], s[VARIANCE + k]
+        out.there[column] = at[NEAREST + k]
+        out.reason[column] = np.uint8(np.int32(s[CODE + k]))
 
 
 @njit(**INLINE)
 def keep_unsettled(s: Any, at: Any, n: int) -> int:
-    """Move pixels that need another step to the front; returns how many they are."""
-    left = list_marked(s, at, n)
-    for i in range(left):
-        k = np.uint32(at[SOME + i])
-        at[COLUMN + i] = at[COLUMN + k]
-        s[PHASE + i], s[X + i], s[Y + i], s[DEPTH_SCALE + i] = s[PHASE + k], s[X + k], s[Y + k], s[DEPTH_SCALE + k]
-        s[U + i], s[V + i], s[CODE + i] = s[NEXT_U + k], s[NEXT_V + k], HELD
+    """Move those of n pixels that need another step to the front of the lanes; returns how many they are."""
+    left = 0
+    for i in range(0, n, GROUP):
+        bits = np.uint32(at[UNSETTLED + i // GROUP])
+        while bits != NONE:
+            k, m = np.uint32(i + lowest_bit(bits)), np.uint32(left)  # unsigned: negative places would be looked for at the end of an array
+            s[PHASE + m], s[X + m], s[Y + m], s[DEPTH_SCALE + m] = s[PHASE + k], s[X + k], s[Y + k], s[DEPTH_SCALE + k]
+            s[U + m], s[V + m], s[CODE + m] = s[NEXT_U + k], s[NEXT_V + k], HELD
+            at[COLUMN + m] = at[COLUMN + k]
+            left += 1
+            bits &= bits - np.uint32(1)
+    end_lanes(s, left)
     return left
-
-
-@njit(**INLINE)
-def count_matched(reason: Any) -> Any:
-    """Count the matched pixels of a row."""
-    found = np.int32(0)
-    for x in range(len(reason)):
-        found += reason[x] == MATCHED
-    return found

@@ -2,8 +2,8 @@
 
 ``lines`` (H, W, 2) are the rectified coordinates (x, y) of every pixel of a pair; equal y is the same epipolar line; ``pixels``
 (H, W, 4) are the records of `kernels.slopes`. The loop works on chunks of pixels in lanes of scratch arrays: ``s`` for numbers of the
-pixel that is matched, ``at`` for indices, ``r`` for records as they are fetched from the other camera, ``g`` for these in lanes. What
-arithmetic reads and what it writes are different arrays or lanes of one stride: only then does the compiler use SIMD instructions.
+pixel that is matched and of what it is matched with, ``at`` for indices. All places of a chunk are known before anything is fetched from
+them, so that the processor waits for many at once.
 """
 
 from __future__ import annotations
@@ -15,60 +15,60 @@ from numba import njit
 
 from measureapp.reconstruct.kernels.lanes import (
     CHUNK,
+    GROUP,
     PLACES,
+    ROWS_AHEAD,
     SCRATCH,
     ZERO,
     Found,
     ask_for,
-    count_matched,
     count_wanted,
     forget,
-    keep_nearest,
     keep_unsettled,
-    list_wanted,
-    load,
-    load_listed,
+    mark_unsettled,
     some_of,
-    store_all,
-    store_some,
+    take_all,
+    take_wanted,
+    write_group,
+    write_listed,
 )
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.scratch import stack_float32, stack_int32
-from measureapp.reconstruct.kernels.seen import WITHOUT_PARTNER
-from measureapp.reconstruct.kernels.steps import GATHERED, fetch, fetch_start, jump, look_up, newton
+from measureapp.reconstruct.kernels.seen import MATCHED, WITHOUT_PARTNER
+from measureapp.reconstruct.kernels.steps import aim, fetch, jump, look_up, newton
 
 ITERATIONS = 6
 EDGE = np.float32(1.001)
 
 
 @njit(**INLINE)
-def start_row(s: Any, g: Any, at: Any, n: int, mostly: bool, row: Any, turn: Any, table: Any, width: Any, images: Any) -> int:
-    """Load what is wanted of n pixels of a row, and look up where to begin in the other camera; returns how many are in the lanes then."""
-    phase, lines, rays, skip = row
-    held, shape, lowest, per_rad = table
-    if mostly:
-        load(s, n, phase, lines, rays, turn, skip)
-    else:
-        n = list_wanted(at, n, skip)
-        load_listed(s, at, n, phase, lines, rays, turn)
-        forget(s)
-    look_up(s, at, n, held, shape, lowest, per_rad, width)
-    fetch_start(s, g, at, n, images[2], images[3])
-    return n
-
-
-@njit(**INLINE)
-def settle(
-    s: Any, g: Any, r: Any, at: Any, n: int, width: Any, images: Any, cubics: Any, to_unit: Any, limits: Any, numbers: Any, out: Found
-) -> None:
-    """Take further steps with those of n pixels that have not settled."""
-    for step in range(1, ITERATIONS):
+def settle(s: Any, at: Any, n: int, mostly: bool, partner: Any, limits: Any, out: Found) -> None:
+    """Take steps with n pixels until all have settled; ``mostly`` says that they lie side by side in their row, and begins the next."""
+    shape, images, cubics, to_unit, numbers = partner[2], partner[3:7], partner[7], partner[8], partner[13]
+    width = np.int32(shape[1])
+    for step in range(ITERATIONS):
+        first, last = step == 0, step == ITERATIONS - 1
+        aim(s, at, n, width, cubics, to_unit)
+        fetch(s, at, n, width, images)
+        for i in range(0, n, GROUP):
+            made = newton(s, i, limits, numbers, last, mostly & first)
+            if mostly & first & (i + GROUP <= n):
+                write_group(at, i, made.depth, made.gain, made.variance, made.code, out)
+            else:
+                write_listed(s, at, i, n, made.depth, made.gain, made.variance, made.code, out)
+            mark_unsettled(s, at, i, made.unsettled, made.next_u, made.next_v)
         n = keep_unsettled(s, at, n)
         if n == 0:
             break
-        fetch(s, g, r, at, n, width, *images)
-        newton(s, g, n, cubics, to_unit, limits, numbers, step == ITERATIONS - 1)
-        store_some(s, at, n, out)
+
+
+@njit(**INLINE)
+def count_matched(reason: Any) -> Any:
+    """Count the matched pixels of a row."""
+    found = np.int32(0)
+    for x in range(len(reason)):
+        found += reason[x] == MATCHED
+    return found
 
 
 @njit(**LOOP)
@@ -97,38 +97,36 @@ def match(
     several pixels. Pixels whose phase occurs at more than one place of the epipolar line, in either camera, are not matched.
     """
     lines, turn, shape, images = partner[0], partner[1], partner[2], partner[3:7]
-    cubics, to_unit, table, numbers = partner[7], partner[8], (partner[10], partner[9], partner[11], partner[12]), partner[13]
+    cubics, to_unit, table = partner[7], partner[8], (partner[10], partner[9], partner[11], partner[12])
     columns, width = phase.shape[1], np.int32(shape[1])
     limits = (np.float32(shape[1]) - EDGE, np.float32(shape[0]) - EDGE)
     s, at = stack_float32(SCRATCH), stack_int32(PLACES)
-    r, g, later = stack_float32(GATHERED), stack_float32(GATHERED), stack_float32(GATHERED)
-    g[:] = ZERO
+    s[:], at[:] = ZERO, 0
     matched = 0
-    found.depth[:] = ZERO
-    found.reason[:] = WITHOUT_PARTNER
     # Down the columns: what a row takes from the other camera is near at hand for the next.
     for first in range(column_start, column_stop, CHUNK):
         forget(s)
+        n = min(CHUNK, column_stop - first)
+        part, pairs = slice(first, first + n), slice(2 * first, 2 * (first + n))
         for y in range(row_start, row_stop):
-            n = min(CHUNK, column_stop - first)
-            part, pairs = slice(first, first + n), slice(2 * first, 2 * (first + n))
             out = some_of(found, y - row_start, first - column_start, n)
-            wanted = count_wanted(skip[y, part], n)
-            ask_for(phase, lines, rays, skip, (y + 1) * columns + first, n)
+            own = (phase[y, part], lines[y, pairs], rays[y, pairs], turn, skip[y, part])
+            wanted = count_wanted(own[4], n)
+            mostly = 2 * wanted > n
+            ask_for(phase, lines, rays, skip, (y + ROWS_AHEAD) * columns + first, n)
+            if not mostly:
+                out.depth[:] = ZERO
+                out.reason[:] = WITHOUT_PARTNER
+                forget(s)
             if wanted == 0:
                 continue
-            mostly = 2 * wanted > n
-            own = (phase[y, part], lines[y, pairs], rays[y, pairs], skip[y, part])
-            n = start_row(s, g, at, n, mostly, own, turn, table, width, images)
-            jump(s, g, n, cubics, to_unit, limits[0], limits[1])
-            fetch(s, g, r, at, n, width, *images)
-            newton(s, g, n, cubics, to_unit, limits, numbers, False)
             if mostly:
-                store_all(s, at, n, out)
-                keep_nearest(s, n)
+                take_all(s, at, n, *own)
+                count = n
             else:
-                store_some(s, at, n, out)
-            settle(s, later, r, at, n, width, images, cubics, to_unit, limits, numbers, out)
-    for row in range(row_stop - row_start):
-        matched += count_matched(found.reason[row])
+                count = take_wanted(s, at, n, *own)
+            look_up(s, at, count, *table)
+            jump(s, at, count, width, images, cubics, to_unit, limits)
+            settle(s, at, count, mostly, partner, limits, out)
+            matched += count_matched(out.reason)
     return matched
