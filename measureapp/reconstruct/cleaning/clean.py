@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
+from math import prod
 
 import cv2
 import numpy as np
@@ -113,7 +114,8 @@ def cleaned(
     depth_mm, sigma_mm = read_only(depth_mm), read_only(sigma_mm)  # kernels are compiled once more for arrays that can be written to
     height, width = depth_mm.shape
     border = settings.normal_radius_px
-    inverse = memory.empty((height + 2 * border, width + 2 * border), np.float32)
+    grown = (height + 2 * border, width + 2 * border)
+    inverse = memory.empty(prod(grown) + kernels.PIXELS, np.float32)[: prod(grown)].reshape(grown)
     inverse[:border], inverse[-border:], inverse[:, :border], inverse[:, -border:] = 0, 0, 0, 0
     per_px = np.float32(lens.spacing * np.tan(np.radians(max(settings.max_incidence_deg, ONE_SURFACE_DEG))))
     normals = memory.empty((3, height, width), np.float32)

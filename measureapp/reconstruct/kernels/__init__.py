@@ -7,7 +7,7 @@ from measureapp.reconstruct.kernels.band import match_and_fuse
 from measureapp.reconstruct.kernels.binning import LEAST_SINE, LINES_PER_CELL, fill_table, rectified_lines, spread_table
 from measureapp.reconstruct.kernels.blur import take_blur
 from measureapp.reconstruct.kernels.both import fuse_both
-from measureapp.reconstruct.kernels.cleaning import CHUNK, invert, judge
+from measureapp.reconstruct.kernels.cleaning import CHUNK, PIXELS, invert, judge
 from measureapp.reconstruct.kernels.covered import mark_covered
 from measureapp.reconstruct.kernels.gathering import Points, gather_points
 from measureapp.reconstruct.kernels.islands import drop_islands, find_runs
@@ -26,6 +26,7 @@ __all__ = [
     "LINES_PER_CELL",
     "MATCHED",
     "PARTLY",
+    "PIXELS",
     "REPEATS",
     "SEEN",
     "WITHOUT_PARTNER",

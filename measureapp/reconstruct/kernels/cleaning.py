@@ -6,7 +6,7 @@ there is no point. Loops over arithmetic alone run on one scratch array at const
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numba import njit
@@ -15,17 +15,21 @@ from measureapp.data.point_state import PointState
 from measureapp.reconstruct.kernels.cubic import cubic
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.past_caches import write_row
-from measureapp.reconstruct.kernels.scratch import stack_float32
+from measureapp.reconstruct.kernels.scratch import stack_float32, stack_uint8
+from measureapp.simd.elements import any_of, converted, filled, larger, smaller, square_root, where
+from measureapp.simd.memory import load, store
 
 CHUNK = 128
-(INV, Z, FAR_H, FAR_R, WORST, N, SX, SY, SXX, SXY, SYY, SW, SWX, SWY) = (k * CHUNK for k in range(14))
-(NX, NY, NZ, COSINE, OFF, FITTED, ROW_X, ROW_Y, OWN, CODE, FITS, WU, WV) = (k * CHUNK for k in range(14, 27))
-SCRATCH = 27 * CHUNK
+PIXELS = 16  # of a row at a time; `inverse` is followed by as many numbers that hold anything
+(INV, OWN, ROW_X, ROW_Y, Z, WU, WV, FITS, NX, NY, NZ, COSINE, OFF, FITTED, CODE) = (k * CHUNK for k in range(15))
+SCRATCH = 15 * CHUNK
+COUNTED = np.arange(CHUNK, dtype=np.float32)
 ZERO, HALF, ONE, FOUR = np.float32(0), np.float32(0.5), np.float32(1), np.float32(4)
 THIN = np.float32(1e-6)
 SIGMAS = np.float32(8.0)
 WHOLE = np.float32(25)  # places of a window
 TINY = np.float32(1e-12)
+NONE = np.uint8(0)
 UNCERTAIN, FLYING, OUTLIER, GRAZING, PARTNER_GRAZING = (
     np.uint8(state)
     for state in (
@@ -53,103 +57,150 @@ def invert(depth: Any, sigma: Any, max_sigma: Any, border: int, row_start: int, 
 
 
 @njit(**INLINE)
-def five(inverse: Any, row: int, start: int, half: int, border: int, n: int) -> Any:
-    """Return n pixels of a row from ``start`` on, and those ±half and ±border beside them."""
-    a, b, e, f = start - border, start - half, start + half, start + border
-    return (
-        inverse[row, a : a + n],
-        inverse[row, b : b + n],
-        inverse[row, start : start + n],
-        inverse[row, e : e + n],
-        inverse[row, f : f + n],
+def row_of_whole(row: Any, at: int, half: int, border: int, inv: Any, far_near: Any, far_wide: Any) -> Any:
+    """Sum a row of the windows of PIXELS as if all its places lay on their surfaces.
+
+    Returns (by how much one of them does not, sum of the differences to the pixels, sum of these times the distance along the row).
+    """
+    a, b = load(row, at - border, PIXELS) - inv, load(row, at - half, PIXELS) - inv
+    c = load(row, at, PIXELS) - inv
+    e, f = load(row, at + half, PIXELS) - inv, load(row, at + border, PIXELS) - inv
+    wide, near = larger(abs(a), abs(f)), larger(larger(abs(b), abs(c)), abs(e))
+    return larger(wide - far_wide, near - far_near), a + b + c + e + f, np.float32(border) * (f - a) + np.float32(half) * (e - b)
+
+
+@njit(**INLINE)
+def sums_of_whole(inverse: Any, row: int, at: int, half: int, border: int, inv: Any, far_h: Any, far_r: Any) -> Any:
+    """Sum the windows of PIXELS as if all their places lay on one surface, and say by how much one does not.
+
+    Windows that no border and no depth step crosses, most of all, have the same places: only their values are summed.
+    """
+    worst_0, w_0, x_0 = row_of_whole(inverse[row - border], at, half, border, inv, far_r, far_r)
+    worst_1, w_1, x_1 = row_of_whole(inverse[row - half], at, half, border, inv, far_h, far_r)
+    worst_2, w_2, x_2 = row_of_whole(inverse[row], at, half, border, inv, far_h, far_r)
+    worst_3, w_3, x_3 = row_of_whole(inverse[row + half], at, half, border, inv, far_h, far_r)
+    worst_4, w_4, x_4 = row_of_whole(inverse[row + border], at, half, border, inv, far_r, far_r)
+    worst = larger(larger(larger(worst_0, worst_1), larger(worst_2, worst_3)), worst_4)
+    h, r = np.float32(half), np.float32(border)
+    return worst, w_0 + w_1 + w_2 + w_3 + w_4, x_0 + x_1 + x_2 + x_3 + x_4, r * (w_4 - w_0) + h * (w_3 - w_1)
+
+
+class Sums(NamedTuple):
+    """Sums over the places of windows that lie on the surfaces of their pixels: of 1, x, y, x², x y, y², w, w x and w y.
+
+    Here x and y are distances in px, and w differences in inverse depth to the pixel.
+    """
+
+    n: Any
+    x: Any
+    y: Any
+    xx: Any
+    xy: Any
+    yy: Any
+    w: Any
+    wx: Any
+    wy: Any
+
+
+@njit(**INLINE)
+def row_of_torn(row: Any, at: int, half: int, border: int, down: int, inv: Any, far_near: Any, far_wide: Any, sums: Sums) -> Sums:
+    """Add a row of the windows of PIXELS, those places that lie on the surfaces of their pixels."""
+    h, r, d = np.float32(half), np.float32(border), np.float32(down)
+    a, b = load(row, at - border, PIXELS) - inv, load(row, at - half, PIXELS) - inv
+    c = load(row, at, PIXELS) - inv
+    e, f = load(row, at + half, PIXELS) - inv, load(row, at + border, PIXELS) - inv
+    ma, mb, mc = within(a, far_wide), within(b, far_near), within(c, far_near)
+    me, mf = within(e, far_near), within(f, far_wide)
+    a, b, c, e, f = ma * a, mb * b, mc * c, me * e, mf * f
+    count, x, w = ma + mb + mc + me + mf, r * (mf - ma) + h * (me - mb), a + b + c + e + f
+    return Sums(
+        sums.n + count,
+        sums.x + x,
+        sums.y + d * count,
+        sums.xx + r * r * (mf + ma) + h * h * (me + mb),
+        sums.xy + d * x,
+        sums.yy + d * d * count,
+        sums.w + w,
+        sums.wx + r * (f - a) + h * (e - b),
+        sums.wy + d * w,
     )
 
 
 @njit(**INLINE)
-def sum_whole(s: Any, inverse: Any, row: int, start: int, half: int, border: int, n: int) -> None:
-    """Sum the windows of n pixels as if all their places lay on one surface, and note in WORST by how much one does not."""
-    h, r = np.float32(half), np.float32(border)
-    for k in range(5):
-        dv = (k - 2) // 2 * border if k in (0, 4) else (k - 2) * half
-        d = np.float32(dv)
-        outer = k in (0, 4)
-        la, lb, lc, le, lf = five(inverse, row + dv, start, half, border, n)
-        for i in range(n):
-            inv, far_r = s[INV + i], s[FAR_R + i]
-            far_h = far_r if outer else s[FAR_H + i]
-            a, b, c, e, f = la[i] - inv, lb[i] - inv, lc[i] - inv, le[i] - inv, lf[i] - inv
-            wide = max(abs(a), abs(f))
-            near = max(max(abs(b), abs(c)), abs(e))  # noqa: PLW3301
-            s[WORST + i] = max(max(wide - far_r, near - far_h), s[WORST + i])  # noqa: PLW3301
-            w = a + b + c + e + f
-            s[SW + i] += w
-            s[SWX + i] += r * (f - a) + h * (e - b)
-            s[SWY + i] += d * w
+def within(difference: Any, most: Any) -> Any:
+    """Return 1 where a difference is at most so large, else 0."""
+    return converted(abs(difference) <= most, np.float32)
 
 
 @njit(**INLINE)
-def sum_torn(s: Any, inverse: Any, row: int, start: int, half: int, border: int, n: int) -> None:
-    """Sum the windows of n pixels over those places that lie on the surface of the pixel."""
-    h, r = np.float32(half), np.float32(border)
-    for i in range(n):
-        s[N + i], s[SX + i], s[SY + i] = ZERO, ZERO, ZERO
-        s[SXX + i], s[SXY + i], s[SYY + i] = ZERO, ZERO, ZERO
-        s[SW + i], s[SWX + i], s[SWY + i] = ZERO, ZERO, ZERO
-    for k in range(5):
-        dv = (k - 2) // 2 * border if k in (0, 4) else (k - 2) * half
-        d = np.float32(dv)
-        outer = k in (0, 4)
-        la, lb, lc, le, lf = five(inverse, row + dv, start, half, border, n)
-        for i in range(n):
-            inv, far_r = s[INV + i], s[FAR_R + i]
-            far_h = far_r if outer else s[FAR_H + i]
-            a, b, c, e, f = la[i] - inv, lb[i] - inv, lc[i] - inv, le[i] - inv, lf[i] - inv
-            ma = ONE if abs(a) <= far_r else ZERO
-            mb = ONE if abs(b) <= far_h else ZERO
-            mc = ONE if abs(c) <= far_h else ZERO
-            me = ONE if abs(e) <= far_h else ZERO
-            mf = ONE if abs(f) <= far_r else ZERO
-            a, b, c, e, f = ma * a, mb * b, mc * c, me * e, mf * f
-            count = ma + mb + mc + me + mf
-            x = r * (mf - ma) + h * (me - mb)
-            w = a + b + c + e + f
-            s[N + i] += count
-            s[SX + i] += x
-            s[SY + i] += d * count
-            s[SXX + i] += r * r * (mf + ma) + h * h * (me + mb)
-            s[SXY + i] += d * x
-            s[SYY + i] += d * d * count
-            s[SW + i] += w
-            s[SWX + i] += r * (f - a) + h * (e - b)
-            s[SWY + i] += d * w
+def sums_of_torn(inverse: Any, row: int, at: int, half: int, border: int, inv: Any, far_h: Any, far_r: Any) -> Sums:
+    """Sum the windows of PIXELS over those places that lie on the surfaces of their pixels."""
+    o = ZERO * inv
+    sums = row_of_torn(inverse[row - border], at, half, border, -border, inv, far_r, far_r, Sums(o, o, o, o, o, o, o, o, o))
+    sums = row_of_torn(inverse[row - half], at, half, border, -half, inv, far_h, far_r, sums)
+    sums = row_of_torn(inverse[row], at, half, border, 0, inv, far_h, far_r, sums)
+    sums = row_of_torn(inverse[row + half], at, half, border, half, inv, far_h, far_r, sums)
+    return row_of_torn(inverse[row + border], at, half, border, border, inv, far_r, far_r, sums)
 
 
 @njit(**INLINE)
-def begin_windows(s: Any, middle: Any, noise: Any, per_px: Any, half: int, border: int, n: int) -> None:
-    """Set the sums of n windows to those of whole ones, and how far from a pixel's depth its surface may lie at their places."""
+def fit_torn(inverse: Any, row: int, at: int, half: int, border: int, inv: Any, z: Any, far_h: Any, far_r: Any) -> Any:
+    """Return what `fit` does, of windows of which not all places lie on the surfaces of their pixels."""
+    sums = sums_of_torn(inverse, row, at, half, border, inv, far_h, far_r)
+    share = ONE / larger(sums.n, ONE)
+    sw = sums.w * z
+    cxx, cxy, cyy = sums.xx - sums.x * sums.x * share, sums.xy - sums.x * sums.y * share, sums.yy - sums.y * sums.y * share
+    cwx, cwy = sums.wx * z - sw * sums.x * share, sums.wy * z - sw * sums.y * share
+    determinant = cxx * cyy - cxy * cxy
+    enough = sums.n >= FOUR
+    fits = enough & (determinant > THIN * (cxx + cyy) * (cxx + cyy))
+    over = where(fits, ONE / larger(determinant, TINY), ZERO)
+    wu, wv = (cwx * cyy - cwy * cxy) * over, (cwy * cxx - cwx * cxy) * over
+    off = where(fits, (sw - wu * sums.x - wv * sums.y) * share, ZERO)
+    return wu, wv, off, converted(fits, np.float32), where(fits | ~enough, sums.n - ONE, ZERO)
+
+
+@njit(**INLINE)
+def fit(inverse: Any, row: int, at: int, half: int, border: int, inv: Any, noise: Any, per_px: Any) -> Any:
+    """Fit planes to the windows of PIXELS from ``at`` of a row on.
+
+    Returns (their slopes along x and y and their difference at the pixel, as shares of its inverse depth; 1 where there is a plane, else
+    0; how many other places lie on it; the depth of the pixels).
+    """
     h, r = np.float32(half), np.float32(border)
-    whole_xx = np.float32(5) * (r * r + r * r + h * h + h * h)
+    z = ONE / larger(inv, TINY)
+    slack = SIGMAS * noise * inv * inv
+    far_h, far_r = smaller(h * per_px * inv + slack, HALF * inv), smaller(r * per_px * inv + slack, HALF * inv)
+    worst, w, wx, wy = sums_of_whole(inverse, row, at, half, border, inv, far_h, far_r)
+    per_place, per_square = ONE / WHOLE, ONE / (np.float32(10) * (r * r + h * h))
+    one = filled(ONE, PIXELS)
+    made = wx * z * per_square, wy * z * per_square, w * z * per_place, one, one * (WHOLE - ONE)
+    if any_of(worst > ZERO):
+        made = fit_torn(inverse, row, at, half, border, inv, z, far_h, far_r)
+    wu, wv, off, fits, fitted = made
+    return wu, wv, off, fits, fitted, z
+
+
+@njit(**INLINE)
+def any_above_zero(values: Any, begin: int, n: int) -> bool:
+    """Whether one of n values from a lane's beginning on is above zero; behind them there are zeros."""
+    some = False
+    for i in range(begin, begin + n, PIXELS):
+        some |= any_of(load(values, i, PIXELS) > ZERO)
+    return some
+
+
+@njit(**INLINE)
+def load_chunk(s: Any, middle: Any, noise: Any, ray: Any, n: int) -> None:
+    """Take what is known of n pixels of a row into the lanes; behind them nothing is done."""
     for i in range(n):
-        inv = middle[i]
-        slack = SIGMAS * noise[i] * inv * inv
-        s[INV + i] = inv
+        s[INV + i] = middle[i]
+    for i in range(n):
         s[OWN + i] = noise[i]
-        s[Z + i] = ONE / max(inv, TINY)
-        s[FAR_H + i] = min(h * per_px * inv + slack, HALF * inv)
-        s[FAR_R + i] = min(r * per_px * inv + slack, HALF * inv)
-        s[WORST + i] = ZERO
-        s[N + i], s[SX + i], s[SY + i] = WHOLE, ZERO, ZERO
-        s[SXX + i], s[SXY + i], s[SYY + i] = whole_xx, ZERO, whole_xx
-        s[SW + i], s[SWX + i], s[SWY + i] = ZERO, ZERO, ZERO
-
-
-@njit(**INLINE)
-def greatest(values: Any, n: int) -> Any:
-    """Return the greatest of the first n values, at least zero."""
-    found = ZERO
     for i in range(n):
-        found = max(found, values[i])
-    return found
+        s[ROW_X + i], s[ROW_Y + i] = ray[2 * i], ray[2 * i + 1]
+    for i in range(n, min(n + PIXELS, CHUNK)):
+        s[INV + i], s[OWN + i], s[ROW_X + i], s[ROW_Y + i] = ZERO, ZERO, ZERO, ZERO
 
 
 @njit(**INLINE)
@@ -158,56 +209,42 @@ def planes_of_chunk(
 ) -> bool:
     """Fit planes to the windows of n pixels of a row: leaves the normal, its cosine to the ray, the distance to the plane in ``s``.
 
-    Windows that no border and no depth step crosses, most of all, have the same places: only their values are summed. False: no points.
+    False: no points.
     """
     half = max(1, border // 2)
     start = border + first
-    middle = inverse[y + border, start : start + n]
-    if greatest(middle, n) == ZERO:
+    load_chunk(s, inverse[y + border, start : start + n], sigma[y, first : first + n], rays[y, 2 * first : 2 * (first + n)], n)
+    if not any_above_zero(s, INV, n):
         return False
-    begin_windows(s, middle, sigma[y, first : first + n], per_px, half, border, n)
-    sum_whole(s, inverse, y + border, start, half, border, n)
-    if greatest(s[WORST : WORST + n], n) > ZERO:
-        sum_torn(s, inverse, y + border, start, half, border, n)
-    ray = rays[y, 2 * first : 2 * (first + n)]
     u0, per_u, v0, per_v = to_unit
     x_u, x_v, y_u, y_v = to_rays
     t = (np.float32(y) - v0) * per_v
-    for i in range(n):
-        z = s[Z + i]
-        count = max(s[N + i], ONE)
-        share = ONE / count
-        sx, sy, sw = s[SX + i], s[SY + i], s[SW + i] * z
-        cxx, cxy, cyy = s[SXX + i] - sx * sx * share, s[SXY + i] - sx * sy * share, s[SYY + i] - sy * sy * share
-        cwx, cwy = s[SWX + i] * z - sw * sx * share, s[SWY + i] * z - sw * sy * share
-        determinant = cxx * cyy - cxy * cxy
-        enough = ONE if s[N + i] >= FOUR else ZERO
-        spans = ONE if determinant > THIN * (cxx + cyy) * (cxx + cyy) else ZERO
-        fits = enough * spans
-        over = fits / max(determinant, TINY)
-        wu, wv = (cwx * cyy - cwy * cxy) * over, (cwy * cxx - cwx * cxy) * over
-        s[FITS + i], s[WU + i], s[WV + i] = fits, wu, wv
-        s[OFF + i] = fits * (sw - wu * sx - wv * sy) * share
-        s[FITTED + i] = (s[N + i] - ONE) * max(fits, ONE - enough)
-    for i in range(n):
-        us = (np.float32(np.int32(first + i)) - u0) * per_u
+    for i in range(0, n, PIXELS):
+        inv, noise = load(s, INV + i, PIXELS), load(s, OWN + i, PIXELS)
+        wu, wv, off, fits, fitted, z = fit(inverse, y + border, start + i, half, border, inv, noise, per_px)
+        store(wu, s, WU + i)
+        store(wv, s, WV + i)
+        store(off, s, OFF + i)
+        store(fits, s, FITS + i)
+        store(fitted, s, FITTED + i)
+        store(z, s, Z + i)
+    for i in range(0, n, PIXELS):
+        us = (load(COUNTED, i, PIXELS) + (np.float32(first) - u0)) * per_u
         a, b, c, d = cubic(x_u, us, t), cubic(x_v, us, t), cubic(y_u, us, t), cubic(y_v, us, t)
-        wu, wv, off, fits = s[WU + i], s[WV + i], s[OFF + i], s[FITS + i]
+        wu, wv, off, fits = load(s, WU + i, PIXELS), load(s, WV + i, PIXELS), load(s, OFF + i, PIXELS), load(s, FITS + i, PIXELS)
         per_area = ONE / (a * d - b * c)
         p, q = (wu * d - wv * c) * per_area, (wv * a - wu * b) * per_area
-        x, y0 = ray[2 * i], ray[2 * i + 1]
+        x, y0 = load(s, ROW_X + i, PIXELS), load(s, ROW_Y + i, PIXELS)
         ahead = ONE + off
         w = ahead - p * x - q * y0
-        length = ONE / np.sqrt(p * p + q * q + w * w)
-        towards = ONE / np.sqrt(ONE + x * x + y0 * y0)
-        sign = (-length if ahead > ZERO else length) * fits
-        own = (ONE - fits) * towards
-        s[ROW_X + i], s[ROW_Y + i] = x, y0
-        s[NX + i] = sign * p - own * x
-        s[NY + i] = sign * q - own * y0
-        s[NZ + i] = sign * w - own
-        s[COSINE + i] = fits * abs(ahead) * length * towards + ONE - fits
-        s[OFF + i] = off * s[Z + i]
+        length = ONE / square_root(p * p + q * q + w * w)
+        towards = ONE / square_root(ONE + x * x + y0 * y0)
+        there, sign = fits > ZERO, where(ahead > ZERO, -length, length)
+        store(where(there, sign * p, -towards * x), s, NX + i)
+        store(where(there, sign * q, -towards * y0), s, NY + i)
+        store(where(there, sign * w, -towards), s, NZ + i)
+        store(where(there, abs(ahead) * length * towards, ONE), s, COSINE + i)
+        store(off * load(s, Z + i, PIXELS), s, OFF + i)
     return True
 
 
@@ -233,7 +270,7 @@ def judge(
     width = sigma.shape[1]
     least, sigmas, edge, cosine, partner_cosine = limits
     partner2 = partner_cosine * partner_cosine
-    s = stack_float32(SCRATCH)
+    s, t = stack_float32(SCRATCH), stack_uint8(CHUNK)
     for y in range(row_start, row_stop):
         for first in range(0, width, CHUNK):
             n = min(CHUNK, width - first)
@@ -242,27 +279,26 @@ def judge(
                 continue
             taking, verdict = bits[y, first : first + n], fate[y, first : first + n]
             for i in range(n):
-                s[CODE + i] = ZERO
-            for c in range(len(centres)):
-                c0, c1, c2 = centres[c, 0], centres[c, 1], centres[c, 2]
-                for i in range(n):
-                    z = s[Z + i]
-                    dx, dy, dz = c0 - s[ROW_X + i] * z, c1 - s[ROW_Y + i] * z, c2 - z
-                    along = s[NX + i] * dx + s[NY + i] * dy + s[NZ + i] * dz
+                t[i] = taking[i]
+            for i in range(0, n, PIXELS):
+                x, y0, z = load(s, ROW_X + i, PIXELS), load(s, ROW_Y + i, PIXELS), load(s, Z + i, PIXELS)
+                nx, ny, nz = load(s, NX + i, PIXELS), load(s, NY + i, PIXELS), load(s, NZ + i, PIXELS)
+                code = ZERO * z
+                for c in range(len(centres)):
+                    dx, dy, dz = centres[c, 0] - x * z, centres[c, 1] - y0 * z, centres[c, 2] - z
+                    along = nx * dx + ny * dy + nz * dz
                     grazes = (along < ZERO) | (along * along < partner2 * (dx * dx + dy * dy + dz * dz))
-                    part = ((np.int32(taking[i]) >> np.int32(c)) & np.int32(1)) != 0
-                    s[CODE + i] = BY_PARTNER if grazes & part else s[CODE + i]
-            for i in range(n):
-                code = BY_CAMERA if s[COSINE + i] < cosine else s[CODE + i]
-                code = BY_PLANE if abs(s[OFF + i]) * s[COSINE + i] > sigmas * s[OWN + i] + edge * s[Z + i] else code
-                code = ALONE if s[FITTED + i] < least else code
-                s[CODE + i] = code if s[INV + i] > ZERO else ZERO
+                    part = (load(t, i, PIXELS) & np.uint8(1 << c)) != NONE
+                    code = where(grazes & part, BY_PARTNER, code)
+                slant = load(s, COSINE + i, PIXELS)
+                code = where(slant < cosine, BY_CAMERA, code)
+                apart = abs(load(s, OFF + i, PIXELS)) * slant
+                code = where(apart > sigmas * load(s, OWN + i, PIXELS) + edge * z, BY_PLANE, code)
+                code = where(load(s, FITTED + i, PIXELS) < least, ALONE, code)
+                store(where(load(s, INV + i, PIXELS) > ZERO, code, ZERO), s, CODE + i)
             for i in range(n):
                 code = np.int32(s[CODE + i])
                 verdict[i] = np.uint8(code) if code != 0 else verdict[i]
-            worst = ZERO
-            for i in range(n):
-                worst = max(worst, s[CODE + i])
-            removed[y, first // CHUNK] = worst > ZERO
+            removed[y, first // CHUNK] = any_above_zero(s, CODE, n)
             for k in range(3):
                 write_row(s[NX + k * CHUNK : NX + k * CHUNK + n], normals[k, y, first : first + n])

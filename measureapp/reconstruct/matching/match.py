@@ -17,7 +17,7 @@ from measureapp.reconstruct.phase_view import PhaseView
 from measureapp.reconstruct.rectification.rectifier import Rectifier
 from measureapp.reconstruct.settings import ReconstructSettings
 
-ROWS_PER_BAND = 48
+ROWS_PER_BAND = 80
 SAMPLES = 160  # along the longer side of an image: shifts between the cameras are noted at so many places
 
 
