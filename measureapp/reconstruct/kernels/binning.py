@@ -21,6 +21,7 @@ REPEATED = np.int32(1 << 30)
 PLACE = np.int32((1 << 30) - 1)
 EMPTY = np.int32(-(1 << 31))
 PLACE_BITS, LOW_HALF, NOTHING = np.int32(16), np.int32(0xFFFF), np.int32(0)
+NEVER, TWICE = np.uint8(0), np.uint8(1)  # how often the phase of a cell occurs on its line
 LINES_PER_CELL = 2
 LEAST_SINE = 0.17  # of the angle between fringes and epipolar lines; pairs below are not matched
 # Pixels of one cell and surface lie this near to each other, beyond what the bin's width explains: so long is a fringe between the first
@@ -37,9 +38,9 @@ ZERO, HALF = np.float32(0), np.float32(0.5)
 
 @njit(**INLINE)
 def put(table: Any, cell: Any, place: Any) -> Any:
-    """Write a pixel into a cell and return what was there; what is marked as repeated stays so."""
+    """Write a pixel into a cell and return what was there."""
     held = table[cell]
-    table[cell] = place | (held & REPEATED)
+    table[cell] = place
     return held
 
 
@@ -48,6 +49,22 @@ def is_far(held: Any, place: Any, near: Any) -> Any:
     """Whether two pixels of a cell are not of one surface."""
     across, down = (held & LOW_HALF) - (place & LOW_HALF), ((held & PLACE) >> PLACE_BITS) - (place >> PLACE_BITS)
     return (held >= NOTHING) & (max(abs(across), abs(down)) > near)
+
+
+@njit(**INLINE)
+def note_repeated(s: Any, at: Any, n: int, repeated: Any) -> bool:
+    """Note which cells of n pixels held one of another surface; returns whether there are some."""
+    some = NOTHING
+    for i in range(n):
+        far = is_far(at[HELD + i], at[PLACES + i], s[NEAR + i]) | is_far(at[HELD_LAST + i], at[PLACES + i], s[NEAR + i])
+        some = max(some, np.int32(far))
+    if some == NOTHING:
+        return False
+    for i in range(n):
+        for k in (NOTHING, np.int32(CHUNK)):
+            if is_far(at[HELD + k + i], at[PLACES + i], s[NEAR + i]):
+                repeated[np.uint32(at[CELL + k + i])] = TWICE
+    return True
 
 
 @njit(**LOOP)
@@ -60,16 +77,20 @@ def fill_table(
     per_rad: Any,  # float32, bins per radian
     every: int,  # samples are so many pixels apart in both directions
     shape: Any,  # of the table
+    repeated: Any,  # scratch, flat, as many uint8
     table: Any,  # out, flat
 ) -> None:
     """Sort pixels into a table; linear in their number, and wrong phases spoil no cells but their own.
 
-    Neighbours mostly share a cell, so that what is written is read again at once: only that, and no check, stands between.
+    Neighbours mostly share a cell, so that what is written is read again at once. What is written must not wait for that: which cells are
+    repeated is noted elsewhere.
     """
     height, width = levels.shape
     bins = np.int32(shape[1])
     last_row, last_bin = np.int32(shape[0] - 1), np.int32(shape[1] - 1)
     table[:] = EMPTY
+    repeated[:] = NEVER
+    ever = False
     margin = np.float32(2.0) / per_rad
     step = np.int32(every)
     s, at = stack_float32(SCRATCH), stack_int32(INDICES)
@@ -98,17 +119,12 @@ def fill_table(
                 at[HELD_LAST + i] = put(table, np.uint32(last), place)
                 for between in range(cell + 1, last):
                     if is_far(put(table, np.uint32(between), place), place, s[NEAR + i]):
-                        table[between] = place | REPEATED
-            some = NOTHING
-            for i in range(n):
-                far = is_far(at[HELD + i], at[PLACES + i], s[NEAR + i]) | is_far(at[HELD_LAST + i], at[PLACES + i], s[NEAR + i])
-                some = max(some, np.int32(far))
-            if some == NOTHING:
-                continue
-            for i in range(n):
-                for k in (NOTHING, np.int32(CHUNK)):
-                    if is_far(at[HELD + k + i], at[PLACES + i], s[NEAR + i]):
-                        table[np.uint32(at[CELL + k + i])] |= REPEATED
+                        repeated[np.uint32(between)] = TWICE
+                        ever = True
+            ever |= note_repeated(s, at, n, repeated)
+    if ever:
+        for k in range(len(table)):
+            table[k] |= REPEATED if repeated[k] == TWICE else NOTHING
     table[0] = EMPTY  # where pixels were put that have no cell
 
 

@@ -74,16 +74,17 @@ def pair_tables(
         shape = (rectifier.pair(name, other).rows // kernels.LINES_PER_CELL + 3, bins + 2)
         tables = [memory.empty(shape, np.int32) for _ in sides]
         made[other] = PairTables(tables[0], tables[1], -RANGE_MARGIN_RAD, per_rad)
-        jobs += [_fill(side, made[other], table) for side, table in zip(sides, tables, strict=True)]
+        scratch = [memory.empty(shape, np.uint8) for _ in sides]
+        jobs += [_fill(side, made[other], table, repeated) for side, table, repeated in zip(sides, tables, scratch, strict=True)]
     in_bands(lambda start, stop: [job() for job in jobs[start:stop]], len(jobs), len(jobs))
     return {other: _spread(tables, memory) for other, tables in made.items()}
 
 
-def _fill(side: Side, tables: PairTables, table: IntArray) -> Callable[[], None]:
+def _fill(side: Side, tables: PairTables, table: IntArray, repeated: IntArray) -> Callable[[], None]:
     view, (along_x, along_y) = side.view, side.lines.direction
     numbers = [np.float32(value) for value in (along_x, along_y, tables.lowest_rad, tables.per_rad)]
     every = table_step(view.phase.shape)
-    arguments: tuple[Any, ...] = (view.samples, side.lines.levels, *numbers, every, table.shape, table.reshape(-1))
+    arguments: tuple[Any, ...] = (view.samples, side.lines.levels, *numbers, every, table.shape, repeated.reshape(-1), table.reshape(-1))
     return lambda: kernels.fill_table(*arguments)
 
 
