@@ -13,13 +13,15 @@ from numba import njit
 
 from measureapp.machine_memory import write_past_caches
 from measureapp.map_memory import LINE
-from measureapp.reconstruct.kernels.cleaning import CHUNK, INV, NX, NY, NZ, OFF, OWN, ROW_X, ROW_Y, SCRATCH, planes_of_chunk
+from measureapp.reconstruct.kernels.cleaning import CHUNK, INV, NX, NY, NZ, OFF, OWN, PIXELS, ROW_X, ROW_Y, SCRATCH, planes_of_chunk
 from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.scratch import stack_float32, stack_float64, stack_int32, stack_uint8
+from measureapp.simd.elements import converted, smaller, square_root
+from measureapp.simd.memory import load, load_records, store, store_records
 
 BLOCK = LINE  # so many points fill whole lines in arrays of any number of elements of any type
 STAGE = BLOCK + CHUNK
-PLACES, PIXELS = 3 * STAGE, 2 * STAGE
+TRIPLES, PAIRS = 3 * STAGE, 2 * STAGE
 (PX, PY, PZ) = (k * CHUNK for k in range(3))
 POINTS = 3 * CHUNK
 ZERO, ONE = np.float32(0), np.float32(1)
@@ -93,6 +95,41 @@ def take_judged(s: Any, inverse: Any, sigma: Any, rays: Any, judged: Any, border
 
 
 @njit(**INLINE)
+def stage_judged(maps: Any, first: int, n: int, per_grey: Any, pose: Any, stage: Points, held: int) -> None:
+    """Put n pixels, whole PIXELS, that all are points on the stage, behind the ``held`` there are, with the normals they were judged by.
+
+    The pixels themselves and the cameras are left to `stage_places`.
+    """
+    sigma, depth, grey, rays, normal_x, normal_y, normal_z = maps
+    (a0, a1, a2, a3), (b0, b1, b2, b3), (c0, c1, c2, c3) = pose
+    for i in range(0, n, PIXELS):
+        x, y0 = load_records(rays, 2 * (first + i), PIXELS, 2)
+        nx, ny, nz = load(normal_x, first + i, PIXELS), load(normal_y, first + i, PIXELS), load(normal_z, first + i, PIXELS)
+        turned = (
+            np.float32(a0) * nx + np.float32(a1) * ny + np.float32(a2) * nz,
+            np.float32(b0) * nx + np.float32(b1) * ny + np.float32(b2) * nz,
+            np.float32(c0) * nx + np.float32(c1) * ny + np.float32(c2) * nz,
+        )
+        store_records(turned, stage.normals, 3 * (held + i))
+        store(load(sigma, first + i, PIXELS) * square_root(ONE + x * x + y0 * y0), stage.along, held + i)
+        store(smaller(converted(load(grey, first + i, PIXELS), np.float32) * per_grey, ONE), stage.light, held + i)
+        z = converted(load(depth, first + i, PIXELS), np.float64)
+        p, q = converted(x, np.float64) * z, converted(y0, np.float64) * z
+        placed = a0 * p + a1 * q + a2 * z + a3, b0 * p + b1 * q + b2 * z + b3, c0 * p + c1 * q + c2 * z + c3
+        store_records(placed, stage.points, 3 * (held + i))
+
+
+@njit(**INLINE)
+def stage_places(stage: Points, masks: Any, taking: Any, held: int, y: int, first: int, n: int) -> None:
+    """Put on the stage where n pixels, all of them points, lie in the image, and which cameras take part."""
+    pixel, cameras = stage.pixel[2 * held : 2 * (held + n)], stage.cameras[held : held + n]
+    for i in range(n):
+        pixel[2 * i], pixel[2 * i + 1] = y, first + i
+    for i in range(n):
+        cameras[i] = masks[taking[i]]
+
+
+@njit(**INLINE)
 def pour_all(stage: Points, written: Points, begin: Any, first: Any, stop: Any, held: Any) -> None:
     """Pour all that is known of the points."""
     pour(stage.points, written.points, 3, begin, first, stop, held)
@@ -101,30 +138,6 @@ def pour_all(stage: Points, written: Points, begin: Any, first: Any, stop: Any, 
     pour(stage.light, written.light, 1, begin, first, stop, held)
     pour(stage.pixel, written.pixel, 2, begin, first, stop, held)
     pour(stage.cameras, written.cameras, 1, begin, first, stop, held)
-
-
-@njit(**INLINE)
-def stage_all(s: Any, d: Any, stage: Points, masks: Any, taking: Any, held: int, y: int, first: int, n: int) -> None:
-    """Put n pixels that all are points on the stage, behind the ``held`` there are, in SIMD instructions."""
-    points, normals = stage.points[3 * held : 3 * (held + n)], stage.normals[3 * held : 3 * (held + n)]
-    for i in range(n):
-        points[3 * i], points[3 * i + 1], points[3 * i + 2] = d[PX + i], d[PY + i], d[PZ + i]
-    for i in range(n):
-        normals[3 * i], normals[3 * i + 1], normals[3 * i + 2] = s[NX + i], s[NY + i], s[NZ + i]
-    along, light, pixel, cameras = (
-        stage.along[held : held + n],
-        stage.light[held : held + n],
-        stage.pixel[2 * held : 2 * (held + n)],
-        stage.cameras[held : held + n],
-    )
-    for i in range(n):
-        along[i] = s[OWN + i]
-    for i in range(n):
-        light[i] = s[OFF + i]
-    for i in range(n):
-        pixel[2 * i], pixel[2 * i + 1] = y, first + i
-    for i in range(n):
-        cameras[i] = masks[taking[i]]
 
 
 @njit(**INLINE)
@@ -189,9 +202,14 @@ def gather_points(
     """Write the points that are left, with the normals of the planes through them."""
     width = sigma.shape[1]
     s, d = stack_float32(SCRATCH), stack_float64(POINTS)
-    normals, along, light = stack_float32(PLACES), stack_float32(STAGE), stack_float32(STAGE)
-    stage = Points(stack_float64(PLACES), normals, along, light, stack_int32(PIXELS), stack_uint8(STAGE))
+    normals, along, light = stack_float32(TRIPLES), stack_float32(STAGE), stack_float32(STAGE)
+    stage = Points(stack_float64(TRIPLES), normals, along, light, stack_int32(PAIRS), stack_uint8(STAGE))
     first_of_band = begins[row_start] % BLOCK  # what lies before on the stage belongs to the band before
+    numbers = (
+        (pose[0, 0], pose[0, 1], pose[0, 2], pose[0, 3]),
+        (pose[1, 0], pose[1, 1], pose[1, 2], pose[1, 3]),
+        (pose[2, 0], pose[2, 1], pose[2, 2], pose[2, 3]),
+    )
     begin, held = begins[row_start] - first_of_band, first_of_band
     for y in range(row_start, row_stop):
         for first in range(0, width, CHUNK):
@@ -199,18 +217,21 @@ def gather_points(
             left = count_left(inverse[y + border, border + first : border + first + n])
             if left == 0:
                 continue
-            if is_touched(removed, y, first // CHUNK, border):
-                planes_of_chunk(s, inverse, sigma, rays, to_rays, to_unit, per_px, border, y, first, n)
-            else:
-                take_judged(s, inverse, sigma, rays, judged, border, y, first, n)
-            place(s, d, depth[y, first : first + n], pose, n)
-            level, taking = grey[y, first : first + n], bits[y, first : first + n]
-            for i in range(n):
-                s[OFF + i] = min(np.float32(level[i]) * per_grey, ONE)
-            if left == n:
-                stage_all(s, d, stage, masks, taking, held, y, first, n)
+            touched, taking = is_touched(removed, y, first // CHUNK, border), bits[y, first : first + n]
+            if left == n and n % PIXELS == 0 and not touched:
+                maps = (sigma[y], depth[y], grey[y], rays[y], judged[0, y], judged[1, y], judged[2, y])
+                stage_judged(maps, first, n, per_grey, numbers, stage, held)
+                stage_places(stage, masks, taking, held, y, first, n)
                 held += n
             else:
+                if touched:
+                    planes_of_chunk(s, inverse, sigma, rays, to_rays, to_unit, per_px, border, y, first, n)
+                else:
+                    take_judged(s, inverse, sigma, rays, judged, border, y, first, n)
+                place(s, d, depth[y, first : first + n], pose, n)
+                level = grey[y, first : first + n]
+                for i in range(n):
+                    s[OFF + i] = min(np.float32(level[i]) * per_grey, ONE)
                 held = stage_some(s, d, stage, masks, taking, held, y, first, n)
             stop = held - held % BLOCK
             if stop > 0:
