@@ -1,11 +1,11 @@
 """Times of matching and reconstructing a view of the paper's full resolution, as ratios to a copy of its images; run with ``-m slow``.
 
 Asked for: a pair within 3.2 copies of a camera's images, a view with decoding within 10 copies of its images. On two shared processors with
-nothing beside them, in seven runs, a pair took 30 to 33 ms, beside copies of 10 to 12 ms 2.8 to 3.0 of them; a view 224 to 239 ms, beside
-copies of 23 to 24 ms 9.7 to 10.2 of them; reconstruction alone 182 to 194 ms, 7.8 to 8.3. In one process of three copies take two thirds of
-that, 6.7 and 17 ms, whatever the images; beside these a pair takes 4.9 and a view 14. The tests hold the bounds that are reached on two busy
-processors; ratio and asked figure stand beside each other in the record of each run. A view is made in memory that is used again, as a scan
-does it from its second view on; what fresh memory costs is listed beside it.
+nothing beside them, in four runs, a pair took 23.5 to 26.7 ms, 2.4 to 2.5 copies; a view 203 and 213 ms beside copies of 22 and 23 ms, 9.1 and
+9.3 of them, once 248 ms and 10.0; reconstruction alone 161 to 169 ms, 7.1 to 7.4. At times, for seconds or for a process, copies of a view take
+15.6 to 17 ms, whatever the images and wherever they lie: beside these a view took 207 ms, 13.3 copies, and reconstruction 10.1. The tests hold
+the bounds that are reached on two busy processors; ratio and asked figure stand beside each other in the record of each run. A view is made in
+memory that is used again, as a scan does it from its second view on; what fresh memory costs is listed beside it.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Compiled loops over a depth map: the plane through the surroundings of every point, and which points cannot be trusted.
 
 Inverse depths are used, on a plane they are linear in the image; ``inverse`` (H + 2r, W + 2r) has a border of zeros, and zeros where
-there is no point. Loops over arithmetic alone run on one scratch array at constant offsets, in SIMD instructions.
+there is no point. What one loop over a chunk of pixels leaves to the next stands in lanes of one scratch array.
 """
 
 from __future__ import annotations
