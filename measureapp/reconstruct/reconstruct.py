@@ -219,14 +219,8 @@ class _Work:
         name = self.names[number]
         if number == 0:
             state = self.views[name].state
-            skip = self.memory.empty(state.shape, np.bool_)
-            fate = skip.view(np.uint8)
-
-            def mark(start: int, stop: int) -> None:
-                np.not_equal(state[start:stop], PixelState.VALID, out=skip[start:stop])  # True is PointState.NO_PHASE
-                np.copyto(fate[start:stop], np.uint8(PointState.RIM), where=state[start:stop] == PointState.RIM)
-
-            in_bands(mark, len(state))
+            fate = self.memory.empty(state.shape, np.uint8)
+            in_bands(lambda start, stop: kernels.mark_without_phase(state, start, stop, fate), len(state))
             return fate
         return self._marked(name, 0, PointState.VALID)
 

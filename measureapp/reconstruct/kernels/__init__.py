@@ -8,7 +8,7 @@ from measureapp.reconstruct.kernels.binning import LEAST_SINE, LINES_PER_CELL, f
 from measureapp.reconstruct.kernels.blur import take_blur
 from measureapp.reconstruct.kernels.both import fuse_both
 from measureapp.reconstruct.kernels.cleaning import CHUNK, PIXELS, invert, judge
-from measureapp.reconstruct.kernels.covered import mark_covered
+from measureapp.reconstruct.kernels.covered import mark_covered, mark_without_phase
 from measureapp.reconstruct.kernels.gathering import Points, gather_points
 from measureapp.reconstruct.kernels.islands import drop_islands, find_runs
 from measureapp.reconstruct.kernels.lanes import Found
@@ -43,6 +43,7 @@ __all__ = [
     "keep_new",
     "mark_covered",
     "mark_rims",
+    "mark_without_phase",
     "match",
     "match_and_fuse",
     "rectified_lines",

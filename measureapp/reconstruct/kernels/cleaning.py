@@ -191,16 +191,24 @@ def any_above_zero(values: Any, begin: int, n: int) -> bool:
 
 
 @njit(**INLINE)
-def load_chunk(s: Any, middle: Any, noise: Any, ray: Any, n: int) -> None:
-    """Take what is known of n pixels of a row into the lanes; behind them nothing is done."""
+def load_points(s: Any, middle: Any, n: int) -> bool:
+    """Take the inverse depths of n pixels of a row into their lane, and zeros behind them; returns whether there are points."""
     for i in range(n):
         s[INV + i] = middle[i]
+    for i in range(n, min(n + PIXELS, CHUNK)):
+        s[INV + i] = ZERO
+    return any_above_zero(s, INV, n)
+
+
+@njit(**INLINE)
+def load_rays(s: Any, noise: Any, ray: Any, n: int) -> None:
+    """Take the noise and the rays of n pixels of a row into the lanes, and zeros behind them."""
     for i in range(n):
         s[OWN + i] = noise[i]
     for i in range(n):
         s[ROW_X + i], s[ROW_Y + i] = ray[2 * i], ray[2 * i + 1]
     for i in range(n, min(n + PIXELS, CHUNK)):
-        s[INV + i], s[OWN + i], s[ROW_X + i], s[ROW_Y + i] = ZERO, ZERO, ZERO, ZERO
+        s[OWN + i], s[ROW_X + i], s[ROW_Y + i] = ZERO, ZERO, ZERO
 
 
 @njit(**INLINE)
@@ -213,9 +221,9 @@ def planes_of_chunk(
     """
     half = max(1, border // 2)
     start = border + first
-    load_chunk(s, inverse[y + border, start : start + n], sigma[y, first : first + n], rays[y, 2 * first : 2 * (first + n)], n)
-    if not any_above_zero(s, INV, n):
+    if not load_points(s, inverse[y + border, start : start + n], n):
         return False
+    load_rays(s, sigma[y, first : first + n], rays[y, 2 * first : 2 * (first + n)], n)
     u0, per_u, v0, per_v = to_unit
     x_u, x_v, y_u, y_v = to_rays
     t = (np.float32(y) - v0) * per_v

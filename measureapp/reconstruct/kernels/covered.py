@@ -1,4 +1,4 @@
-"""Compiled loop that says which pixels of a camera are still to be matched: not those near to ones that take part in points already."""
+"""Compiled loops that say which pixels of a camera are still to be matched: not those near to ones that take part in points already."""
 
 from __future__ import annotations
 
@@ -13,6 +13,16 @@ from measureapp.reconstruct.kernels.options import LOOP
 NO_PHASE, SEEN_BY_ANOTHER, RIM = np.uint8(PointState.NO_PHASE), np.uint8(PointState.SEEN_BY_ANOTHER), np.uint8(PointState.RIM)
 RADIUS_PX = 2  # gaps between the pixels that take part in points of another camera
 NOTHING = np.uint8(0)
+
+
+@njit(**LOOP)
+def mark_without_phase(state: Any, row_start: int, row_stop: int, marked: Any) -> None:
+    """Mark pixels without a phase, as `mark_covered` does where nothing is covered."""
+    for y in range(row_start, row_stop):
+        out, valid = marked[y], state[y]
+        for x in range(len(out)):
+            without = RIM if valid[x] == RIM else NO_PHASE
+            out[x] = without if valid[x] != NOTHING else NOTHING
 
 
 @njit(**LOOP)

@@ -113,7 +113,8 @@ def match(
             own = (phase[y, part], lines[y, pairs], rays[y, pairs], turn, skip[y, part])
             wanted = count_wanted(own[4], n)
             mostly = 2 * wanted > n
-            ask_for(phase, lines, rays, skip, (y + ROWS_AHEAD) * columns + first, n)
+            if wanted > 0:
+                ask_for(phase, lines, rays, skip, (y + ROWS_AHEAD) * columns + first, n)
             if not mostly:
                 out.depth[:] = ZERO
                 out.reason[:] = WITHOUT_PARTNER
