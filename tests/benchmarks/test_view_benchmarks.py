@@ -1,11 +1,15 @@
 """Times of matching and reconstructing a view of the paper's full resolution, as ratios to a copy of its images; run with ``-m slow``.
 
 Asked for: a pair within 3.2 copies of a camera's images, a view with decoding within 10 copies of its images. On two shared processors with
-nothing beside them, in four runs, a pair took 23.5 to 26.7 ms, 2.4 to 2.5 copies; a view 203 and 213 ms beside copies of 22 and 23 ms, 9.1 and
-9.3 of them, once 248 ms and 10.0; reconstruction alone 161 to 169 ms, 7.1 to 7.4. At times, for seconds or for a process, copies of a view take
-15.6 to 17 ms, whatever the images and wherever they lie: beside these a view took 207 ms, 13.3 copies, and reconstruction 10.1. The tests hold
-the bounds that are reached on two busy processors; ratio and asked figure stand beside each other in the record of each run. A view is made in
-memory that is used again, as a scan does it from its second view on; what fresh memory costs is listed beside it.
+nothing beside them, in three runs, a pair took 22.4 to 24.8 ms, 2.3 to 2.4 copies; reconstruction 154 to 159 ms, 7.0 to 7.2; a view 196 and
+197 ms, 8.9 copies of 22 ms, and once 206 ms beside copies of 15.5, 13.2 of them.
+
+A copy is limited by what a die can write. Where a virtual machine's two processors lie on two dies, a copy takes two thirds of the time, and
+arithmetic no less: in 77 measurements a copy of a view took 23 to 27 ms where a message from one processor to the other and back took 0.09 to
+0.15 µs, and 16 to 20 ms where it took 0.41 to 0.52 µs. Hosts move processors within seconds, so that both are met in one run.
+
+The tests hold the bounds that are reached on two busy processors; ratio and asked figure stand beside each other in the record of each run. A
+view is made in memory that is used again, as a scan does it from its second view on; what fresh memory costs is listed beside it.
 """
 
 from __future__ import annotations
