@@ -5,8 +5,8 @@ nothing beside them, in three runs, a pair took 22.4 to 24.8 ms, 2.3 to 2.4 copi
 197 ms, 8.9 copies of 22 ms, and once 206 ms beside copies of 15.5, 13.2 of them.
 
 A copy is limited by what a die can write. Where a virtual machine's two processors lie on two dies, a copy takes two thirds of the time, and
-arithmetic no less: in 77 measurements a copy of a view took 23 to 27 ms where a message from one processor to the other and back took 0.09 to
-0.15 µs, and 16 to 20 ms where it took 0.41 to 0.52 µs. Hosts move processors within seconds, so that both are met in one run.
+arithmetic no less: in 72 measurements a copy of a view took 23 to 27 ms where a message from one processor to the other and back took 0.09 to
+0.15 µs, and 16 to 20 ms where it took 0.41 to 0.53 µs. Hosts move processors within seconds, so that both are met in one run.
 
 The tests hold the bounds that are reached on two busy processors; ratio and asked figure stand beside each other in the record of each run. A
 view is made in memory that is used again, as a scan does it from its second view on; what fresh memory costs is listed beside it.
