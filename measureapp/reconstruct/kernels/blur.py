@@ -7,11 +7,10 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.reconstruct.kernels.options import INLINE, LOOP
+from measureapp.reconstruct.kernels.options import INLINE, LOOP, PIXELS
 from measureapp.simd.elements import converted, filled, larger, smaller, square_root, where
 from measureapp.simd.memory import load, store
 
-PIXELS = 16  # of a row at a time
 REACH = 2  # px to either side, over which slopes of the phase are taken: its noise hardly grows by it, and the blur reaches no further
 STEEPEST = np.float32(0.3)  # of the logarithm of the light per px; beyond, at edges, the first order says nothing
 NEAR, FAR = 3, 6  # px to either side, over which bends are taken; over the far ones they cost 3 % in noise

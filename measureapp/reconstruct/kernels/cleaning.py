@@ -1,7 +1,7 @@
 """Compiled loops over a depth map: the plane through the surroundings of every point, and which points cannot be trusted.
 
 Inverse depths are used, on a plane they are linear in the image; ``inverse`` (H + 2r, W + 2r) has a border of zeros, and zeros where
-there is no point. What one loop over a chunk of pixels leaves to the next stands in lanes of one scratch array.
+there is no point; it is followed by PIXELS numbers that hold anything. What one loop over a chunk of pixels leaves to the next stands in lanes of one scratch array.
 """
 
 from __future__ import annotations
@@ -13,14 +13,13 @@ from numba import njit
 
 from measureapp.data.point_state import PointState
 from measureapp.reconstruct.kernels.cubic import cubic
-from measureapp.reconstruct.kernels.options import INLINE, LOOP
+from measureapp.reconstruct.kernels.options import INLINE, LOOP, PIXELS
 from measureapp.reconstruct.kernels.past_caches import write_row
 from measureapp.reconstruct.kernels.scratch import stack_float32, stack_uint8
 from measureapp.simd.elements import any_of, converted, filled, larger, smaller, square_root, where
 from measureapp.simd.memory import load, store
 
 CHUNK = 128
-PIXELS = 16  # of a row at a time; `inverse` is followed by as many numbers that hold anything
 (INV, OWN, ROW_X, ROW_Y, Z, WU, WV, FITS, NX, NY, NZ, COSINE, OFF, FITTED, CODE) = (k * CHUNK for k in range(15))
 SCRATCH = 15 * CHUNK
 COUNTED = np.arange(CHUNK, dtype=np.float32)

@@ -8,11 +8,18 @@ import numpy as np
 from numba import njit
 
 from measureapp.data.point_state import PointState
-from measureapp.reconstruct.kernels.options import LOOP
+from measureapp.reconstruct.kernels.options import INLINE, LOOP
 
 NO_PHASE, SEEN_BY_ANOTHER, RIM = np.uint8(PointState.NO_PHASE), np.uint8(PointState.SEEN_BY_ANOTHER), np.uint8(PointState.RIM)
 RADIUS_PX = 2  # gaps between the pixels that take part in points of another camera
 NOTHING = np.uint8(0)
+
+
+@njit(**INLINE)
+def unless_without_phase(state: Any, otherwise: Any) -> Any:
+    """Return why a pixel has no phase, or ``otherwise`` where it has one."""
+    without = RIM if state == RIM else NO_PHASE
+    return without if state != NOTHING else otherwise
 
 
 @njit(**LOOP)
@@ -21,8 +28,7 @@ def mark_without_phase(state: Any, row_start: int, row_stop: int, marked: Any) -
     for y in range(row_start, row_stop):
         out, valid = marked[y], state[y]
         for x in range(len(out)):
-            without = RIM if valid[x] == RIM else NO_PHASE
-            out[x] = without if valid[x] != NOTHING else NOTHING
+            out[x] = unless_without_phase(valid[x], NOTHING)
 
 
 @njit(**LOOP)
@@ -52,6 +58,4 @@ def mark_covered(
             for x in range(0, width, sample):
                 out[x] = covered[y, x] & sampled
         for x in range(width):
-            seen = SEEN_BY_ANOTHER if out[x] != NOTHING else uncovered
-            without = RIM if valid[x] == RIM else NO_PHASE
-            out[x] = without if valid[x] != NOTHING else seen
+            out[x] = unless_without_phase(valid[x], SEEN_BY_ANOTHER if out[x] != NOTHING else uncovered)

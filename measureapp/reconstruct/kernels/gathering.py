@@ -13,8 +13,8 @@ from numba import njit
 
 from measureapp.machine_memory import write_past_caches
 from measureapp.map_memory import LINE
-from measureapp.reconstruct.kernels.cleaning import CHUNK, INV, NX, NY, NZ, OFF, OWN, PIXELS, ROW_X, ROW_Y, SCRATCH, planes_of_chunk
-from measureapp.reconstruct.kernels.options import INLINE, LOOP
+from measureapp.reconstruct.kernels.cleaning import CHUNK, INV, NX, NY, NZ, OFF, OWN, ROW_X, ROW_Y, SCRATCH, planes_of_chunk
+from measureapp.reconstruct.kernels.options import INLINE, LOOP, PIXELS
 from measureapp.reconstruct.kernels.scratch import stack_float32, stack_float64, stack_int32, stack_uint8
 from measureapp.simd.elements import converted, smaller, square_root
 from measureapp.simd.memory import load, load_records, store, store_records

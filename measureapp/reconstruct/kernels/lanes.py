@@ -9,13 +9,12 @@ from numba import njit
 
 from measureapp.machine_memory import will_read
 from measureapp.map_memory import LINE as CACHE_LINE
-from measureapp.reconstruct.kernels.options import INLINE
+from measureapp.reconstruct.kernels.options import INLINE, PIXELS
 from measureapp.reconstruct.kernels.seen import MATCHED, REPEATS
 from measureapp.simd.elements import bits_of, converted, lowest_bit
 from measureapp.simd.memory import load, load_records, store
 
-CHUNK = 256  # all lanes stay in the first cache of a processor
-GROUP = 16  # pixels that are worked on together, in registers; lanes behind the last pixel of a chunk hold anything but WANTED and HELD
+CHUNK = 256  # all lanes stay in the first cache of a processor; behind the last pixel of a chunk they hold anything but WANTED and HELD
 ZERO, ONE, HALF = np.float32(0), np.float32(1), np.float32(0.5)
 WANTED, HELD, TWICE = np.float32(1), np.float32(MATCHED), np.float32(REPEATS)  # in CODE
 NOWHERE = np.float32(-1000.0)
@@ -34,13 +33,13 @@ ROWS_AHEAD = 6  # so far below is asked for what rows soon need
 (KEPT_U, KEPT_V, KEPT_PHASE, KEPT_GX, KEPT_GY, KEPT_Y, KEPT_C, KEPT_D) = (k * CHUNK for k in range(28, 36))
 SCRATCH = 36 * CHUNK
 (PLACE, NEAREST, COLUMN, UNSETTLED) = (k * CHUNK for k in range(4))
-PLACES = 3 * CHUNK + CHUNK // GROUP
+PLACES = 3 * CHUNK + CHUNK // PIXELS
 
 
 @njit(**INLINE)
 def in_groups(n: int) -> int:
     """Return n rounded up to whole groups."""
-    return (n + GROUP - 1) // GROUP * GROUP
+    return (n + PIXELS - 1) // PIXELS * PIXELS
 
 
 @njit(**INLINE)
@@ -76,15 +75,15 @@ def take_pixel(s: Any, at: Any, i: int, column: Any, phase: Any, lines: Any, ray
 @njit(**INLINE)
 def take_all(s: Any, at: Any, n: int, phase: Any, lines: Any, rays: Any, turn: Any, skip: Any) -> None:
     """Take n pixels of a row into the lanes; in CODE which of them are wanted."""
-    whole = n - n % GROUP
-    for i in range(0, whole, GROUP):
-        x, y = load_records(lines, 2 * i, GROUP, 2)
-        ray_x, ray_y = load_records(rays, 2 * i, GROUP, 2)
-        store(load(phase, i, GROUP), s, PHASE + i)
+    whole = n - n % PIXELS
+    for i in range(0, whole, PIXELS):
+        x, y = load_records(lines, 2 * i, PIXELS, 2)
+        ray_x, ray_y = load_records(rays, 2 * i, PIXELS, 2)
+        store(load(phase, i, PIXELS), s, PHASE + i)
         store(x, s, X + i)
         store(y, s, Y + i)
         store(turn[0] * ray_x + turn[1] * ray_y + turn[2], s, DEPTH_SCALE + i)
-        store(converted(load(skip, i, GROUP) == NOTHING, np.float32), s, CODE + i)
+        store(converted(load(skip, i, PIXELS) == NOTHING, np.float32), s, CODE + i)
     for i in range(whole, n):
         take_pixel(s, at, i, np.uint32(i), phase, lines, rays, turn)
         s[CODE + i] = WANTED if skip[i] == 0 else ZERO
@@ -142,7 +141,7 @@ def mark_unsettled(s: Any, at: Any, i: int, unsettled: Any, next_u: Any, next_v:
     """Note which of a group need another step, and from where."""
     store(next_u, s, NEXT_U + i)
     store(next_v, s, NEXT_V + i)
-    at[UNSETTLED + i // GROUP] = bits_of(unsettled)
+    at[UNSETTLED + i // PIXELS] = bits_of(unsettled)
 
 
 @njit(**INLINE)
@@ -151,7 +150,7 @@ def write_group(at: Any, i: int, depth: Any, gain: Any, variance: Any, code: Any
     store(depth, out.depth, i)
     store(gain, out.gain, i)
     store(variance, out.variance, i)
-    store(load(at, NEAREST + i, GROUP), out.there, i)
+    store(load(at, NEAREST + i, PIXELS), out.there, i)
     store(converted(code, np.uint8), out.reason, i)
 
 
@@ -162,7 +161,7 @@ def write_listed(s: Any, at: Any, i: int, n: int, depth: Any, gain: Any, varianc
     store(gain, s, GAIN + i)
     store(variance, s, VARIANCE + i)
     store(code, s, CODE + i)
-    for number in range(i, min(i + GROUP, n)):
+    for number in range(i, min(i + PIXELS, n)):
         k = np.uint32(number)
         column = np.uint32(at[COLUMN + k])
         out.depth[column], out.gain[column], out.variance[column] = s[DEPTH + k], s[GAIN + k], s[VARIANCE + k]
@@ -174,8 +173,8 @@ def write_listed(s: Any, at: Any, i: int, n: int, depth: Any, gain: Any, varianc
 def keep_unsettled(s: Any, at: Any, n: int) -> int:
     """Move those of n pixels that need another step to the front of the lanes; returns how many they are."""
     left = 0
-    for i in range(0, n, GROUP):
-        bits = np.uint32(at[UNSETTLED + i // GROUP])
+    for i in range(0, n, PIXELS):
+        bits = np.uint32(at[UNSETTLED + i // PIXELS])
         while bits != NONE:
             k, m = np.uint32(i + lowest_bit(bits)), np.uint32(left)  # unsigned: negative places would be looked for at the end of an array
             s[PHASE + m], s[X + m], s[Y + m], s[DEPTH_SCALE + m] = s[PHASE + k], s[X + k], s[Y + k], s[DEPTH_SCALE + k]

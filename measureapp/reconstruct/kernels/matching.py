@@ -15,7 +15,6 @@ from numba import njit
 
 from measureapp.reconstruct.kernels.lanes import (
     CHUNK,
-    GROUP,
     PLACES,
     ROWS_AHEAD,
     SCRATCH,
@@ -32,7 +31,7 @@ from measureapp.reconstruct.kernels.lanes import (
     write_group,
     write_listed,
 )
-from measureapp.reconstruct.kernels.options import INLINE, LOOP
+from measureapp.reconstruct.kernels.options import INLINE, LOOP, PIXELS
 from measureapp.reconstruct.kernels.scratch import stack_float32, stack_int32
 from measureapp.reconstruct.kernels.seen import MATCHED, WITHOUT_PARTNER
 from measureapp.reconstruct.kernels.steps import aim, fetch, jump, look_up, newton
@@ -50,9 +49,9 @@ def settle(s: Any, at: Any, n: int, mostly: bool, partner: Any, limits: Any, out
         first, last = step == 0, step == ITERATIONS - 1
         aim(s, at, n, width, cubics, to_unit)
         fetch(s, at, n, width, images)
-        for i in range(0, n, GROUP):
+        for i in range(0, n, PIXELS):
             made = newton(s, i, limits, numbers, last, mostly & first)
-            if mostly & first & (i + GROUP <= n):
+            if mostly & first & (i + PIXELS <= n):
                 write_group(at, i, made.depth, made.gain, made.variance, made.code, out)
             else:
                 write_listed(s, at, i, n, made.depth, made.gain, made.variance, made.code, out)

@@ -8,13 +8,12 @@ import numpy as np
 from numba import njit
 
 from measureapp.map_memory import LINE
-from measureapp.reconstruct.kernels.options import INLINE, LOOP
+from measureapp.reconstruct.kernels.options import INLINE, LOOP, PIXELS
 from measureapp.reconstruct.kernels.past_caches import write_row
 from measureapp.reconstruct.kernels.scratch import stack_float32, stack_uint8
 from measureapp.simd.elements import filled, larger, smaller, where
 from measureapp.simd.memory import load, store, store_records, store_records_past_caches
 
-PIXELS = 16  # of a row at a time
 CHUNK = 512  # after so many samples are written
 REACH = 3  # pixels to either side over which a slope is taken
 PITCH = 32  # of the copied surroundings of PIXELS: REACH more on all sides

@@ -3,7 +3,6 @@
 See `matching` for the lanes and records.
 """
 # A step of Newton's method is one function: its parts would hand dozens of vectors to each other.
-# ruff: noqa: PLR0915
 
 from __future__ import annotations
 
@@ -18,7 +17,6 @@ from measureapp.reconstruct.kernels.cubic import cubic
 from measureapp.reconstruct.kernels.lanes import (
     CODE,
     DEPTH_SCALE,
-    GROUP,
     HALF,
     HELD,
     KEPT_C,
@@ -61,7 +59,7 @@ from measureapp.reconstruct.kernels.lanes import (
     X,
     Y,
 )
-from measureapp.reconstruct.kernels.options import INLINE
+from measureapp.reconstruct.kernels.options import INLINE, PIXELS
 from measureapp.reconstruct.kernels.slopes import BESIDE, REACH, WHOLE
 from measureapp.simd.elements import bits_of, converted, larger, lowest_bit, smaller, where
 from measureapp.simd.memory import fetch_records, load, store
@@ -89,14 +87,14 @@ def look_up(s: Any, at: Any, n: int, table: Any, shape: Any, lowest: Any, per_ra
     """Leave in NEAREST what the table holds of nearly the phase on nearly the line of n pixels."""
     bins = np.int32(shape[1])
     last_row, last_bin = np.float32(shape[0] - 1), np.float32(shape[1] - 1)
-    for i in range(0, n, GROUP):
-        row = within(load(s, Y + i, GROUP) * HALF + ONE, last_row)
-        cell = within((load(s, PHASE + i, GROUP) - lowest) * per_rad + ONE, last_bin)
+    for i in range(0, n, PIXELS):
+        row = within(load(s, Y + i, PIXELS) * HALF + ONE, last_row)
+        cell = within((load(s, PHASE + i, PIXELS) - lowest) * per_rad + ONE, last_bin)
         store(converted(row, np.int32) * bins + converted(cell, np.int32), at, PLACE + i)
     for i in range(0, n, CELLS_APART):
         will_read(table, np.uint32(at[PLACE + i]) + np.uint32(bins))
-    for i in range(0, n, GROUP):
-        (held,) = fetch_records(table, 1, at, PLACE + i, GROUP, 1)
+    for i in range(0, n, PIXELS):
+        (held,) = fetch_records(table, 1, at, PLACE + i, PIXELS, 1)
         store(held, at, NEAREST + i)
 
 
@@ -121,24 +119,24 @@ def take_start(s: Any, at: Any, i: int, started: Any, images: Any, cubics: Any, 
 @njit(**INLINE)
 def jump(s: Any, at: Any, n: int, width: Any, images: Any, cubics: Any, to_unit: Any, limits: Any) -> None:
     """Step from the pixels kept or looked up to where their slopes let phase and line be right; what the table says in CODE."""
-    for i in range(0, n, GROUP):
-        held = load(at, NEAREST + i, GROUP)
+    for i in range(0, n, PIXELS):
+        held = load(at, NEAREST + i, PIXELS)
         told, repeated = held >= EMPTY, (held & REPEATED) != EMPTY
-        usable = (load(s, CODE + i, GROUP) == WANTED) & told & ~repeated
+        usable = (load(s, CODE + i, PIXELS) == WANTED) & told & ~repeated
         held = where(usable, held, EMPTY)
         row, column = held >> HALVES, held & LOW_HALF
         u, v = converted(column, np.float32), converted(row, np.float32)
-        kept_u, kept_v = load(s, KEPT_U + i, GROUP), load(s, KEPT_V + i, GROUP)
+        kept_u, kept_v = load(s, KEPT_U + i, PIXELS), load(s, KEPT_V + i, PIXELS)
         keeps = larger(abs(u - kept_u), abs(v - kept_v)) <= KEEPS_PX
         started = bits_of(usable & ~keeps)
         if started != NONE:
             store(row * width + column, at, PLACE + i)
             take_start(s, at, i, started, images, cubics, to_unit, width)
         u, v = where(keeps, kept_u, u), where(keeps, kept_v, v)
-        c, d = load(s, KEPT_C + i, GROUP), load(s, KEPT_D + i, GROUP)
-        gx, gy = load(s, KEPT_GX + i, GROUP), load(s, KEPT_GY + i, GROUP)
-        down = load(s, Y + i, GROUP) - load(s, KEPT_Y + i, GROUP)
-        rise = load(s, PHASE + i, GROUP) - load(s, KEPT_PHASE + i, GROUP)
+        c, d = load(s, KEPT_C + i, PIXELS), load(s, KEPT_D + i, PIXELS)
+        gx, gy = load(s, KEPT_GX + i, PIXELS), load(s, KEPT_GY + i, PIXELS)
+        down = load(s, Y + i, PIXELS) - load(s, KEPT_Y + i, PIXELS)
+        rise = load(s, PHASE + i, PIXELS) - load(s, KEPT_PHASE + i, PIXELS)
         area = gx * d - gy * c
         du, dv = d * rise - gy * down, gx * down - c * rise
         farthest = FARTHEST_PX * abs(area)
@@ -157,8 +155,8 @@ def aim(s: Any, at: Any, n: int, width: Any, cubics: Any, to_unit: Any) -> None:
     """
     x_u, x_v, y_u, y_v = cubics
     u0, per_u, v0, per_v = to_unit
-    for i in range(0, n, GROUP):
-        u, v = load(s, U + i, GROUP), load(s, V + i, GROUP)
+    for i in range(0, n, PIXELS):
+        u, v = load(s, U + i, PIXELS), load(s, V + i, PIXELS)
         store(converted(v, np.int32) * width + converted(u, np.int32), at, PLACE + i)
         store(converted(v + HALF, np.int32) * width + converted(u + HALF, np.int32), at, NEAREST + i)
         us, vs = (u - u0) * per_u, (v - v0) * per_v
@@ -173,11 +171,11 @@ def aim(s: Any, at: Any, n: int, width: Any, cubics: Any, to_unit: Any) -> None:
 @njit(**INLINE)
 def ask_below(at: Any, i: int, ahead: Any, phase: Any, quad: Any, pixels: Any, lines: Any) -> None:
     """Ask for what the pixels some rows below a group need."""
-    for k in range(i, i + GROUP, RECORDS_APART):
+    for k in range(i, i + PIXELS, RECORDS_APART):
         will_read(pixels, np.uint32(at[NEAREST + k] + ahead) << FOUR)
-    for k in range(i, i + GROUP, PAIRS_APART):
+    for k in range(i, i + PIXELS, PAIRS_APART):
         will_read(lines, np.uint32(at[NEAREST + k] + ahead) << TWO)
-    for k in range(i, i + GROUP, PHASES_APART):
+    for k in range(i, i + PIXELS, PHASES_APART):
         will_read(phase, np.uint32(at[NEAREST + k] + ahead))
     will_read(quad, np.uint32(at[NEAREST + i] + ahead))
 
@@ -187,13 +185,13 @@ def fetch(s: Any, at: Any, n: int, width: Any, images: Any) -> None:
     """Fetch what is at the places in PLACE and NEAREST."""
     phase, quad, pixels, lines = images
     below = phase[width:]
-    for i in range(0, n, GROUP):
+    for i in range(0, n, PIXELS):
         ask_below(at, i, width * ROWS_AHEAD, *images)
-        p00, p01 = fetch_records(phase, 1, at, PLACE + i, GROUP, 2)
-        p10, p11 = fetch_records(below, 1, at, PLACE + i, GROUP, 2)
-        (surface,) = fetch_records(quad, 1, at, PLACE + i, GROUP, 1)
-        near, gx, gy, sigma = fetch_records(pixels, 4, at, NEAREST + i, GROUP, 4)
-        x, y = fetch_records(lines, 2, at, NEAREST + i, GROUP, 2)
+        p00, p01 = fetch_records(phase, 1, at, PLACE + i, PIXELS, 2)
+        p10, p11 = fetch_records(below, 1, at, PLACE + i, PIXELS, 2)
+        (surface,) = fetch_records(quad, 1, at, PLACE + i, PIXELS, 1)
+        near, gx, gy, sigma = fetch_records(pixels, 4, at, NEAREST + i, PIXELS, 4)
+        x, y = fetch_records(lines, 2, at, NEAREST + i, PIXELS, 2)
         store(p00, s, P00 + i)
         store(p01, s, P01 + i)
         store(p10, s, P10 + i)
@@ -220,22 +218,32 @@ class Step(NamedTuple):
 
 
 @njit(**INLINE)
-def newton(s: Any, i: int, limits: Any, numbers: Any, last: bool, keep: bool) -> Step:
-    """Step from U, V to where the phase between the four pixels, or beside a hole along the slope, is right on the line.
+def keep_nearest(s: Any, i: int, u: Any, v: Any) -> None:
+    """Keep the nearest pixels of a group, and what was fetched of them: the matches of the next row lie beside them."""
+    store(u, s, KEPT_U + i)
+    store(v, s, KEPT_V + i)
+    store(load(s, NEAR_PHASE + i, PIXELS), s, KEPT_PHASE + i)
+    store(load(s, NEAR_GX + i, PIXELS), s, KEPT_GX + i)
+    store(load(s, NEAR_GY + i, PIXELS), s, KEPT_GY + i)
+    store(load(s, NEAR_Y + i, PIXELS), s, KEPT_Y + i)
+    store(load(s, C + i, PIXELS), s, KEPT_C + i)
+    store(load(s, D + i, PIXELS), s, KEPT_D + i)
 
-    With ``keep`` the nearest pixels are kept: the matches of the next row lie beside them.
-    """
+
+@njit(**INLINE)
+def newton(s: Any, i: int, limits: Any, numbers: Any, last: bool, keep: bool) -> Step:
+    """Step from U, V to where the phase between the four pixels, or beside a hole along the slope, is right on the line."""
     focal, offset, baseline = numbers
     focal_baseline = focal * baseline
-    p00, p01, p10, p11 = load(s, P00 + i, GROUP), load(s, P01 + i, GROUP), load(s, P10 + i, GROUP), load(s, P11 + i, GROUP)
-    near, gx, gy = load(s, NEAR_PHASE + i, GROUP), load(s, NEAR_GX + i, GROUP), load(s, NEAR_GY + i, GROUP)
-    near_x, near_y, sigma = load(s, NEAR_X + i, GROUP), load(s, NEAR_Y + i, GROUP), load(s, NEAR_SIGMA + i, GROUP)
-    surface = load(s, QUAD + i, GROUP)
-    u, v = load(s, U + i, GROUP), load(s, V + i, GROUP)
+    p00, p01, p10, p11 = load(s, P00 + i, PIXELS), load(s, P01 + i, PIXELS), load(s, P10 + i, PIXELS), load(s, P11 + i, PIXELS)
+    near, gx, gy = load(s, NEAR_PHASE + i, PIXELS), load(s, NEAR_GX + i, PIXELS), load(s, NEAR_GY + i, PIXELS)
+    near_x, near_y, sigma = load(s, NEAR_X + i, PIXELS), load(s, NEAR_Y + i, PIXELS), load(s, NEAR_SIGMA + i, PIXELS)
+    surface = load(s, QUAD + i, PIXELS)
+    u, v = load(s, U + i, PIXELS), load(s, V + i, PIXELS)
     fu, fv = converted(converted(u, np.int32), np.float32), converted(converted(v, np.int32), np.float32)
     nu, nv = converted(converted(u + HALF, np.int32), np.float32), converted(converted(v + HALF, np.int32), np.float32)
-    a, b, c, d = load(s, A + i, GROUP), load(s, B + i, GROUP), load(s, C + i, GROUP), load(s, D + i, GROUP)
-    per_area = load(s, PER_AREA + i, GROUP)
+    a, b, c, d = load(s, A + i, PIXELS), load(s, B + i, PIXELS), load(s, C + i, PIXELS), load(s, D + i, PIXELS)
+    per_area = load(s, PER_AREA + i, PIXELS)
     p, q = u - fu, v - fv
     du, dv = u - nu, v - nv
     right, under = p01 - p00, p10 - p00
@@ -248,8 +256,8 @@ def newton(s: Any, i: int, limits: Any, numbers: Any, last: bool, keep: bool) ->
     inner = whole & (local * slope > QUARTER * slope * slope)
     along = where(inner, local, slope)
     across = (where(inner, ly, gy) * a - where(inner, lx, gx) * b) * per_area
-    down = load(s, Y + i, GROUP) - (near_y + c * du + d * dv)
-    move = (load(s, PHASE + i, GROUP) - value - down * across) / along
+    down = load(s, Y + i, PIXELS) - (near_y + c * du + d * dv)
+    move = (load(s, PHASE + i, PIXELS) - value - down * across) / along
     move = smaller(larger(move, -FARTHEST_PX), FARTHEST_PX)
     to_u, to_v = (d * move - b * down) * per_area, (a * down - c * move) * per_area
     pn, qn = p + to_u, q + to_v
@@ -259,24 +267,17 @@ def newton(s: Any, i: int, limits: Any, numbers: Any, last: bool, keep: bool) ->
     reach = abs(du + to_u) + abs(dv + to_v)
     outward = (ONE + reach) * (ONE + reach) + reach * reach
     share = where(whole, (pn * pn + (ONE - pn) * (ONE - pn)) * (qn * qn + (ONE - qn) * (ONE - qn)), outward)
-    held = load(s, CODE + i, GROUP) == HELD
+    held = load(s, CODE + i, PIXELS) == HELD
     taken = held & (whole | (surface == ON_EDGE)) & (abs(slope) >= FLAT)  # on an edge a pixel speaks for half a pixel around it
-    parallax = load(s, X + i, GROUP) - near_x + offset - (a * du + b * dv + move)
-    scale = load(s, DEPTH_SCALE + i, GROUP)
+    parallax = load(s, X + i, PIXELS) - near_x + offset - (a * du + b * dv + move)
+    scale = load(s, DEPTH_SCALE + i, PIXELS)
     depth = focal_baseline / (parallax * scale)
     variance = sigma * sigma * share
     steep = slope * slope >= STEEP * STEEP * variance
     found = taken & settles & (smaller(parallax, depth) > ZERO)
     if keep:
-        store(where(taken, nu, NOWHERE), s, KEPT_U + i)
-        store(nv, s, KEPT_V + i)
-        store(near, s, KEPT_PHASE + i)
-        store(gx, s, KEPT_GX + i)
-        store(gy, s, KEPT_GY + i)
-        store(near_y, s, KEPT_Y + i)
-        store(c, s, KEPT_C + i)
-        store(d, s, KEPT_D + i)
-    code = load(s, CODE + i, GROUP)
+        keep_nearest(s, i, where(taken, nu, NOWHERE), nv)
+    code = load(s, CODE + i, PIXELS)
     return Step(
         where(found & steep, depth, ZERO),
         slope * parallax * parallax * scale * (ONE / focal_baseline),
