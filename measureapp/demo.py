@@ -101,7 +101,7 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
         project.save_plan(plan)
         _give_drawing(project, request.part)
         with watch.stage("total"), Groundwork() as groundwork:
-            calibration = calibrate_rig(rig, project, on_event, PartOf(progress, 0.0, 0.3), watch).rig.calibration
+            calibration = calibrate_rig(rig, project, on_event, PartOf(progress, 0.0, 0.3), watch).calibration
             views = scan(rig, project, calibration, on_event, PartOf(progress, 0.3, 0.8), watch, request.bracket_s, groundwork)
             measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, groundwork)
         return _with_truth(finished(project, measurement, watch), world, project)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import numpy as np
@@ -46,49 +46,31 @@ def naming_refused(error: CalibrationError, refused: Sequence[tuple[str, str]]) 
 LARGEST_SPREAD = 5.0
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class FoundBoard:
-    """The marks of a board found in one image."""
-
-    ids: IntArray  # (N,) rising, indices into ``board.corners_mm``
-    corners_px: FloatArray  # (N, 2)
-    sigma_px: FloatArray  # (N,) estimated standard deviation of one coordinate
-    edge_px: float  # how wide edges are in the image, 10 to 90 %
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "ids", read_only(self.ids, np.int64, (None,)))
-        object.__setattr__(self, "corners_px", read_only(self.corners_px, np.float64, (len(self.ids), 2)))
-        object.__setattr__(self, "sigma_px", read_only(self.sigma_px, np.float64, (len(self.ids),)))
+ALL_MARKS: IntArray = np.empty(0, np.int64)  # stands for "every mark of the board" where a sighting is made
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sighting:
-    """The corners of one board position in one camera, in the order of ``board.corners_mm``: all of them, or those of `ids`."""
+    """The marks of a board detected in one image; the detector leaves `camera` and `view` empty, `of` fills them in."""
 
     camera: str
     view: str  # the same in all cameras that saw the same position
     corners_px: FloatArray  # (N, 2)
-    ids: IntArray | None = None  # (N,) rising, indices into ``board.corners_mm``; None: all of them
+    ids: IntArray = field(default_factory=lambda: ALL_MARKS)  # (N,) rising, indices into ``board.corners_mm``; by default all, in order
     sigma_px: FloatArray | None = None  # (N,) standard deviation of one coordinate, where it was estimated
-    edge_px: float = 0.0  # how wide edges are in the image, 10 to 90 %; 0 where not known
+    edge_px: float = 0.0  # 10–90 % width of edges in the image; 0 where not known
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "corners_px", read_only(self.corners_px, np.float64, (None, 2)))
         count = len(self.corners_px)
-        if self.ids is not None:
-            object.__setattr__(self, "ids", read_only(self.ids, np.int64, (count,)))
+        ids = np.arange(count) if self.ids is ALL_MARKS else self.ids
+        object.__setattr__(self, "ids", read_only(ids, np.int64, (count,)))
         if self.sigma_px is not None:
             object.__setattr__(self, "sigma_px", read_only(self.sigma_px, np.float64, (count,)))
 
-    @property
-    def known_ids(self) -> IntArray:
-        """Indices of the corners into ``board.corners_mm`` (N,), also where all were seen."""
-        return np.arange(len(self.corners_px)) if self.ids is None else self.ids
-
-
-def sighting_of(camera: str, view: str, found: FoundBoard) -> Sighting:
-    """Return what was found in an image as the sighting of a camera."""
-    return Sighting(camera, view, found.corners_px, found.ids, found.sigma_px, found.edge_px)
+    def of(self, camera: str, view: str) -> Sighting:
+        """Return the same marks as the sighting of a camera in a view."""
+        return replace(self, camera=camera, view=view)
 
 
 def spreads(sightings: Sequence[Sighting]) -> list[FloatArray | None]:

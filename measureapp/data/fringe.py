@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from math import tau
 from typing import Annotated, Literal
@@ -12,6 +12,7 @@ from pydantic import Field, model_validator
 from measureapp.arrays import ImageArray
 from measureapp.data.conditions import Conditions
 from measureapp.data.model import Model
+from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform
 
 Direction = Literal["vertical", "horizontal"]  # of the fringes: the phase of vertical ones grows with the projector's column
@@ -111,8 +112,30 @@ class PatternSet(Model):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class AxisReadback:
-    """Where every axis said it was when the images were taken."""
+class Readback:
+    """Axis positions as reported by their controllers, as far as known: a table alone has no robot."""
+
+    base_from_flange: RigidTransform | None = None
+    guide_mm: float | None = None
+    table_rad: float | None = None
+
+    def full(self) -> AxisReadback:
+        """Return the read-back of a complete rig. Raises CalibrationError where an axis is missing."""
+        if self.base_from_flange is None or self.guide_mm is None or self.table_rad is None:
+            raise CalibrationError("The read-back of an axis is missing.", "Give robot pose, guide position and table angle.")
+        return AxisReadback(self.base_from_flange, self.guide_mm, self.table_rad)
+
+    def missing(self, needed: Iterable[str]) -> list[str]:
+        """Return the axes of ``needed`` (names of the fields) whose position is not known, in words."""
+        return [READBACK_WORDS[name] for name in needed if getattr(self, name) is None]
+
+
+READBACK_WORDS = {"base_from_flange": "the robot's pose", "guide_mm": "the guide's position", "table_rad": "the table's angle"}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AxisReadback(Readback):
+    """The positions of all axes of a rig as reported when the images were taken."""
 
     base_from_flange: RigidTransform
     guide_mm: float

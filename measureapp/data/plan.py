@@ -13,6 +13,9 @@ from measureapp.data.model import Model
 from measureapp.data.pattern_sets import DEFAULT_PATTERNS, PATTERN_SETS
 from measureapp.geometry.transform import RigidTransform
 
+Motion = Literal["robot", "table", "guide", "passes", "stations"]
+"""What moves between the views of a calibration; "passes" are further ones along the guide, "stations" the robot poses of a scan plan."""
+
 
 class FlangePose(Model):
     """A goal of the robot: base_from_flange as position and unit quaternion (w, x, y, z)."""

@@ -8,11 +8,11 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from measureapp.calibration_session.accepting import COLLECTED, keep, read_document
+from measureapp.calibration_session.repeat import repeat_session
+from measureapp.calibration_session.session import CalibrationSession
 from measureapp.errors import InputError, StorageError
 from measureapp.pipeline.calibrate import calibrate_from_views, checksums_of
-from measureapp.pipeline.collecting.collection import Collection
-from measureapp.pipeline.collecting.keeping import COLLECTED, keep, read_document
-from measureapp.pipeline.collecting.repeating import repeated
 from measureapp.progress import Progress
 from measureapp.project.calibration.camera_file import cameras_document
 from measureapp.project.differences import Difference, compared
@@ -34,7 +34,7 @@ def collected_again(result: Path, progress: Progress) -> Again:
 
     Parameters
     ----------
-    result : the file, or for a rig the folder, that `collecting.accept` wrote
+    result : the file, or for a rig the folder, that `calibration_session.accepting.accept` wrote
 
     Raises
     ------
@@ -45,9 +45,9 @@ def collected_again(result: Path, progress: Progress) -> Again:
     provenance = provenance_of(stored)
     place = (result if result.is_dir() else result.parent) / provenance["folder"] / provenance["arguments"][-1]
     with TemporaryDirectory() as folder:
-        solved = repeated(Collection.open(place), provenance["inputs"], Path(folder) / "session", progress)
+        solved = repeat_session(CalibrationSession.open(place), provenance["inputs"], Path(folder) / "session", progress)
         written = Path(folder) / "result"
-        keep(solved, written, valid_days=provenance.get("valid_days"), temperature_c=provenance.get("temperature_c"))
+        keep(solved.snapshot(), written, valid_days=provenance.get("valid_days"), temperature_c=provenance.get("temperature_c"))
         found, numbers = compared(stored, _documents(written))
     return Again(found, numbers, len(provenance["inputs"]))
 
@@ -98,7 +98,7 @@ def calibration_again(project: ProjectFolder, progress: Progress) -> Again:
             raise StorageError(
                 f"The image {name} of the board, from which {project.path} was calibrated, {state}.", "Restore it from a backup."
             )
-    solved = calibrate_from_views(views, project.settings.board, project.rig(), progress).rig.calibration
+    solved = calibrate_from_views(views, project.settings.board, project.rig(), progress).calibration
     documents = [{"cameras": cameras_document(one.cameras), "rig": rig_calibration_document(one)} for one in (stored, solved)]
     found, numbers = compared(*documents)
     return Again(found, numbers, len(seen))

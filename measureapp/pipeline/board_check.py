@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 from measureapp.acquire.capture import capture_board
 from measureapp.calibrate.boards.find import find_board
-from measureapp.calibrate.boards.pose import board_pose
-from measureapp.calibrate.rig.joint import RigObservation
+from measureapp.calibrate.boards.observation import Observation
+from measureapp.calibrate.boards.pose import pose_of
 from measureapp.calibrate.rig.quick_check import LEAST_VIEWS, QuickCheck, quick_check
 from measureapp.data.board import BoardDescription, BoardView
 from measureapp.data.calibration import RigCalibration
@@ -68,9 +68,8 @@ def compare_board(views: Sequence[BoardView], calibration: RigCalibration, board
             except CalibrationError as error:
                 missed.append(f"{view.viewpoint_id} ({camera}): {error.message}")
         if found:
-            corners, ids = {name: one.corners_px for name, one in found.items()}, {name: one.ids for name, one in found.items()}
-            pose = board_pose(corners, calibration.cameras, board, ids=ids)
-            observations.append(RigObservation(view.viewpoint_id, view.readback, pose))
+            pose = pose_of(found, calibration.cameras, board)
+            observations.append(Observation(view.viewpoint_id, view.readback, pose))
     if len(observations) < LEAST_VIEWS:
         raise CalibrationError(
             f"The board is seen in {len(observations)} of {len(views)} views: " + " ".join(missed),

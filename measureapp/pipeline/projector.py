@@ -6,15 +6,18 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from measureapp.calibrate.boards.find import require_unambiguous
-from measureapp.calibrate.cameras.array import CameraArrayProblem
+from measureapp.calibrate.boards.observation import Observation
+from measureapp.calibrate.cameras.draft import CameraArrayDraft
 from measureapp.calibrate.cameras.projector import HeadSolution, solve_head
-from measureapp.calibrate.sightings import Rejection, Sighting, sighting_of
+from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
+from measureapp.calibrate.kinds.projector import head_problem
+from measureapp.calibrate.sightings import Rejection, Sighting
+from measureapp.calibration_session.board_in_fringes import detect_under_fringes, projector_size_px, require_both_directions
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.fringe import FringeStack
 from measureapp.errors import CalibrationError, InputError
 from measureapp.fringe.settings import DecodeSettings
-from measureapp.pipeline.board_in_fringes import look_at_fringes, projector_size_px, require_both_directions
 from measureapp.progress import PartOf, Progress
 
 LEAST_POSITIONS = 3
@@ -53,32 +56,24 @@ def calibrate_projector(stacks: Iterable[FringeStack], positions: int, request: 
             f"{positions} positions of the board do not determine the projector.",
             f"Record vertical and horizontal fringes on the board at {LEAST_POSITIONS} positions at least, better 12, tilted differently.",
         )
-    sightings: list[Sighting] = []
+    observations: list[Observation] = []
     missed: list[Rejection] = []
-    read: list[Sighting | Rejection] = []
     sizes: dict[str, tuple[int, int]] = {}
     size_px = request.projector_px or NOT_KNOWN
     for number, stack in enumerate(stacks):
         view, part = f"{number + 1:02d}", PartOf(progress, 0.9 * number / positions, 0.9 * (number + 1) / positions)
         size_px = _size_of(stack, size_px, given=request.projector_px is not None)
         _require_same_cameras(stack, sizes, request.cameras)
-        found = look_at_fringes(stack, view, request.board, request.decoding, part)
-        sightings += [sighting_of(camera, view, one) for camera, one in found.seen.items()]
+        found = detect_under_fringes(stack, view, request.board, request.decoding, part)
+        observations.append(Observation(view, seen=found.seen_with_projector))
         missed += [Rejection(camera, view, f"{error.message} {error.hint}".rstrip(".")) for camera, error in found.refused.items()]
-        read += found.readings.values()
-    _require_different(sightings)
-    known = request.cameras
-    if known is not None:
-        sizes = {name: (known.cameras[name].pinhole.width_px, known.cameras[name].pinhole.height_px) for name in known.names}
-    problem = CameraArrayProblem(
-        board=request.board,
-        reference=next(iter(sizes)),
-        sizes_px=sizes,
-        sightings=tuple(sightings),
-        rejected=tuple(missed),
-        distortion_count=request.distortion_count,
-        known=known,
+        missed += [] if found.best is not None else [one for one in found.readings.values() if isinstance(one, Rejection)][:1]
+    _require_different([marks.of(camera, one.id) for one in observations for camera, marks in one.seen.items()])
+    names = request.cameras.names if request.cameras is not None else tuple(sizes)
+    problem = head_problem(
+        observations, CameraArrayDraft(request.board, names[0], sizes, request.distortion_count), request.cameras, tuple(missed)
     )
+    read = [one.seen[PROJECTOR].of(PROJECTOR, one.id) for one in observations if PROJECTOR in one.seen]
     return solve_head(problem, read, size_px, PartOf(progress, 0.9, 1.0))
 
 

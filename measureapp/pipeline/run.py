@@ -10,6 +10,7 @@ from typing import Any
 
 from measureapp.acquire.capture import capture_board
 from measureapp.acquire.events import CalibrationReady, Event
+from measureapp.calibrate.rig.joint_solution import RigSolution
 from measureapp.calibrate.rig.stitch_uncertainty import uncertainty_of
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
@@ -20,7 +21,7 @@ from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, InputError
 from measureapp.fringe.patterns.draw import check_determines_phase
 from measureapp.pipeline.assemble import assemble
-from measureapp.pipeline.calibrate import CalibratedRig, calibrate_from_views
+from measureapp.pipeline.calibrate import calibrate_from_views
 from measureapp.pipeline.documents import outcome_document, write_reports
 from measureapp.pipeline.measure import check_space, clouds_from_disk, scan
 from measureapp.pipeline.validity import check_before_scan, check_stored_images
@@ -57,7 +58,7 @@ class ScanRequest:
     bracket_s: float | None = None  # time for the images of a viewpoint, in which a probe chooses the exposures; None: as planned
 
 
-def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> CalibratedRig:
+def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigSolution:
     """Take images of the board from all sides, keep them, and solve the whole rig from them."""
     viewpoints = calibration_viewpoints(rig.description, project.plan())
     stored = {view.viewpoint_id for view in project.board_views()}
@@ -70,12 +71,12 @@ def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress:
     return solve_calibration(project, on_event, PartOf(progress, 0.6, 1.0), watch)
 
 
-def solve_calibration(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> CalibratedRig:
+def solve_calibration(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigSolution:
     """Calibrate the rig from the stored images of the board; raises CalibrationError when they do not suffice."""
     with watch.stage("calibration"):
         calibrated = calibrate_from_views(project.board_views(), project.settings.board, project.rig(), progress)
-        project.save_calibration(calibrated.rig.calibration, uncertainty_of(calibrated.rig))
-    on_event(CalibrationReady(calibrated.rig.calibration))
+        project.save_calibration(calibrated.calibration, uncertainty_of(calibrated))
+    on_event(CalibrationReady(calibrated.calibration))
     return calibrated
 
 
@@ -158,7 +159,7 @@ def process(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Me
 
 def _calibration_of(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigCalibration:
     if project.board_views():
-        return solve_calibration(project, on_event, progress, watch).rig.calibration
+        return solve_calibration(project, on_event, progress, watch).calibration
     calibration = project.calibration()
     if calibration is None:
         raise CalibrationError(f"{project.path} has neither a calibration nor images of the board.", "Calibrate the rig first.")

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import get_args
 
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.data.plan import FlangePose, ScanPlan, Viewpoint
+from measureapp.data.plan import FlangePose, Motion, ScanPlan, Viewpoint
 from measureapp.data.rig import RigDescription
 from measureapp.geometry.transform import RigidTransform, rotation_about
 from measureapp.planning.reach import obstacles
 from measureapp.planning.viewpoints import Gaze, viewpoint_looking_at
 
+ALL_MOTIONS: tuple[Motion, ...] = get_args(Motion)
 BOARD_ABOVE_TABLE_MM = 90.0  # centre of a board on its stand, tilted 45° towards the robot
 BOARD_ELEVATION_DEG = 45.0
 LIGHT_DEG, STRONG_DEG = 24.0, 42.0  # with 42° the board still leans by 20° before a camera that looks askance by as much
@@ -32,18 +35,39 @@ CHECK_ANGLES_DEG = (-12.0, 0.0, 12.0, 0.0)
 CHECK_SLIDES_MM = (-30.0, -10.0, 10.0, 30.0)  # beside where the slide follows the head; the arm reaches back
 
 
-def calibration_viewpoints(rig: RigDescription, plan: ScanPlan | None = None) -> tuple[Viewpoint, ...]:
-    """Return the viewpoints of an automatic rig calibration: `pose…` for cameras and hand-eye, `axis…`, the `PASSES`, `station…`.
+def calibration_viewpoints(
+    rig: RigDescription, plan: ScanPlan | None = None, motions: Sequence[Motion] = ALL_MOTIONS, *, guide_at_zero: bool = False
+) -> tuple[Viewpoint, ...]:
+    """Return the viewpoints of a calibration: `pose…` for cameras and hand-eye, `axis…`, `guide…` and further passes along it, `station…`.
 
     The poses bring the board into the corners of the images, for distortion is known only where there were marks, and let it lean to
     all four sides. Turning it in the image meanwhile also gives hand-eye what Tsai and Lenz ask for (IEEE Trans. Robotics and
-    Automation 5(3), 1989): large rotations about axes that are not parallel. From the stations of ``plan`` the board is seen at several table angles:
-    a part seems swollen by twice the robot's error towards the table unless that error is known where the scan is made.
-    Places the rig cannot reach are left out.
+    Automation 5(3), 1989): large rotations about axes that are not parallel. From the stations of ``plan`` the board is viewed at several
+    table angles: a part appears enlarged by twice the robot's error towards the table unless that error is known where the scan is made.
+    Viewpoints that the rig cannot reach are omitted.
+
+    Parameters
+    ----------
+    motions : which of these groups
+    guide_at_zero : reach the same views with the guide at 0, as far as possible: the robot's base then stays where it is
     """
     centre = _board_middle_mm(rig)
-    candidates = (*_poses(rig, centre), *_axis(rig, centre), *_guide(rig, centre), *_stations(plan))
-    return tuple(viewpoint for viewpoint in candidates if not obstacles(viewpoint, rig))
+    groups: dict[Motion, Callable[[], list[Viewpoint]]] = {
+        "robot": lambda: _poses(rig, centre),
+        "table": lambda: _axis(rig, centre),
+        "guide": lambda: _passes(rig, centre, ("guide",)),
+        "passes": lambda: _passes(rig, centre, ("below", "above")),
+        "stations": lambda: _stations(plan),
+    }
+    candidates = (viewpoint for motion in groups if motion in motions for viewpoint in groups[motion]())
+    chosen = (_with_guide_at_zero(one) for one in candidates if not obstacles(one, rig)) if guide_at_zero else candidates
+    return tuple(viewpoint for viewpoint in chosen if not obstacles(viewpoint, rig))
+
+
+def _with_guide_at_zero(viewpoint: Viewpoint) -> Viewpoint:
+    slid = RigidTransform.from_parts(np.eye(3), np.array([0.0, viewpoint.guide_mm, 0.0]), "base", "base")
+    flange = FlangePose.of(slid @ viewpoint.flange.transform())
+    return viewpoint.model_copy(update={"flange": flange, "guide_mm": 0.0})
 
 
 def check_viewpoints(rig: RigDescription) -> tuple[Viewpoint, ...]:
@@ -124,14 +148,15 @@ def _axis(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
     ]
 
 
-def _guide(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
+def _passes(rig: RigDescription, centre: FloatArray, names: Sequence[str]) -> list[Viewpoint]:
     """A few poses of the robot, each slid along the guide as far as one camera at least still sees the board.
 
     Only a robot that stands still carries none of its error into the guide's direction and scale. A longer travel tells them better, but ends
     with the image; so the board passes several times, higher and lower in the image and turned to either side, which shows the cameras too.
     """
     views = []
-    for name, (tilt_deg, lean_deg, side, beyond_mm) in PASSES.items():
+    for name in names:
+        tilt_deg, lean_deg, side, beyond_mm = PASSES[name]
         still = _viewpoint(rig, name, centre, _Look(tilt_deg, lean_deg, 0.0, rig.standoff_mm + beyond_mm, (0, side)))
         places = [round(still.guide_mm + slide_mm, 1) for slide_mm in SLIDES_MM]
         views += [still.model_copy(update={"id": f"{name}{number:02d}", "guide_mm": at}) for number, at in enumerate(places, start=1)]

@@ -7,16 +7,16 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
+from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.boards.pose import board_pose
 from measureapp.calibrate.poses import moved
-from measureapp.calibrate.rig.joint import RigObservation
 from measureapp.calibrate.sightings import Sighting
 from measureapp.data.board import CheckerboardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, LinearGuide, RotationAxis
 from measureapp.data.fringe import AxisReadback
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, orthonormalised, rotation_about
-from tests.calibrate.shown_board import Shown
+from tests.calibration_session.shown_board import Shown
 
 WIDTH, HEIGHT, FOCAL = 1296, 972, 2045.0
 TOE_RAD = np.deg2rad(35.2)
@@ -144,7 +144,7 @@ def readbacks_of(rig: TrueRig) -> dict[str, AxisReadback]:
     return result | {f"guide{k}": AxisReadback(still, float(slide), 0.0) for k, slide in enumerate(range(-75, 76, 25))}
 
 
-def observations_of(rig: TrueRig, generator, robot_errors=True) -> list[RigObservation]:
+def observations_of(rig: TrueRig, generator, robot_errors=True) -> list[Observation]:
     """Return sightings with corner noise and one error per robot pose."""
     errors = {}
     result = []
@@ -153,7 +153,7 @@ def observations_of(rig: TrueRig, generator, robot_errors=True) -> list[RigObser
         sigma = np.array([ROBOT_SIGMA_RAD] * 3 + [ROBOT_SIGMA_MM] * 3) * robot_errors
         error = errors.setdefault(key, generator.normal(size=6) * sigma)
         corners = seen_corners(rig.head, rig.board, rig.camera_from_board(readback, error), CORNER_SIGMA_PX, generator)
-        result.append(RigObservation(name, readback, board_pose(corners, rig.head, rig.board, CORNER_SIGMA_PX)))
+        result.append(Observation(name, readback, board_pose(corners, rig.head, rig.board, CORNER_SIGMA_PX)))
     return result
 
 

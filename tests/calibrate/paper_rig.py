@@ -7,19 +7,19 @@ from typing import Any
 
 import numpy as np
 
+from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.boards.pose import board_pose, stated_pose, triangulated
 from measureapp.calibrate.cameras.prior import POSE_NAMES, cameras_moved, derivatives, pose_by_cameras
 from measureapp.calibrate.motions.axis_motion import rigid_motion
-from measureapp.calibrate.motions.axis_noise import AxisNoise
+from measureapp.calibrate.motions.axis_noise import AxisNoise, expected_noise
 from measureapp.calibrate.poses import change_between
-from measureapp.calibrate.rig.joint import RigObservation, approaches_to, solve_rig
+from measureapp.calibrate.rig.joint import approaches_to, solve_rig
 from measureapp.calibrate.rig.joint_solution import RigSolution
 from measureapp.data.board import CheckerboardDescription
 from measureapp.data.calibration import CameraArrayCalibration, LabelledCovariance
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.plan import Viewpoint
 from measureapp.geometry.transform import RigidTransform
-from measureapp.pipeline.calibrate import expected_noise
 from measureapp.planning.calibration_views import calibration_viewpoints
 from measureapp.planning.viewpoints import plan_around_part
 from measureapp.project.rig_file import read_rig
@@ -115,7 +115,7 @@ class Run:
     cell: Cell
     solution: RigSolution
     prior: LabelledCovariance
-    observations: list[RigObservation]
+    observations: list[Observation]
     cameras: CameraArrayCalibration  # as they were calibrated before
 
 
@@ -145,7 +145,7 @@ def calibrated(
         if corners:
             seen = board_pose(corners, cameras, BOARD, corner_sigma_px)
             by_cameras = pose_by_cameras(seen, dict.fromkeys(corners), cameras, BOARD, prior.parameters)
-            observations.append(RigObservation(name, read, seen, by_cameras, approach))
+            observations.append(Observation(name, read, seen, by_cameras, approach))
     solution = solve_rig(observations, cameras, noise=noise, camera_prior=prior if camera_prior_used else None, **options)
     return Run(cell, solution, prior, observations, cameras)
 

@@ -60,4 +60,4 @@ def test_angles_for_another_number_of_images_are_refused(capsys, table, tmp_path
     (tmp_path / "angles.csv").write_text("position,angle_deg\n0,0\n1,20\n", encoding="utf-8")
     code, answer = run(capsys, table, "--angles", str(tmp_path / "angles.csv"))
     assert code == 2
-    assert "2 table angles for 5 positions" in answer["error"]["message"]
+    assert "5 images per camera do not belong to 2 read-backs" in answer["error"]["message"]

@@ -82,7 +82,7 @@ def test_words_for_people_name_every_observation(capsys, images, tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("lens", "--session", "s"), "no kind of calibration"),
+        (("lens", "--session", "s"), "not a kind of calibration"),
         (("cameras", "--session", "s"), "A new session needs images"),
         (("axis", "--session", "s", "--images", "left={images}/view*.png", *BOARD), "calibrated cameras are needed"),
         (("cameras", "--session", "s", "--images", "left={images}/view*.png", *BOARD, "--reference", "right"), "--reference 'right'"),

@@ -9,7 +9,6 @@ import pytest
 from measureapp.simulate.world import PAPER_BOARD
 from tests.ui.wizard_steps import PATIENCE_MS, read_folder, settle
 from ui.controllers.rig_connection import truth_of
-from ui.wizards.kinds import PROJECTOR
 from ui.wizards.wizard import COLLECT, RESULT, SETUP
 
 VIEWS = 4
@@ -20,17 +19,17 @@ def wizard(calibration_page, application, rig):
     """The wizard beside cameras that were calibrated at quarter resolution, without an error for once."""
     seen = truth_of(rig.at_resolution("quarter"), PAPER_BOARD)
     application.session.set_cameras(replace(seen.cameras, projector=None))
-    calibration_page.open_wizard(PROJECTOR)
-    opened = calibration_page.wizards[PROJECTOR.kind]
+    calibration_page.open_wizard("projector")
+    opened = calibration_page.wizards["projector"]
     opened.setup.board.setValue(PAPER_BOARD)
     yield opened
     opened.close()
 
 
 def test_the_projector_is_offered_as_soon_as_the_cameras_are_calibrated(calibration_page, application, calibration):
-    assert not calibration_page.offers[PROJECTOR.kind].isEnabled()
+    assert not calibration_page.offers["projector"].isEnabled()
     application.session.set_cameras(calibration.cameras)
-    assert calibration_page.offers[PROJECTOR.kind].isEnabled()
+    assert calibration_page.offers["projector"].isEnabled()
 
 
 def test_the_virtual_rig_projects_takes_and_finds_its_projector_and_shows_the_truth_again_after_closing(qtbot, wizard, application):
@@ -70,8 +69,8 @@ def check_result(wizard):
     result = wizard.calibrating.result
     assert result.has_truth
     assert "mm (k = 2)" in result.verdict
-    assert {row.quantity.group for row in result.rows} == {"Projector"}
-    assert all(abs(row.quantity.value - row.true) < 6 * row.quantity.sigma for row in result.rows)
+    assert {row.estimate.group for row in result.rows} == {"Projector"}
+    assert all(abs(row.estimate.value - row.true) < 6 * row.estimate.sigma for row in result.rows)
     assert wizard.result.truth_note.isVisible()
 
 

@@ -7,11 +7,10 @@ import numpy as np
 import pytest
 
 from measureapp.acquire.capture import capture_board
+from measureapp.planning.calibration_views import calibration_viewpoints
 from measureapp.project.rig_file import read_rig
 from tests.ui.board_pictures import BOARD, record
-from ui.controllers.collecting_work import viewpoints_of
 from ui.controllers.rig_connection import connect, truth_of
-from ui.wizards.kinds import HAND_EYE, RIG
 from ui.wizards.wizard import COLLECT, SETUP
 
 PATIENCE_MS = 120_000
@@ -28,7 +27,7 @@ def filmed(tmp_path_factory):
     connection = connect(rig, PAPER_BOARD)
     connection.rig.place_on_table("board")
     lines = ["name,x_mm,y_mm,z_mm,qw,qx,qy,qz"]
-    for number, viewpoint in enumerate(viewpoints_of("hand-eye", rig, None)[:POSES], start=1):
+    for number, viewpoint in enumerate(calibration_viewpoints(rig, motions=("robot",), guide_at_zero=True)[:POSES], start=1):
         view = capture_board(connection.rig, viewpoint)
         for camera, pixels in view.images.items():
             cv2.imwrite(str(folder / f"{camera}{number:02d}.png"), pixels)
@@ -49,7 +48,7 @@ def opened(application, window, rig):
         application.session.set_calibration(calibration)
         page = window.pages["calibration"]
         page.open_wizard(kind)
-        wizards.append(page.wizards[kind.kind])
+        wizards.append(page.wizards[kind])
         wizards[-1].setup.source.setValue("images")
         return wizards[-1]
 
@@ -60,7 +59,7 @@ def opened(application, window, rig):
 
 def test_hand_eye_is_found_from_a_folder_of_images_and_a_table_of_robot_poses(qtbot, opened, filmed):
     folder, truth = filmed
-    wizard = opened(HAND_EYE, truth)
+    wizard = opened("hand-eye", truth)
     wizard.setup.folder.setValue(folder)
     wizard.setup.tables["base_from_flange"].setValue(folder / "poses.csv")
     wizard.footer.primary.click()
@@ -82,7 +81,7 @@ def test_hand_eye_is_found_from_a_folder_of_images_and_a_table_of_robot_poses(qt
     ],
 )
 def test_a_table_that_is_missing_or_rubbish_is_said_and_nothing_begins(opened, calibration, tmp_path, table, said):
-    wizard = opened(HAND_EYE, calibration)
+    wizard = opened("hand-eye", calibration)
     wizard.setup.board.setValue(BOARD)
     wizard.setup.folder.setValue(record(tmp_path / "images", 3))
     if table is not None:
@@ -97,7 +96,7 @@ def test_a_table_that_is_missing_or_rubbish_is_said_and_nothing_begins(opened, c
 
 
 def test_the_whole_rig_asks_for_every_axis(opened, calibration, tmp_path):
-    wizard = opened(RIG, calibration)
+    wizard = opened("rig", calibration)
     wizard.setup.board.setValue(BOARD)
     wizard.setup.folder.setValue(record(tmp_path / "images", 3))
     wizard.footer.primary.click()

@@ -1,4 +1,4 @@
-"""The values of a result stand beside the true and the earlier ones, matched by what they mean."""
+"""The values of a result stand beside the true and the previous ones, matched by name."""
 
 from __future__ import annotations
 
@@ -6,24 +6,27 @@ from dataclasses import replace
 
 import pytest
 
-from ui.controllers.result_values import axis_quantities, rig_quantities, rows_beside
+from measureapp.calibrate.draft.draft import Known
+from measureapp.calibrate.kinds.axis import axis_at_height
+from measureapp.calibrate.kinds.table import KINDS
+from ui.controllers.value_rows import rows_beside
 
 
 def test_the_same_axis_through_another_of_its_points_has_the_same_values(calibration):
     axis = calibration.axis
     same = replace(axis, point_mm=axis.point_mm + 123.0 * axis.direction)
-    first, second = (axis_quantities(one, 40.0) for one in (axis, same))
-    assert [one.name for one in first] == ["Direction x", "Direction y", "Direction z", "Position x", "Position y"]
+    first, second = (axis_at_height(one, 40.0) for one in (axis, same))
+    assert [one.label for one in first] == ["Direction x", "Direction y", "Direction z", "Position x", "Position y"]
     assert [one.value for one in first] == pytest.approx([one.value for one in second], abs=1e-9)
 
 
 def test_every_value_of_a_rig_finds_its_partner(calibration):
-    found = rig_quantities(calibration, 0.0)
-    moved = rig_quantities(replace(calibration, guide=replace(calibration.guide, scale=1.5)), 0.0)
-    rows = rows_beside(found, (), moved)
-    assert {row.quantity.group for row in rows} == {"Hand–eye", "Linear guide", "Table axis", "Camera left", "Camera right", "Camera upper"}
+    now = Known(calibration.cameras, calibration)
+    moved = Known(calibration.cameras, replace(calibration, guide=replace(calibration.guide, scale=1.5)))
+    rows = rows_beside(KINDS["rig"].shown(now, now), (), KINDS["rig"].shown(moved, now))
+    assert {row.estimate.group for row in rows} == {"Hand–eye", "Linear guide", "Table axis", "Camera left", "Camera right", "Camera upper"}
     assert all(row.true is None and row.previous is not None for row in rows)
-    changed = [row.quantity.name for row in rows if row.previous != pytest.approx(row.quantity.value)]
+    changed = [row.estimate.label for row in rows if row.previous != pytest.approx(row.estimate.value)]
     assert changed == ["Scale"]
-    focal = next(row.quantity for row in rows if row.quantity.name == "Focal length x")
+    focal = next(row.estimate for row in rows if row.estimate.label == "Focal length x")
     assert (focal.unit, focal.sigma) == ("px", 0.21)

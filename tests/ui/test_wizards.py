@@ -19,7 +19,6 @@ from tests.ui.board_pictures import BOARD, FOCAL, HEIGHT, WIDTH, record
 from tests.ui.wizard_steps import PATIENCE_MS, read_folder, settle
 from ui.controllers.rig_connection import truth_of
 from ui.look.demo_settings import DemoSettings
-from ui.wizards.kinds import AXIS, CAMERAS, HAND_EYE, KINDS
 from ui.wizards.wizard import COLLECT, RESULT, SETUP
 
 
@@ -30,8 +29,8 @@ def recorded(tmp_path_factory):
 
 @pytest.fixture
 def wizard(calibration_page):
-    calibration_page.open_wizard(CAMERAS)
-    opened = calibration_page.wizards[CAMERAS.kind]
+    calibration_page.open_wizard("cameras")
+    opened = calibration_page.wizards["cameras"]
     opened.setup.board.setValue(BOARD)
     yield opened
     opened.close()
@@ -58,7 +57,7 @@ def test_a_folder_of_images_becomes_an_accepted_calibration(qtbot, wizard, recor
     qtbot.waitUntil(lambda: not wizard.calibrating.is_checking, timeout=PATIENCE_MS)
     assert "views held back fit with" in wizard.result.held_back.text()
     assert wizard.result.stop_check.isHidden()
-    folder = wizard.collecting.collection.folder
+    folder = wizard.collecting.collected.folder
     wizard._accept()
     assert not wizard.isVisible()
     assert application.session.cameras.names == ("left", "right")
@@ -95,7 +94,7 @@ def test_delete_removes_a_view_and_ctrl_z_brings_it_back(qtbot, wizard, recorded
     settle(qtbot, wizard)
     assert wizard.collect.chosen.removed
     assert "8 views, 1 left out" in wizard.collect.count.text()
-    assert wizard.collecting.collection.solved.of == ("01", "02", "03", "05", "06", "07", "08")
+    assert wizard.collecting.collected.solved.of == ("01", "02", "03", "05", "06", "07", "08")
     QTest.keyClick(wizard, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     settle(qtbot, wizard)
     assert [view.verdict for view in wizard.collecting.views] == ["pass"] * 8
@@ -107,7 +106,7 @@ def test_closing_loses_nothing_and_the_work_goes_on(qtbot, calibration_page, wiz
     wizard.collect.remove_chosen()
     wizard.close()
     assert wizard.collecting.views == ()
-    calibration_page.open_wizard(CAMERAS)
+    calibration_page.open_wizard("cameras")
     assert wizard.step == SETUP
     assert wizard.setup.kept.isVisible()
     wizard.setup.resumeClicked.emit()
@@ -120,9 +119,9 @@ def test_closing_loses_nothing_and_the_work_goes_on(qtbot, calibration_page, wiz
 
 def test_views_that_another_window_works_on_are_not_taken_over(qtbot, calibration_page, wizard, recorded):
     read_folder(qtbot, wizard, recorded)
-    folder = wizard.collecting.collection.folder
+    folder = wizard.collecting.collected.folder
     wizard.close()
-    calibration_page.open_wizard(CAMERAS)
+    calibration_page.open_wizard("cameras")
     with claimed(folder):
         wizard.setup.resumeClicked.emit()
         qtbot.waitUntil(lambda: "another window" in wizard.footer.message.words.text(), timeout=PATIENCE_MS)
@@ -226,8 +225,8 @@ def test_the_virtual_rig_takes_views_and_shows_its_truth_beside_the_result(qtbot
     settle(qtbot, wizard)
     result = wizard.calibrating.result
     assert result.has_truth
-    focal = next(row for row in result.rows if row.quantity.name == "Focal length x")
-    assert abs(focal.quantity.value - focal.true) < 6 * focal.quantity.sigma
+    focal = next(row for row in result.rows if row.estimate.label == "Focal length x")
+    assert abs(focal.estimate.value - focal.true) < 6 * focal.estimate.sigma
     assert wizard.result.truth_note.isVisible()
     assert wizard.footer.words[0] == "Collect more"  # five views are not enough, and it says so
     taken = {view.name for view in wizard.collecting.views}
@@ -241,15 +240,15 @@ def test_the_virtual_rig_takes_views_and_shows_its_truth_beside_the_result(qtbot
 
 
 def test_one_link_of_a_rig_is_offered_only_when_the_rig_is_calibrated(calibration_page, application, calibration):
-    assert not calibration_page.offers[HAND_EYE.kind].isEnabled()
+    assert not calibration_page.offers["hand-eye"].isEnabled()
     application.session.set_calibration(calibration)
-    assert all(calibration_page.offers[kind.kind].isEnabled() for kind in KINDS)
+    assert all(action.isEnabled() for action in calibration_page.offers.values())
 
 
 def test_one_link_is_taken_at_the_resolution_of_the_calibrated_cameras(calibration_page, application, calibration):
     application.session.set_calibration(calibration)  # of 1296 px; the rig has 2592
-    calibration_page.open_wizard(HAND_EYE)
-    wizard = calibration_page.wizards[HAND_EYE.kind]
+    calibration_page.open_wizard("hand-eye")
+    wizard = calibration_page.wizards["hand-eye"]
     assert wizard.setup.resolution.value() == "half"
     application.controllers.demo.choose(DemoSettings(resolution="full"))
     wizard.close()
@@ -261,8 +260,8 @@ def test_one_link_is_taken_at_the_resolution_of_the_calibrated_cameras(calibrati
 def test_an_axis_taken_with_the_rig_is_compared_with_the_one_before(qtbot, calibration_page, application, rig):
     known = truth_of(rig.at_resolution("quarter"), PAPER_BOARD)
     application.session.set_calibration(known)
-    calibration_page.open_wizard(AXIS)
-    wizard = calibration_page.wizards[AXIS.kind]
+    calibration_page.open_wizard("axis")
+    wizard = calibration_page.wizards["axis"]
     wizard.setup.board.setValue(PAPER_BOARD)
     wizard.footer.primary.click()
     wizard.collecting.take(4)
@@ -270,7 +269,7 @@ def test_an_axis_taken_with_the_rig_is_compared_with_the_one_before(qtbot, calib
     wizard._conclude()
     settle(qtbot, wizard)
     assert "between views half a turn apart, by" in wizard.result.comparison.text()
-    folder = wizard.collecting.collection.folder
+    folder = wizard.collecting.collected.folder
     wizard._accept()
     stored = json.loads((folder / "result" / "axis.json").read_text())
     assert stored["provenance"]["temperature_c"] == pytest.approx(35.0, abs=0.5)
@@ -279,7 +278,7 @@ def test_an_axis_taken_with_the_rig_is_compared_with_the_one_before(qtbot, calib
 
 def test_a_wizard_does_not_open_while_the_rig_is_busy(calibration_page, application):
     application.session.set_busy("Demo: gypsum")
-    calibration_page.open_wizard(CAMERAS)
+    calibration_page.open_wizard("cameras")
     assert calibration_page.wizards == {}
     assert "still running" in application.session.messages[-1].text
     application.session.set_busy("")

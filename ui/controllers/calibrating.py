@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from measureapp.errors import MeasureError
 from ui.controllers import result as results
 from ui.controllers.collecting import CollectingController
-from ui.controllers.collecting_nouns import Kind, RigSetup
+from ui.controllers.collecting_nouns import RigSetup
 from ui.controllers.demo import DemoController
 from ui.controllers.jobs import JobRunner
 from ui.controllers.kept_sessions import project_on_disk
@@ -17,6 +17,7 @@ from ui.controllers.rig_connection import VIRTUAL
 from ui.session import Session
 
 if TYPE_CHECKING:
+    from measureapp.calibrate.draft.draft import Kind, Known
     from measureapp.data.rig import RigDescription
     from ui.look.demo_settings import Resolution
     from ui.workers.job import Job
@@ -48,10 +49,13 @@ class CalibratingController(QObject):
     @property
     def has_previous(self) -> bool:
         """Whether there is a calibration that would be replaced."""
-        cameras = self._session.cameras
-        if self.kind == "projector":
-            return cameras is not None and cameras.projector is not None
-        return cameras is not None if self.kind == "cameras" else self._session.calibration is not None
+        return self.kind.previous(self._known) is not None
+
+    @property
+    def _known(self) -> Known:
+        from measureapp.calibrate.draft.draft import Known
+
+        return Known(self._session.cameras, self._session.calibration)
 
     def rig_setup(self) -> RigSetup | None:
         """Return which rig can take the images; None while it is not loaded."""
@@ -69,7 +73,7 @@ class CalibratingController(QObject):
         from measureapp.data.rig import BINNING
 
         known = self._session.cameras
-        if known is None or self.kind in ("cameras", "rig"):
+        if known is None or not self.kind.needs:
             return None
         width = known.cameras[known.reference].pinhole.width_px
         own = next((camera for camera in rig.cameras if camera.name == known.reference), None)
@@ -87,15 +91,17 @@ class CalibratingController(QObject):
 
     def conclude(self) -> None:
         """Solve what was collected from nothing and judge it."""
-        collection = self.collecting.collection
-        if collection is None or self._job is not None:
+        from measureapp.calibrate.draft.draft import Known
+
+        collected, truth = self.collecting.collected, self.collecting.truth
+        if collected is None or self._job is not None:
             return
         self.forget_result()
-        snapshot = collection.snapshot()
-        before = results.Before(self._session.cameras, self._session.calibration, self.collecting.truth)
+        snapshot, known = collected.snapshot(), self._known
+        true = Known() if truth is None else Known(truth.cameras, truth)
         self._job = self._solving.run(
             "Judging the result",
-            lambda job: results.concluded(job, snapshot, before),
+            lambda job: results.conclude(job, snapshot, known, true),
             self._keep,
             on_stopped=self._stopped,
             on_failed=self._tell_failure,
@@ -110,7 +116,7 @@ class CalibratingController(QObject):
         if found.snapshot.setup.lenses:
             self._check = self._solving.run(
                 "Checking with views held back",
-                lambda job: results.checked(job, found),
+                lambda job: results.cross_validate(job, found),
                 self._keep_checked,
                 on_stopped=self._check_stopped,
                 quiet=True,
@@ -154,7 +160,7 @@ class CalibratingController(QObject):
         if self.result is None:
             return False
         try:
-            words = results.accepted(self.result, self._session)
+            words = results.accept(self.result, self._session)
         except MeasureError as error:
             self.collecting.told.emit(error.message, error.hint, "error")
             return False

@@ -1,4 +1,4 @@
-"""The images of a collection as the pages show them: the newest of each camera, small ones of all, and some in full."""
+"""The images of a session as the pages show them: the newest of each camera, small ones of all, and some in full."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ui.controllers.collecting_nouns import LiveImage
 from ui.workers.mailbox import Mailboxes
 
 if TYPE_CHECKING:
-    from measureapp.pipeline.collecting.collection import Collection
+    from measureapp.calibration_session.session import CalibrationSession
     from ui.controllers.collecting_work import Added
 
 IMAGES_KEPT = 9  # in memory, of those looked at last
@@ -51,10 +51,10 @@ class CollectedImages:
         """Nothing is being looked at any more."""
         self._newest.clear()
 
-    def full(self, collection: Collection, id_: str, camera: str) -> np.ndarray | None:
+    def full(self, session: CalibrationSession, id_: str, camera: str) -> np.ndarray | None:
         """Return the image of one camera in a view, or None where it has none. Raises InputError where it cannot be read."""
         if (id_, camera) not in self._full:
-            stored = collection.observation(id_).images.get(camera)
+            stored = session.observation(id_).images.get(camera)
             if stored is None:
                 return None
             self._remember(id_, camera, stored.pixels())

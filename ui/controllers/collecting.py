@@ -1,10 +1,10 @@
-"""Collecting views of the board for one calibration: taking or reading them, taking them back, solving meanwhile."""
+"""Collecting views of the board for one calibration: taking or reading, removing and undoing, with a solution that keeps up."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from contextlib import ExitStack
 from pathlib import Path
-from queue import SimpleQueue
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,22 +13,25 @@ from PySide6.QtGui import QImage
 
 from measureapp.errors import MeasureError
 from ui.controllers import collecting_work as work
-from ui.controllers.beginning import begun_with_images, begun_with_rig
+from ui.controllers.beginning import begin_with_images, begin_with_rig
 from ui.controllers.collected_images import CollectedImages
-from ui.controllers.collecting_nouns import Kept, Kind, LiveImage, SeenView, Start
+from ui.controllers.collecting_nouns import Kept, LiveImage, SeenView, Start
 from ui.controllers.jobs import JobRunner
 from ui.controllers.kept_sessions import newest_kept, project_on_disk, sessions_folder
 from ui.controllers.rig_connection import RigConnection, truth_of
 from ui.controllers.seen_views import seen_view
+from ui.controllers.solving_meanwhile import SolvingMeanwhile
 from ui.session import Session
 from ui.workers.job import Job
 
 if TYPE_CHECKING:
+    from measureapp.calibrate.draft.draft import Kind
+    from measureapp.calibration_session.observation import CollectedObservation
+    from measureapp.calibration_session.session import CalibrationSession
+    from measureapp.calibration_session.snapshot import Snapshot
     from measureapp.data.calibration import RigCalibration
     from measureapp.data.plan import Viewpoint
     from measureapp.data.rig import RigDescription
-    from measureapp.pipeline.collecting.collection import Collection
-    from measureapp.pipeline.collecting.observation import Observation
 
 
 class CollectingController(QObject):
@@ -42,19 +45,19 @@ class CollectingController(QObject):
     def __init__(self, kind: Kind, session: Session, collecting: JobRunner, solving: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.kind = kind
-        self._session, self._collecting, self._solving = session, collecting, solving
+        self._session, self._collecting = session, collecting
+        self._solver = SolvingMeanwhile(solving, self)
+        self._solver.solved.connect(self._show_thought)
         self._job: Job | None = None  # that takes or reads images
-        self._thinker: Job | None = None
-        self._stale = False  # something changed since the solver began
         self._more = 0  # views beyond those planned that are still to be taken
         self._held = ExitStack()  # the session's folder, while it is open
         self._forget()
 
     def _forget(self) -> None:
         self._held.close()
-        self._changes: work.Changes = SimpleQueue()
-        self.collection: Collection | None = None
-        self.thought: work.Thought | None = None
+        self._solver.stop()
+        self.collected: CalibrationSession | None = None
+        self.now: Snapshot | None = None  # of it, as the pages show it
         self._rig: RigDescription | None = None
         self._connection: RigConnection | None = None
         self._images = CollectedImages()
@@ -65,7 +68,7 @@ class CollectingController(QObject):
     @property
     def cameras(self) -> tuple[str, ...]:
         """Who sees the board: the cameras that are being collected from, and the projector before them where it is calibrated."""
-        return () if self.collection is None else self.collection.setup.seeing
+        return () if self.collected is None else self.collected.setup.seeing
 
     @property
     def from_rig(self) -> bool:
@@ -80,7 +83,12 @@ class CollectingController(QObject):
     @property
     def is_thinking(self) -> bool:
         """Whether a solution is being computed."""
-        return self._thinker is not None
+        return self._solver.is_running
+
+    @property
+    def thought(self) -> work.Thought | None:
+        """The last solution with verdict and guidance; None before the first."""
+        return self._solver.thought
 
     @property
     def is_solved(self) -> bool:
@@ -89,7 +97,7 @@ class CollectingController(QObject):
 
     @property
     def has_enough(self) -> bool:
-        """Whether the coach asks for nothing more."""
+        """Whether guidance asks for nothing more."""
         return self.is_solved and self.thought is not None and self.thought.advice.enough
 
     @property
@@ -99,20 +107,20 @@ class CollectingController(QObject):
 
     @property
     def can_undo(self) -> bool:
-        """Whether there is a change to take back."""
-        return self.collection is not None and self.collection.can_undo
+        """Whether there is a change to undo."""
+        return self.now is not None and self.now.can_undo
 
     @property
     def can_redo(self) -> bool:
-        """Whether a change was taken back."""
-        return self.collection is not None and self.collection.can_redo
+        """Whether a change was undone that can be redone."""
+        return self.now is not None and self.now.can_redo
 
     @property
     def truth(self) -> RigCalibration | None:
         """What the virtual rig really is; for showing beside a result, never for finding one."""
-        if self.collection is None or self._rig is None:
+        if self.collected is None or self._rig is None:
             return None
-        return truth_of(self._rig, self.collection.setup.board)
+        return truth_of(self._rig, self.collected.setup.board)
 
     @property
     def rig(self) -> RigDescription | None:
@@ -134,58 +142,58 @@ class CollectingController(QObject):
 
     def image(self, id_: str, camera: str) -> np.ndarray | None:
         """Return the image of one camera in a view, or None where it has none (or it cannot be read)."""
-        if self.collection is None:
+        if self.collected is None:
             return None
         try:
-            return self._images.full(self.collection, id_, camera)
+            return self._images.full(self.collected, id_, camera)
         except MeasureError as error:
             self.told.emit(error.message, error.hint, "error")
             return None
 
     def size_px(self, camera: str) -> tuple[int, int] | None:
         """Return width and height of a camera's images."""
-        return None if self.collection is None else self.collection.size_px(camera)
+        return None if self.now is None else self.now.size_px(camera)
 
     # beginning
 
     def kept(self) -> Kept | None:
         """Return the newest session of this kind that holds views."""
-        return newest_kept(sessions_folder(project_on_disk(self._session)), self.kind)
+        return newest_kept(sessions_folder(project_on_disk(self._session)), self.kind.name)
 
     def begin(self, start: Start) -> None:
         """Begin anew; recorded images are read at once."""
         try:
             if start.folder is None:
-                self._take_over(*begun_with_rig(self.kind, start, self._session), {})
+                self._take_over(*begin_with_rig(self.kind, start, self._session), {})
             else:
                 self._begin_with_images(start, start.folder)
         except MeasureError as error:
             self.told.emit(error.message, error.hint, "error")
 
     def _begin_with_images(self, start: Start, folder: Path) -> None:
-        collection, recorded = begun_with_images(self.kind, start, folder, self._session)
-        self._take_over(collection, None, {})
-        self._run(f"Reading {folder.name}", lambda job: work.read(job, recorded, collection, self._changes))
+        collected, recorded = begin_with_images(self.kind, start, folder, self._session)
+        self._take_over(collected, None, {})
+        self._run(f"Reading {folder.name}", lambda job: work.read(job, recorded, collected))
 
     def resume(self, folder: Path) -> None:
-        """Go on with a session that was kept."""
+        """Continue a stored session."""
         self._collecting.run(
-            "Opening the session", lambda job: work.opened(job, folder), self._resumed, on_event=self._happened, quiet=True
+            "Opening the session", lambda job: work.open_session(job, folder), self._resumed, on_event=self._happened, quiet=True
         )
 
     @Slot(object)
-    def _resumed(self, found: tuple[Collection, RigDescription | None, dict[tuple[str, str], QImage]]) -> None:
+    def _resumed(self, found: tuple[CalibrationSession, RigDescription | None, dict[tuple[str, str], QImage]]) -> None:
         try:
             self._take_over(*found)
         except MeasureError as error:
             self.told.emit(error.message, error.hint, "error")
 
-    def _take_over(self, collection: Collection, rig: RigDescription | None, thumbnails: dict[tuple[str, str], QImage]) -> None:
+    def _take_over(self, collected: CalibrationSession, rig: RigDescription | None, thumbnails: dict[tuple[str, str], QImage]) -> None:
         from measureapp.project.claim import claimed
 
         self._forget()
-        self._held.enter_context(claimed(collection.folder))
-        self.collection, self._rig, self._images = collection, rig, CollectedImages(thumbnails)
+        self._held.enter_context(claimed(collected.folder))
+        self.collected, self._rig, self._images = collected, rig, CollectedImages(thumbnails)
         self.begun.emit()
         self._after_change()
 
@@ -222,23 +230,26 @@ class CollectingController(QObject):
         self._take(self._viewpoints_left()[:most])
 
     def _take(self, viewpoints: tuple[Viewpoint, ...]) -> None:
-        collection, rig = self.collection, self._rig
-        if collection is None or rig is None or self.is_collecting or not viewpoints:
+        collected, rig = self.collected, self._rig
+        if collected is None or rig is None or self.is_collecting or not viewpoints:
             return
-        connection, live, changes = self._connection, self._images.live, self._changes
+        connection, live = self._connection, self._images.live
 
         def run(job: Job) -> None:
             job.report(0, 1, "Connecting the rig")
-            connected = connection or work.connected(job, rig, collection.setup.board)
-            work.take(job, connected.rig, viewpoints, collection, live, changes)
+            connected = connection or work.connect_rig(job, rig, collected.setup.board)
+            work.take(job, connected.rig, viewpoints, collected, live)
 
         self._run("Taking images of the board", run)
 
     def _viewpoints_left(self) -> tuple[Viewpoint, ...]:
-        if self.collection is None or self._rig is None:
+        from measureapp.planning.calibration_views import calibration_viewpoints
+
+        if self.now is None or self._rig is None:
             return ()
-        taken = {image.name for view in self.collection.observations if view.standing != "removed" for image in view.images.values()}
-        planned = work.viewpoints_of(self.kind, self._rig, self._session.plan)
+        taken = {image.name for view in self.now.observations if view.status != "removed" for image in view.images.values()}
+        kind = self.kind
+        planned = calibration_viewpoints(self._rig, self._session.plan, kind.motions, guide_at_zero=kind.guide_at_zero)
         return tuple(viewpoint for viewpoint in planned if viewpoint.id not in taken)
 
     def _run(self, title: str, run: work.Work) -> None:
@@ -261,7 +272,7 @@ class CollectingController(QObject):
                 self._connection = event
             case work.Skipped():
                 self.told.emit(event.error.message, event.error.hint, "warning")
-            case work.Added() if self.collection is not None:
+            case work.Added() if self.collected is not None:
                 self._images.add(event)
                 self._after_change()
 
@@ -279,17 +290,15 @@ class CollectingController(QObject):
 
     def _end_collecting(self) -> None:
         self._job = None
-        if self.collection is not None and not self.collection.usable:
-            self._tell_nothing_found()
         self._images.forget_newest()
-        work.make_changes(self._changes)
         self._after_change()
+        if self.now is not None and not self.now.usable:
+            self._report_nothing_found(self.now)
 
-    def _tell_nothing_found(self) -> None:
-        """Say why no view can be used, as the first of them puts it."""
-        observations = () if self.collection is None else self.collection.observations
-        refusals = [refusal for one in observations if one.standing == "no board" for refusal in one.refused.values()]
-        seen = any(one.seen for one in observations)
+    def _report_nothing_found(self, now: Snapshot) -> None:
+        """Say why no view can be used, with the reason of one of them."""
+        refusals = [refusal for one in now.observations if one.status == "no board" for refusal in one.refused.values()]
+        seen = any(one.seen for one in now.observations)
         if refusals:
             what = "No view of the board shows the fringes" if seen else "No image shows the board"
             self.told.emit(f"{what}. {refusals[-1 if seen else 0].message}", refusals[-1 if seen else 0].hint, "error")
@@ -297,26 +306,22 @@ class CollectingController(QObject):
     # changes
 
     def remove(self, id_: str) -> None:
-        """Take a view out by hand; `undo` brings it back."""
-        collection = self.collection
-        if collection is not None and collection.observation(id_).standing != "removed":
-            self._change(lambda: collection.remove(id_))
+        """Remove a view; `undo` restores it."""
+        collected = self.collected
+        if collected is not None and collected.observation(id_).status != "removed":
+            self._change(lambda: collected.remove(id_))
 
     def undo(self) -> None:
-        """Take the last change back."""
-        if self.collection is not None and self.collection.can_undo:
-            self._change(self.collection.undo)
+        """Undo the last change."""
+        if self.collected is not None and self.can_undo:
+            self._change(self.collected.undo)
 
     def redo(self) -> None:
-        """Make the change that was taken back again."""
-        if self.collection is not None and self.collection.can_redo:
-            self._change(self.collection.redo)
+        """Redo the change that was undone last."""
+        if self.collected is not None and self.can_redo:
+            self._change(self.collected.redo)
 
-    def _change(self, change: work.Change) -> None:
-        """Change at once, or between two views while they are being added."""
-        if self.is_collecting:
-            self._changes.put(change)
-            return
+    def _change(self, change: Callable[[], object]) -> None:
         try:
             change()
         except MeasureError as error:
@@ -324,58 +329,34 @@ class CollectingController(QObject):
         self._after_change()
 
     def _after_change(self) -> None:
-        self._look_again()
-        if self._thinker is not None:
-            self._stale = True
-        else:
-            self._think()
+        """Show the session as it is now, and solve it."""
+        self._refresh()
+        if self.now is not None:
+            self._solver.solve(self.now, None if self._viewpoints_left() else self._rig)
         self.changed.emit()
 
-    def _look_again(self) -> None:
-        collection = self.collection
-        self.views = () if collection is None else tuple(self._seen(one) for one in collection.observations)
+    def _refresh(self) -> None:
+        self.now = None if self.collected is None else self.collected.snapshot()
+        self.views = () if self.now is None else tuple(self._seen(one) for one in self.now.observations)
 
-    def _seen(self, observation: Observation) -> SeenView:
+    def _seen(self, observation: CollectedObservation) -> SeenView:
         known = self._images.thumbnails
         pictures = {camera: known[key] for camera in observation.images if (key := (observation.id, camera)) in known}
         return seen_view(observation, None if self.thought is None else self.thought.solved, pictures)
 
-    # solving meanwhile
-
-    def _think(self) -> None:
-        """Solve what there is and ask the coach, on a thread of their own; the newest answer wins."""
-        self._stale = False
-        if self.collection is not None:
-            snapshot, rig = self.collection.snapshot(), None if self._viewpoints_left() else self._rig
-            self._thinker = self._solving.run(
-                "Solving", lambda job: work.thought(job, snapshot, rig), self._show_thought, on_stopped=self._thinking_stopped, quiet=True
-            )
-
-    @Slot(object)
-    def _show_thought(self, found: work.Thought) -> None:
-        self._thinker, self.thought = None, found
-        if self.collection is not None:
-            self.collection.adopt(found.solved)
-        self._go_on()
-
     @Slot()
-    def _thinking_stopped(self) -> None:
-        self._thinker = None
-        self._go_on()
-
-    def _go_on(self) -> None:
-        if self._stale:
-            self._think()
-        self._look_again()
+    def _show_thought(self) -> None:
+        if self.collected is not None and self.thought is not None:
+            self.collected.adopt(self.thought.solved)
+        self._refresh()
         self.changed.emit()
-        if self._more and not self._stale and not self.is_collecting and not self.is_thinking:
+        if self._more and not self.is_collecting and not self.is_thinking:
             self._take_suggested()
 
     def close(self) -> None:
         """End what runs for this wizard and let the rig go; everything collected is on disk."""
-        for job in (self._job, self._thinker):
-            if job is not None:
-                job.cancel()
+        if self._job is not None:
+            self._job.cancel()
         if self._connection is not None:
             self._connection.rig.close()
         self._forget()

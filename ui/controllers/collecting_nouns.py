@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from measureapp.data.board import BoardDescription
     from measureapp.data.rig import Resolution
 
-Kind = Literal["cameras", "projector", "axis", "hand-eye", "guide", "rig"]
 ViewVerdict = Literal["pass", "fail", "not proven", "not measured"]
 
 

@@ -1,67 +1,50 @@
-"""What collecting does on a job's thread: take images with the rig, read recorded ones, open what was kept, solve."""
+"""What collecting does on a job's thread: take images with the rig, read recorded ones, open a stored session, solve."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtGui import QImage
 
 from measureapp.errors import CalibrationError, DecodeError, InputError, MeasureError
-from measureapp.progress import PartOf, Progress
-from ui.controllers.collecting_nouns import Kind, LiveImage
+from measureapp.progress import PartOf
+from ui.controllers.collecting_nouns import LiveImage
 from ui.workers.mailbox import Mailboxes
 
 if TYPE_CHECKING:
+    from measureapp.calibrate.draft.advice import Advice
+    from measureapp.calibrate.draft.draft import Solved
+    from measureapp.calibrate.draft.verdict import Verdict
+    from measureapp.calibration_session.observation import CollectedObservation
+    from measureapp.calibration_session.recorded import RecordedView
+    from measureapp.calibration_session.session import CalibrationSession
+    from measureapp.calibration_session.snapshot import Snapshot
+    from measureapp.calibration_session.suggestion import Suggestion
     from measureapp.data.board import BoardDescription
-    from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
-    from measureapp.data.plan import ScanPlan, Viewpoint
+    from measureapp.data.plan import Viewpoint
     from measureapp.data.rig import RigDescription
     from measureapp.devices.rig import Rig
-    from measureapp.pipeline.collecting.coaching import Advice
-    from measureapp.pipeline.collecting.collection import Collection
-    from measureapp.pipeline.collecting.observation import Observation
-    from measureapp.pipeline.collecting.recorded import RecordedView
-    from measureapp.pipeline.collecting.setup import Setup
-    from measureapp.pipeline.collecting.solved import Solved
-    from measureapp.pipeline.collecting.suggested import Suggestion
-    from measureapp.pipeline.collecting.verdict import Verdict
     from ui.controllers.rig_connection import RigConnection
     from ui.workers.job import Job
 
 THUMBNAIL_PX = 256
-PREFIXES: Mapping[Kind, tuple[str, ...]] = {
-    "cameras": ("pose",),
-    "projector": ("pose",),
-    "hand-eye": ("pose",),
-    "axis": ("axis",),
-    "guide": ("guide",),
-    "rig": ("",),
-}
-BEYOND_PLAN = "more"  # names of viewpoints begin so
+BEYOND_PLAN = "more"  # names of viewpoints beyond those planned begin so
 RIG_FILE = "rig.json"  # beside a session whose images a rig takes
+Work = Callable[["Job"], object]
 
 
 @dataclass(frozen=True, eq=False)
 class Added:
-    """An observation was added to the collection."""
+    """An observation was added to the session."""
 
     id: str
     name: str
     images: Mapping[str, np.ndarray]
     thumbnails: Mapping[str, QImage]
-
-
-@dataclass(frozen=True, eq=False)
-class Known:
-    """What is calibrated already."""
-
-    cameras: CameraArrayCalibration | None
-    rig: RigCalibration | None
 
 
 @dataclass(frozen=True)
@@ -73,19 +56,13 @@ class Skipped:
 
 @dataclass(frozen=True, eq=False)
 class Thought:
-    """What was made of the observations: a solution or why there is none, and what to show next."""
+    """What follows from the observations so far: a solution or why there is none, and what to show next."""
 
     solved: Solved | None
     error: MeasureError | None
     advice: Advice
     verdict: Verdict | None
     suggestion: Suggestion | None  # from where the rig should look next, after the planned viewpoints
-
-
-Taker = Callable[["Viewpoint", "Progress"], "Observation"]
-Change = Callable[[], object]
-Changes = SimpleQueue[Change]
-Work = Callable[["Job"], object]
 
 
 def thumbnail(pixels: np.ndarray) -> QImage:
@@ -97,113 +74,48 @@ def thumbnail(pixels: np.ndarray) -> QImage:
     return QImage(thin.data, thin.shape[1], thin.shape[0], thin.strides[0], QImage.Format.Format_Grayscale8).copy()
 
 
-def make_changes(changes: Changes) -> None:
-    """Make the changes that were asked for meanwhile: a collection is not for two threads at once."""
-    while True:
-        try:
-            change = changes.get_nowait()
-        except Empty:
-            return
-        change()
+def take(job: Job, rig: Rig, viewpoints: Sequence[Viewpoint], session: CalibrationSession, live: Mailboxes[LiveImage]) -> None:
+    """Take the board from these viewpoints; every view is stored before the next one begins."""
+    from measureapp.calibration_session.capturing import capture_views
 
+    def show(view: str, camera: str, pixels: np.ndarray) -> None:
+        live.put(camera, LiveImage(view, pixels))
 
-def viewpoints_of(kind: Kind, rig: RigDescription, plan: ScanPlan | None) -> tuple[Viewpoint, ...]:
-    """Return from where the rig looks at the board for one kind of calibration."""
-    from measureapp.planning.calibration_views import calibration_viewpoints
-
-    chosen = (viewpoint for viewpoint in calibration_viewpoints(rig, plan) if viewpoint.id.startswith(PREFIXES[kind]))
-    return tuple(_without_slide(chosen, rig) if kind == "hand-eye" else chosen)
-
-
-def _without_slide(viewpoints: Iterable[Viewpoint], rig: RigDescription) -> Iterator[Viewpoint]:
-    """The same looks with the slide at 0, where they can be reached: hand-eye takes the robot's base to stand still."""
-    from measureapp.data.plan import FlangePose
-    from measureapp.geometry.transform import RigidTransform
-    from measureapp.planning.reach import obstacles
-
-    for viewpoint in viewpoints:
-        slid = RigidTransform.from_parts(np.eye(3), np.array([0.0, viewpoint.guide_mm, 0.0]), "base", "base")
-        flange = FlangePose.of(slid @ viewpoint.flange.transform())
-        still = viewpoint.model_copy(update={"flange": flange, "guide_mm": 0.0})
-        if not obstacles(still, rig):
-            yield still
-
-
-def take(job: Job, rig: Rig, viewpoints: Sequence[Viewpoint], collection: Collection, live: Mailboxes[LiveImage], changes: Changes) -> None:
-    """Take the board from these viewpoints; every view is kept before the next one begins."""
-    rig.place_on_table("board")
-    take_one = _fringe_taker(rig, collection, live) if collection.setup.kind == "projector" else _image_taker(rig, collection, live)
-    for done, viewpoint in enumerate(viewpoints):
-        job.report(done, len(viewpoints), f"Taking {viewpoint.id}")
-        found = take_one(viewpoint, PartOf(job, done / len(viewpoints), (done + 1) / len(viewpoints)))
-        make_changes(changes)
+    for viewpoint, found in capture_views(rig, viewpoints, session, show, job):
         job.emit_event(_added(found, viewpoint.id))
-    collection.look_again()
 
 
-def _image_taker(rig: Rig, collection: Collection, live: Mailboxes[LiveImage]) -> Taker:
-    """One plain image of each camera."""
-    from measureapp.acquire.capture import capture_board
-
-    def take_one(viewpoint: Viewpoint, progress: Progress) -> Observation:
-        view = capture_board(rig, viewpoint)
-        for camera, pixels in view.images.items():
-            live.put(camera, LiveImage(viewpoint.id, pixels))
-        progress.report(0.5, 1, f"Looking for the board in {viewpoint.id}")
-        warm = None if view.conditions is None else view.conditions.temperature_c
-        return collection.add(view.images, view.readback, dict.fromkeys(view.images, viewpoint.id), warm)
-
-    return take_one
-
-
-def _fringe_taker(rig: Rig, collection: Collection, live: Mailboxes[LiveImage]) -> Taker:
-    """Fringes of both directions, which the projector gets once."""
-    from measureapp.acquire.board_fringes import capture_board_fringes
-    from measureapp.acquire.events import Event, ImageTaken
-    from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
-    from measureapp.data.pattern_sets import BOTH_DIRECTIONS, made_for
-    from measureapp.fringe.patterns.draw import pattern_images
-
-    size_px = rig.projector.width_px, rig.projector.height_px
-    patterns = made_for(*size_px)[BOTH_DIRECTIONS]
-    shown = pattern_images(patterns, *size_px)
-    rig.projector.load(shown)
-    names = dict.fromkeys(collection.setup.seeing)
-
-    def take_one(viewpoint: Viewpoint, progress: Progress) -> Observation:
-        def happened(event: Event) -> None:
-            if isinstance(event, ImageTaken):
-                live.put(event.camera, LiveImage(viewpoint.id, event.pixels))
-                live.put(PROJECTOR, LiveImage(viewpoint.id, shown[0]))
-
-        stack = capture_board_fringes(rig, viewpoint, patterns, happened, PartOf(progress, 0.0, 0.6))
-        return collection.add_fringes(stack, names=dict.fromkeys(names, viewpoint.id), progress=PartOf(progress, 0.6, 1.0))
-
-    return take_one
-
-
-def read(job: Job, recorded: Sequence[RecordedView], collection: Collection, changes: Changes) -> None:
-    """Add recorded views; one that cannot be read is told and left out."""
+def read(job: Job, recorded: Sequence[RecordedView], session: CalibrationSession) -> None:
+    """Add recorded views; one that cannot be read is reported and skipped."""
     for done, view in enumerate(recorded):
-        job.report(done, len(recorded), f"Looking for the board in {view.name}")
+        job.report(done, len(recorded), f"Detecting the board in {view.name}")
         try:
-            found = view.add_to(collection, PartOf(job, done / len(recorded), (done + 1) / len(recorded)))
+            found = view.add_to(session, PartOf(job, done / len(recorded), (done + 1) / len(recorded)))
         except (InputError, DecodeError) as error:
             job.emit_event(Skipped(error))
             continue
-        make_changes(changes)
         job.emit_event(_added(found, view.name))
-    collection.look_again()
+    session.identify_parts()
 
 
-def _added(found: Observation, name: str) -> Added:
+def _added(found: CollectedObservation, name: str) -> Added:
     images = {camera: image.pixels() for camera, image in found.images.items()}
     return Added(found.id, name, images, {camera: thumbnail(pixels) for camera, pixels in images.items()})
 
 
-def thumbnails_of(job: Job, collection: Collection) -> dict[tuple[str, str], QImage]:
-    """Return small pictures of all images of a collection; (observation, camera) -> picture."""
-    observations = collection.observations
+def open_session(job: Job, folder: Path) -> tuple[CalibrationSession, RigDescription | None, dict[tuple[str, str], QImage]]:
+    """Open a stored session, with the rig that took its images and small pictures of them: (observation, camera) -> picture."""
+    from measureapp.calibration_session.session import CalibrationSession
+    from measureapp.data.rig import RigDescription
+
+    session = CalibrationSession.open(folder)
+    rig_file = folder / RIG_FILE
+    rig = RigDescription.model_validate_json(rig_file.read_text(encoding="utf-8")) if rig_file.is_file() else None
+    return session, rig, _thumbnails_of(job, session.snapshot())
+
+
+def _thumbnails_of(job: Job, snapshot: Snapshot) -> dict[tuple[str, str], QImage]:
+    observations = snapshot.observations
     pictures: dict[tuple[str, str], QImage] = {}
     for done, observation in enumerate(observations):
         job.report(done, len(observations), f"Reading view {observation.id}")
@@ -215,75 +127,29 @@ def thumbnails_of(job: Job, collection: Collection) -> dict[tuple[str, str], QIm
     return pictures
 
 
-def opened(job: Job, folder: Path) -> tuple[Collection, RigDescription | None, dict[tuple[str, str], QImage]]:
-    """Open a session that was kept, with the rig that took its images."""
-    from measureapp.data.rig import RigDescription
-    from measureapp.pipeline.collecting.collection import Collection
-
-    collection = Collection.open(folder)
-    rig_file = folder / RIG_FILE
-    rig = RigDescription.model_validate_json(rig_file.read_text(encoding="utf-8")) if rig_file.is_file() else None
-    return collection, rig, thumbnails_of(job, collection)
-
-
-def thought(job: Job, collection: Collection, rig: RigDescription | None) -> Thought:
-    """Solve a snapshot and ask the coach, so that collecting goes on meanwhile; with a rig, ask from where it should look next."""
-    from measureapp.pipeline.collecting.coaching import coach
-    from measureapp.pipeline.collecting.suggested import suggest_viewpoint
-    from measureapp.pipeline.collecting.verdict import judge
+def think(job: Job, snapshot: Snapshot, rig: RigDescription | None) -> Thought:
+    """Solve a snapshot and get guidance while collecting goes on; with a rig, also from where it should look next."""
+    from measureapp.calibrate.draft.verdict import judge
+    from measureapp.calibrate.guidance.advise import advise
+    from measureapp.calibration_session.suggestion import suggest_viewpoint
 
     error: MeasureError | None = None
-    verdict: Verdict | None = None
-    if collection.usable and not collection.is_solved:
+    if snapshot.usable and not snapshot.is_solved:
         try:
-            collection.solve(job)
+            snapshot = snapshot.solve(job)
         except CalibrationError as problem:
-            error = problem
-            collection.adopt(None)
+            error, snapshot = problem, snapshot.unsolved()
     job.check()
-    if collection.solved is not None:
-        verdict = judge(collection)
-    suggestion = None if rig is None else suggest_viewpoint(collection, rig, f"{BEYOND_PLAN}{len(collection.observations) + 1:02d}")
-    return Thought(collection.solved, error, coach(collection), verdict, suggestion)
+    draft = snapshot.draft
+    verdict = None if draft.solved is None else judge(draft)
+    suggestion = None if rig is None else suggest_viewpoint(draft, rig, f"{BEYOND_PLAN}{len(snapshot.kept) + 1:02d}")
+    return Thought(draft.solved, error, advise(draft), verdict, suggestion)
 
 
-def connected(job: Job, rig: RigDescription, board: BoardDescription) -> RigConnection:
-    """Connect the rig and tell the window, which keeps the connection."""
+def connect_rig(job: Job, rig: RigDescription, board: BoardDescription) -> RigConnection:
+    """Connect the rig and report the connection to the window, which keeps it."""
     from ui.controllers.rig_connection import connect
 
     connection = connect(rig, board)
     job.emit_event(connection)
     return connection
-
-
-def setup_for(
-    kind: Kind,
-    board: BoardDescription,
-    names: tuple[str, ...],
-    rig: RigDescription | None,
-    known: Known,
-    projector_px: tuple[int, int] | None = None,
-) -> Setup:
-    """Return what a collection of this kind is told beforehand. Raises InputError, CalibrationError where something is missing.
-
-    Parameters
-    ----------
-    names : of the cameras, the reference first
-    projector_px : size of the projector's image; None for that of the rig
-    """
-    from measureapp.calibrate.motions.axis_noise import AxisNoise
-    from measureapp.pipeline.calibrate import expected_noise
-    from measureapp.pipeline.collecting.setup import Setup
-
-    needs_cameras = kind not in {"cameras", "rig"}
-    return Setup(
-        kind=kind,
-        board=board,
-        camera_names=names,
-        cameras=known.cameras if needs_cameras else None,
-        hand_eye=known.rig.hand_eye if kind in {"guide", "axis"} and known.rig is not None else None,
-        noise=AxisNoise() if rig is None else expected_noise(rig),
-        standoff_mm=None if rig is None else rig.standoff_mm,
-        serials={} if rig is None else {camera.name: camera.serial for camera in rig.cameras},
-        projector_px=projector_px if rig is None else (rig.projector.width_px, rig.projector.height_px),
-    )

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import QElapsedTimer, QObject
 
 from ui.controllers.calibrating import CalibratingController
-from ui.controllers.collecting_nouns import Kind
 from ui.controllers.comparison import ComparisonController
 from ui.controllers.demo import DemoController
 from ui.controllers.documents import DocumentsController
@@ -21,6 +22,9 @@ from ui.controllers.startup import StartupController
 from ui.controllers.stored_images import StoredImagesController
 from ui.controllers.view_choices import ViewChoicesController
 from ui.session import Session
+
+if TYPE_CHECKING:
+    from measureapp.calibrate.draft.draft import Kind
 
 
 class Controllers(QObject):
@@ -44,10 +48,16 @@ class Controllers(QObject):
         self.filtering = FilteringController(session, self.jobs, self)
         self.growing = GrowingController(session, self.jobs, self)
         self.programming = ProgrammingController(session, self.jobs, self)
-        kinds: tuple[Kind, ...] = ("cameras", "projector", "axis", "hand-eye", "guide", "rig")
-        self.calibrating = {kind: CalibratingController(kind, session, self.demo, self.jobs, self.solving, self) for kind in kinds}
+        self._session, self._calibrating = session, dict[str, CalibratingController]()
         self.recent_calibration = RecentCalibrationController(session, self.background, self)
         self.startup = StartupController(session, self.background, self)
+
+    def calibrating(self, kind: Kind) -> CalibratingController:
+        """Return the controller of one kind of calibration; it is made when first used."""
+        if kind.name not in self._calibrating:
+            made = CalibratingController(kind, self._session, self.demo, self.jobs, self.solving, self)
+            self._calibrating[kind.name] = made
+        return self._calibrating[kind.name]
 
     @property
     def runners(self) -> tuple[JobRunner, ...]:

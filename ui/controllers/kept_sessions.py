@@ -5,7 +5,7 @@ from __future__ import annotations
 from datetime import UTC, datetime
 from pathlib import Path
 
-from ui.controllers.collecting_nouns import Kept, Kind
+from ui.controllers.collecting_nouns import Kept
 from ui.session import Session
 
 SESSIONS = Path("MeasureApp") / "calibrations"
@@ -23,12 +23,12 @@ def sessions_folder(project: Path | None) -> Path:
     return Path.home() / SESSIONS if project is None else project / "calibration" / "sessions"
 
 
-def newest_kept(folder: Path, kind: Kind) -> Kept | None:
-    """Return the newest session of this kind that holds views."""
-    from measureapp.pipeline.collecting.collection import Collection
+def newest_kept(folder: Path, kind: str) -> Kept | None:
+    """Return the newest session of a kind (its name) that holds views."""
+    from measureapp.calibration_session.session import CalibrationSession
 
     for place in sorted(folder.glob(f"{kind}-*"), reverse=True):
-        views = len(tuple((place / "observations").glob("*.json"))) if Collection.is_in(place) else 0
+        views = len(tuple((place / "observations").glob("*.json"))) if CalibrationSession.is_in(place) else 0
         if views:
             saved = datetime.fromtimestamp((place / "session.json").stat().st_mtime, UTC)
             return Kept(place, views, saved.isoformat())
@@ -46,7 +46,7 @@ def _written(place: Path) -> float:
     return (place / CAMERAS).stat().st_mtime
 
 
-def next_folder(folder: Path, kind: Kind) -> Path:
+def next_folder(folder: Path, kind: str) -> Path:
     """Return the folder for a new session of this kind."""
     numbers = [int(number) for place in folder.glob(f"{kind}-*") if (number := place.name.rpartition("-")[2]).isdigit()]
     return folder / f"{kind}-{max(numbers, default=0) + 1:03d}"

@@ -51,8 +51,8 @@ class RecentCalibrationController(QObject):
 def read_accepted(job: Job, folder: Path) -> RigCalibration | CameraArrayCalibration:
     """Read a rig, or the cameras where no rig was known; runs on a job's thread. Raises InputError where the files are damaged."""
     job.check()
+    from measureapp.calibration_session.accepting import CAMERAS, RIG, read_result
     from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
-    from measureapp.pipeline.collecting.keeping import CAMERAS, RIG, read_result
 
     found = read_result(folder if (folder / RIG).is_file() else folder / CAMERAS)
     if not isinstance(found, RigCalibration | CameraArrayCalibration):

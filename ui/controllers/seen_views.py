@@ -11,8 +11,8 @@ from PySide6.QtGui import QImage
 from ui.controllers.collecting_nouns import SeenView, ViewVerdict
 
 if TYPE_CHECKING:
-    from measureapp.pipeline.collecting.observation import Observation
-    from measureapp.pipeline.collecting.solved import Solved
+    from measureapp.calibrate.draft.draft import Solved
+    from measureapp.calibration_session.observation import CollectedObservation
 
 VERDICTS: Mapping[str, ViewVerdict] = {
     "new": "not proven",
@@ -23,7 +23,7 @@ VERDICTS: Mapping[str, ViewVerdict] = {
 }
 
 
-def seen_view(observation: Observation, solved: Solved | None, pictures: Mapping[str, QImage]) -> SeenView:
+def seen_view(observation: CollectedObservation, solved: Solved | None, pictures: Mapping[str, QImage]) -> SeenView:
     """Return one observation as the last solution judges it."""
     left_out = {} if solved is None else _corners_left_out(observation, solved)
     return SeenView(
@@ -33,20 +33,20 @@ def seen_view(observation: Observation, solved: Solved | None, pictures: Mapping
         corners_px={camera: np.asarray(found.corners_px) for camera, found in observation.seen.items()},
         left_out_px=left_out,
         residuals_px=observation.residuals_px,
-        verdict=VERDICTS[observation.standing],
+        verdict=VERDICTS[observation.status],
         reason=observation.reason,
         reasons={camera: f"{refusal.message} {refusal.hint}" for camera, refusal in observation.refused.items()},
         residual_mm=observation.residual_mm,
-        removed=observation.standing == "removed",
+        removed=observation.status == "removed",
     )
 
 
-def name_of(observation: Observation) -> str:
+def name_of(observation: CollectedObservation) -> str:
     """Return what a view is called: as its first image is, or by its number."""
     return next((image.name for image in observation.images.values() if image.name), observation.id)
 
 
-def _corners_left_out(observation: Observation, solved: Solved) -> dict[str, np.ndarray]:
+def _corners_left_out(observation: CollectedObservation, solved: Solved) -> dict[str, np.ndarray]:
     if solved.camera_solution is None:
         return {}
     chosen: dict[str, list[int]] = {}

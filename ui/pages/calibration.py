@@ -11,7 +11,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
-from ui.controllers.collecting_nouns import Kind
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.wording import millimetres, quantity, sentence_case, when
@@ -23,9 +22,9 @@ from ui.widgets.basic import Button, card, column, label
 from ui.widgets.data_table import Cell, DataTable, number, verdict_cell
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.properties_panel import Group, Properties
-from ui.wizards.kinds import CAMERAS, KINDS, RIG, WizardKind
 
 if TYPE_CHECKING:
+    from measureapp.calibrate.draft.draft import Kind
     from measureapp.data.calibration import CameraCalibration, ProjectorCalibration
     from ui.wizards.wizard import CalibrationWizard
 
@@ -47,8 +46,8 @@ class CalibrationPage(Page):
         super().__init__(look, session, controllers, empty)
         empty.triggered.disconnect(controllers.demo.run)
         empty.triggered.connect(self._open_rig_wizard)
-        self.wizards: dict[Kind, CalibrationWizard] = {}
-        self.offers: dict[Kind, QAction] = {}
+        self.wizards: dict[str, CalibrationWizard] = {}  # by the name of the kind
+        self._offers: dict[str, QAction] = {}
         self._make_menus()
         self.verdict = label("", "figure")
         self.table = DataTable(look, ["Solution", "Estimate", "Standard deviation", "Residual (rms)", "Verdict"], numeric=(3,), stretch=1)
@@ -78,32 +77,46 @@ class CalibrationPage(Page):
         """The wizards as a menu; beside the empty state's button a quiet one for the cameras alone."""
         menu = QMenu(self)
         menu.setToolTipsVisible(True)
-        for kind in KINDS:
-            action = menu.addAction(f"{kind.action}…", partial(self.open_wizard, kind))
-            action.setToolTip(kind.tip)
-            self.offers[kind.kind] = action
+        menu.aboutToShow.connect(lambda: self.offers)
         self.calibrate = Button("Calibrate", self.look, "calibration", tip="Calibrate the whole rig again, or one part of it")
         self.calibrate.setMenu(menu)
-        self.cameras_alone = Button("Cameras only…", self.look, "camera", "normal", CAMERAS.tip)
-        self.cameras_alone.clicked.connect(partial(self.open_wizard, CAMERAS))
+        self.cameras_alone = Button("Cameras only…", self.look, "camera", "normal", "Focal length, distortion and pose of every camera")
+        self.cameras_alone.clicked.connect(partial(self.open_wizard, "cameras"))
         self.empty.add_quiet(self.cameras_alone)
         self.last_one = Button("Use the last one", self.look, "undo")
         self.last_one.clicked.connect(self.controllers.recent_calibration.take_up)
         self.empty.add_quiet(self.last_one)
 
     def _open_rig_wizard(self) -> None:
-        self.open_wizard(RIG)
+        self.open_wizard("rig")
 
-    def open_wizard(self, kind: WizardKind) -> None:
-        """Open the wizard of one kind; it is made when it is first asked for."""
+    @property
+    def offers(self) -> dict[str, QAction]:
+        """The menu entries by kind, those enabled that can be calibrated now; made when first needed, as the kinds come with heavy libraries."""
+        from measureapp.calibrate.kinds.table import KINDS
+
+        if not self._offers:
+            for kind in KINDS.values():
+                action = self.calibrate.menu().addAction(f"{kind.words.action}…", partial(self.open_wizard, kind.name))
+                action.setToolTip(kind.words.tip)
+                self._offers[kind.name] = action
+        there = {"": True, "cameras": self.session.cameras is not None, "rig": self.session.calibration is not None}
+        for name, action in self._offers.items():
+            action.setEnabled(there[KINDS[name].needs])
+        return self._offers
+
+    def open_wizard(self, name: str) -> None:
+        """Open the wizard of one kind; it is made when first used."""
         if self.session.busy_with:
             self.session.tell(f"{self.session.busy_with} is still running.", "Wait for it, or cancel it first.", "warning")
             return
+        from measureapp.calibrate.kinds.table import kind_called
         from ui.wizards.wizard import CalibrationWizard
 
-        if kind.kind not in self.wizards:
-            self.wizards[kind.kind] = CalibrationWizard(self.look, kind, self.controllers.calibrating[kind.kind], self)
-        self.wizards[kind.kind].begin()
+        if name not in self.wizards:
+            kind: Kind = kind_called(name)
+            self.wizards[name] = CalibrationWizard(self.look, kind, self.controllers.calibrating(kind), self)
+        self.wizards[name].begin()
 
     def close_page(self) -> None:
         """Close a wizard that is open; what it collected is kept."""
@@ -128,9 +141,6 @@ class CalibrationPage(Page):
         self.show_filled(cameras is not None)
         if cameras is None:
             self._offer_last_one()
-        for kind in KINDS:
-            there = {"": True, "cameras": cameras is not None, "rig": calibration is not None}
-            self.offers[kind.kind].setEnabled(there[kind.needs])
         for part in (self.figure, self.shares):
             part.setVisible(calibration is not None)
         if calibration is None:

@@ -22,7 +22,7 @@ from ui.widgets.thumbnail_strip import Thumbnail, ThumbnailStrip
 from ui.wizards.coach_panel import CoachPanel
 
 if TYPE_CHECKING:
-    from measureapp.pipeline.collecting.coaching import Gauge
+    from measureapp.calibrate.draft.advice import Gauge
 
 LAYERS = {"corners": "Corners", "coverage": "Coverage", "ghost": "Show next"}
 LAYER_TIPS = {

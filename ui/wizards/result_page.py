@@ -6,7 +6,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QLabel, QScrollArea, QWidget
 
 from ui.controllers.result import Result
-from ui.controllers.result_values import ValueRow
+from ui.controllers.value_rows import ValueRow
 from ui.look.look import Look
 from ui.look.wording import NOTHING, quantity
 from ui.widgets.basic import Button, card, clear, column, label, row
@@ -39,8 +39,10 @@ class ResultPage(QWidget):
         self.comparison = label("", "body", wrap=True)
         facts = card(label("How it was found", "heading"), self._facts, margin=16)
         self.held_back, self.stop_check = label("", "body", wrap=True), Button("Stop", look, "cancel", "quiet", CHECK_TIP)
-        self._held_back = card(label("Checked with views held back", "heading"), self.held_back, row(self.stop_check, 0), margin=16)
-        self._compared = card(label("Compared with the one before", "heading"), self.comparison, margin=16)
+        self._held_back = card(
+            label("Cross-validation with held-back views", "heading"), self.held_back, row(self.stop_check, 0), margin=16
+        )
+        self._compared = card(label("Compared with the previous calibration", "heading"), self.comparison, margin=16)
         cards = QWidget()
         cards.setObjectName("clear")
         cards.setLayout(column(facts, self._held_back, self._compared, 0, self.truth_note, spacing=12))
@@ -79,7 +81,7 @@ class ResultPage(QWidget):
         self._whole.show()
         self.verdict.setText(result.verdict)
         self._show_sign()
-        names = list(dict.fromkeys(one.quantity.group for one in result.rows))
+        names = list(dict.fromkeys(one.estimate.group for one in result.rows))
         clear(self._group_place)
         self.groups = Segments({name: name for name in names})
         self.groups.valueChanged.connect(self._show_rows)
@@ -96,8 +98,8 @@ class ResultPage(QWidget):
             self._facts.addLayout(words)
         for words in result.reasons:
             self._facts.addWidget(_paragraph(words))
-        for view, reason in result.left_out:
-            self._facts.addWidget(_paragraph(f"View {view} left out: {reason}"))
+        for view, reason in result.rejected:
+            self._facts.addWidget(_paragraph(f"View {view} rejected: {reason}"))
         self.show_checked(result)
         self.comparison.setText(result.comparison)
         self._compared.setVisible(bool(result.comparison))
@@ -122,7 +124,7 @@ class ResultPage(QWidget):
     def _show_rows(self) -> None:
         if self._result is not None:
             group = self.groups.value()
-            self.table.set_rows([_cells(one) for one in self._result.rows if one.quantity.group == group])
+            self.table.set_rows([_cells(one) for one in self._result.rows if one.estimate.group == group])
 
     def _show_sign(self) -> None:
         if self._result is not None:
@@ -141,16 +143,16 @@ def _paragraph(words: str) -> QLabel:
 
 def _cells(row_: ValueRow) -> list[Cell]:
     """One row; an error beyond three standard deviations is marked."""
-    one = row_.quantity
+    one, digits = row_.estimate, row_.digits
     error = None if row_.true is None else one.value - row_.true
     change = None if row_.previous is None else one.value - row_.previous
-    far = error is not None and bool(one.sigma) and abs(error) > FAR * (one.sigma or 0.0)
+    far = error is not None and one.sigma > 0 and abs(error) > FAR * one.sigma
     tip = "" if error is None or not one.sigma else f"{abs(error) / one.sigma:.1f} standard deviations"
     return [
-        Cell(one.name, bold=True),
-        number(quantity(one.value, one.unit, one.digits)),
-        number(NOTHING if one.sigma is None else f"± {quantity(one.sigma, one.unit, one.digits + 1)}"),
-        number(quantity(row_.true, one.unit, one.digits)),
-        Cell(quantity(error, one.unit, one.digits + 1, signed=True), "number", "not proven" if far else "", tip=tip),
-        number(quantity(change, one.unit, one.digits + 1, signed=True)),
+        Cell(one.label, bold=True),
+        number(quantity(one.value, one.unit, digits)),
+        number(NOTHING if not one.sigma else f"± {quantity(one.sigma, one.unit, digits + 1)}"),
+        number(quantity(row_.true, one.unit, digits)),
+        Cell(quantity(error, one.unit, digits + 1, signed=True), "number", "not proven" if far else "", tip=tip),
+        number(quantity(change, one.unit, digits + 1, signed=True)),
     ]

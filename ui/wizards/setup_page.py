@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QSpinBox, QWidget
 
@@ -13,7 +15,9 @@ from ui.widgets.basic import Button, Form, card, column, label, row
 from ui.widgets.board_form import BoardForm
 from ui.widgets.path_field import PathField
 from ui.widgets.segments import Segments
-from ui.wizards.kinds import WizardKind
+
+if TYPE_CHECKING:
+    from measureapp.calibrate.draft.draft import Kind
 
 RIG, IMAGES = "rig", "images"
 VIRTUAL_HINT = "A simulated rig with hidden errors. The result page shows the true values beside the estimates."
@@ -37,16 +41,16 @@ class SetupPage(QWidget):
     resumeClicked = Signal()
     changed = Signal()
 
-    def __init__(self, look: Look, kind: WizardKind) -> None:
+    def __init__(self, look: Look, kind: Kind) -> None:
         super().__init__()
         self._kind = kind
-        self.source = Segments({RIG: "From the rig", IMAGES: kind.recorded})
+        self.source = Segments({RIG: "From the rig", IMAGES: kind.words.recorded})
         self.source.valueChanged.connect(self._show_source)
         self.board = BoardForm()
         self.board.edited.connect(self.changed)
         self.folder = PathField(look, "Folder with images of the board", "Folder with the images")
         self.folder.valueChanged.connect(self.changed)
-        self.tables = {axis: PathField(look, *TABLES[axis], files=TABLE_FILES) for axis in kind.tables}
+        self.tables = {axis: PathField(look, *TABLES[axis], files=TABLE_FILES) for axis in kind.readback_in_rig}
         self.resolution = Segments({"quarter": "Quarter", "half": "Half", "full": "Full"})
         self.seed = QSpinBox()
         self.seed.setRange(1, 9999)
@@ -72,16 +76,18 @@ class SetupPage(QWidget):
         self._rig_part = QWidget()
         self._rig_part.setLayout(column(self._rig_name, self._rig_note, 8, self._virtual_form))
         self._images_part = QWidget()
-        self._images_part.setLayout(column(self.folder, label(self._kind.folder, "small", wrap=True), *self._table_part()))
+        self._images_part.setLayout(column(self.folder, label(self._kind.words.folder, "small", wrap=True), *self._table_part()))
         source = card(label("Images", "heading"), 4, row(self.source, 0), 8, self._rig_part, self._images_part, 0, margin=20)
         board = card(label("Board", "heading"), 4, self.board, 0, margin=20)
         both = row(source, board, spacing=16)
         both.setStretch(0, 1)
         both.setStretch(1, 1)
         tips = card(
-            label("Good views", "heading"), *(label(f"•  {tip}", "body", wrap=True) for tip in (*self._kind.tips, KEPT_TIP)), margin=20
+            label("Good views", "heading"),
+            *(label(f"•  {tip}", "body", wrap=True) for tip in (*self._kind.words.hints, KEPT_TIP)),
+            margin=20,
         )
-        layout = column(label(self._kind.purpose, "body", wrap=True), self.kept, both, tips, 0, spacing=12)
+        layout = column(label(self._kind.words.purpose, "body", wrap=True), self.kept, both, tips, 0, spacing=12)
         self.setLayout(layout)
 
     def _table_part(self) -> list[QWidget]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import QDialog, QStackedWidget, QWidget
@@ -16,9 +18,11 @@ from ui.widgets.help_dialog import HelpDialog
 from ui.widgets.step_list import Step, StepList, StepState
 from ui.wizards.collect_page import CollectPage
 from ui.wizards.footer import Footer
-from ui.wizards.kinds import WizardKind
 from ui.wizards.result_page import ResultPage
 from ui.wizards.setup_page import SetupPage
+
+if TYPE_CHECKING:
+    from measureapp.calibrate.draft.draft import Kind
 
 SETUP, COLLECT, RESULT = range(3)
 SMALLEST, USUAL = (1320, 660), (1340, 740)
@@ -32,9 +36,9 @@ JUDGING, NO_RESULT = "Judging the result…", "These views give no result yet."
 class CalibrationWizard(QDialog):
     """One calibration from the first image to the accepted result; closing loses nothing."""
 
-    def __init__(self, look: Look, kind: WizardKind, calibrating: CalibratingController, parent: QWidget | None = None) -> None:
+    def __init__(self, look: Look, kind: Kind, calibrating: CalibratingController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle(kind.title)
+        self.setWindowTitle(kind.words.title)
         self.setModal(True)
         self.setMinimumSize(*SMALLEST)
         self.resize(*USUAL)
@@ -46,7 +50,7 @@ class CalibrationWizard(QDialog):
             self.stack.addWidget(page)
         self.footer = Footer(look, self.steps)
         self.help = HelpDialog(look, self)
-        title = row(label(kind.title, "title"), 0, self.footer.help)
+        title = row(label(kind.words.title, "title"), 0, self.footer.help)
         middle = row(self.steps, self.stack, spacing=24)
         middle.setStretch(1, 1)
         layout = column(title, middle, self.footer, margin=16, spacing=12)
@@ -129,7 +133,7 @@ class CalibrationWizard(QDialog):
         result: StepState = "waiting" if found is None else "done" if found.sign == "pass" else "problem"
         return [
             setup,
-            Step(self.kind.step, state, words),
+            Step(self.kind.words.step, state, words),
             Step("Result", result, {"done": "Good", "problem": "Look at it"}.get(result, "")),
         ]
 

@@ -22,14 +22,14 @@ from measureapp.calibrate.boards.quality import (
 )
 from measureapp.calibrate.boards.refine import mark_sigmas, off_the_grid
 from measureapp.calibrate.boards.squares import find_squares, squares_in_sight
-from measureapp.calibrate.sightings import FoundBoard
+from measureapp.calibrate.sightings import Sighting
 from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
 from measureapp.errors import CalibrationError
 
 PRECISION_REACH = 0.3  # half the side of the patch that says how well a mark is known, over the distance of marks
 
 
-def find_board(image: ImageArray, board: BoardDescription, expected_px: FloatArray | None = None) -> FoundBoard:
+def find_board(image: ImageArray, board: BoardDescription, expected_px: FloatArray | None = None) -> Sighting:
     """Find the marks of ``board``, each with its standard deviation: all of them, or those in sight where it can be told which they are.
 
     Any part of a ChArUco board can be told; of a checkerboard or a circle grid one that shows where the board ends.
@@ -59,7 +59,7 @@ def find_board(image: ImageArray, board: BoardDescription, expected_px: FloatArr
     sigma = mark_sigmas(grey, board, ids, corners, np.full(len(ids), PRECISION_REACH * spacing))
     edge_px = require_usable(grey, board, ids, corners, sigma)
     on_grid = ~off_the_grid(board, ids, corners)  # seen askance, a corner of a whole board may be refined onto the next edge
-    return FoundBoard(ids[on_grid], corners[on_grid], sigma[on_grid], edge_px)
+    return Sighting("", "", corners[on_grid], ids[on_grid], sigma[on_grid], edge_px)
 
 
 def _marks(grey: ImageArray, board: BoardDescription, expected_px: FloatArray | None) -> tuple[IntArray, FloatArray, float] | None:

@@ -13,7 +13,7 @@ from measureapp.arrays import FloatArray, IntArray, read_only
 from measureapp.calibrate.least_squares import NormalEquations, minimise
 from measureapp.calibrate.poses import moved
 from measureapp.calibrate.projection import cross_matrices, project_with_derivatives
-from measureapp.calibrate.sightings import rms
+from measureapp.calibrate.sightings import Sighting, rms
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
 from measureapp.errors import CalibrationError
@@ -85,6 +85,14 @@ def board_pose(
     pose = RigidTransform(orthonormalised(minimum.state), "camera", "board")
     residuals = np.concatenate([_residuals(minimum.state, *one) for one in seen])
     return BoardPose(pose, minimum.hessian / corner_sigma_px**2, rms(residuals))
+
+
+def pose_of(
+    seen: Mapping[str, Sighting], cameras: CameraArrayCalibration, board: BoardDescription, corner_sigma_px: float = ASSUMED_SIGMA_PX
+) -> BoardPose:
+    """Find camera_from_board from the sightings of several cameras at the same time (camera -> marks); as `board_pose`."""
+    corners = {camera: one.corners_px for camera, one in seen.items()}
+    return board_pose(corners, cameras, board, corner_sigma_px, {camera: one.ids for camera, one in seen.items()})
 
 
 def with_seen_noise(poses: Mapping[Name, BoardPose]) -> dict[Name, BoardPose]:

@@ -6,15 +6,15 @@ from collections.abc import Mapping
 
 from measureapp.arrays import ImageArray
 from measureapp.calibrate.boards.find import find_board
-from measureapp.calibrate.boards.pose import board_pose
-from measureapp.calibrate.sightings import FoundBoard
+from measureapp.calibrate.boards.pose import pose_of
+from measureapp.calibrate.sightings import Sighting
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration
 
 
 def find_beside(
-    image: ImageArray, camera: str, seen: Mapping[str, FoundBoard], cameras: CameraArrayCalibration, board: BoardDescription
-) -> FoundBoard:
+    image: ImageArray, camera: str, seen: Mapping[str, Sighting], cameras: CameraArrayCalibration, board: BoardDescription
+) -> Sighting:
     """Find the part of the board in the image of ``camera``, knowing what other calibrated cameras saw of it; as `find_board`.
 
     Parameters
@@ -26,9 +26,7 @@ def find_beside(
     CalibrationError
         As `find_board`; also where the others' pose of the board does not tell which part it is.
     """
-    pose = board_pose(
-        {name: one.corners_px for name, one in seen.items()}, cameras, board, ids={name: one.ids for name, one in seen.items()}
-    )
+    pose = pose_of(seen, cameras, board)
     own = cameras.cameras[camera]
     expected = own.pinhole.project(own.reference_from_camera.inverse().apply(pose.camera_from_board.apply(board.corners_mm)))
     return find_board(image, board, expected)

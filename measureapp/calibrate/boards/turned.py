@@ -8,16 +8,16 @@ noise of the marks in those sightings, carried on by first derivatives.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
 
 from measureapp.arrays import FloatArray, ImageArray
 from measureapp.calibrate.boards.find import find_board
-from measureapp.calibrate.boards.pose import BoardPose
+from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.poses import moved
-from measureapp.calibrate.sightings import FoundBoard, rms
+from measureapp.calibrate.sightings import Sighting, rms
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
 from measureapp.geometry.transform import RigidTransform, orthonormalised, rotation_about
@@ -32,22 +32,14 @@ RANK = 1e-9  # of I − R, which takes the direction of the axis to nothing
 TINY = 1e-300
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class TurnedBoard:
-    """A sighting of the board by held cameras."""
-
-    pose: BoardPose
-    table_rad: float
-
-
 def find_turned(
-    image: ImageArray, camera: str, seen: Sequence[TurnedBoard], table_rad: float, cameras: CameraArrayCalibration, board: BoardDescription
-) -> FoundBoard:
+    image: ImageArray, camera: str, seen: Sequence[Observation], table_rad: float, cameras: CameraArrayCalibration, board: BoardDescription
+) -> Sighting:
     """Find the part of the board in the image of ``camera``, knowing where it was at other angles of the table; as `find_board`.
 
     Parameters
     ----------
-    seen : sightings by the same cameras standing still; the prediction needs two, or one at the same angle
+    seen : by the same stationary cameras, with pose and table angle; the prediction needs two, or one at the same angle
     table_rad : where the table stands now
 
     Raises
@@ -59,7 +51,7 @@ def find_turned(
 
 
 def expected_after_turn(
-    seen: Sequence[TurnedBoard], table_rad: float, camera: CameraCalibration, board: BoardDescription
+    seen: Sequence[Observation], table_rad: float, camera: CameraCalibration, board: BoardDescription
 ) -> FloatArray | None:
     """Return where the marks of the board should be in the image of ``camera`` (all, 2); None where that cannot be told well enough."""
     chosen = _chosen(seen, table_rad)
@@ -72,40 +64,40 @@ def expected_after_turn(
     return pixels if SIGMAS * _sigma_px(chosen, table_rad, camera, board) < MOST_OFF * _spacing_px(pixels, board) else None
 
 
-def _chosen(seen: Sequence[TurnedBoard], table_rad: float) -> tuple[TurnedBoard, ...] | None:
+def _chosen(seen: Sequence[Observation], table_rad: float) -> tuple[Observation, ...] | None:
     """One sighting at the same angle; else the pair that shows the axis best, and behind it the sighting nearest in angle."""
-    nearest = min(seen, key=lambda one: abs(one.table_rad - table_rad), default=None)
-    if nearest is None or abs(nearest.table_rad - table_rad) < SAME_ANGLE_RAD:
+    nearest = min(seen, key=lambda one: abs(_angle(one) - table_rad), default=None)
+    if nearest is None or abs(_angle(nearest) - table_rad) < SAME_ANGLE_RAD:
         return None if nearest is None else (nearest,)
-    turns = {pair: abs(np.sin(pair[1].table_rad - pair[0].table_rad)) for pair in combinations(seen, 2)}
+    turns = {pair: abs(np.sin(_angle(pair[1]) - _angle(pair[0]))) for pair in combinations(seen, 2)}
     best = max(turns, key=lambda pair: turns[pair], default=None)
     return None if best is None or turns[best] < np.sin(LEAST_TURN_RAD) else (*best, nearest)
 
 
-def _follows(chosen: Sequence[TurnedBoard], board: BoardDescription) -> bool:
+def _follows(chosen: Sequence[Observation], board: BoardDescription) -> bool:
     """Whether the pair moved as angles and axis say: angles of another unit, or a board that slipped, predict nothing."""
     if len(chosen) == 1:
         return True
     first, second, _ = chosen
-    there = _predicted((first, second, first), second.table_rad, board)
+    there = _predicted((first, second, first), _angle(second), board)
     seen = second.pose.camera_from_board.apply(board.corners_mm)
     return rms(RigidTransform(orthonormalised(there), "camera", "board").apply(board.corners_mm) - seen) < MOST_SLIP * board.neighbour_mm
 
 
-def _predicted(chosen: Sequence[TurnedBoard], table_rad: float, board: BoardDescription) -> FloatArray:
+def _predicted(chosen: Sequence[Observation], table_rad: float, board: BoardDescription) -> FloatArray:
     """Return camera_from_board (4, 4) at an angle: the last sighting's, turned about the axis that the first two show."""
     last = chosen[-1].pose.camera_from_board
     if len(chosen) == 1:
         return last.matrix
     first, second = (one.pose.camera_from_board for one in chosen[:2])
-    known = chosen[1].table_rad - chosen[0].table_rad
+    known = _angle(chosen[1]) - _angle(chosen[0])
     turned = second.rotation @ first.rotation.T
     skew = np.array([turned[2, 1] - turned[1, 2], turned[0, 2] - turned[2, 0], turned[1, 0] - turned[0, 1]]) * np.sign(np.sin(known))
     axis = skew / max(float(np.linalg.norm(skew)), TINY)
     turn = rotation_about(axis, known) if skew.any() else np.eye(3)
     carried = second.apply(board.middle_mm) - turn @ first.apply(board.middle_mm)
     point = np.linalg.pinv(np.eye(3) - turn, rcond=RANK) @ carried
-    further = rotation_about(axis, table_rad - chosen[-1].table_rad) if skew.any() else np.eye(3)
+    further = rotation_about(axis, table_rad - _angle(chosen[-1])) if skew.any() else np.eye(3)
     result = np.eye(4)
     result[:3, :3], result[:3, 3] = further, point - further @ point
     return np.asarray(result @ last.matrix)
@@ -116,7 +108,7 @@ def _in_camera(place: FloatArray, camera: CameraCalibration, board: BoardDescrip
     return camera.reference_from_camera.inverse().apply(seen)
 
 
-def _sigma_px(chosen: Sequence[TurnedBoard], table_rad: float, camera: CameraCalibration, board: BoardDescription) -> float:
+def _sigma_px(chosen: Sequence[Observation], table_rad: float, camera: CameraCalibration, board: BoardDescription) -> float:
     """The largest standard deviation of a predicted mark, from the noise of the poses it is predicted from."""
     variance = np.zeros((board.count, 2))
     for one in dict.fromkeys(chosen):
@@ -130,9 +122,14 @@ def _sigma_px(chosen: Sequence[TurnedBoard], table_rad: float, camera: CameraCal
     return float(np.sqrt(variance.sum(axis=1).max()))
 
 
-def _moved(one: TurnedBoard, step: FloatArray) -> TurnedBoard:
+def _moved(one: Observation, step: FloatArray) -> Observation:
     pose = RigidTransform(orthonormalised(moved(one.pose.camera_from_board.matrix, step)), "camera", "board")
-    return replace(one, pose=replace(one.pose, camera_from_board=pose))
+    return replace(one, board=replace(one.pose, camera_from_board=pose))
+
+
+def _angle(one: Observation) -> float:
+    assert one.readback.table_rad is not None  # the caller chose those whose angle is known
+    return one.readback.table_rad
 
 
 def _spacing_px(pixels: FloatArray, board: BoardDescription) -> float:

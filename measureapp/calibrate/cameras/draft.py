@@ -93,7 +93,7 @@ class CameraArrayDraft:
         focal = ROUGH_FOCAL * width
         matrix = np.array([[focal, 0, width / 2], [0, focal, height / 2], [0, 0, 1]])
         _, turn, _ = cv2.solvePnP(
-            self._board.flat_corners_mm[sighting.ids if sighting.ids is not None else slice(None)],
+            self._board.flat_corners_mm[sighting.ids],
             np.array(sighting.corners_px),
             matrix,
             np.zeros(5),

@@ -8,7 +8,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.boards.agreement import agreeing
-from measureapp.calibrate.boards.pose import board_pose
+from measureapp.calibrate.boards.pose import pose_of
 from measureapp.calibrate.cameras.bundle import Bundle, BundleState
 from measureapp.calibrate.least_squares import Minimum
 from measureapp.calibrate.sightings import Sighting
@@ -38,8 +38,7 @@ def poses_seen(sightings: Sequence[Sighting], camera: CameraCalibration, board: 
     to_camera = RigidTransform(camera.reference_from_camera.matrix, "camera", camera.name).inverse()
     poses = {}
     for one in sightings:
-        ids = {} if one.ids is None else {camera.name: one.ids}
-        poses[one.view] = to_camera @ board_pose({camera.name: one.corners_px}, alone, board, ids=ids).camera_from_board
+        poses[one.view] = to_camera @ pose_of({camera.name: one}, alone, board).camera_from_board
     return poses
 
 
@@ -80,14 +79,7 @@ def require_agreement(known: CameraArrayCalibration, sightings: Sequence[Sightin
     for one in sightings:
         if one.camera in known.cameras:
             views.setdefault(one.view, {})[one.camera] = one
-    agreeing(
-        {
-            view: board_pose(
-                {name: one.corners_px for name, one in seen.items()}, known, board, ids={name: one.known_ids for name, one in seen.items()}
-            )
-            for view, seen in views.items()
-        }
-    )
+    agreeing({view: pose_of(seen, known, board) for view, seen in views.items()})
 
 
 def require_known(known: CameraArrayCalibration, sizes_px: Mapping[str, tuple[int, int]]) -> None:

@@ -84,7 +84,7 @@ def projector_sighting(sighting: Sighting, lit: ProjectorPixels | None, projecto
         )
     pixels = np.column_stack([values for values, _ in readings])[known]
     sigma = np.sqrt(np.mean([deviations[known] ** 2 for _, deviations in readings], axis=0))
-    return Sighting(projector, sighting.view, pixels, sighting.known_ids[known], sigma)
+    return Sighting(projector, sighting.view, pixels, sighting.ids[known], sigma)
 
 
 def read_around(

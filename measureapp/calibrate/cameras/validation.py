@@ -154,9 +154,9 @@ def _as_solved(problem: CameraArrayProblem, solution: CameraArraySolution) -> Ca
 
 
 def _without(sighting: Sighting, corners: set[int]) -> Sighting:
-    keep = ~np.isin(sighting.known_ids, list(corners))
+    keep = ~np.isin(sighting.ids, list(corners))
     sigma = None if sighting.sigma_px is None else sighting.sigma_px[keep]
-    return replace(sighting, corners_px=sighting.corners_px[keep], ids=sighting.known_ids[keep], sigma_px=sigma)
+    return replace(sighting, corners_px=sighting.corners_px[keep], ids=sighting.ids[keep], sigma_px=sigma)
 
 
 def _only(problem: CameraArrayProblem, views: list[str]) -> CameraArrayProblem:

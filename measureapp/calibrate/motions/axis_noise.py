@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray
+from measureapp.data.rig import RigDescription
 
 SAME_POSE = 1e-4  # robot poses closer than this (mm, rotation matrix) are one pose with one error
 LEAST_SHARE = 1e-6  # of the variance that is a pose's own, so that neighbouring poses never coincide exactly
+STRAIGHTNESS_MM = 0.003  # usual of a ground rail over the travel of a calibration
+SPAN_OVER_RMS = np.sqrt(8.0)  # of a sine
 ALIKE_MM, ALIKE_TURN = 300.0, 0.6  # of an articulated robot with a reach of about 0.7 m
 
 
@@ -60,6 +63,23 @@ def articulated_robot(accuracy_mm: float, accuracy_rad: float, repeatability_mm:
         robot_repeat_rad=accuracy_rad * share * per_coordinate,
         robot_alike_mm=ALIKE_MM,
         robot_alike_turn=ALIKE_TURN,
+    )
+
+
+def expected_noise(rig: RigDescription) -> AxisNoise:
+    """Return what the data sheets of the rig's axes let expect.
+
+    A table's accuracy is the span of its error over a turn; a guide's repeatability (±) is two standard deviations.
+    """
+    along_mm = rig.guide.repeatability_mm / 2
+    robot = articulated_robot(
+        rig.robot.absolute_accuracy_mm, float(np.deg2rad(rig.robot.absolute_accuracy_deg)), rig.robot.repeatability_mm
+    )
+    return replace(
+        robot,
+        table_rad=float(np.deg2rad(rig.table.accuracy_arcsec / 3600.0)) / SPAN_OVER_RMS,
+        guide_mm=float(np.hypot(STRAIGHTNESS_MM, along_mm)),
+        guide_along_mm=along_mm,
     )
 
 

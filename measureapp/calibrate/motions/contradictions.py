@@ -9,6 +9,7 @@ from typing import Generic, TypeVar
 import numpy as np
 
 from measureapp.arrays import FloatArray
+from measureapp.calibrate.boards.observation import Observation, flanges_of, slides_of
 from measureapp.calibrate.motions import hand_eye, linear_guide, rotation_axis
 from measureapp.calibrate.motions.axis_circles import LEAST_POSITIONS
 from measureapp.calibrate.motions.chain import poses_of
@@ -78,11 +79,10 @@ def solve_guide(problem: GuideProblem, marks_mm: FloatArray) -> Steady[GuideSolu
 
     def solve(kept: Sequence[int]) -> tuple[GuideSolution, dict[int, FloatArray]]:
         chosen = tuple(problem.observations[index] for index in kept)
-        by_cameras = None if problem.by_cameras is None else problem.by_cameras[list(kept)]
-        solution = linear_guide.solve(replace(problem, observations=chosen, by_cameras=by_cameras))
+        solution = linear_guide.solve(replace(problem, observations=chosen))
         return solution, dict(zip(kept, _marks_at(guide_places(solution.guide, problem.hand_eye, chosen), marks_mm), strict=True))
 
-    boards = stacked(one.camera_from_board for one in problem.observations)
+    boards = poses_of([one.pose for one in problem.observations])
     seen = dict(enumerate(_marks_at(boards, marks_mm)))
     return _steady(*without_moved(range(len(seen)), solve, seen, linear_guide.LEAST_POSITIONS), len(seen))
 
@@ -92,11 +92,11 @@ def hand_eye_places(solution: HandEyeSolution, flanges: FloatArray) -> FloatArra
     return inverted(flanges @ solution.refined.flange_from_camera.matrix) @ solution.base_from_board.matrix
 
 
-def guide_places(guide: LinearGuide, hand_eye: HandEye, seen: Sequence[linear_guide.GuideObservation]) -> FloatArray:
+def guide_places(guide: LinearGuide, hand_eye: HandEye, seen: Sequence[Observation]) -> FloatArray:
     """Return camera_from_board (N, 4, 4) where a guide puts the board, which stands at the mean of where it was seen."""
-    shifts = np.array([guide.guide_from_base(one.guide_mm).matrix for one in seen])
-    cameras = shifts @ stacked(one.base_from_flange for one in seen) @ hand_eye.flange_from_camera.matrix
-    return inverted(cameras) @ mean_pose(cameras @ stacked(one.camera_from_board for one in seen))
+    shifts = np.array([guide.guide_from_base(float(position)).matrix for position in slides_of(seen)])
+    cameras = shifts @ flanges_of(seen) @ hand_eye.flange_from_camera.matrix
+    return inverted(cameras) @ mean_pose(cameras @ poses_of([one.pose for one in seen]))
 
 
 def _positions(problem: AxisProblem, kept: Sequence[int]) -> AxisProblem:

@@ -81,37 +81,18 @@ class HandEyeSolution:
         )
 
 
-class HandEyeDraft:
-    """Collects poses until they determine the hand-eye transform."""
-
-    def __init__(self, noise: AxisNoise | None = None) -> None:
-        self._noise = noise or AxisNoise()
-        self._pairs: list[tuple[RigidTransform, BoardPose]] = []
-
-    def add(self, base_from_flange: RigidTransform, board: BoardPose) -> None:
-        """Add one pose of the robot with the board pose seen there."""
-        self._pairs.append((base_from_flange, board))
-
-    def remove(self, index: int) -> None:
-        """Take a pose out again."""
-        del self._pairs[index]
-
-    def shortfalls(self) -> tuple[str, ...]:
-        """Say what is still missing."""
-        if len(self._pairs) < LEAST_POSES:
-            return (f"{LEAST_POSES - len(self._pairs)} more poses are needed.",)
-        try:
-            problem = self.problem()
-            _, degeneracy = motions_between(stacked(problem.base_from_flange), poses_of(problem.boards))
-        except CalibrationError as error:
-            return (str(error),)
-        missing = () if degeneracy.verdict == "good" else (f"The motions are {degeneracy.verdict}.",)
-        few = ADVISED_POSES - len(self._pairs)
-        return (*missing, f"{few} more poses would average the robot's errors better.") if few > 0 else missing
-
-    def problem(self) -> HandEyeProblem:
-        """Return what was collected."""
-        return HandEyeProblem(tuple(flange for flange, _ in self._pairs), tuple(board for _, board in self._pairs), self._noise)
+def shortfalls(problem: HandEyeProblem) -> tuple[str, ...]:
+    """Say what a problem still lacks to determine the hand-eye transform well."""
+    count = len(problem.boards)
+    if count < LEAST_POSES:
+        return (f"{LEAST_POSES - count} more poses are needed.",)
+    try:
+        _, degeneracy = motions_between(stacked(problem.base_from_flange), poses_of(problem.boards))
+    except CalibrationError as error:
+        return (str(error),)
+    missing = () if degeneracy.verdict == "good" else (f"The motions are {degeneracy.verdict}.",)
+    few = ADVISED_POSES - count
+    return (*missing, f"{few} more poses would average the robot's errors better.") if few > 0 else missing
 
 
 def solve(problem: HandEyeProblem, progress: Progress | None = None) -> HandEyeSolution:

@@ -9,10 +9,10 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.poses import stacked
+from measureapp.calibrate.boards.observation import Observation, derivatives_of, flanges_of, slides_of
+from measureapp.calibrate.motions.chain import poses_of
 from measureapp.data.calibration import HandEye, LabelledCovariance, LinearGuide
 from measureapp.errors import CalibrationError
-from measureapp.geometry.transform import RigidTransform
 
 LEAST_POSITIONS = 3
 SHORTEST_STROKE_MM = 10.0
@@ -26,21 +26,11 @@ SCALE_TOLERANCE = 0.01  # guides err by some 1e-4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class GuideObservation:
-    """One sighting of the standing board from one position of the slide."""
-
-    base_from_flange: RigidTransform
-    guide_mm: float
-    camera_from_board: RigidTransform
-
-
-@dataclass(frozen=True, slots=True, eq=False)
 class GuideProblem:
-    """Sightings from several slide positions, with the hand-eye transform."""
+    """Observations of a stationary board from several guide positions, with the hand-eye transform."""
 
-    observations: tuple[GuideObservation, ...]
+    observations: tuple[Observation, ...]  # with pose, robot pose and guide position
     hand_eye: HandEye
-    by_cameras: FloatArray | None = None  # (N, 6, C), change of the board poses with the parameters of ``camera_prior``
     camera_prior: LabelledCovariance | None = None  # what the calibration of the cameras leaves uncertain
 
 
@@ -58,34 +48,15 @@ class GuideSolution:
     warnings: tuple[str, ...] = ()
 
 
-class GuideDraft:
-    """Collects slide positions until they determine the guide."""
-
-    def __init__(self, hand_eye: HandEye) -> None:
-        self._hand_eye = hand_eye
-        self._observations: list[GuideObservation] = []
-
-    def add(self, observation: GuideObservation) -> None:
-        """Add one slide position."""
-        self._observations.append(observation)
-
-    def remove(self, index: int) -> None:
-        """Take a position out again."""
-        del self._observations[index]
-
-    def shortfalls(self) -> tuple[str, ...]:
-        """Say what is still missing."""
-        missing = []
-        if len(self._observations) < LEAST_POSITIONS:
-            missing.append(f"{LEAST_POSITIONS - len(self._observations)} more slide positions are needed.")
-        stroke = _stroke(self._observations)
-        if stroke < ADVISED_STROKE_MM:
-            missing.append(f"The positions span {stroke:.0f} mm; {ADVISED_STROKE_MM:.0f} mm or more give a better direction.")
-        return tuple(missing)
-
-    def problem(self) -> GuideProblem:
-        """Return what was collected."""
-        return GuideProblem(tuple(self._observations), self._hand_eye)
+def shortfalls(observations: Sequence[Observation]) -> tuple[str, ...]:
+    """Say what observations of a stationary board still lack to determine the guide well."""
+    missing = []
+    if len(observations) < LEAST_POSITIONS:
+        missing.append(f"{LEAST_POSITIONS - len(observations)} more guide positions are needed.")
+    stroke = _stroke(observations)
+    if stroke < ADVISED_STROKE_MM:
+        missing.append(f"The positions span {stroke:.0f} mm; {ADVISED_STROKE_MM:.0f} mm or more give a better direction.")
+    return tuple(missing)
 
 
 def solve(problem: GuideProblem) -> GuideSolution:
@@ -105,19 +76,20 @@ def solve(problem: GuideProblem) -> GuideSolution:
             f"{count} slide positions over {stroke:.1f} mm do not determine the guide.",
             f"Give at least {LEAST_POSITIONS} positions over {ADVISED_STROKE_MM:.0f} mm or more.",
         )
-    robot = stacked(observation.base_from_flange for observation in problem.observations)
-    camera = stacked(observation.camera_from_board for observation in problem.observations)
+    robot = flanges_of(problem.observations)
+    camera = poses_of([observation.pose for observation in problem.observations])
     boards = robot @ problem.hand_eye.flange_from_camera.matrix @ camera
-    slide = np.array([observation.guide_mm for observation in problem.observations])
+    slide = slides_of(problem.observations)
     turn = _turns(boards)
     return _fitted(boards[:, :3, 3], slide, turn, stroke, _by_cameras(problem, robot, slide))
 
 
 def _by_cameras(problem: GuideProblem, robot: FloatArray, slide: FloatArray) -> FloatArray:
     """Return the covariance (3, 3) of the travel per displayed millimetre that the cameras' own uncertainty adds."""
-    if problem.by_cameras is None or problem.camera_prior is None:
+    by_cameras = derivatives_of(problem.observations)
+    if by_cameras is None or problem.camera_prior is None:
         return np.zeros((3, 3))
-    turned = robot[:, :3, :3] @ problem.hand_eye.flange_from_camera.rotation @ problem.by_cameras[:, 3:]  # (N, 3, C)
+    turned = robot[:, :3, :3] @ problem.hand_eye.flange_from_camera.rotation @ by_cameras[:, 3:]  # (N, 3, C)
     away = slide - slide.mean()
     travel = -np.tensordot(away, turned, 1) / float(away @ away)
     return np.asarray(travel @ problem.camera_prior.covariance @ travel.T)
@@ -176,9 +148,8 @@ def paper_error_mm(direction: FloatArray, scale: float) -> float:
     return float(np.linalg.norm(scale * direction - PAPER_DIRECTION))
 
 
-def _stroke(observations: Sequence[GuideObservation]) -> float:
-    positions = [observation.guide_mm for observation in observations]
-    return float(np.ptp(positions)) if positions else 0.0
+def _stroke(observations: Sequence[Observation]) -> float:
+    return float(np.ptp(slides_of(observations))) if observations else 0.0
 
 
 def _turns(boards: FloatArray) -> FloatArray:

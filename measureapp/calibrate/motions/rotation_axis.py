@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -33,6 +33,15 @@ LARGEST_RATIO, LARGEST_RESIDUAL_MM = 3.0, 0.05  # of positions that agree
 METHODS = ("least_squares", "distance_weighted", "maximum_likelihood")
 
 
+@dataclass(frozen=True, slots=True)
+class AxisOptions:
+    """How an axis is estimated and judged."""
+
+    power: float = 2.0  # p of the distance weighting
+    free_angles: bool = False  # estimate the angles, even where they were read back
+    closure_radius_mm: float = CLOSURE_RADIUS_MM  # at which the closure is stated
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class AxisProblem:
     """Corners of a board on the table at several table positions, in one frame."""
@@ -40,10 +49,8 @@ class AxisProblem:
     corners_mm: FloatArray  # (n, m, 3)
     angles_rad: FloatArray | None = None  # (n,), as read back
     poses: tuple[BoardPose, ...] = ()  # where the corners come from board poses, these with their information
-    power: float = 2.0
-    free_angles: bool = False  # estimate the angles, even where they were read back
+    options: AxisOptions = field(default_factory=AxisOptions)
     frame: str = "camera"
-    closure_radius_mm: float = CLOSURE_RADIUS_MM
     by_cameras: FloatArray | None = None  # (n, 6, C), change of ``poses`` with the parameters of ``camera_prior``
     camera_prior: LabelledCovariance | None = None  # what the calibration of the cameras leaves uncertain
     names: tuple[str, ...] = ()  # of the positions, for messages; empty: their numbers from 0
@@ -84,34 +91,15 @@ class AxisSolution:
         return self.estimates["maximum_likelihood"]
 
 
-class AxisDraft:
-    """Collects table positions until they determine the axis."""
-
-    def __init__(self, board: BoardDescription) -> None:
-        self._board = board
-        self._sightings: list[tuple[BoardPose, float | None]] = []
-
-    def add(self, pose: BoardPose, angle_rad: float | None = None) -> None:
-        """Add one table position."""
-        self._sightings.append((pose, angle_rad))
-
-    def remove(self, index: int) -> None:
-        """Take a position out again."""
-        del self._sightings[index]
-
-    def shortfalls(self) -> tuple[str, ...]:
-        """Say what is still missing."""
-        if len(self._sightings) < LEAST_POSITIONS:
-            return (f"{LEAST_POSITIONS - len(self._sightings)} more table positions are needed.",)
-        try:
-            sweep = float(np.ptp(turning_of(self.problem().corners_mm).angles_rad))
-        except CalibrationError as error:
-            return (str(error),)
-        return (f"The table turned by {np.rad2deg(sweep):.0f}°; turn it by 30° or more.",) if sweep < SHORT_SWEEP_RAD else ()
-
-    def problem(self) -> AxisProblem:
-        """Return what was collected."""
-        return problem_from_poses([pose for pose, _ in self._sightings], self._board, [angle for _, angle in self._sightings])
+def shortfalls(problem: AxisProblem) -> tuple[str, ...]:
+    """Say what a problem still lacks to determine the rotation axis well."""
+    if len(problem.corners_mm) < LEAST_POSITIONS:
+        return (f"{LEAST_POSITIONS - len(problem.corners_mm)} more table positions are needed.",)
+    try:
+        sweep = float(np.ptp(turning_of(problem.corners_mm).angles_rad))
+    except CalibrationError as error:
+        return (str(error),)
+    return (f"The table turned by {np.rad2deg(sweep):.0f}°; turn it by 30° or more.",) if sweep < SHORT_SWEEP_RAD else ()
 
 
 def problem_from_poses(
@@ -119,15 +107,14 @@ def problem_from_poses(
     board: BoardDescription,
     angles_rad: Sequence[float | None] = (),
     *,
-    power: float = 2.0,
-    free_angles: bool = False,
+    options: AxisOptions | None = None,
     names: Sequence[str] = (),
 ) -> AxisProblem:
     """Return the problem of board poses; angles count only where all of them are known."""
     corners = np.array([pose.camera_from_board.apply(board.corners_mm) for pose in poses]).reshape(len(poses), board.count, 3)
     known = [angle for angle in angles_rad if angle is not None]
     angles = np.array(known) if poses and len(known) == len(poses) else None
-    return AxisProblem(corners, angles, tuple(poses), power, free_angles, names=tuple(names))
+    return AxisProblem(corners, angles, tuple(poses), options or AxisOptions(), names=tuple(names))
 
 
 def solve(problem: AxisProblem, progress: Progress | None = None) -> AxisSolution:
@@ -150,12 +137,12 @@ def solve(problem: AxisProblem, progress: Progress | None = None) -> AxisSolutio
             f"Give at least {LEAST_POSITIONS} positions of at least 3 corners.",
         )
     start = _start(corners, problem.angles_rad, problem.names)
-    free = problem.free_angles or problem.angles_rad is None
+    free = problem.options.free_angles or problem.angles_rad is None
     progress.report(0, 3, "maximum likelihood")
     likely, covariance, variance = _maximum_likelihood(problem, corners, start, free)
     estimates = {"maximum_likelihood": likely}
     refused = {}
-    for done, (method, power) in enumerate((("least_squares", 0.0), ("distance_weighted", problem.power)), 1):
+    for done, (method, power) in enumerate((("least_squares", 0.0), ("distance_weighted", problem.options.power)), 1):
         progress.report(done, 3, method)
         try:
             estimates[method] = _by_circles(problem, corners, power, likely, variance)
@@ -167,10 +154,10 @@ def solve(problem: AxisProblem, progress: Progress | None = None) -> AxisSolutio
     ordered = {method: estimates[method] for method in METHODS if method in estimates}
     angles = start.angles_rad if problem.angles_rad is not None else likely.angles_rad
     diagnostics = diagnose(
-        likely.axis, corners, angles, angles_were_read=problem.angles_rad is not None, radius_mm=problem.closure_radius_mm
+        likely.axis, corners, angles, angles_were_read=problem.angles_rad is not None, radius_mm=problem.options.closure_radius_mm
     )
     warnings = (*(short if sweep < SHORT_SWEEP_RAD else ()), *_contradictions(problem, likely, variance), *diagnostics.warnings)
-    return AxisSolution(ordered, refused, sweep, problem.power, covariance, diagnostics, warnings)
+    return AxisSolution(ordered, refused, sweep, problem.options.power, covariance, diagnostics, warnings)
 
 
 def _contradictions(problem: AxisProblem, likely: AxisEstimate, variance: float) -> tuple[str, ...]:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray
-from measureapp.calibrate.boards.pose import BoardPose
+from measureapp.calibrate.boards.observation import Observation, derivatives_of
 from measureapp.calibrate.motions.axis_noise import SAME_POSE, AxisNoise, approaches_of
 from measureapp.calibrate.motions.chain import Chain, Free, groups_of, poses_of, roots_of
 from measureapp.calibrate.motions.chain_state import ChainState
@@ -28,17 +28,6 @@ SAME_ANGLE_RAD = 1e-7
 OUTLIER_FACTOR = 6.0  # of the median misfit
 MOST_REJECTED = 0.25
 REJECTED = "the board was seen far from where all other sightings put it: it moved, or was found wrongly"
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class RigObservation:
-    """One sighting of the board with the read-back of every axis."""
-
-    name: str
-    readback: AxisReadback
-    board: BoardPose
-    by_cameras: FloatArray | None = None  # (6, C), change of the board pose with the parameters of a `LabelledCovariance`
-    approach: int | None = None  # of the robot, see `approaches_to`; None: equal poses that follow one another are one
 
 
 def approaches_to(poses: Sequence[RigidTransform]) -> tuple[int, ...]:
@@ -66,7 +55,7 @@ def shortfalls(readbacks: Sequence[AxisReadback]) -> tuple[str, ...]:
 
 
 def solve_rig(
-    observations: Sequence[RigObservation],
+    observations: Sequence[Observation],
     cameras: CameraArrayCalibration,
     *,
     noise: AxisNoise | None = None,
@@ -95,7 +84,7 @@ def solve_rig(
     progress = progress or NoProgress()
     noise = noise or AxisNoise()
     _check_determined(observations, camera_prior)
-    free_guide = _spans([observation.readback for observation in observations])[1] >= LEAST_STROKE_MM
+    free_guide = _spans([observation.axes for observation in observations])[1] >= LEAST_STROKE_MM
     stages = stages_of(observations, free_guide)
     kept = _numbered(observations)
     rejected: dict[str, str] = {}
@@ -106,25 +95,25 @@ def solve_rig(
         outlier = _worst_outlier(chain, minimum.state, None if free_cameras else camera_prior)
         if outlier is None:
             break
-        rejected[kept.pop(outlier).name] = REJECTED
+        rejected[kept.pop(outlier).id] = REJECTED
         if (
             len(rejected) > MOST_REJECTED * len(observations)
             or len(kept) < LEAST_OBSERVATIONS
-            or _spans([one.readback for one in kept])[0] < LEAST_SWEEP_RAD
+            or _spans([one.axes for one in kept])[0] < LEAST_SWEEP_RAD
         ):
             raise CalibrationError(
                 "Too many sightings of the board contradict each other: " + ", ".join(rejected) + ".",
                 "Check that the board is fixed on the table, and that tables and images are in the same order.",
             )
     progress.report(1, 1)
-    names = [observation.name for observation in kept]
+    names = [observation.id for observation in kept]
     unseen = () if free_guide else (_UNSEEN_GUIDE,)
     return solution_of(chain, minimum, names, cameras, stages, rejected=rejected, not_seen=unseen, camera_prior=camera_prior)
 
 
-def _check_determined(observations: Sequence[RigObservation], camera_prior: LabelledCovariance | None) -> None:
+def _check_determined(observations: Sequence[Observation], camera_prior: LabelledCovariance | None) -> None:
     """Raise CalibrationError for too few sightings, too little of the table, or sightings that cannot take up a camera prior."""
-    sweep, _ = _spans([observation.readback for observation in observations])
+    sweep, _ = _spans([observation.axes for observation in observations])
     if camera_prior is not None and any(observation.by_cameras is None for observation in observations):
         raise CalibrationError(
             "The board poses do not say how they depend on the cameras.", "Give `by_cameras` with every sighting, or no camera prior."
@@ -145,13 +134,11 @@ def _spans(readbacks: Sequence[AxisReadback]) -> tuple[float, float]:
     return float(np.ptp([one.table_rad for one in readbacks])), float(np.ptp([one.guide_mm for one in readbacks]))
 
 
-def _chain(
-    observations: Sequence[RigObservation], noise: AxisNoise, stages: RigStages, free: Free, freed: LabelledCovariance | None
-) -> Chain:
-    robot = np.array([observation.readback.base_from_flange.matrix for observation in observations])
-    table = np.array([observation.readback.table_rad for observation in observations])
-    slide = np.array([observation.readback.guide_mm for observation in observations])
-    boards = [observation.board for observation in observations]
+def _chain(observations: Sequence[Observation], noise: AxisNoise, stages: RigStages, free: Free, freed: LabelledCovariance | None) -> Chain:
+    robot = np.array([observation.axes.base_from_flange.matrix for observation in observations])
+    table = np.array([observation.axes.table_rad for observation in observations])
+    slide = np.array([observation.axes.guide_mm for observation in observations])
+    boards = [observation.pose for observation in observations]
     approaches = _approaches(observations, robot, noise)
     travel = travel_in_camera(robot, np.asarray(stages.hand_eye.flange_from_camera.matrix), stages.guide.direction)
     added = slide_covariance(noise, approaches, slide, travel)
@@ -165,30 +152,25 @@ def _chain(
         table_group=groups_of(table[:, None], SAME_ANGLE_RAD),
         noise=noise,
         free=free,
-        by_cameras=_by_cameras(observations),
+        by_cameras=derivatives_of(observations),
         camera_covariance=None if freed is None else freed.covariance,
         slide=added,
     )
 
 
-def _numbered(observations: Sequence[RigObservation]) -> list[RigObservation]:
+def _numbered(observations: Sequence[Observation]) -> list[Observation]:
     """Number the approaches before sightings are rejected, where they are not told."""
     if all(observation.approach is not None for observation in observations):
         return list(observations)
-    numbers = approaches_to([observation.readback.base_from_flange for observation in observations])
+    numbers = approaches_to([observation.axes.base_from_flange for observation in observations])
     return [replace(observation, approach=number) for observation, number in zip(observations, numbers, strict=True)]
 
 
-def _approaches(observations: Sequence[RigObservation], robot: FloatArray, noise: AxisNoise) -> IntArray:
+def _approaches(observations: Sequence[Observation], robot: FloatArray, noise: AxisNoise) -> IntArray:
     """Return the approach of every sighting, without gaps; a robot that repeats its poses exactly approaches each of them only once."""
     if noise.robot_repeat_mm <= 0:
         return groups_of(robot[:, :3].reshape(-1, 12), SAME_POSE)
     return np.unique([observation.approach or 0 for observation in observations], return_inverse=True)[1].astype(np.intp)
-
-
-def _by_cameras(observations: Sequence[RigObservation]) -> FloatArray | None:
-    parts = [observation.by_cameras for observation in observations if observation.by_cameras is not None]
-    return np.array(parts) if len(parts) == len(observations) else None
 
 
 def _start(stages: RigStages, chain: Chain) -> ChainState:

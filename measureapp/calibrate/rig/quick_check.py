@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from measureapp.arrays import FloatArray
+from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.boards.pose import stated_pose
 from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.motions.chain import Chain, Free, roots_of
 from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.poses import inverted, median_pose, stacked
-from measureapp.calibrate.rig.joint import RigObservation
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import RigCalibration
 from measureapp.errors import CalibrationError
@@ -54,7 +54,7 @@ class QuickCheck:
 
 
 def quick_check(
-    observations: Sequence[RigObservation], calibration: RigCalibration, board: BoardDescription, *, limit_mm: float = 0.5
+    observations: Sequence[Observation], calibration: RigCalibration, board: BoardDescription, *, limit_mm: float = 0.5
 ) -> QuickCheck:
     """Compare a few sightings of a board fixed on the table with the calibrated chain.
 
@@ -72,7 +72,7 @@ def quick_check(
             f"{len(observations)} views of the board do not check a calibration.",
             f"Give at least {LEAST_VIEWS}, with different poses of the robot, slide positions and table angles.",
         )
-    places = stacked(calibration.part_from_camera(one.readback) @ one.board.camera_from_board for one in observations)
+    places = stacked(calibration.part_from_camera(one.axes) @ one.pose.camera_from_board for one in observations)
     middle = median_pose(places)
     views = tuple(_view(one, place, middle, calibration, board) for one, place in zip(observations, places, strict=True))
     not_tested = _not_tested(observations)
@@ -89,17 +89,17 @@ def quick_check(
     return QuickCheck(good, sentence, views, limit_mm, suspect, explained, not_tested)
 
 
-def _view(one: RigObservation, place: FloatArray, middle: FloatArray, calibration: RigCalibration, board: BoardDescription) -> ViewCheck:
+def _view(one: Observation, place: FloatArray, middle: FloatArray, calibration: RigCalibration, board: BoardDescription) -> ViewCheck:
     corners = np.column_stack([board.corners_mm, np.ones(len(board.corners_mm))])
     off = (corners @ (place - middle).T)[:, :3]
-    predicted = inverted(calibration.part_from_camera(one.readback).matrix) @ middle
+    predicted = inverted(calibration.part_from_camera(one.axes).matrix) @ middle
     reference = calibration.cameras.cameras[calibration.cameras.reference].pinhole
-    seen, expected = (reference.project((corners @ pose.T)[:, :3]) for pose in (one.board.camera_from_board.matrix, predicted))
+    seen, expected = (reference.project((corners @ pose.T)[:, :3]) for pose in (one.pose.camera_from_board.matrix, predicted))
     return ViewCheck(
-        one.name,
+        one.id,
         float(np.sqrt(np.mean(np.sum(off**2, axis=1)))),
         float(np.sqrt(np.mean(np.sum((seen - expected) ** 2, axis=1)))),
-        one.board.rms_px,
+        one.pose.rms_px,
     )
 
 
@@ -107,9 +107,9 @@ def _camera_rms(calibration: RigCalibration) -> float:
     return float(np.mean([camera.rms_px for camera in calibration.cameras.cameras.values()]))
 
 
-def _not_tested(observations: Sequence[RigObservation]) -> tuple[str, ...]:
+def _not_tested(observations: Sequence[Observation]) -> tuple[str, ...]:
     """Return the links that the views cannot tell, because their axis did not move."""
-    reads = [one.readback for one in observations]
+    reads = [one.axes for one in observations]
     first = reads[0].base_from_flange.inverse()
     tilt = max((first @ read.base_from_flange).angle_rad for read in reads)
     still = {
@@ -121,7 +121,7 @@ def _not_tested(observations: Sequence[RigObservation]) -> tuple[str, ...]:
 
 
 def _explained(
-    observations: Sequence[RigObservation], calibration: RigCalibration, part_from_board: FloatArray, not_tested: Sequence[str]
+    observations: Sequence[Observation], calibration: RigCalibration, part_from_board: FloatArray, not_tested: Sequence[str]
 ) -> dict[str, float]:
     """Return which share of the mean square deviation each link, freed alone, takes away."""
     start = _state(calibration, part_from_board, len(observations))
@@ -133,14 +133,14 @@ def _explained(
     }
 
 
-def _misfit(observations: Sequence[RigObservation], calibration: RigCalibration, free: Free, start: ChainState) -> float:
+def _misfit(observations: Sequence[Observation], calibration: RigCalibration, free: Free, start: ChainState) -> float:
     """Return the sum of squares left with ``free`` links, per degree of freedom."""
     count = len(observations)
-    poses = [stated_pose(one.board.camera_from_board, BOARD_RAD, BOARD_MM) for one in observations]
+    poses = [stated_pose(one.pose.camera_from_board, BOARD_RAD, BOARD_MM) for one in observations]
     chain = Chain(
         base_from_flange=stacked(_flange(one, calibration) for one in observations),
-        guide_mm=np.array([one.readback.guide_mm for one in observations]),
-        table_rad=np.array([one.readback.table_rad for one in observations]),
+        guide_mm=np.array([one.axes.guide_mm for one in observations]),
+        table_rad=np.array([one.axes.table_rad for one in observations]),
         camera_from_board=stacked(pose.camera_from_board for pose in poses),
         roots=roots_of(poses),
         robot_group=np.arange(count),
@@ -151,9 +151,9 @@ def _misfit(observations: Sequence[RigObservation], calibration: RigCalibration,
     return chain.adjusted(replace(start, table_changes=np.zeros(chain.table_angles))).cost / max(chain.freedom(), 1)
 
 
-def _flange(one: RigObservation, calibration: RigCalibration) -> RigidTransform:
-    station = calibration.station(one.readback)
-    return one.readback.base_from_flange if station is None else station.true
+def _flange(one: Observation, calibration: RigCalibration) -> RigidTransform:
+    station = calibration.station(one.axes)
+    return one.axes.base_from_flange if station is None else station.true
 
 
 def _state(calibration: RigCalibration, part_from_board: FloatArray, count: int) -> ChainState:

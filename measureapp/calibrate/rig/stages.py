@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.boards.pose import BoardPose
+from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.motions.axis_circles import LEAST_POSITIONS, axis_through_centres
 from measureapp.calibrate.motions.axis_motion import turning_of
 from measureapp.calibrate.motions.chain import groups_of, poses_of
@@ -25,7 +24,6 @@ from measureapp.calibrate.motions.pose_checks import (
 from measureapp.calibrate.motions.relative import motions_between
 from measureapp.calibrate.poses import mean_pose
 from measureapp.data.calibration import HandEye, LinearGuide, RotationAxis
-from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform, orthonormalised
 
@@ -34,18 +32,6 @@ BOARD_POINTS = np.array(
 )  # stand for the board where only poses count
 SAME_ANGLE_RAD = 1e-3
 PAPER_GUIDE = LinearGuide(np.array([0.0, 1.0, 0.0]), 1.0)
-
-
-class Observation(Protocol):
-    """A sighting of the board with the read-back of every axis."""
-
-    @property
-    def readback(self) -> AxisReadback:
-        """Where every axis said it was."""
-
-    @property
-    def board(self) -> BoardPose:
-        """The board in the reference camera's frame."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -78,12 +64,12 @@ def stages_of(observations: Sequence[Observation], guide_moved: bool) -> RigStag
     CalibrationError
         Too few robot poses at one table angle, parallel motions, a table that hardly turned, or tables in another unit or order.
     """
-    angles = np.array([observation.readback.table_rad for observation in observations])
+    angles = np.array([observation.axes.table_rad for observation in observations])
     group = groups_of(angles[:, None], SAME_ANGLE_RAD)
     still = np.flatnonzero(group == np.argmax(np.bincount(group)))
-    robot = np.array([observation.readback.base_from_flange.matrix for observation in observations])
-    slide = np.array([observation.readback.guide_mm for observation in observations])
-    camera = poses_of([observation.board for observation in observations])
+    robot = np.array([observation.axes.base_from_flange.matrix for observation in observations])
+    slide = np.array([observation.axes.guide_mm for observation in observations])
+    camera = poses_of([observation.pose for observation in observations])
     check_robot_unit(robot)
     check_guide_unit(robot[still], slide[still], camera[still], PAPER_GUIDE.direction)
     carried = _carried(robot, slide, PAPER_GUIDE)[still]

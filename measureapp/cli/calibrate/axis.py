@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -16,9 +15,10 @@ from measureapp.cli.reply import TerminalProgress
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
+    from measureapp.calibrate.draft.draft import Draft
     from measureapp.calibrate.motions.axis_diagnostics import AxisDiagnostics
     from measureapp.calibrate.motions.rotation_axis import AxisEstimate, AxisProblem, AxisSolution
-    from measureapp.cli.calibrate.sightings import PosesFromImages
+    from measureapp.cli.calibrate.observed_files import ObservedFiles
     from measureapp.progress import Progress
 
 
@@ -41,27 +41,27 @@ def register(group: typer.Typer) -> None:
         """Find the rotation axis by least squares, distance weighting and maximum likelihood."""
         from dataclasses import replace
 
+        from measureapp.calibrate.kinds.axis import solve_draft
         from measureapp.calibrate.motions.contradictions import solve_axis
+        from measureapp.calibrate.motions.rotation_axis import AxisOptions
         from measureapp.calibrate.rig.limits import axis_limits
-        from measureapp.cli.calibrate.sightings import telling_refused
 
         if not 1 < power < 100:
             raise InputError(f"--power {power:g} is not above 1.", "The paper's weighting needs p > 1; 2 is usual.")
         if (corners is None) == (not source.images):
             raise InputError("Give either --corners or --images.", "With --images also --cameras, --board and --square-mm.")
-        wanted = asked.values(("axis direction", "axis position"))
-        progress = TerminalProgress()
-        problem, seen = (_from_corners(corners, angles), None) if corners is not None else _from_images(source, angles, progress)
-        problem = replace(problem, power=power, free_angles=free_angles, closure_radius_mm=closure_radius_mm)
-        with telling_refused(seen):
-            found = solve_axis(problem)
-        solution = found.solution
+        wanted, progress = asked.values(("axis direction", "axis position")), TerminalProgress()
+        options, rejected = AxisOptions(power, free_angles, closure_radius_mm), list[dict[str, Any]]()
+        if corners is not None:
+            found = solve_axis(replace(_from_corners(corners, angles), options=options))
+            solution, moved = found.solution, {str(index): reason for index, reason in found.moved.items()}
+        else:
+            seen, draft = _from_images(source, angles, progress)
+            with seen.naming_refused():
+                solved = solve_draft(draft, progress, options)
+            solution, (rejected, moved) = solved.solution, seen.outcome(solved)
         limits = axis_limits(solution, wanted)
-        document = (
-            axis_answer(solution, problem.frame)
-            | limits_answer(limits)
-            | {"rejected": [] if seen is None else seen.rejected, "moved": _moved(problem, found.moved)}
-        )
+        document = axis_answer(solution, solution.best.axis.frame) | limits_answer(limits) | {"rejected": rejected, "moved": moved}
         answer.give(ctx, document, [*_lines(document), *limit_lines(limits)])
         asked.exit_unless_met(limits)
 
@@ -82,25 +82,16 @@ def _from_corners(corners: Path, angles: Path | None) -> AxisProblem:
     return AxisProblem(table.corners_mm, known)
 
 
-def _from_images(source: BoardSource, angles: Path | None, progress: Progress) -> tuple[AxisProblem, PosesFromImages]:
-    from dataclasses import replace
-
-    from measureapp.calibrate.motions.rotation_axis import problem_from_poses
-    from measureapp.cli.calibrate.sightings import poses_from_images
+def _from_images(source: BoardSource, angles: Path | None, progress: Progress) -> tuple[ObservedFiles, Draft]:
+    from measureapp.calibrate.draft.draft import Setup
+    from measureapp.calibrate.kinds.table import KINDS
+    from measureapp.cli.calibrate.observed_files import observe_files
+    from measureapp.data.fringe import Readback
     from measureapp.project.tables import read_angles
 
-    given = None if angles is None else list(read_angles(angles).values())
-    seen = poses_from_images(source, "the rotation axis", progress, given)
-    known: list[float] | list[None] = given or [None] * seen.positions
-    names = [str(position) for position in seen.poses]
-    problem = problem_from_poses(list(seen.poses.values()), seen.board, [known[position] for position in seen.poses], names=names)
-    cameras_say = seen.uncertainty(seen.poses)
-    return replace(problem, by_cameras=cameras_say.by_cameras, camera_prior=cameras_say.prior), seen
-
-
-def _moved(problem: AxisProblem, moved: Mapping[int, str]) -> dict[str, str]:
-    """Return position -> why it was left out."""
-    return {problem.names[index] if problem.names else str(index): reason for index, reason in moved.items()}
+    readbacks = None if angles is None else {str(n): Readback(table_rad=one) for n, one in enumerate(read_angles(angles).values())}
+    seen = observe_files(source, "the rotation axis", progress, readbacks)
+    return seen, seen.draft(Setup(KINDS["axis"], seen.board, seen.camera_names, seen.cameras))
 
 
 def axis_answer(solution: AxisSolution, frame: str) -> dict[str, Any]:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from measureapp.cli.calibrate.options import BoardChoice, ImagesOption
-from measureapp.errors import CalibrationError, InputError
+from measureapp.errors import InputError
 
 if TYPE_CHECKING:
     from measureapp.progress import Progress
@@ -59,26 +59,29 @@ class CornerSource:
         return numbers
 
     def _from_images(self, progress: Progress) -> CameraInputs:
-        from measureapp.calibrate.boards.find import find_board
-        from measureapp.calibrate.cameras.draft import CameraArrayDraft
-        from measureapp.calibrate.sightings import sighting_of
+        from measureapp.calibrate.draft.draft import Setup
+        from measureapp.calibrate.kinds.lenses import camera_problem
+        from measureapp.calibrate.kinds.table import KINDS
+        from measureapp.calibrate.sightings import Rejection
+        from measureapp.calibration_session.observing import Position, observe
         from measureapp.project.calibration.board_images import find_board_images
         from measureapp.project.calibration.camera_inputs import CameraInputs
 
         board, files = self.board.description(), find_board_images(self.images or ())
         self.serials(files.cameras)
-        sizes = {camera: files.size_px(camera) for camera in files.cameras}
-        draft = CameraArrayDraft(
-            board, self.reference or files.cameras[0], sizes, DISTORTION if self.distortion is None else self.distortion
-        )
-        total = len(files.cameras) * files.positions
-        for done, (camera, position, image) in enumerate(files.each()):
-            progress.report(done, total, f"board in {files.path(camera, position).name}")
-            try:
-                draft.add_sighting(sighting_of(camera, _view(position), find_board(image, board)))
-            except CalibrationError as error:
-                draft.reject(camera, _view(position), f"{error.message} {error.hint}".rstrip("."))
-        return CameraInputs(draft.problem(), _names(files))
+        first = self.reference or files.cameras[0]
+        if first not in files.cameras:
+            raise InputError(f"--reference {first!r} is not among the cameras.", "Name one of: " + ", ".join(files.cameras) + ".")
+        names = (first, *(name for name in files.cameras if name != first))
+        setup = Setup(KINDS["cameras"], board, names, distortion_count=DISTORTION if self.distortion is None else self.distortion)
+        sizes = files.sizes_px()
+        positions = [
+            Position(_view(number), lambda number=number: files.read(number, sizes))  # type: ignore[misc]
+            for number in range(files.positions)
+        ]
+        observed = observe(positions, board, None, progress)
+        rejected = [Rejection(one.camera, one.id, one.reason.rstrip(".")) for one in observed.refused]
+        return CameraInputs(camera_problem(observed.draft(setup, {name: sizes[name] for name in names}), rejected), _names(files))
 
 
 def _names(files: BoardImages) -> dict[tuple[str, str], str]:

@@ -11,7 +11,7 @@ import typer
 
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import Answer, BoardSource
-from measureapp.cli.calibrate.pose_options import RigTables, rig_sightings
+from measureapp.cli.calibrate.pose_options import RigTables, observe_rig
 from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.cli.reply import TerminalProgress
 from measureapp.errors import InputError, MeasureError
@@ -94,9 +94,10 @@ def _checked_files(files: RigFiles, source: BoardSource, limit_mm: float) -> dic
     from measureapp.calibrate.rig.quick_check import quick_check
 
     calibration, tables = files.needed()
-    observations, seen = rig_sightings(tables, source, "the check of the rig", TerminalProgress())
-    found = quick_check(observations, read_rig_answer(calibration, seen.cameras), seen.board, limit_mm=limit_mm)
-    return check_answer(found) | {"images_rejected": seen.rejected}
+    seen = observe_rig(tables, source, "the check of the rig", TerminalProgress())
+    located = seen.located()
+    found = quick_check(located.observations, read_rig_answer(calibration, seen.cameras), seen.board, limit_mm=limit_mm)
+    return check_answer(found) | {"images_rejected": seen.rejected(located.rejected)}
 
 
 def read_rig_answer(path: Path, cameras: CameraArrayCalibration) -> RigCalibration:

@@ -1,4 +1,4 @@
-"""`calibrate collect`: everything a calibration wizard does, with recorded images: collect, take out, undo, be coached, solve, compare, accept."""
+"""`calibrate collect`: everything a calibration wizard does, with recorded images: collect, remove, undo, get guidance, solve, compare, accept."""
 
 from __future__ import annotations
 
@@ -34,18 +34,18 @@ def register(group: typer.Typer) -> None:
 
         In one call these follow in this order: undo, redo, images, remove, solve, compare, accept, coach.
         """
+        from measureapp.calibration_session.recorded import ReadbackFiles
         from measureapp.cli.calibrate.collect_answer import collect_lines
         from measureapp.cli.calibrate.collect_session import Given, Sources, limits_of, opened
         from measureapp.cli.calibrate.collect_steps import carry_out
-        from measureapp.pipeline.collecting import ReadbackFiles
         from measureapp.project.claim import claimed
 
         limits = limits_of(steps.good_mm, steps.usable_mm)
         readbacks = ReadbackFiles(recorded.robot_poses, recorded.guide_positions, recorded.angles)
         sources = Sources(tuple(source.images or ()), tuple(recorded.fringes or ()), recorded.views, readbacks)
-        collection = opened(session, Given(kind, source.board, source.cameras, start, noise.axis_noise()), sources)
-        with claimed(collection.folder):
-            done = carry_out(steps, limits, collection, sources, TerminalProgress())
+        collected = opened(session, Given(kind, source.board, source.cameras, start, noise.axis_noise()), sources)
+        with claimed(collected.folder):
+            done = carry_out(steps, limits, collected, sources, TerminalProgress())
         reply(done.document, "\n".join(collect_lines(done.document)), as_json)
         if not done.within:
             raise typer.Exit(OUT_OF_TOLERANCE)

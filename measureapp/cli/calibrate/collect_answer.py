@@ -6,17 +6,19 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from measureapp.pipeline.collecting import estimates_of, result_of
-
 if TYPE_CHECKING:
-    from measureapp.pipeline.collecting import Advice, Collection, Comparison, Observation, Readback, Verdict
-    from measureapp.pipeline.collecting.coaching import Ghost
+    from measureapp.calibrate.draft.advice import Advice, Ghost
+    from measureapp.calibrate.draft.comparison import Comparison
+    from measureapp.calibrate.draft.verdict import Verdict
+    from measureapp.calibration_session.observation import CollectedObservation
+    from measureapp.calibration_session.snapshot import Snapshot
+    from measureapp.data.fringe import Readback
 
 MARKS = {"used": "✓", "new": "·", "rejected": "✗", "removed": "–", "no board": "✗"}
 
 
 def collect_answer(
-    collection: Collection,
+    snapshot: Snapshot,
     steps: Mapping[str, Sequence[str]],
     advice: Advice | None,
     verdict: Verdict | None,
@@ -24,22 +26,23 @@ def collect_answer(
 ) -> dict[str, Any]:
     """Return the JSON answer: what was done, every observation, and what was asked for."""
     document: dict[str, Any] = {
-        "session": collection.folder,
-        "kind": collection.setup.kind,
+        "session": snapshot.folder,
+        "kind": snapshot.setup.kind.name,
         **steps,
-        "can_undo": collection.can_undo,
-        "can_redo": collection.can_redo,
-        "observations": [_observation(one) for one in collection.observations],
-        "shortfalls": collection.shortfalls(),
+        "can_undo": snapshot.can_undo,
+        "can_redo": snapshot.can_redo,
+        "observations": [_observation(one) for one in snapshot.observations],
+        "shortfalls": snapshot.draft.shortfalls,
         "coach": None if advice is None else _advice(advice),
         "estimates": [],
         "verdict": None if verdict is None else _verdict(verdict),
         "comparison": None if comparison is None else _comparison(comparison),
     }
-    if collection.solved is not None:
+    if snapshot.solved is not None:
+        kind = snapshot.setup.kind
         document["estimates"] = [
             {"name": one.name, "value": one.value, "standard_deviation": one.sigma, "unit": one.unit}
-            for one in estimates_of(result_of(collection.solved))
+            for one in kind.estimates(kind.result(snapshot.solved))
         ]
     return document
 
@@ -66,10 +69,10 @@ def collect_lines(document: Mapping[str, Any]) -> list[str]:
     return lines + ([f"Written: {document['accepted']}"] if document["accepted"] is not None else [])
 
 
-def _observation(one: Observation) -> dict[str, Any]:
+def _observation(one: CollectedObservation) -> dict[str, Any]:
     return {
         "id": one.id,
-        "standing": one.standing,
+        "standing": one.status,
         "reason": one.reason,
         "images": {
             camera: {
@@ -124,7 +127,7 @@ def _comparison(comparison: Comparison) -> dict[str, Any]:
         "within": comparison.within,
         "sentence": comparison.sentence,
         "on_part_mm": comparison.on_part_mm,
-        "promised_mm": comparison.promised_mm,
+        "promised_mm": comparison.expanded_mm,
         "changes": [
             {
                 "name": one.name,

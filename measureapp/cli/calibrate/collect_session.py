@@ -4,23 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, cast, get_args
+from typing import TYPE_CHECKING
 
+from measureapp.calibrate.draft.draft import Limits, Setup
+from measureapp.calibrate.kinds.table import kind_called
+from measureapp.calibrate.motions.axis_noise import expected_noise
+from measureapp.calibration_session.accepting import read_result
+from measureapp.calibration_session.recorded import ReadbackFiles, add_fringes, add_recorded, add_views
+from measureapp.calibration_session.session import CalibrationSession
 from measureapp.cli.calibrate.options import BoardChoice
 from measureapp.errors import InputError, MeasureError
-from measureapp.pipeline.calibrate import expected_noise
-from measureapp.pipeline.collecting import (
-    Collection,
-    Kind,
-    Limits,
-    ReadbackFiles,
-    Setup,
-    add_fringes,
-    add_recorded,
-    add_views,
-    read_result,
-    result_of,
-)
 from measureapp.progress import Progress
 from measureapp.project.calibration.board_images import find_board_images
 from measureapp.project.calibration.camera_file import read_cameras
@@ -28,10 +21,10 @@ from measureapp.project.folder import ProjectFolder
 from measureapp.project.fringes.recorded_fringes import fringes_named
 
 if TYPE_CHECKING:
+    from measureapp.calibrate.draft.estimate import Calibrated
     from measureapp.calibrate.motions.axis_noise import AxisNoise
     from measureapp.cli.calibrate.collect_options import SessionStart
     from measureapp.data.calibration import HandEye
-    from measureapp.pipeline.collecting.estimates import Calibrated
 
 USABLE_OVER_GOOD = 4.0  # where only one of the two is given
 
@@ -72,8 +65,9 @@ class Given:
 
     def setup(self, sources: Sources) -> Setup:
         """Return what the session is told. Raises InputError naming the option that is wrong or missing."""
-        if self.kind == "projector" and not sources.fringes:
-            raise InputError("A new session for the projector needs fringes.", "Give --fringes 'folder/*/MANIFEST.toml'.")
+        kind = kind_called(self.kind)
+        if kind.uses_fringes and not sources.fringes:
+            raise InputError(f"A new session for {kind.words.subject} needs fringes.", "Give --fringes 'folder/*/MANIFEST.toml'.")
         names, start = sources.camera_names(), self.start
         if start.reference is not None and start.reference not in names:
             raise InputError(f"--reference {start.reference!r} is not among the cameras.", "Name one of: " + ", ".join(names) + ".")
@@ -81,7 +75,7 @@ class Given:
         project = None if sources.project is None else ProjectFolder.open(sources.project)
         rig = None if project is None else project.rig()
         return Setup(
-            kind=cast(Kind, self.kind),
+            kind=kind,
             board=self.board.description() if self.board != BoardChoice() or project is None else project.settings.board,
             camera_names=(first, *(name for name in names if name != first)),
             cameras=None if self.cameras is None else read_cameras(self.cameras),
@@ -90,53 +84,53 @@ class Given:
             distortion_count=start.distortion,
             standoff_mm=start.standoff_mm if start.standoff_mm is not None or rig is None else rig.standoff_mm,
             serials={} if rig is None else {camera.name: camera.serial for camera in rig.cameras},
-            projector_px=fringes_named(sources.fringes).projector_px if self.kind == "projector" else None,
+            projector_px=fringes_named(sources.fringes).projector_px if kind.uses_fringes else None,
         )
 
 
-def opened(folder: Path, given: Given, sources: Sources) -> Collection:
+def opened(folder: Path, given: Given, sources: Sources) -> CalibrationSession:
     """Continue the session in ``folder``, or start it. Raises InputError where the options contradict the session there."""
-    if given.kind not in get_args(Kind):
-        raise InputError(f"{given.kind!r} is no kind of calibration.", "Choose one of: " + ", ".join(get_args(Kind)) + ".")
-    if not Collection.is_in(folder):
-        return Collection.create(folder, given.setup(sources))
-    collection = Collection.open(folder)
-    setup = collection.setup
-    if setup.kind != given.kind:
-        raise InputError(f"{folder} is a session for {setup.kind}, not for {given.kind}.", "Name that kind, or another folder.")
+    kind_called(given.kind)
+    if not CalibrationSession.is_in(folder):
+        return CalibrationSession.create(folder, given.setup(sources))
+    session = CalibrationSession.open(folder)
+    setup = session.setup
+    if setup.kind.name != given.kind:
+        raise InputError(f"{folder} is a session for {setup.kind.name}, not for {given.kind}.", "Name that kind, or another folder.")
     if given.board.board is not None and given.board.description() != setup.board:
         raise InputError(f"The session in {folder} uses a {setup.board.label}.", "Leave the options of the board out, or start anew.")
-    return collection
+    return session
 
 
-def add_sources(collection: Collection, sources: Sources, progress: Progress) -> list[str]:
+def add_sources(session: CalibrationSession, sources: Sources, progress: Progress) -> list[str]:
     """Add what the options name and is not in the session yet; return the ids of the new observations.
 
     A session that holds nothing is not kept where its first images cannot be used.
     """
     try:
-        return _added(collection, sources, progress)
+        return _added(session, sources, progress)
     except MeasureError:
-        collection.discard_empty()
+        session.discard_empty()
         raise
 
 
-def _added(collection: Collection, sources: Sources, progress: Progress) -> list[str]:
+def _added(session: CalibrationSession, sources: Sources, progress: Progress) -> list[str]:
     added = []
     if sources.fringes:
-        added += [one.id for one in add_fringes(collection, fringes_named(sources.fringes), progress)]
+        added += [one.id for one in add_fringes(session, fringes_named(sources.fringes), progress)]
     if sources.images:
-        added += [one.id for one in add_recorded(collection, find_board_images(sources.images), sources.readbacks, progress)]
+        added += [one.id for one in add_recorded(session, find_board_images(sources.images), sources.readbacks, progress)]
     if sources.project is not None:
         views = ProjectFolder.open(sources.project).path / "calibration" / "views"
-        added += [one.id for one in add_views(collection, views, progress)]
+        added += [one.id for one in add_views(session, views, progress)]
     return added
 
 
 def previous_result(path: Path) -> Calibrated:
     """Return what to compare with: a session is solved, anything else is read. Raises InputError, CalibrationError."""
-    if Collection.is_in(path):
-        return result_of(Collection.open(path).solve())
+    if CalibrationSession.is_in(path):
+        session = CalibrationSession.open(path)
+        return session.setup.kind.result(session.solve())
     return read_result(path)
 
 

@@ -6,9 +6,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from measureapp.calibrate.draft.draft import Limits
+from measureapp.calibrate.draft.verdict import Verdict, compare, cross_validate, judge
+from measureapp.calibrate.guidance.advise import advise
+from measureapp.calibration_session.accepting import accept
+from measureapp.calibration_session.session import CalibrationSession
 from measureapp.cli.calibrate.collect_answer import collect_answer
 from measureapp.cli.calibrate.collect_session import Sources, add_sources, previous_result
-from measureapp.pipeline import collecting
 from measureapp.progress import PartOf, Progress
 
 if TYPE_CHECKING:
@@ -23,44 +27,40 @@ class Done:
     within: bool  # no verdict is bad, no comparison out of its bounds
 
 
-def carry_out(
-    steps: Steps, limits: collecting.Limits | None, collection: collecting.Collection, sources: Sources, progress: Progress
-) -> Done:
+def carry_out(steps: Steps, limits: Limits | None, session: CalibrationSession, sources: Sources, progress: Progress) -> Done:
     """Do what was asked for. Raises InputError, CalibrationError, StorageError."""
-    changes = _edited(steps, collection, sources, PartOf(progress, 0.0, 0.6))
-    verdict = _solved(steps, collection, limits, PartOf(progress, 0.6, 1.0))
-    comparison = None if steps.compare is None else collecting.compare(previous_result(steps.compare), collection)
+    changes = _edited(steps, session, sources, PartOf(progress, 0.0, 0.6))
+    verdict = _solved(steps, session, limits, PartOf(progress, 0.6, 1.0))
+    comparison = None if steps.compare is None else compare(previous_result(steps.compare), session.draft)
     progress.report(1, 1)
-    advice = collecting.coach(collection) if steps.advise else None
-    document = collect_answer(collection, changes, advice, verdict, comparison) | {"accepted": steps.accept}
+    advice = advise(session.draft) if steps.advise else None
+    document = collect_answer(session.snapshot(), changes, advice, verdict, comparison) | {"accepted": steps.accept}
     within = (verdict is None or verdict.level != "bad") and (comparison is None or comparison.within)
     return Done(document, within)
 
 
-def _edited(steps: Steps, collection: collecting.Collection, sources: Sources, progress: Progress) -> dict[str, Sequence[str]]:
+def _edited(steps: Steps, session: CalibrationSession, sources: Sources, progress: Progress) -> dict[str, Sequence[str]]:
     """Undo, redo, add and remove; return the ids of the observations by what was done with them."""
     changes: dict[str, Sequence[str]] = {
-        "undone": [collection.undo().observation] if steps.undo else [],
-        "redone": [collection.redo().observation] if steps.redo else [],
-        "added": add_sources(collection, sources, progress),
+        "undone": [session.undo().observation] if steps.undo else [],
+        "redone": [session.redo().observation] if steps.redo else [],
+        "added": add_sources(session, sources, progress),
         "removed": list(steps.remove or ()),
     }
     for name in changes["removed"]:
-        collection.remove(name)
-    collection.look_again()
+        session.remove(name)
+    session.identify_parts()
     return changes
 
 
-def _solved(
-    steps: Steps, collection: collecting.Collection, limits: collecting.Limits | None, progress: Progress
-) -> collecting.Verdict | None:
+def _solved(steps: Steps, session: CalibrationSession, limits: Limits | None, progress: Progress) -> Verdict | None:
     """Solve, or accept, and judge what is solved; None where nothing is."""
     if steps.accept is not None:
         part = PartOf(progress, 0.0, 0.5)
-        collecting.accept(collection, steps.accept, part, valid_days=steps.valid_days, temperature_c=steps.temperature_c)
+        accept(session, steps.accept, part, valid_days=steps.valid_days, temperature_c=steps.temperature_c)
     elif steps.solve or steps.validate or steps.compare is not None:
-        collection.solve_with_parts(PartOf(progress, 0.0, 0.5))
-    if collection.solved is None:
+        session.solve_with_parts(PartOf(progress, 0.0, 0.5))
+    if session.solved is None:
         return None
-    held_back = collecting.check_held_back(collection, PartOf(progress, 0.5, 1.0)) if steps.validate else None
-    return collecting.judge(collection, limits, held_back=held_back)
+    held_back = cross_validate(session.draft, PartOf(progress, 0.5, 1.0)) if steps.validate else None
+    return judge(session.draft, limits, held_back=held_back)

@@ -12,7 +12,7 @@ import typer
 from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import Answer, BoardPosesOption, BoardSource, RobotPosesOption
-from measureapp.cli.calibrate.pose_options import GuidePositionsOption
+from measureapp.cli.calibrate.pose_options import GuidePositionsOption, RobotNoise
 from measureapp.cli.reply import TerminalProgress
 from measureapp.errors import InputError, MeasureError
 
@@ -29,6 +29,7 @@ def register(group: typer.Typer) -> None:
     def guide(
         ctx: typer.Context,
         source: BoardSource,
+        noise_of_robot: RobotNoise,
         asked: AskedLimits,
         answer: Answer,
         robot_poses: RobotPosesOption,
@@ -37,30 +38,45 @@ def register(group: typer.Typer) -> None:
         board_poses: BoardPosesOption = None,
     ) -> None:
         """Find the guide's direction and scale from a board that stands still."""
-        from measureapp.calibrate.motions.contradictions import solve_guide
-        from measureapp.calibrate.motions.linear_guide import GuideObservation, GuideProblem
+        from measureapp.calibrate.draft.draft import Setup
+        from measureapp.calibrate.draft.solve import solve
+        from measureapp.calibrate.kinds.guide import problem_of, solve_steady
+        from measureapp.calibrate.kinds.table import KINDS
+        from measureapp.calibrate.motions.moved_boards import STAND_IN_MM
         from measureapp.calibrate.rig.limits import guide_limits
-        from measureapp.cli.calibrate.sightings import named_board_poses, read_robot_poses, same_names, telling_refused
+        from measureapp.cli.calibrate.observed_files import (
+            observed_at_robot_poses,
+            read_board_poses,
+            read_robot_poses,
+            require_same_names,
+        )
+        from measureapp.data.fringe import Readback
         from measureapp.project.tables import read_guide
 
-        wanted = asked.values(("guide direction", "guide scale"))
-        robot, slide = read_robot_poses(robot_poses), read_guide(guide_positions)
-        same_names(guide_positions, tuple(robot), tuple(slide))
-        seen = named_board_poses(tuple(robot), board_poses, source, (1.0, 1.0), TerminalProgress())
-        names = list(seen.poses)
-        observations = tuple(GuideObservation(robot[name], slide[name], seen.poses[name].camera_from_board) for name in names)
-        problem = GuideProblem(observations, read_hand_eye(hand_eye), seen.cameras.by_cameras, seen.cameras.prior)
-        with telling_refused(seen):
-            found = solve_guide(problem, seen.marks_mm)
-        solution = found.solution
+        wanted, noise, known = asked.values(("guide direction", "guide scale")), noise_of_robot.axis_noise(), read_hand_eye(hand_eye)
+        flanges, slide = read_robot_poses(robot_poses), read_guide(guide_positions)
+        require_same_names(guide_positions, tuple(flanges), tuple(slide))
+        robot = {name: Readback(pose, slide[name]) for name, pose in flanges.items()}
+        seen = observed_at_robot_poses(robot, board_poses, source, TerminalProgress())
+        if seen is not None:
+            setup = Setup(KINDS["guide"], seen.board, seen.camera_names, seen.cameras, known, noise)
+            with seen.naming_refused():
+                solved = solve(seen.draft(setup))
+            solution, used, (rejected, moved) = solved.solution, list(solved.used), seen.outcome(solved)
+        else:
+            assert board_poses is not None  # one of both was given
+            found = solve_steady(problem_of(read_board_poses(board_poses, robot, 1.0, 1.0), known), STAND_IN_MM, noise)
+            names, rejected = list(robot), []
+            solution, used = found.solution, [names[index] for index in found.kept]
+            moved = {names[index]: reason for index, reason in found.moved.items()}
         limits = guide_limits(solution, wanted)
         document = (
-            guide_answer(solution, [names[index] for index in found.kept])
+            guide_answer(solution, used)
             | limits_answer(limits)
             | {
-                "camera_uncertainty_carried_on": seen.cameras.prior is not None,
-                "rejected": seen.rejected,
-                "moved": {names[index]: reason for index, reason in found.moved.items()},
+                "camera_uncertainty_carried_on": seen is not None and seen.cameras.covariance is not None,
+                "rejected": rejected,
+                "moved": moved,
             }
         )
         answer.give(ctx, document, [*_lines(document), *limit_lines(limits)])
@@ -77,6 +93,7 @@ def read_hand_eye(path: Path) -> HandEye:
     """
     from measureapp.data.calibration import HandEye
     from measureapp.geometry.transform import RigidTransform
+    from measureapp.project.documents import hand_eye_from
     from measureapp.project.tables import read_poses
 
     if path.suffix.lower() == ".csv":
@@ -86,6 +103,8 @@ def read_hand_eye(path: Path) -> HandEye:
         return HandEye(poses[0])
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
+        if "hand_eye" in document:
+            return hand_eye_from(document["hand_eye"])
         matrix = document["flange_from_camera"] if "flange_from_camera" in document else document["refined"]["flange_from_camera"]
         return HandEye(RigidTransform(matrix, "flange", "camera"))
     except (OSError, ValueError, KeyError, TypeError, MeasureError) as error:

@@ -35,36 +35,43 @@ def register(group: typer.Typer) -> None:
         board_sigma_deg: Annotated[float, typer.Option(min=1e-6, help="The same of the board poses of a table, degrees.")] = 0.01,
     ) -> None:
         """Find flange_from_camera by seven methods, then refine it jointly."""
+        from measureapp.calibrate.draft.draft import Setup
+        from measureapp.calibrate.draft.solve import solve
+        from measureapp.calibrate.kinds.hand_eye import problem_of
+        from measureapp.calibrate.kinds.table import KINDS
         from measureapp.calibrate.motions.contradictions import solve_hand_eye
-        from measureapp.calibrate.motions.hand_eye import HandEyeProblem
+        from measureapp.calibrate.motions.moved_boards import STAND_IN_MM
         from measureapp.calibrate.rig.limits import hand_eye_limits
-        from measureapp.cli.calibrate.sightings import named_board_poses, read_robot_poses, telling_refused
+        from measureapp.cli.calibrate.observed_files import observed_at_robot_poses, read_board_poses, read_robot_poses
+        from measureapp.data.fringe import Readback
+        from measureapp.project.documents import link_document
 
-        wanted = asked.values(("hand-eye position", "hand-eye rotation"))
-        robot = read_robot_poses(robot_poses)
-        noise = (board_sigma_mm, board_sigma_deg)
-        seen = named_board_poses(tuple(robot), board_poses, source, noise, TerminalProgress())
-        names = list(seen.poses)
-        expected = noise_of_robot.axis_noise()
-        flanges = tuple(robot[name] for name in names)
-        problem = HandEyeProblem(flanges, tuple(seen.poses.values()), expected, seen.cameras.by_cameras, seen.cameras.prior)
-        with telling_refused(seen):
-            found = solve_hand_eye(problem, seen.marks_mm)
-        solution = found.solution
+        wanted, noise = asked.values(("hand-eye position", "hand-eye rotation")), noise_of_robot.axis_noise()
+        robot = {name: Readback(pose) for name, pose in read_robot_poses(robot_poses).items()}
+        seen = observed_at_robot_poses(robot, board_poses, source, TerminalProgress())
+        if seen is not None:
+            with seen.naming_refused():
+                solved = solve(seen.draft(Setup(KINDS["hand-eye"], seen.board, seen.camera_names, seen.cameras, noise=noise)))
+            solution, used, (rejected, moved) = solved.solution, list(solved.used), seen.outcome(solved)
+        else:
+            assert board_poses is not None  # one of both was given
+            found = solve_hand_eye(problem_of(read_board_poses(board_poses, robot, board_sigma_mm, board_sigma_deg), noise), STAND_IN_MM)
+            names, rejected = list(robot), []
+            solution, used = found.solution, [names[index] for index in found.kept]
+            moved = {names[index]: reason for index, reason in found.moved.items()}
         limits = hand_eye_limits(solution, wanted)
         document = (
-            hand_eye_answer(solution, [names[index] for index in found.kept])
+            hand_eye_answer(solution, used)
             | limits_answer(limits)
             | {
-                "camera_uncertainty_carried_on": seen.cameras.prior is not None,
-                "rejected": seen.rejected,
-                "moved": {names[index]: reason for index, reason in found.moved.items()},
+                "camera_uncertainty_carried_on": seen is not None and seen.cameras.covariance is not None,
+                "rejected": rejected,
+                "moved": moved,
                 "warnings": list(solution.warnings),
             }
         )
-        answer.give(
-            ctx, document, [*_lines(document), *limit_lines(limits)], {"flange_from_camera": solution.refined.flange_from_camera.matrix}
-        )
+        link = {"flange_from_camera": solution.refined.flange_from_camera.matrix, "hand_eye": link_document(solution.hand_eye)}
+        answer.give(ctx, document, [*_lines(document), *limit_lines(limits)], link)
         if solution.degeneracy.verdict != "good":
             raise typer.Exit(OUT_OF_TOLERANCE)
         asked.exit_unless_met(limits)

@@ -1,4 +1,4 @@
-"""What the calibrations that move robot, guide and table share: their options, and the sightings these lead to."""
+"""Options that the calibrations of robot, guide and table share, and the observations these lead to."""
 
 from __future__ import annotations
 
@@ -14,9 +14,8 @@ from measureapp.errors import InputError
 
 if TYPE_CHECKING:
     from measureapp.calibrate.motions.axis_noise import AxisNoise
-    from measureapp.calibrate.rig.joint import RigObservation
+    from measureapp.cli.calibrate.observed_files import ObservedFiles
     from measureapp.cli.calibrate.options import BoardSource
-    from measureapp.cli.calibrate.sightings import PosesFromImages
     from measureapp.progress import Progress
 
 GuidePositionsOption = Annotated[Path, typer.Option("--guide-positions", help="Slide positions: name,position_mm.")]
@@ -74,34 +73,22 @@ class RigTables:
     angles: AnglesOption
 
 
-def rig_sightings(tables: RigTables, source: BoardSource, purpose: str, progress: Progress) -> tuple[list[RigObservation], PosesFromImages]:
-    """Return the sightings of the board with the read-back of every axis.
+def observe_rig(tables: RigTables, source: BoardSource, subject: str, progress: Progress) -> ObservedFiles:
+    """Detect the board in all images, and read the positions of every axis from the tables.
 
     Raises
     ------
     InputError
         A file cannot be used, or files do not belong together.
     """
-    from measureapp.calibrate.rig.joint import RigObservation
-    from measureapp.cli.calibrate.sightings import poses_from_images, read_robot_poses, same_names
+    from measureapp.cli.calibrate.observed_files import observe_files, read_robot_poses, require_same_names
     from measureapp.data.fringe import AxisReadback
     from measureapp.project.tables import read_angles, read_guide
 
     robot, slide = read_robot_poses(tables.robot_poses), read_guide(tables.guide_positions)
     table = list(read_angles(tables.angles).values())
-    names = tuple(robot)
-    same_names(tables.guide_positions, names, tuple(slide))
-    seen = poses_from_images(source, purpose, progress)
-    for what, count in (("images per camera", seen.positions), ("table angles", len(table))):
-        if count != len(names):
-            raise InputError(f"{count} {what} do not belong to {len(names)} robot poses.", "Give one of each per robot pose.")
-    observations = [
-        RigObservation(
-            names[position],
-            AxisReadback(robot[names[position]], slide[names[position]], table[position]),
-            pose,
-            seen.by_cameras.get(position),
-        )
-        for position, pose in seen.poses.items()
-    ]
-    return observations, seen
+    require_same_names(tables.guide_positions, tuple(robot), tuple(slide))
+    if len(table) != len(robot):
+        raise InputError(f"{len(table)} table angles do not belong to {len(robot)} robot poses.", "Give one of each per robot pose.")
+    readbacks = {name: AxisReadback(robot[name], slide[name], angle) for name, angle in zip(robot, table, strict=True)}
+    return observe_files(source, subject, progress, readbacks)

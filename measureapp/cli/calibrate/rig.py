@@ -9,7 +9,7 @@ import typer
 from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import Answer, BoardSource
-from measureapp.cli.calibrate.pose_options import RigTables, RobotNoise, rig_sightings
+from measureapp.cli.calibrate.pose_options import RigTables, RobotNoise, observe_rig
 from measureapp.cli.reply import TerminalProgress
 
 if TYPE_CHECKING:
@@ -32,18 +32,20 @@ def register(group: typer.Typer) -> None:
         table_sigma_arcsec: Annotated[float, typer.Option(min=1e-6, help="Standard deviation of table angles, seconds of arc.")] = 10.0,
     ) -> None:
         """Find hand-eye transform, guide and rotation axis together from images of one board fixed on the table."""
-        from measureapp.calibrate.rig.joint import solve_rig
+        from measureapp.calibrate.draft.draft import Setup
+        from measureapp.calibrate.draft.solve import solve
+        from measureapp.calibrate.kinds.table import KINDS
         from measureapp.calibrate.rig.limits import IN_RIG, rig_limits
-        from measureapp.cli.calibrate.sightings import telling_refused
 
-        wanted = asked.values(tuple(IN_RIG))
-        observations, seen = rig_sightings(tables, source, "the calibration of the rig", TerminalProgress())
-        noise = robot.axis_noise(table_sigma_arcsec)
-        with telling_refused(seen):
-            solution = solve_rig(observations, seen.cameras, noise=noise, camera_prior=seen.cameras.covariance, progress=TerminalProgress())
+        wanted, progress = asked.values(tuple(IN_RIG)), TerminalProgress()
+        seen = observe_rig(tables, source, "the calibration of the rig", progress)
+        setup = Setup(KINDS["rig"], seen.board, seen.camera_names, seen.cameras, noise=robot.axis_noise(table_sigma_arcsec))
+        with seen.naming_refused():
+            solved = solve(seen.draft(setup), progress)
+        solution, (rejected, _) = solved.solution, seen.outcome(solved)
         carried_on = {"camera_uncertainty_carried_on": seen.cameras.covariance is not None}
         limits = rig_limits(solution, wanted)
-        document = rig_answer(solution) | limits_answer(limits) | carried_on | {"images_rejected": seen.rejected}
+        document = rig_answer(solution) | limits_answer(limits) | carried_on | {"images_rejected": rejected}
         answer.give(ctx, document, _lines(document, limit_lines(limits)))
         asked.exit_unless_met(limits)
 

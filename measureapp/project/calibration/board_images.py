@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import glob
-from collections.abc import Iterator, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -33,25 +33,39 @@ class BoardImages:
         """Return the file of one camera at one position."""
         return self.files[camera][position]
 
-    def size_px(self, camera: str) -> tuple[int, int]:
-        """Return width and height of a camera's first image."""
-        height, width = read_image(self.files[camera][0]).shape[:2]
-        return width, height
+    def sizes_px(self) -> dict[str, tuple[int, int]]:
+        """Return camera -> (width, height) of its first image. Raises InputError where one cannot be read."""
+        shapes = {camera: read_image(paths[0]).shape for camera, paths in self.files.items()}
+        return {camera: (shape[1], shape[0]) for camera, shape in shapes.items()}
 
-    def each(self) -> Iterator[tuple[str, int, ImageArray]]:
-        """Read image after image; raises InputError where one cannot be read or has another size."""
-        for camera, paths in self.files.items():
-            size: tuple[int, ...] | None = None
-            for position, path in enumerate(paths):
-                image = read_image(path)
-                if size is not None and image.shape[:2] != size:
-                    raise InputError(
-                        f"{path} is {image.shape[1]} × {image.shape[0]} px; the images of camera {camera!r} before it are "
-                        f"{size[1]} × {size[0]} px.",
-                        "Give images of one camera at one resolution.",
-                    )
-                size = image.shape[:2]
-                yield camera, position, image
+    def read(self, position: int, sizes_px: Mapping[str, tuple[int, int]], *, calibrated: bool = False) -> dict[str, ImageArray]:
+        """Return camera -> image (H, W) of one board position.
+
+        Parameters
+        ----------
+        sizes_px : camera -> (width, height) that its images must have
+        calibrated : these are the sizes the cameras were calibrated for, not those of their first images
+
+        Raises
+        ------
+        InputError
+            One cannot be read or has another size.
+        """
+        images = {camera: read_image(paths[position]) for camera, paths in self.files.items()}
+        for camera, image in images.items():
+            width, height = sizes_px[camera]
+            if image.shape == (height, width):
+                continue
+            given = f"{self.files[camera][position]} is {image.shape[1]} × {image.shape[0]} px"
+            if calibrated:
+                raise InputError(
+                    f"{given}, camera {camera!r} was calibrated for {width} × {height} px.",
+                    "Use the calibration of the camera that took the images.",
+                )
+            raise InputError(
+                f"{given}; the first image of camera {camera!r} is {width} × {height} px.", "Give images of one camera at one resolution."
+            )
+        return images
 
 
 def find_board_images(options: Sequence[str]) -> BoardImages:

@@ -12,8 +12,8 @@ import numpy as np
 from pydantic import TypeAdapter
 
 from measureapp.calibrate.cameras.array import CameraArrayProblem
-from measureapp.calibrate.sightings import Rejection, Sighting
-from measureapp.data.board import AnyBoard
+from measureapp.calibrate.sightings import ALL_MARKS, Rejection, Sighting
+from measureapp.data.board import AnyBoard, BoardDescription
 from measureapp.errors import InputError
 from measureapp.project.atomic import write_json
 
@@ -41,7 +41,7 @@ def write_camera_inputs(path: Path, inputs: CameraInputs) -> None:
         "free_bow": problem.free_bow,
         "sightings": [
             {"camera": one.camera, "view": one.view, "image": inputs.images[one.camera, one.view], "corners_px": one.corners_px.tolist()}
-            | ({} if one.ids is None else {"ids": one.ids.tolist()})
+            | ({} if len(one.ids) == problem.board.count else {"ids": one.ids.tolist()})
             | ({} if one.sigma_px is None else {"sigma_px": one.sigma_px.tolist()})
             | ({"edge_px": one.edge_px} if one.edge_px else {})
             for one in problem.sightings
@@ -67,11 +67,12 @@ def read_camera_inputs(path: Path) -> CameraInputs:
         document = json.loads(path.read_text(encoding="utf-8"))
         if document["schema_version"] != SCHEMA_VERSION:
             raise ValueError(f"schema_version is {document['schema_version']!r}, not {SCHEMA_VERSION}")
+        board = BOARD.validate_python(document["board"])
         problem = CameraArrayProblem(
-            board=BOARD.validate_python(document["board"]),
+            board=board,
             reference=str(document["reference"]),
             sizes_px={str(name): (int(width), int(height)) for name, (width, height) in document["sizes_px"].items()},
-            sightings=tuple(_sighting(entry) for entry in document["sightings"]),
+            sightings=tuple(_sighting(entry, board) for entry in document["sightings"]),
             rejected=tuple(Rejection(str(one["camera"]), str(one["view"]), str(one["reason"])) for one in document["rejected"]),
             distortion_count=int(document["distortion_count"]),
             free_bow=bool(document["free_bow"]),
@@ -94,15 +95,20 @@ def _require_whole(problem: CameraArrayProblem) -> None:
     for one in problem.sightings:
         if one.camera not in problem.sizes_px:
             raise ValueError(f"the size of the images of {one.camera} is not there")
-        marks = np.arange(len(one.corners_px)) if one.ids is None else one.ids
-        if (one.ids is None and len(marks) != problem.board.count) or np.any((marks < 0) | (marks >= problem.board.count)):
-            raise ValueError(f"corners of {one.camera} in view {one.view} are not those of the {problem.board.label}")
+        if np.any((one.ids < 0) | (one.ids >= problem.board.count)):
+            raise ValueError(_not_of(one.camera, one.view, problem.board))
 
 
-def _sighting(entry: dict[str, Any]) -> Sighting:
+def _not_of(camera: str, view: str, board: BoardDescription) -> str:
+    return f"corners of {camera} in view {view} are not those of the {board.label}"
+
+
+def _sighting(entry: dict[str, Any], board: BoardDescription) -> Sighting:
     corners = np.array(entry["corners_px"], float)
     if not np.all(np.isfinite(corners)):
         raise ValueError(f"corners of {entry['camera']} in view {entry['view']} are not numbers")
-    ids = np.array(entry["ids"], np.int64) if "ids" in entry else None
+    if "ids" not in entry and len(corners) != board.count:
+        raise ValueError(_not_of(entry["camera"], entry["view"], board))
+    ids = np.array(entry["ids"], np.int64) if "ids" in entry else ALL_MARKS
     sigma = np.array(entry["sigma_px"], float) if "sigma_px" in entry else None
     return Sighting(str(entry["camera"]), str(entry["view"]), corners, ids, sigma, float(entry.get("edge_px", 0.0)))

@@ -9,12 +9,14 @@ import pytest
 
 from measureapp.calibrate.boards.find import find_board
 from measureapp.calibrate.boards.together import find_beside
+from measureapp.calibrate.draft.draft import Setup
+from measureapp.calibrate.kinds.table import KINDS
 from measureapp.calibrate.sightings import AmbiguousPart
+from measureapp.calibration_session.session import CalibrationSession
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
 from measureapp.data.fringe import AxisReadback
 from measureapp.geometry.transform import RigidTransform
-from measureapp.pipeline.collecting import Collection, Setup
 from tests.calibrate.virtual_board import CHECKER, CIRCLES, middle_of, photographed, shot
 
 
@@ -52,7 +54,7 @@ def test_the_other_camera_tells_which_part_it_is(sights):
 def test_a_collection_with_calibrated_cameras_uses_such_a_part(sights, tmp_path):
     for known in (None, sights.cameras):
         kind = "cameras" if known is None else "axis"
-        session = Collection.create(tmp_path / kind, Setup(kind, sights.board, ("left", "right"), known))
+        session = CalibrationSession.create(tmp_path / kind, Setup(KINDS[kind], sights.board, ("left", "right"), known))
         flange = RigidTransform.identity("base", "flange")
         one = session.add({"left": sights.whole, "right": sights.part}, AxisReadback(flange, 0.0, 0.0))
         assert len(one.seen["left"].ids) == sights.board.count
@@ -62,7 +64,7 @@ def test_a_collection_with_calibrated_cameras_uses_such_a_part(sights, tmp_path)
 
 def test_cameras_that_are_being_calibrated_tell_each_other_parts_once_they_are_solved(tmp_path):
     right_from_left = RigidTransform.from_vector([0.02, 0.1, 0.01], [-60.0, 3.0, 5.0], "right", "camera")
-    session = Collection.create(tmp_path / "session", Setup("cameras", CHECKER, ("left", "right")))
+    session = CalibrationSession.create(tmp_path / "session", Setup(KINDS["cameras"], CHECKER, ("left", "right")))
     for number, towards in enumerate((70, 140, 210, 280, 0)):
         start = shot(CHECKER, 30, towards, 10)
         pose = RigidTransform((right_from_left @ start.camera_from_board).matrix, "camera", "board")
@@ -70,16 +72,16 @@ def test_cameras_that_are_being_calibrated_tell_each_other_parts_once_they_are_s
         right = photographed(CHECKER, start.camera, pose, number)
         session.add({"left": start.image, "right": middle_of(right, marks) if number == 0 else right})
     assert "right" not in session.observation("01").seen  # nothing tells it yet
-    assert session.look_again() == ()
+    assert session.identify_parts() == ()
     before = session.solve()
-    assert session.look_again() == ("01",)
-    assert not session.is_solved  # more is seen than was solved
+    assert session.identify_parts() == ("01",)
+    assert not session.draft.is_solved  # more is seen than was solved
     found = session.observation("01").seen["right"]
     truth = RigidTransform((right_from_left @ shot(CHECKER, 30, 70, 10).camera_from_board).matrix, "camera", "board")
     off = found.corners_px - shot(CHECKER, 30, 70, 10).camera.project(truth.apply(CHECKER.corners_mm[found.ids]))
     assert np.abs(off).max() < 0.3  # a wrong identity is off by a whole square
     after = session.solve_with_parts()
-    assert session.is_solved
+    assert session.draft.is_solved
     assert after.residuals_px["01"].keys() == {"left", "right"} > before.residuals_px["01"].keys()
 
 

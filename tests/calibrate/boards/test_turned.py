@@ -9,12 +9,16 @@ import pytest
 
 from measureapp.arrays import ImageArray
 from measureapp.calibrate.boards.find import find_board
+from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.boards.pose import board_pose
-from measureapp.calibrate.boards.turned import TurnedBoard, expected_after_turn, find_turned
+from measureapp.calibrate.boards.turned import expected_after_turn, find_turned
+from measureapp.calibrate.draft.draft import Setup
+from measureapp.calibrate.kinds.table import KINDS
 from measureapp.calibrate.sightings import AmbiguousPart
+from measureapp.calibration_session.session import CalibrationSession
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, RotationAxis
+from measureapp.data.fringe import Readback
 from measureapp.geometry.transform import RigidTransform
-from measureapp.pipeline.collecting import Collection, Readback, Setup
 from tests.calibrate.virtual_board import CHECKER, CIRCLES, middle_of, photographed, shot
 
 AXIS = RotationAxis(np.array([12.0, 25.0, 590.0]), np.array([0.1, -0.8, 0.6]), "camera")  # near the board, as a table's is
@@ -53,7 +57,7 @@ def seen_at(board, turned, angles):
         a: board_pose({"left": (f := find_board(turned.whole[a], board)).corners_px}, turned.cameras, board, ids={"left": f.ids})
         for a in angles
     }
-    return [TurnedBoard(pose, np.deg2rad(angle)) for angle, pose in poses.items()]
+    return [Observation("", Readback(table_rad=float(np.deg2rad(angle))), pose) for angle, pose in poses.items()]
 
 
 def test_two_whole_sightings_tell_which_part_is_seen_at_a_third_angle(turned):
@@ -71,7 +75,7 @@ def test_one_sighting_at_another_angle_tells_nothing_and_at_the_same_angle_every
     seen = seen_at(board, sights, WHOLE_DEG[:1])
     with pytest.raises(AmbiguousPart):
         find_turned(sights.part, "left", seen, np.deg2rad(PART_DEG), sights.cameras, board)
-    same = [replace(one, table_rad=np.deg2rad(PART_DEG)) for one in seen]
+    same = [replace(one, readback=Readback(table_rad=np.deg2rad(PART_DEG))) for one in seen]
     expected = expected_after_turn(same, np.deg2rad(PART_DEG), sights.cameras.cameras["left"], board)
     np.testing.assert_allclose(
         expected, sights.cameras.cameras["left"].pinhole.project(seen[0].pose.camera_from_board.apply(board.corners_mm))
@@ -81,7 +85,7 @@ def test_one_sighting_at_another_angle_tells_nothing_and_at_the_same_angle_every
 def test_angles_that_the_board_did_not_follow_tell_nothing(turned):
     board, sights = turned
     first, second = seen_at(board, sights, WHOLE_DEG)
-    other = replace(second, table_rad=second.table_rad * 57.3)  # degrees given as radians
+    other = replace(second, readback=Readback(table_rad=second.readback.table_rad * 57.3))  # degrees given as radians
     with pytest.raises(AmbiguousPart):
         find_turned(sights.part, "left", [first, other], np.deg2rad(PART_DEG), sights.cameras, board)
 
@@ -97,7 +101,7 @@ def test_the_prediction_errs_as_it_says_and_is_refused_beyond_half_a_square():
         for angle in angles:
             pixels = start.camera.project(posed(start.camera_from_board, angle).apply(CHECKER.corners_mm))
             pose = board_pose({"left": pixels + generator.normal(0, sigma_px, pixels.shape)}, array, CHECKER, sigma_px)
-            yield TurnedBoard(pose, np.deg2rad(angle))
+            yield Observation("", Readback(table_rad=float(np.deg2rad(angle))), pose)
 
     near = [expected_after_turn(list(drawn(NOISE_PX, (0.0, 15.0))), goal, lens, CHECKER) for _ in range(20)]
     spacing = np.linalg.norm(truth[1] - truth[0])
@@ -107,17 +111,17 @@ def test_the_prediction_errs_as_it_says_and_is_refused_beyond_half_a_square():
 
 def test_a_session_for_the_axis_tells_the_part_also_when_it_comes_first(turned, tmp_path):
     board, sights = turned
-    session = Collection.create(tmp_path / "axis", Setup("axis", board, ("left",), sights.cameras))
+    session = CalibrationSession.create(tmp_path / "axis", Setup(KINDS["axis"], board, ("left",), sights.cameras))
     part = session.add({"left": sights.part}, Readback(table_rad=np.deg2rad(PART_DEG)))
     assert part.refused["left"].cause == "part"
     for angle, image in sights.whole.items():
         session.add({"left": image}, Readback(table_rad=np.deg2rad(angle)))
-    assert session.observation(part.id).standing == "no board"
-    assert session.look_again() == (part.id,)
-    for one in (session, Collection.open(session.folder)):
+    assert session.observation(part.id).status == "no board"
+    assert session.identify_parts() == (part.id,)
+    for one in (session, CalibrationSession.open(session.folder)):
         assert 12 <= len(one.observation(part.id).seen["left"].ids) < board.count
         assert one.observation(part.id).refused == {}
-    assert session.look_again() == ()
+    assert session.identify_parts() == ()
     moved = Readback(RigidTransform.identity("base", "flange"), 0.0, np.deg2rad(PART_DEG + 0.5))
     other = np.array(sights.part)
     other[0, 0] += 1

@@ -7,12 +7,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.boards.pose import stated_pose
 from measureapp.calibrate.motions import hand_eye, linear_guide, rotation_axis
 from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.poses import moved
 from measureapp.data.board import CheckerboardDescription
 from measureapp.data.calibration import HandEye, LabelledCovariance, LinearGuide, RotationAxis
+from measureapp.data.fringe import Readback
 from measureapp.geometry.transform import RigidTransform
 
 BOARD = CheckerboardDescription(columns=9, rows=6, square_mm=12.0)
@@ -57,11 +59,15 @@ def test_a_guide_scatters_by_what_is_stated(generator):
         flanges.append(RigidTransform(flange.matrix, "base", "flange"))
     by_cameras = changes(generator, len(poses))
 
-    def solved(seen, **known):
-        observations = tuple(linear_guide.GuideObservation(*one) for one in zip(flanges, slides, seen, strict=True))
-        return linear_guide.solve(linear_guide.GuideProblem(observations, HandEye(X), **known)).guide
+    def solved(seen, derivatives=None):
+        known = [None] * len(seen) if derivatives is None else derivatives
+        observations = tuple(
+            Observation(str(slide), Readback(flange, float(slide)), stated_pose(pose, 1.0, 1.0), own)
+            for flange, slide, pose, own in zip(flanges, slides, seen, known, strict=True)
+        )
+        return linear_guide.solve(linear_guide.GuideProblem(observations, HandEye(X), None if derivatives is None else PRIOR)).guide
 
-    stated = solved(poses, by_cameras=by_cameras, camera_prior=PRIOR)
+    stated = solved(poses, by_cameras)
     scales = [solved(seen_with_errors(poses, by_cameras, generator)).scale for _ in range(DRAWS)]
     assert np.std(scales) == pytest.approx(stated.scale_sigma, rel=TOLERANCE)
 

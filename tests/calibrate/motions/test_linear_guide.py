@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from measureapp.calibrate.motions.linear_guide import GuideDraft, GuideObservation, GuideProblem, solve
+from measureapp.calibrate.boards.observation import Observation
+from measureapp.calibrate.boards.pose import stated_pose
+from measureapp.calibrate.motions.linear_guide import GuideProblem, shortfalls, solve
 from measureapp.calibrate.poses import moved
 from measureapp.data.calibration import HandEye, LinearGuide
+from measureapp.data.fringe import Readback
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform
 
@@ -15,6 +20,10 @@ X = HandEye(RigidTransform.from_vector([0.2, -1.2, 0.3], [100, -150, 80], "flang
 GUIDE = LinearGuide(np.array([0.003, 1.0, -0.002]), 1.0004)
 GUIDE_FROM_BOARD = RigidTransform.from_vector([2.0, 0.3, -0.4], [600, 50, 100], "guide", "board")
 SIGMA_MM = 0.02
+
+
+def observed(index, flange, position, camera_from_board) -> Observation:
+    return Observation(str(index), Readback(flange, float(position)), stated_pose(camera_from_board, 1.0, 1.0))
 
 
 def problem_of(generator, positions=range(-300, 301, 75), sigma_mm=SIGMA_MM) -> GuideProblem:
@@ -25,7 +34,7 @@ def problem_of(generator, positions=range(-300, 301, 75), sigma_mm=SIGMA_MM) -> 
         seen = (GUIDE.guide_from_base(position) @ flange @ X.flange_from_camera).inverse() @ GUIDE_FROM_BOARD
         change = np.concatenate([np.zeros(3), generator.normal(scale=sigma_mm, size=3)])
         seen = RigidTransform(moved(seen.matrix, change), "camera", "board")
-        observations.append(GuideObservation(flange, float(position), seen))
+        observations.append(observed(index, flange, position, seen))
     return GuideProblem(tuple(observations), X)
 
 
@@ -58,8 +67,8 @@ def test_the_cost_of_assuming_plus_y_is_told(generator):
 def test_straightness_shows_a_bent_guide(generator):
     problem = problem_of(generator, sigma_mm=0.0)
     bent = list(problem.observations)
-    shifted = moved(bent[4].camera_from_board.matrix, np.array([0, 0, 0, 0.3, 0, 0.0]))
-    bent[4] = GuideObservation(bent[4].base_from_flange, bent[4].guide_mm, RigidTransform(shifted, "camera", "board"))
+    shifted = moved(bent[4].pose.camera_from_board.matrix, np.array([0, 0, 0, 0.3, 0, 0.0]))
+    bent[4] = replace(bent[4], board=stated_pose(RigidTransform(shifted, "camera", "board"), 1.0, 1.0))
     solution = solve(GuideProblem(tuple(bent), X))
     assert int(np.argmax(np.hypot(solution.straightness_mm, solution.along_mm))) == 4
 
@@ -67,8 +76,8 @@ def test_straightness_shows_a_bent_guide(generator):
 def test_a_board_that_turned_is_told(generator):
     problem = problem_of(generator, sigma_mm=0.0)
     turned = list(problem.observations)
-    pose = moved(turned[0].camera_from_board.matrix, np.array([0.05, 0, 0, 0, 0, 0.0]))
-    turned[0] = GuideObservation(turned[0].base_from_flange, turned[0].guide_mm, RigidTransform(pose, "camera", "board"))
+    pose = moved(turned[0].pose.camera_from_board.matrix, np.array([0.05, 0, 0, 0, 0, 0.0]))
+    turned[0] = replace(turned[0], board=stated_pose(RigidTransform(pose, "camera", "board"), 1.0, 1.0))
     assert "seems to turn" in solve(GuideProblem(tuple(turned), X)).warnings[0]
 
 
@@ -79,15 +88,12 @@ def test_two_positions_are_too_few(generator):
 
 def test_positions_in_metres_are_refused(generator):
     problem = problem_of(generator)
-    metres = tuple(GuideObservation(one.base_from_flange, one.guide_mm * 0.05, one.camera_from_board) for one in problem.observations)
+    metres = tuple(replace(one, readback=replace(one.readback, guide_mm=one.readback.guide_mm * 0.05)) for one in problem.observations)
     with pytest.raises(CalibrationError, match="per displayed millimetre"):
         solve(GuideProblem(metres, X))
 
 
-def test_a_draft_asks_for_positions_and_stroke(generator):
-    draft = GuideDraft(X)
-    for observation in problem_of(generator, positions=[0.0, 20.0]).observations:
-        draft.add(observation)
-    assert len(draft.shortfalls()) == 2
-    draft.remove(0)
-    assert len(draft.problem().observations) == 1
+def test_too_few_positions_over_too_short_a_stroke_are_said(generator):
+    assert len(shortfalls(problem_of(generator, positions=[0.0, 20.0]).observations)) == 2
+    assert len(shortfalls(problem_of(generator, positions=[0.0, 20.0, 40.0]).observations)) == 1
+    assert shortfalls(problem_of(generator).observations) == ()

@@ -7,7 +7,7 @@ import pytest
 
 from measureapp.calibrate.boards.pose import board_pose
 from measureapp.calibrate.motions.axis_circles import distance_weights, fit_arcs, line_through
-from measureapp.calibrate.motions.rotation_axis import AxisDraft, AxisProblem, problem_from_poses, solve
+from measureapp.calibrate.motions.rotation_axis import AxisProblem, problem_from_poses, shortfalls, solve
 from measureapp.data.calibration import RotationAxis
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform
@@ -142,11 +142,9 @@ def test_angles_that_contradict_the_board_are_refused(board):
         solve(AxisProblem(turned_corners(board), np.deg2rad(ANGLES)))
 
 
-def test_a_draft_asks_for_more_positions(head, board, simulate, generator):
-    draft = AxisDraft(board)
-    assert draft.shortfalls() == ("3 more table positions are needed.",)
-    for angle in np.deg2rad([0.0, 5.0, 10.0]):
-        draft.add(board_pose(simulate.corners(head, board, AXIS.turned(angle) @ START, 0.05, generator), head, board), angle)
-    assert "turn it by 30°" in draft.shortfalls()[0]
-    draft.remove(2)
-    assert draft.shortfalls() == ("1 more table positions are needed.",)
+def test_too_few_positions_and_a_short_sweep_are_said(head, board, simulate, generator):
+    assert shortfalls(problem_from_poses([], board)) == ("3 more table positions are needed.",)
+    angles = np.deg2rad([0.0, 5.0, 10.0])
+    poses = [board_pose(simulate.corners(head, board, AXIS.turned(angle) @ START, 0.05, generator), head, board) for angle in angles]
+    assert "turn it by 30°" in shortfalls(problem_from_poses(poses, board, angles))[0]
+    assert shortfalls(problem_from_poses(poses[:2], board, angles[:2])) == ("1 more table positions are needed.",)

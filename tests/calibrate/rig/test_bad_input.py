@@ -70,7 +70,7 @@ def test_images_in_another_order_are_named(rig, observations):
 
 
 def test_robot_poses_that_all_turn_about_one_axis_are_named(rig, observations):
-    still = [one for one in observations if not one.name.startswith("pose")]
+    still = [one for one in observations if not one.id.startswith("pose")]
     with pytest.raises(CalibrationError, match=r"poses turned|same axis|turn the camera"):
         solve_rig(still, rig.head)
 

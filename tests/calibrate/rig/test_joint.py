@@ -63,7 +63,7 @@ def test_the_joint_solution_is_better_than_the_stages(rig, solutions):
 
 def test_a_sighting_whose_board_moved_is_left_out_with_its_reason(rig, simulate, generator):
     observations = simulate.observations(rig, generator)
-    index = next(index for index, one in enumerate(observations) if one.name == "axis3")
+    index = next(index for index, one in enumerate(observations) if one.id == "axis3")
     shifted = moved(observations[index].board.camera_from_board.matrix, np.array([0, 0, 0, 3.0, 0, 0]))
     pose = replace(observations[index].board, camera_from_board=RigidTransform(shifted, "camera", "board"))
     observations[index] = replace(observations[index], board=pose)
@@ -78,8 +78,8 @@ def test_a_sighting_that_is_left_out_does_not_make_one_approach_of_its_neighbour
     pose = observations[0].readback.base_from_flange
     away = pose @ RigidTransform.from_vector([0.1, 0, 0], [30, 20, 10], "flange", "flange")
     assert approaches_to([pose, pose, away, pose]) == (0, 0, 1, 2)
-    gone = replace(observations[-1], name="gone", readback=replace(observations[-1].readback, base_from_flange=away))
-    index = next(index for index, one in enumerate(observations) if one.name == "axis3")
+    gone = replace(observations[-1], id="gone", readback=replace(observations[-1].readback, base_from_flange=away))
+    index = next(index for index, one in enumerate(observations) if one.id == "axis3")
     shifted = moved(observations[index].board.camera_from_board.matrix, np.array([0, 0, 0, 30.0, 0, 0]))
     gone = replace(gone, board=replace(gone.board, camera_from_board=RigidTransform(shifted, "camera", "board")))
     told = [*observations[: index + 1], gone, *observations[index + 1 :]]
@@ -99,7 +99,7 @@ def test_a_guide_that_did_not_move_is_said_to_be_unobservable(rig, simulate, gen
 
 
 def test_a_table_that_did_not_turn_is_refused(rig, simulate, generator):
-    observations = [one for one in simulate.observations(rig, generator) if not one.name.startswith("axis")]
+    observations = [one for one in simulate.observations(rig, generator) if not one.id.startswith("axis")]
     with pytest.raises(CalibrationError, match="turn the table"):
         solve_rig(observations, rig.head)
 

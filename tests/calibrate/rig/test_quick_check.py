@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.boards.pose import board_pose
 from measureapp.calibrate.poses import moved
-from measureapp.calibrate.rig.joint import RigObservation
 from measureapp.calibrate.rig.quick_check import quick_check
 from measureapp.data.calibration import HandEye, LinearGuide, RigCalibration, RotationAxis
 from measureapp.data.fringe import AxisReadback
@@ -40,7 +40,7 @@ def views(rig, simulate, generator):
         read = AxisReadback(pose, float(guide_mm), float(np.deg2rad(table_deg)))
         error = generator.normal(size=6) * [*[2e-5] * 3, *[0.02] * 3]
         corners = simulate.corners(rig.head, rig.board, rig.camera_from_board(read, error), 0.05, generator)
-        result.append(RigObservation(f"check{number}", read, board_pose(corners, rig.head, rig.board, 0.05)))
+        result.append(Observation(f"check{number}", read, board_pose(corners, rig.head, rig.board, 0.05)))
     return result
 
 

@@ -1,0 +1,1 @@
+"""What to observe next, for lenses, robot turns and the travel of axes."""

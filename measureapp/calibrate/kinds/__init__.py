@@ -1,0 +1,1 @@
+"""One file per kind of calibration, and the table of all of them."""
