@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
+import platform
 import subprocess
 import sys
+import tempfile
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 
 import environment
@@ -17,6 +19,14 @@ from trouble import SetupTrouble
 DEMO_FOLDER = "demo-gypsum-half"
 CANCELLED = 130
 COMPILE_KERNELS = "from measureapp.pipeline.warm_up import warm_up; warm_up()"
+X86 = ("x86_64", "AMD64")
+OLDER_PROCESSOR = {"NUMBA_CPU_NAME": "haswell", "NUMBA_CPU_FEATURES": "+avx2,+fma"}
+KERNEL_TESTS = (
+    "tests/compiled",
+    "tests/fringe/test_decode.py::test_the_kernel_agrees_with_the_readable_statement",
+    "tests/fringe/test_decode.py::test_highlights_and_dark_places_are_told_apart",
+    "tests/reconstruct/test_kernels.py",
+)
 
 
 def perform(step: str, arguments: Sequence[str]) -> int:
@@ -62,6 +72,8 @@ def test(arguments: Sequence[str]) -> int:
         # Once and early: else every process of pytest compiles what the others compile.
         kernels = None if arguments else beside.submit(_timed, "kernels", [str(home.python), "-c", COMPILE_KERNELS], home)
         results = [_check(name, command, home) for name, command in checks.items()]
+        if not arguments and platform.machine() in X86:
+            results.append(_older_processor(home))
         results += [] if kernels is None else [kernels.result()]
     results.append(_check("pytest", [*pytest, *(arguments or _several_processes())], home))
     print("== summary")
@@ -77,19 +89,30 @@ def _several_processes() -> list[str]:
     return ["-n", str(count), "--dist", "loadfile", "--no-loadscope-reorder"] if count > 1 else []
 
 
-def _check(name: str, command: Sequence[str], home: environment.Environment) -> tuple[str, int, float]:
+def _older_processor(home: environment.Environment) -> tuple[str, int, float]:
+    """Test a selection of kernels compiled for the instruction set of 2013; the usual cache of compiled kernels stays as it is."""
+    with tempfile.TemporaryDirectory() as cache:
+        variables = {**OLDER_PROCESSOR, "NUMBA_CACHE_DIR": cache}
+        return _check("older CPU", [str(home.python), "-m", "pytest", "-q", *KERNEL_TESTS], home, variables)
+
+
+def _check(
+    name: str, command: Sequence[str], home: environment.Environment, variables: Mapping[str, str] | None = None
+) -> tuple[str, int, float]:
     print(f"== {name}", flush=True)
-    return _timed(name, command, home)
+    return _timed(name, command, home, variables)
 
 
-def _timed(name: str, command: Sequence[str], home: environment.Environment) -> tuple[str, int, float]:
+def _timed(
+    name: str, command: Sequence[str], home: environment.Environment, variables: Mapping[str, str] | None = None
+) -> tuple[str, int, float]:
     started = time.monotonic()
-    code = _call(command, home)
+    code = _call(command, home, variables)
     return name, code, time.monotonic() - started
 
 
-def _call(command: Sequence[str], home: environment.Environment) -> int:
-    return subprocess.run(command, cwd=environment.ROOT, env=home.variables(), check=False).returncode
+def _call(command: Sequence[str], home: environment.Environment, variables: Mapping[str, str] | None = None) -> int:
+    return subprocess.run(command, cwd=environment.ROOT, env={**home.variables(), **(variables or {})}, check=False).returncode
 
 
 STEPS: dict[str, Callable[[Sequence[str]], int]] = {"run": run, "test": test}

@@ -8,12 +8,12 @@ from math import sqrt
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.compiled.buffer_pool import BufferPool, aligned_empty
 from measureapp.data.phase import PixelState
 from measureapp.errors import DecodeError
 from measureapp.fringe.kernels.records import CHUNK, RESIDUAL_SCALE, ROWS, SPACING, Layout, Maps, Model, Work, in_chunks
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.unwrap import HeterodynePlan, extent_px, plan_heterodyne
-from measureapp.map_memory import MapMemory, at_a_line
 
 RANGE_MARGIN_PX = 2.0
 GRAY_GATE_CYCLES, GRAY_SLACK_CYCLES = 0.5, 0.75
@@ -140,7 +140,7 @@ def _correction_table(recipe: Recipe) -> FloatArray:
     return (table / (2 * np.pi)).astype(np.float32)
 
 
-def make_maps(dtype: np.dtype[np.unsignedinteger], pixels: int, memory: MapMemory) -> Maps:
+def make_maps(dtype: np.dtype[np.unsignedinteger], pixels: int, memory: BufferPool) -> Maps:
     """Return room for the maps of one camera, in whole chunks."""
     pixels = in_chunks(pixels)
     return Maps(
@@ -162,9 +162,9 @@ def of_pixels(maps: Maps, pixels: int) -> Maps:
 def make_work(groups: int) -> Work:
     """Return the arrays in which a block of pixels is solved."""
     return Work(
-        phase=at_a_line((groups * SPACING,), np.float32),
-        power=at_a_line((groups * SPACING,), np.float32),
-        rows=at_a_line((ROWS * SPACING,), np.float32),
+        phase=aligned_empty((groups * SPACING,), np.float32),
+        power=aligned_empty((groups * SPACING,), np.float32),
+        rows=aligned_empty((ROWS * SPACING,), np.float32),
         known=np.full(1, -1),
     )
 

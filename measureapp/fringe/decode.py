@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.fringe import FringeStack
 from measureapp.data.phase import PhaseMap
 from measureapp.fringe.checks.stack import check_shapes
 from measureapp.fringe.patterns.draw import check_determines_phase
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.streaming import direction_decoders, joined
-from measureapp.map_memory import MapMemory
 from measureapp.progress import NoProgress, Progress
 
 
 def decode(
-    stack: FringeStack, settings: DecodeSettings | None = None, progress: Progress | None = None, memory: MapMemory | None = None
+    stack: FringeStack, settings: DecodeSettings | None = None, progress: Progress | None = None, memory: BufferPool | None = None
 ) -> dict[str, PhaseMap]:
     """Decode the images of every camera.
 
@@ -46,9 +46,9 @@ def decode(
     return maps
 
 
-def decode_camera(stack: FringeStack, camera: str, settings: DecodeSettings, memory: MapMemory | None = None) -> PhaseMap:
+def decode_camera(stack: FringeStack, camera: str, settings: DecodeSettings, memory: BufferPool | None = None) -> PhaseMap:
     """Decode the images of one camera; `decode` checks them first."""
     images = stack.images[camera]
     bracket = (stack.exposures_us, float(stack.saturation))
-    decoders = direction_decoders(stack.patterns, bracket, settings, camera, stack.viewpoint_id, images, memory or MapMemory())
+    decoders = direction_decoders(stack.patterns, bracket, settings, camera, stack.viewpoint_id, images, memory or BufferPool())
     return joined([decoder.decode(images) for decoder in decoders])

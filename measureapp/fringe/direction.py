@@ -8,6 +8,7 @@ from math import tau
 import numpy as np
 
 from measureapp.arrays import ImageArray, IntArray, read_only
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.errors import DecodeError
 from measureapp.fringe.absolute import (
@@ -27,7 +28,6 @@ from measureapp.fringe.order_vote import VoteLimits, order_steps, settle_orders
 from measureapp.fringe.pixel_loop import NOWHERE, STRETCH_ALONE, PixelLoop, Room, flat
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.unwrap import extent_px
-from measureapp.map_memory import MapMemory
 
 LEAST_USABLE, MOST_OUTSIDE = 0.01, 0.8
 Fill = Callable[[Sums, list[tuple[int, int]]], None]  # puts the sums of stretches of pixels (begin, end) one after the other
@@ -54,7 +54,7 @@ class DirectionDecoder:
         viewpoint_id: str,
         shape: tuple[int, int],
         dtype: np.dtype[np.unsignedinteger],
-        memory: MapMemory,
+        memory: BufferPool,
     ) -> None:
         self._recipe, self._camera, self._viewpoint_id = recipe, camera, viewpoint_id
         self._shape, self._dtype = shape, np.dtype(dtype)

@@ -8,10 +8,10 @@ from math import pi
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray, in_bands
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.phase import PixelState
 from measureapp.fringe.kernels import orders
 from measureapp.fringe.kernels.records import Maps
-from measureapp.map_memory import MapMemory
 
 CERTAIN = 3.5  # standard deviations by which a rounding residual may miss the order that the window wants
 
@@ -57,7 +57,7 @@ def order_steps(scales: FloatArray, steps: IntArray) -> FloatArray:
     return np.asarray(2 * pi * (change - (shares / scales * (off - np.rint(off))).sum(axis=1)), np.float32)
 
 
-def settle_orders(maps: Maps, shape: tuple[int, int], limits: VoteLimits, memory: MapMemory) -> tuple[int, IntArray]:
+def settle_orders(maps: Maps, shape: tuple[int, int], limits: VoteLimits, memory: BufferPool) -> tuple[int, IntArray]:
     """Let the window decide doubtful orders and mark edges, in place.
 
     Only pixels in conflict with themselves or whose phase differs from their surroundings are looked at. A pixel changes its

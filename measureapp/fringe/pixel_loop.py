@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 
 from measureapp.arrays import ImageArray, IntArray, in_bands
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.phase import PixelState
 from measureapp.fringe.absolute import make_maps, make_work
 from measureapp.fringe.kernels import decoding
 from measureapp.fringe.kernels.records import CHUNK, Layout, Maps, Model, Scratch, Sums, Work
 from measureapp.fringe.recipe import Recipe
-from measureapp.map_memory import MapMemory
 
 COUNTERS = len(PixelState) + 1  # of every state, and of complete pixels
 NOWHERE = np.empty(0, np.uint8)  # no pixel is kept from an exposure by its neighbours
@@ -29,7 +29,7 @@ class PixelLoop:
     model : given to the kernel, which asks for one, where nothing is solved
     """
 
-    def __init__(self, recipe: Recipe, dtype: np.dtype[np.unsignedinteger], pixels: int, model: Model, memory: MapMemory) -> None:
+    def __init__(self, recipe: Recipe, dtype: np.dtype[np.unsignedinteger], pixels: int, model: Model, memory: BufferPool) -> None:
         self.layout, self.rule = recipe.layout(), recipe.rule(dtype)
         self._recipe, self._dtype, self._pixels, self._model = recipe, dtype, pixels, model
         self._no_images = flat(np.empty((0, recipe.first + recipe.patterns.count, pixels), dtype))

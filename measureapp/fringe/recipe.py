@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from measureapp.compiled.buffer_pool import BufferPool, aligned_empty
 from measureapp.data.fringe import Direction, GrayCodeGroup, PatternSet, PhaseShiftGroup
 from measureapp.errors import DecodeError
 from measureapp.fringe.exposures.weights import exposure_weights
@@ -13,7 +14,6 @@ from measureapp.fringe.kernels.records import CHUNK, Layout, Rule, Scratch, Sums
 from measureapp.fringe.noise.model import CameraNoise
 from measureapp.fringe.phase_shift import shift_weights
 from measureapp.fringe.settings import DecodeSettings
-from measureapp.map_memory import MapMemory, at_a_line
 
 MOST_EXPOSURES = 16
 LARGEST_SHORT = 32767
@@ -106,7 +106,7 @@ class Recipe:
         top = min(int(np.ceil(self.saturation)) - 1, int(np.iinfo(dtype).max))
         return Rule(self.finest, dtype.type(top), self.settings.rule == "paper", np.array(self.weights, np.uint8))
 
-    def sums(self, dtype: np.dtype[np.unsignedinteger], pixels: int, memory: MapMemory) -> Sums:
+    def sums(self, dtype: np.dtype[np.unsignedinteger], pixels: int, memory: BufferPool) -> Sums:
         """Return room for the sums of so many pixels, in whole chunks: whole numbers where these are exact and cannot overflow."""
         pixels = in_chunks(pixels)
         steps = [group.steps for group in self.groups]
@@ -127,7 +127,7 @@ class Recipe:
     def scratch(self, dtype: np.dtype[np.unsignedinteger]) -> Scratch:
         """Return the arrays of one chunk."""
         return Scratch(
-            high=at_a_line((1 if self.settings.joint else len(self.groups), CHUNK), dtype),
-            low=at_a_line((CHUNK,), dtype),
-            take=at_a_line((CHUNK,), np.uint8),
+            high=aligned_empty((1 if self.settings.joint else len(self.groups), CHUNK), dtype),
+            low=aligned_empty((CHUNK,), dtype),
+            take=aligned_empty((CHUNK,), np.uint8),
         )

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from measureapp.arrays import ImageArray
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.fringe import PatternSet
 from measureapp.data.phase import PhaseMap
 from measureapp.errors import DecodeError
@@ -14,7 +15,6 @@ from measureapp.fringe.direction import DirectionDecoder
 from measureapp.fringe.patterns.draw import check_determines_phase
 from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.settings import DecodeSettings
-from measureapp.map_memory import MapMemory
 
 
 class StreamingDecoder:
@@ -42,12 +42,12 @@ class StreamingDecoder:
         saturation: float,
         settings: DecodeSettings | None = None,
         viewpoint_id: str = "",
-        memory: MapMemory | None = None,
+        memory: BufferPool | None = None,
     ) -> None:
         check_determines_phase(patterns)
         self._patterns, self._exposures_us, self._saturation = patterns, exposures_us, saturation
         self._settings, self._viewpoint_id = settings or DecodeSettings(), viewpoint_id
-        self._memory = memory or MapMemory()
+        self._memory = memory or BufferPool()
         self._decoders: dict[str, list[DirectionDecoder]] = {}
         self._shapes: dict[str, tuple[tuple[int, ...], str]] = {}
         self._added: dict[str, int] = {}
@@ -106,7 +106,7 @@ def direction_decoders(
     camera: str,
     viewpoint_id: str,
     images: ImageArray,
-    memory: MapMemory,
+    memory: BufferPool,
 ) -> list[DirectionDecoder]:
     """Return one decoder for each direction of a set, vertical first; ``bracket`` is the exposures and the saturation."""
     made, corrected = [], 0

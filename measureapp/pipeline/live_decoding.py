@@ -8,12 +8,12 @@ from dataclasses import dataclass, field
 from types import TracebackType
 
 from measureapp.acquire.capture import ExposureTaken
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.fringe import FringeStack
 from measureapp.data.phase import PhaseMap
 from measureapp.fringe.checks.stack import check_stack
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.streaming import StreamingDecoder
-from measureapp.map_memory import MapMemory
 
 
 @dataclass(slots=True)
@@ -28,7 +28,7 @@ class LiveDecoding:
     """Sums every exposure as soon as it is complete, and takes the phase after the last; a context that ends its thread."""
 
     def __init__(self, settings: DecodeSettings | None = None) -> None:
-        self._settings, self._memory = settings, MapMemory()
+        self._settings, self._memory = settings, BufferPool()
         self._pool = ThreadPoolExecutor(1, "live-decoding")
         self._viewpoints: dict[str, _Viewpoint] = {}
 

@@ -13,6 +13,7 @@ import numpy as np
 from measureapp.acquire.capture import ExposureTaken
 from measureapp.acquire.engine import Engine
 from measureapp.acquire.events import Event, ExposuresChosen, ValidityKnown, ViewpointFailed, ViewReady
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.fringe import FringeStack
 from measureapp.data.measurement import ViewResult
@@ -26,7 +27,6 @@ from measureapp.fringe.decode import decode
 from measureapp.fringe.exposures.bracket import BracketLimits
 from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.fringe.settings import DecodeSettings
-from measureapp.map_memory import MapMemory
 from measureapp.pipeline.bracket import propose_bracket
 from measureapp.pipeline.live_decoding import LiveDecoding
 from measureapp.pipeline.noise import decode_settings_of
@@ -65,7 +65,7 @@ class _Processing:
         self._rectifier = None if calibration is None else Rectifier(calibration.cameras)
         self._live = None if calibration is None else live
         self._settings, self._groundwork = settings, groundwork
-        self._memory = MapMemory()
+        self._memory = BufferPool()
 
     def exposure_taken(self, taken: ExposureTaken) -> None:
         """Decode it on another thread."""
@@ -195,7 +195,7 @@ def cloud_of_view(
     progress: Progress,
     rectifier: Rectifier,
     maps: Mapping[str, PhaseMap] | None = None,
-    memory: MapMemory | None = None,
+    memory: BufferPool | None = None,
     settings: DecodeSettings | None = None,
 ) -> ViewResult:
     """Decode (where ``maps`` were not decoded already), match, triangulate and judge one viewpoint, all in ``memory``.

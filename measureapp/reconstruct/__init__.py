@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from measureapp.kernel_cache import drop_stale
+from measureapp.compiled.kernel_cache import drop_stale, shared_sources
 
-_CORE = Path(__file__).parents[1]
-drop_stale(Path(__file__).parent / "kernels", _CORE / "machine_memory.py", *(_CORE / "simd").glob("*.py"))
+drop_stale(Path(__file__).parent / "kernels", *shared_sources())

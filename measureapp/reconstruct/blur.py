@@ -19,9 +19,9 @@ from dataclasses import replace
 import numpy as np
 
 from measureapp.arrays import in_bands, read_only
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.phase import PhaseMap
-from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.other_light import other_light
 
@@ -33,7 +33,7 @@ def without_blur(
     phase_maps: Mapping[str, PhaseMap],
     cameras: CameraArrayCalibration,
     step_rad: float,
-    memory: MapMemory | None = None,
+    memory: BufferPool | None = None,
     read: Collection[str] = (),
 ) -> dict[str, PhaseMap]:
     """Return the phase maps as cameras without blur would give them, with what is in doubt of that in ``sigma_rad``.
@@ -45,14 +45,14 @@ def without_blur(
     step_rad : largest phase step between neighbouring pixels of one surface
     read : cameras whose phases will be read between pixels, in straight lines, which cut bends short as blur does; that is taken back too
     """
-    memory = memory or MapMemory()
+    memory = memory or BufferPool()
     return {
         name: _sharp(phase_map, cameras.cameras[name].blur_px, step_rad, memory, name in read) if name in cameras.cameras else phase_map
         for name, phase_map in phase_maps.items()
     }
 
 
-def _sharp(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: MapMemory, read: bool) -> PhaseMap:
+def _sharp(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: BufferPool, read: bool) -> PhaseMap:
     if blur_px <= 0:
         return phase_map
     shape = phase_map.phase_rad.shape

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray, in_bands, read_only
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.phase import PhaseMap
-from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
 
 SPARSE = 16  # one pixel of so many in each direction tells what a phase map is like
@@ -33,9 +33,9 @@ class PhaseView:
     some_slopes: FloatArray  # (N, 2) the known slopes of a sparse choice of pixels
 
     @classmethod
-    def of(cls, phase_map: PhaseMap, step_rad: float, memory: MapMemory | None = None) -> PhaseView:
+    def of(cls, phase_map: PhaseMap, step_rad: float, memory: BufferPool | None = None) -> PhaseView:
         """Take the slopes of a phase map, over neighbours less than ``step_rad`` apart."""
-        memory = memory or MapMemory()
+        memory = memory or BufferPool()
         phase, sigma = read_only(phase_map.phase_rad, np.float32), read_only(phase_map.sigma_rad, np.float32)
         state = read_only(phase_map.state, np.uint8)
         pixels, quad = memory.empty((*phase.shape, 4), np.float32), memory.empty(phase.shape, np.uint8)

@@ -10,12 +10,12 @@ from math import degrees
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray, in_bands, read_only
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.cloud import PointCloud
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.point_state import PointState
 from measureapp.errors import ReconstructError
-from measureapp.map_memory import MapMemory
 from measureapp.progress import NoProgress, Progress
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.blur import without_blur
@@ -49,7 +49,7 @@ def reconstruct(
     settings: ReconstructSettings | None = None,
     progress: Progress | None = None,
     rectifier: Rectifier | None = None,
-    memory: MapMemory | None = None,
+    memory: BufferPool | None = None,
 ) -> Reconstruction:
     """Match all pairs of cameras and intersect their rays.
 
@@ -73,7 +73,7 @@ def reconstruct(
     settings = settings or ReconstructSettings()
     progress = progress or NoProgress()
     rectifier = rectifier or Rectifier(cameras)
-    memory = memory or MapMemory()
+    memory = memory or BufferPool()
     names = _usable_names(phase_maps, cameras)
     rectified = settings.grid == "rectified" or (settings.grid == "auto" and len(names) == 2)
     inner = without_rims(phase_maps, cameras, memory)
@@ -89,7 +89,7 @@ def _on_rectified_grid(
     rectifier: Rectifier,
     settings: ReconstructSettings,
     progress: Progress,
-    memory: MapMemory,
+    memory: BufferPool,
 ) -> Reconstruction:
     """Reconstruct two cameras with the first one's phase taken to the rectified grid; pixels are named by the real image."""
     if len(names) != 2:
@@ -122,7 +122,7 @@ def _reconstruct(
     rectifier: Rectifier,
     settings: ReconstructSettings,
     progress: Progress,
-    memory: MapMemory,
+    memory: BufferPool,
 ) -> Reconstruction:
     work = _Work(names, phase_maps, rectifier, settings, memory)
     for number, name in enumerate(names[:-1]):
@@ -147,7 +147,7 @@ class _Work:
         phase_maps: Mapping[str, PhaseMap],
         rectifier: Rectifier,
         settings: ReconstructSettings,
-        memory: MapMemory,
+        memory: BufferPool,
     ) -> None:
         self.names, self.phase_maps, self.rectifier, self.settings, self.memory = names, phase_maps, rectifier, settings, memory
         self.views = {name: PhaseView.of(phase_maps[name], settings.max_phase_step_rad, memory) for name in names}

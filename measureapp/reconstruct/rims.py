@@ -14,10 +14,10 @@ import cv2
 import numpy as np
 
 from measureapp.arrays import in_bands, read_only
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.phase import PhaseMap
 from measureapp.data.point_state import PointState
-from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
 
 NARROWEST_PX = 2  # what the kernel marks
@@ -26,14 +26,14 @@ BESIDE = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
 
 
 def without_rims(
-    phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibration, memory: MapMemory | None = None
+    phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibration, memory: BufferPool | None = None
 ) -> dict[str, PhaseMap]:
     """Return the phase maps without the pixels next to holes, whose state is then `PointState.RIM`, which is no `PixelState`.
 
     They are two pixels wide up to a blur of 0.96 px, and 2.6 times as wide as a greater one. Those of cameras whose blur is not known stay
     as they are, as in `without_blur`.
     """
-    memory = memory or MapMemory()
+    memory = memory or BufferPool()
     return {
         name: _inner(phase_map, _width_px(cameras.cameras[name].blur_px), memory)
         if name in cameras.cameras and cameras.cameras[name].blur_px > 0
@@ -46,7 +46,7 @@ def _width_px(blur_px: float) -> int:
     return max(NARROWEST_PX, round(PX_PER_BLUR * blur_px))
 
 
-def _inner(phase_map: PhaseMap, width_px: int, memory: MapMemory) -> PhaseMap:
+def _inner(phase_map: PhaseMap, width_px: int, memory: BufferPool) -> PhaseMap:
     state = read_only(phase_map.state, np.uint8)
     marked = memory.empty(state.shape, np.uint8)
     in_bands(lambda start, stop: kernels.mark_rims(state, start, stop, marked), len(state))

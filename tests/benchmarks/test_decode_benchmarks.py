@@ -20,11 +20,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.fringe import FringeStack
 from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.fringe.decode import decode_camera
 from measureapp.fringe.settings import DecodeSettings
-from measureapp.map_memory import MapMemory
 from tests.benchmarks.conftest import copies_of
 from tests.fringe.conftest import EXPOSURES_US, images_of
 
@@ -90,7 +90,7 @@ def test_decoding_one_camera_against_a_copy_of_its_images(benchmark: Benchmark, 
     images = full_stack.images["left"]
     settings = DecodeSettings(rule=rule, **ALONE)
     copies = copies_of(images)
-    memory = MapMemory()
+    memory = BufferPool()
 
     def ours() -> Any:
         return decode_camera(full_stack, "left", settings, memory)

@@ -24,12 +24,12 @@ import numpy as np
 import pytest
 
 from measureapp.arrays import FloatArray, in_bands
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.fringe import FringeStack
 from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.data.phase import PhaseMap
 from measureapp.fringe.decode import decode_camera
 from measureapp.fringe.settings import DecodeSettings
-from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.cleaning.clean import cleaned
 from measureapp.reconstruct.cleaning.depth_grid import Lens
@@ -99,7 +99,7 @@ def matching(maps: dict[str, PhaseMap], rectifier: Rectifier) -> Callable[[], li
     """Return the match of left and right, tables included; the slopes of the phase maps are made once per view and camera."""
     views = {name: PhaseView.of(maps[name], 3.0) for name in ("left", "right")}
     skip = (views["left"].state != 0).view(np.uint8)
-    memory = MapMemory()
+    memory = BufferPool()
     rays, phase, width = flat(rectifier.rays("left")), views["left"].phase, skip.shape[1]
 
     def work() -> list[int]:
@@ -167,7 +167,7 @@ def test_the_closed_form_of_a_depth_beside_opencv(benchmark: Benchmark, rectifie
 def test_reconstructing_a_view_of_three_cameras(benchmark: Benchmark, head: Head, maps: dict[str, PhaseMap], rectifier: Rectifier) -> None:
     made = reconstruct(maps, head.cameras, rectifier=rectifier)
     assert len(made.cloud) > 0.95 * maps["left"].valid.sum()
-    memory = MapMemory()
+    memory = BufferPool()
     work = lambda: reconstruct(maps, head.cameras, rectifier=rectifier, memory=memory)  # noqa: E731
     work()
     benchmark.extra_info["fresh_ms"] = alternating(lambda: reconstruct(maps, head.cameras, rectifier=rectifier), work)[0] * 1e3
@@ -192,7 +192,7 @@ def test_a_view_from_images_to_points(benchmark: Benchmark, head: Head, maps: di
     images = {name: images_of_camera(each, 3 + number) for number, (name, each) in enumerate(maps.items())}
     stack = FringeStack("v", PAPER_PATTERNS, EXPOSURES_US, images, 255)
 
-    memory = MapMemory()
+    memory = BufferPool()
 
     def work() -> int:
         decoded = {name: decode_camera(stack, name, DecodeSettings(), memory) for name in images}

@@ -7,6 +7,7 @@ import pytest
 from numba import njit
 
 from measureapp.arrays import FloatArray
+from measureapp.compiled.simd.memory import load, store
 from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternSet, PhaseShiftGroup
 from measureapp.data.pattern_sets import DEFAULT_PATTERNS, PAPER_PATTERNS
 from measureapp.data.phase import PixelState
@@ -18,7 +19,6 @@ from measureapp.fringe.kernels.wrapping import atan2_cycles
 from measureapp.fringe.noise.model import CameraNoise, phase_sigma
 from measureapp.fringe.phase_shift import wrapped_phase
 from measureapp.fringe.settings import DecodeSettings
-from measureapp.simd.memory import load, store
 from tests.fringe.conftest import EXPOSURES_US, images_of, ramp, stack_of
 
 

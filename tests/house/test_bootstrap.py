@@ -241,15 +241,17 @@ def called(installer, monkeypatch, tmp_path):
     """Return the commands a step starts; nothing is set up."""
     commands: list[list[str]] = []
     codes: dict[str, int] = {}
+    variables: list[dict[str, str]] = []
 
-    def call(command, home):
+    def call(command, home, more=None):
         commands.append([Path(command[0]).stem, *command[1:]])
+        variables.append(more or {})
         return codes.get(Path(command[0]).stem, 0)
 
     monkeypatch.setattr(installer.steps, "_call", call)
     monkeypatch.setattr(installer.system_libraries, "ensure", lambda screen: None)
     monkeypatch.setattr(installer.environment, "ensure", lambda: installer.environment.Environment(tmp_path))
-    return SimpleNamespace(commands=commands, codes=codes)
+    return SimpleNamespace(commands=commands, codes=codes, variables=variables)
 
 
 def test_run_opens_the_window_on_a_screen_and_runs_the_demo_without(installer, called, monkeypatch) -> None:
@@ -288,6 +290,25 @@ def test_the_whole_suite_compiles_first_and_runs_in_as_many_processes_as_there_i
     assert called.commands[-1] == ["python", "-m", "pytest", *shared]
     assert ["python", "-c", installer.steps.COMPILE_KERNELS] in called.commands[:-1]
     assert "kernels       passed" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(("processor", "checked"), [("x86_64", True), ("aarch64", False)])
+def test_the_whole_suite_tests_kernels_for_an_older_processor_with_a_cache_of_their_own(
+    installer, called, monkeypatch, processor, checked
+) -> None:
+    monkeypatch.setattr(installer.steps.platform, "machine", lambda: processor)
+    assert installer.steps.perform("test", []) == 0
+    older = [more for command, more in zip(called.commands, called.variables, strict=True) if "tests/compiled" in command]
+    assert [more["NUMBA_CPU_NAME"] for more in older] == ["haswell"] * checked
+    assert not any(Path(more["NUMBA_CACHE_DIR"]).exists() for more in older)
+    assert called.variables[-1] == {}
+
+
+def test_the_tests_for_an_older_processor_exist(installer) -> None:
+    for name in installer.steps.KERNEL_TESTS:
+        file, _, test = name.partition("::")
+        path = INSTALLER.parent / file
+        assert path.exists() and (not test or f"def {test}(" in path.read_text(encoding="utf-8"))
 
 
 def test_kernels_that_do_not_compile_fail_the_whole_suite(installer, called, capsys) -> None:

@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 
 from numba import njit
 
-from measureapp.fringe.kernels.options import INLINE
+from measureapp.compiled.options import INLINE
+from measureapp.compiled.simd.elements import broadcast, convert, maximum, minimum, reduce_max, reduce_min
+from measureapp.compiled.simd.memory import load, store
 from measureapp.fringe.kernels.records import CHUNK
-from measureapp.simd.elements import converted, filled, larger, largest, smaller, smallest
-from measureapp.simd.memory import load, store
 
 ADDED = 32  # pixels that are added together: a register of whole numbers of 16 bits
 
@@ -40,13 +40,13 @@ def add_quad(images: Any, p: int, at: int, share: Share, counted: bool, sine: An
     ``total`` gains them only where they are ``counted``.
     """
     a, b, c, d = four_rows(images, p, p + 3, at)
-    kind, often = sine.dtype, filled(sine.dtype.type(share.often), ADDED)
+    kind, often = sine.dtype, broadcast(sine.dtype.type(share.often), ADDED)
     for j in range(0, CHUNK, ADDED):
         w, x, y, z = load(a, j, ADDED), load(b, j, ADDED), load(c, j, ADDED), load(d, j, ADDED)
-        top = larger(top, larger(larger(w, x), larger(y, z)))
-        bottom = smaller(bottom, smaller(smaller(w, x), smaller(y, z)))
-        times = often if share.alike else often + converted(load(share.take, j, ADDED), kind)
-        first, second, third, fourth = converted(w, kind), converted(x, kind), converted(y, kind), converted(z, kind)
+        top = maximum(top, maximum(maximum(w, x), maximum(y, z)))
+        bottom = minimum(bottom, minimum(minimum(w, x), minimum(y, z)))
+        times = often if share.alike else often + convert(load(share.take, j, ADDED), kind)
+        first, second, third, fourth = convert(w, kind), convert(x, kind), convert(y, kind), convert(z, kind)
         across, along = times * (second - fourth), times * (first - third)
         store(across if share.fresh else load(sine, j, ADDED) + across, sine, j)
         store(along if share.fresh else load(cosine, j, ADDED) + along, cosine, j)
@@ -59,16 +59,16 @@ def add_quad(images: Any, p: int, at: int, share: Share, counted: bool, sine: An
 @njit(**INLINE)
 def add_weighted(images: Any, layout: Any, g: int, at: int, share: Share, sine: Any, cosine: Any, top: Any, bottom: Any) -> Any:
     """Add a group of any number of images; otherwise like `add_quad`."""
-    kind, often = sine.dtype, filled(sine.dtype.type(share.often), ADDED)
+    kind, often = sine.dtype, broadcast(sine.dtype.type(share.often), ADDED)
     p = layout.first_image[g]
     for q in range(p, p + layout.steps[g]):
         row = images[q, at : at + CHUNK]
         fresh = share.fresh and q == p
         for j in range(0, CHUNK, ADDED):
             seen = load(row, j, ADDED)
-            top, bottom = larger(top, seen), smaller(bottom, seen)
-            times = often if share.alike else often + converted(load(share.take, j, ADDED), kind)
-            light = times * converted(seen, kind)
+            top, bottom = maximum(top, seen), minimum(bottom, seen)
+            times = often if share.alike else often + convert(load(share.take, j, ADDED), kind)
+            light = times * convert(seen, kind)
             across, along = light * layout.sines[q], light * layout.cosines[q]
             store(across if fresh else load(sine, j, ADDED) + across, sine, j)
             store(along if fresh else load(cosine, j, ADDED) + along, cosine, j)
@@ -78,13 +78,13 @@ def add_weighted(images: Any, layout: Any, g: int, at: int, share: Share, sine: 
 @njit(**INLINE)
 def add_images(images: Any, first: int, count: int, at: int, share: Share, total: Any) -> None:
     """Add consecutive images to one sum."""
-    kind, often = total.dtype, filled(total.dtype.type(share.often), ADDED)
+    kind, often = total.dtype, broadcast(total.dtype.type(share.often), ADDED)
     for q in range(first, first + count):
         row = images[q, at : at + CHUNK]
         fresh = share.fresh and q == first
         for j in range(0, CHUNK, ADDED):
-            times = often if share.alike else often + converted(load(share.take, j, ADDED), kind)
-            light = times * converted(load(row, j, ADDED), kind)
+            times = often if share.alike else often + convert(load(share.take, j, ADDED), kind)
+            light = times * convert(load(row, j, ADDED), kind)
             store(light if fresh else load(total, j, ADDED) + light, total, j)
 
 
@@ -95,7 +95,7 @@ def add_taken(images: Any, layout: Any, rule: Any, m: int, at: int, share: Share
     Returns the brightest and the darkest grey level of its sinusoids.
     """
     joint = sums.total.shape[0] == 1
-    top = filled(images[layout.first_image[m], at], ADDED)
+    top = broadcast(images[layout.first_image[m], at], ADDED)
     bottom, here = top, slice(off, off + CHUNK)
     for g in range(layout.steps.shape[0]):
         if not joint and g != m:
@@ -112,4 +112,4 @@ def add_taken(images: Any, layout: Any, rule: Any, m: int, at: int, share: Share
     if joint or m == rule.finest:
         for b in range(layout.planes.shape[0]):
             add_images(images, layout.planes[b], 1, at, share, sums.planes[b, here])
-    return largest(top), smallest(bottom)
+    return reduce_max(top), reduce_min(bottom)

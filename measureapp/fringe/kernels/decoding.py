@@ -1,7 +1,7 @@
 """The compiled loop over the pixels of an image: every stretch is summed, and solved while its sums are in cache.
 
-A stretch is long, and read exposure by exposure, because the processor fetches ahead of only so many rows of numbers at a time: the
-images of one exposure it follows, those of all not, and then memory is twice as slow.
+A stretch is long, and read exposure by exposure, because the hardware prefetcher follows a limited number of streams: the images of one
+exposure, but not those of all, with which memory is half as fast.
 
 There is one such loop for all that is done with images and sums, for the machine code of each would take as long to make.
 """
@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.fringe.kernels.asking import ask_for_chunk
-from measureapp.fringe.kernels.options import LOOP
-from measureapp.fringe.kernels.records import ASKED, CHUNK, LOOKED_AT, STRETCH
+from measureapp.compiled.options import LOOP
+from measureapp.fringe.kernels.prefetching import prefetch_chunk
+from measureapp.fringe.kernels.records import CHUNK, LOOKED_AT, PREFETCHED_EXPOSURES, STRETCH
 from measureapp.fringe.kernels.solving import solve
 from measureapp.fringe.kernels.summing import add_exposure, needs_no_more
 
@@ -45,7 +45,7 @@ def sum_and_solve(
     Sums and maps hold whole chunks of CHUNK pixels; only the last one of the image may have fewer that count. Where one exposure is
     enough, chunks whose pixels have it are not looked at any more, but for a sample that is counted.
     """
-    soon = images[:1] if rule.first_only else images[:ASKED]
+    soon = images[:1] if rule.first_only else images[:PREFETCHED_EXPOSURES]
     for first in range(start, stop, STRETCH):
         last, place = min(first + STRETCH, stop), first - base if base >= 0 else 0
         for e in range(images.shape[0]):
@@ -59,7 +59,7 @@ def sum_and_solve(
                 near = blocked[begin : begin + CHUNK]
                 good = add_exposure(shown, at, exposure + e, near, layout, rule, n, scratch, sums, off)
                 if rule.first_only and e + 1 < images.shape[0] and not needs_no_more(rule, sums.alike[off // CHUNK]):
-                    ask_for_chunk(images[e + 1], layout, begin)
+                    prefetch_chunk(images[e + 1], layout, begin)
                 seen[sampled, 0, exposure + e] += n
                 seen[sampled, 1, exposure + e] += good
         if solves:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from measureapp.compiled.options import ALLOCATING_LOOP
 from measureapp.fringe.kernels.records import RESIDUAL_SCALE
 
 HALF = np.float32(0.5)
@@ -17,10 +18,8 @@ VALID, CONFLICT, OUTSIDE, EDGE = 0, 4, 5, 6  # of PixelState
 MOST_ORDERS = 4  # a repair changes the order by at most so many
 STANDS, REFUSED = 0, 100  # what the window says besides a change of order
 
-OPTIONS: dict[str, Any] = {"nogil": True, "cache": True, "error_model": "numpy", "fastmath": True}
 
-
-@njit(**OPTIONS)
+@njit(**ALLOCATING_LOOP)
 def find_doubtful(phase: Any, state: Any, step: Any, reach: int, row_start: int, row_stop: int, doubtful: Any) -> None:
     """Mark pixels with a phase that are in conflict, or differ by more than ``step`` from one of eight others.
 
@@ -57,7 +56,7 @@ def find_doubtful(phase: Any, state: Any, step: Any, reach: int, row_start: int,
                 mark_ahead[x] |= differs[x]
 
 
-@njit(**OPTIONS)
+@njit(**ALLOCATING_LOOP)
 def vote(
     places: Any,  # (D,) flat indices of doubtful pixels
     phase: Any,  # (H, W) float32
@@ -114,7 +113,7 @@ def vote(
             verdicts[i] = REFUSED
 
 
-@njit(**OPTIONS)
+@njit(**ALLOCATING_LOOP)
 def apply_verdicts(
     places: Any, verdicts: Any, order_steps: Any, lowest: Any, highest: Any, start: int, stop: int, phase: Any, state: Any
 ) -> int:
@@ -137,7 +136,7 @@ def apply_verdicts(
     return repaired
 
 
-@njit(**OPTIONS)
+@njit(**ALLOCATING_LOOP)
 def find_edges(places: Any, phase: Any, state: Any, step: Any, start: int, stop: int, edge: Any) -> None:
     """Mark (D,) valid pixels whose phase differs by more than ``step`` from a valid neighbour (left, right, above, below)."""
     height, width = phase.shape

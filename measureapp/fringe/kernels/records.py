@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-CHUNK = 512  # pixels that are summed and solved together; their images of one exposure stay in the processor's nearest cache
-STRETCH = 20 * CHUNK  # pixels whose sums of all exposures stay in its second cache, beside the images asked for meanwhile
-ASKED = 3  # exposures of the next stretch that are asked for while one is solved: as much as that cache takes
+CHUNK = 512  # pixels that are summed and solved together; their images of one exposure stay in the L1 cache
+STRETCH = 20 * CHUNK  # pixels whose sums of all exposures stay in the L2 cache, beside the images prefetched meanwhile
+PREFETCHED_EXPOSURES = 3  # of the next stretch while one is solved: as many as the L2 cache holds
 DIFFER, COMPLETE = -1, -2  # the pixels of a chunk took different exposures; and where one is enough, each has its one
 # Of how many chunks one is counted that needs no further exposure: rarely a whole number of rows, so that they are all over the image.
 LOOKED_AT = 59
-PIXELS = 16  # that are solved together: a line of the cache of float32
-SPACING = CHUNK + 80  # no power of two: lines of the cache at such distances drive each other out
+PIXELS = 16  # in one vector; as float32 they fill a cache line
+SPACING = CHUNK + 80  # no power of two: rows at such distances would share cache sets and evict each other
 RESIDUAL_SCALE = 120.0  # a rounding residual of ±1 cycle in eight bits
 
 

@@ -13,11 +13,11 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from measureapp.compiled.options import INLINE, LOOP
+from measureapp.compiled.simd.elements import any_lane, broadcast, convert, maximum, minimum, reduce_max, reduce_min, select
+from measureapp.compiled.simd.memory import load, store
 from measureapp.fringe.kernels.adding import ADDED, Share, add_taken, four_rows
-from measureapp.fringe.kernels.options import INLINE, LOOP
 from measureapp.fringe.kernels.records import CHUNK, COMPLETE, DIFFER
-from measureapp.simd.elements import any_of, converted, filled, larger, largest, smaller, smallest, where
-from measureapp.simd.memory import load, store
 
 WHOLE_NUMBERS = 2  # bytes of sums that hold them exactly, so that what was added can be taken away again
 
@@ -35,7 +35,7 @@ def clear(sums: Any, off: int) -> None:
 def extremes(images: Any, layout: Any, at: int, scratch: Any) -> Any:
     """Find the brightest image of the groups that decide together and the darkest of all, per pixel; returns those of the chunk."""
     apart, low = scratch.high.shape[0] > 1, scratch.low
-    top = filled(images[layout.first_image[0], at], ADDED)
+    top = broadcast(images[layout.first_image[0], at], ADDED)
     bottom = top
     for g in range(layout.steps.shape[0]):
         begin, last = layout.first_image[g], layout.first_image[g] + layout.steps[g] - 1
@@ -46,11 +46,11 @@ def extremes(images: Any, layout: Any, at: int, scratch: Any) -> Any:
             first_of_group = p == begin and (apart or g == 0)
             for j in range(0, CHUNK, ADDED):
                 w, x, y, z = load(a, j, ADDED), load(b, j, ADDED), load(c, j, ADDED), load(d, j, ADDED)
-                bright, dark = larger(larger(w, x), larger(y, z)), smaller(smaller(w, x), smaller(y, z))
-                top, bottom = larger(top, bright), smaller(bottom, dark)
-                store(bright if first_of_group else larger(bright, load(high, j, ADDED)), high, j)
-                store(dark if first else smaller(dark, load(low, j, ADDED)), low, j)
-    return largest(top), smallest(bottom)
+                bright, dark = maximum(maximum(w, x), maximum(y, z)), minimum(minimum(w, x), minimum(y, z))
+                top, bottom = maximum(top, bright), minimum(bottom, dark)
+                store(bright if first_of_group else maximum(bright, load(high, j, ADDED)), high, j)
+                store(dark if first else minimum(dark, load(low, j, ADDED)), low, j)
+    return reduce_max(top), reduce_min(bottom)
 
 
 @njit(**INLINE)
@@ -60,8 +60,8 @@ def count_good(n: int, limit: Any, scratch: Any) -> Any:
     for j in range(0, CHUNK, ADDED):
         peak = load(scratch.high[0], j, ADDED)
         for m in range(1, scratch.high.shape[0]):
-            peak = larger(peak, load(scratch.high[m], j, ADDED))
-        store(converted((peak <= limit) & (load(low, j, ADDED) > 0), np.uint8), good, j)
+            peak = maximum(peak, load(scratch.high[m], j, ADDED))
+        store(convert((peak <= limit) & (load(low, j, ADDED) > 0), np.uint8), good, j)
     count = np.uint16(0)
     for j in range(n):
         count = np.uint16(count + good[j])
@@ -75,7 +75,7 @@ def choose(exposure: int, near: Any, rule: Any, m: int, scratch: Any, sums: Any,
     high, low, take = scratch.high[m], scratch.low, scratch.take
     taken, zero, bloomed = sums.taken[m, here], sums.zero[here], sums.bloomed[here]
     guarded = near.shape[0] > 0
-    some = filled(rule.limit, ADDED) < rule.limit
+    some = broadcast(rule.limit, ADDED) < rule.limit
     others = some
     for j in range(0, CHUNK, ADDED):
         before = load(taken, j, ADDED)
@@ -84,15 +84,15 @@ def choose(exposure: int, near: Any, rule: Any, m: int, scratch: Any, sums: Any,
             takes = takes & (before == 0)
         if guarded:
             beside = load(near, j, ADDED) != 0
-            store(where(takes & beside, np.uint8(1), load(bloomed, j, ADDED)), bloomed, j)
+            store(select(takes & beside, np.uint8(1), load(bloomed, j, ADDED)), bloomed, j)
             takes = takes & ~beside
         unlit = takes & (before == 0) & (load(low, j, ADDED) == 0)
-        store(where(unlit, np.uint8(1), load(zero, j, ADDED)), zero, j)
-        store(where(takes, before | bit, before), taken, j)
-        store(converted(takes, np.uint8) * weight, take, j)
+        store(select(unlit, np.uint8(1), load(zero, j, ADDED)), zero, j)
+        store(select(takes, before | bit, before), taken, j)
+        store(convert(takes, np.uint8) * weight, take, j)
         some, others = some | takes, others | ~takes
     nothing = np.uint8(0)
-    return nothing if any_of(others) else weight, weight if any_of(some) else nothing
+    return nothing if any_lane(others) else weight, weight if any_lane(some) else nothing
 
 
 @njit(**INLINE)
@@ -109,7 +109,7 @@ def all_took_one(sums: Any, off: int) -> bool:
         none = load(taken, 0, ADDED) == 0
         for j in range(ADDED, CHUNK, ADDED):
             none = none | (load(taken, j, ADDED) == 0)
-        if any_of(none):
+        if any_lane(none):
             return False
     return True
 

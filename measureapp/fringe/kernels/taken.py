@@ -7,10 +7,11 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.fringe.kernels.options import BLOOMING, INLINE, SATURATED, VALID, WEAK
+from measureapp.compiled.options import INLINE
+from measureapp.compiled.simd.elements import any_lane, broadcast, convert, select
+from measureapp.compiled.simd.memory import gather, load, store
+from measureapp.fringe.kernels.constants import BLOOMING, SATURATED, VALID, WEAK
 from measureapp.fringe.kernels.records import BLACK, CHUNK, FLOOR, GAIN, LOST, PIXELS, TO_BRIGHTEST, TO_LONGEST
-from measureapp.simd.elements import any_of, converted, filled, where
-from measureapp.simd.memory import gathered, load, store
 
 
 @njit(**INLINE)
@@ -18,24 +19,24 @@ def common(sums: Any, off: int) -> Any:
     """Return the exposures that all pixels of a chunk took, as bits; -1 where they differ or some have a reason of their own."""
     zero, bloomed = sums.zero[off : off + CHUNK], sums.bloomed[off : off + CHUNK]
     first = sums.taken[0, off]
-    differs = filled(np.uint8(0), PIXELS) != 0
+    differs = broadcast(np.uint8(0), PIXELS) != 0
     for j in range(0, CHUNK, PIXELS):
         differs = differs | ((load(zero, j, PIXELS) | load(bloomed, j, PIXELS)) != 0)
     for m in range(sums.taken.shape[0]):
         taken = sums.taken[m, off : off + CHUNK]
         for j in range(0, CHUNK, PIXELS):
             differs = differs | (load(taken, j, PIXELS) != first)
-    return np.int64(-1) if any_of(differs) else np.int64(first)
+    return np.int64(-1) if any_lane(differs) else np.int64(first)
 
 
 @njit(**INLINE)
 def set_alike(taken: int, j: int, model: Any, work: Any) -> None:
     """Put what belongs to the exposures ``taken`` into the rows of the noise and the light, from ``j`` on."""
-    store(filled(model.black[taken], PIXELS), work.rows, BLACK + j)
-    store(filled(model.gain[taken], PIXELS), work.rows, GAIN + j)
-    store(filled(model.floor[taken], PIXELS), work.rows, FLOOR + j)
-    store(filled(model.to_brightest[taken], PIXELS), work.rows, TO_BRIGHTEST + j)
-    store(filled(model.to_longest[taken], PIXELS), work.rows, TO_LONGEST + j)
+    store(broadcast(model.black[taken], PIXELS), work.rows, BLACK + j)
+    store(broadcast(model.gain[taken], PIXELS), work.rows, GAIN + j)
+    store(broadcast(model.floor[taken], PIXELS), work.rows, FLOOR + j)
+    store(broadcast(model.to_brightest[taken], PIXELS), work.rows, TO_BRIGHTEST + j)
+    store(broadcast(model.to_longest[taken], PIXELS), work.rows, TO_LONGEST + j)
 
 
 @njit(**INLINE)
@@ -43,7 +44,7 @@ def set_together(alike: int, model: Any, work: Any) -> None:
     """Put what belongs to the exposures ``alike`` into the rows of the noise, the light and the reasons, for all pixels of a chunk."""
     for j in range(0, CHUNK, PIXELS):
         set_alike(alike, j, model, work)
-        store(filled(np.float32(SATURATED if alike == 0 else VALID), PIXELS), work.rows, LOST + j)
+        store(broadcast(np.float32(SATURATED if alike == 0 else VALID), PIXELS), work.rows, LOST + j)
 
 
 @njit(**INLINE)
@@ -57,17 +58,17 @@ def set_apart(sums: Any, off: int, model: Any, work: Any) -> None:
     unlit = np.float32(WEAK if model.zero_is_dark else VALID)
     for j in range(0, CHUNK, PIXELS):
         taken = load(own, j, PIXELS)
-        if any_of(taken != own[j]):
-            which = converted(taken, np.int32)
-            store(gathered(model.black, which), rows, BLACK + j)
-            store(gathered(model.gain, which), rows, GAIN + j)
-            store(gathered(model.floor, which), rows, FLOOR + j)
-            store(gathered(model.to_brightest, which), rows, TO_BRIGHTEST + j)
-            store(gathered(model.to_longest, which), rows, TO_LONGEST + j)
+        if any_lane(taken != own[j]):
+            which = convert(taken, np.int32)
+            store(gather(model.black, which), rows, BLACK + j)
+            store(gather(model.gain, which), rows, GAIN + j)
+            store(gather(model.floor, which), rows, FLOOR + j)
+            store(gather(model.to_brightest, which), rows, TO_BRIGHTEST + j)
+            store(gather(model.to_longest, which), rows, TO_LONGEST + j)
         else:
             set_alike(own[j], j, model, work)
-        lost = where(load(zero, j, PIXELS) != 0, filled(unlit, PIXELS), np.float32(VALID))
-        reason = where(load(bloomed, j, PIXELS) != 0, filled(np.float32(BLOOMING), PIXELS), np.float32(SATURATED))
+        lost = select(load(zero, j, PIXELS) != 0, broadcast(unlit, PIXELS), np.float32(VALID))
+        reason = select(load(bloomed, j, PIXELS) != 0, broadcast(np.float32(BLOOMING), PIXELS), np.float32(SATURATED))
         for m in range(sums.taken.shape[0]):
-            lost = where(load(sums.taken[m], off + j, PIXELS) == 0, reason, lost)
+            lost = select(load(sums.taken[m], off + j, PIXELS) == 0, reason, lost)
         store(lost, rows, LOST + j)

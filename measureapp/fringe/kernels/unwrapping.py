@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.fringe.kernels.options import HALF, INLINE, QUARTER, THREE_QUARTERS
+from measureapp.compiled.options import INLINE
+from measureapp.compiled.simd.elements import broadcast, convert, floor, select
+from measureapp.compiled.simd.memory import load
 from measureapp.fringe.kernels.records import PIXELS, SPACING
-from measureapp.simd.elements import converted, filled, rounded_down, where
-from measureapp.simd.memory import load
 
 
 @njit(**INLINE)
@@ -29,14 +29,14 @@ def combined(k: int, j: int, model: Any, work: Any) -> Any:
 def unwrap_heterodyne(j: int, model: Any, work: Any) -> Any:
     """Unwrap from the coarsest combination of the phases to the finest pitch; returns absolute phases and rounding residuals."""
     wrapped = combined(0, j, model, work)
-    value, residual = wrapped - rounded_down(wrapped + model.guard), filled(np.float32(0), PIXELS)
+    value, residual = wrapped - floor(wrapped + model.guard), broadcast(np.float32(0), PIXELS)
     for k in range(1, model.combinations.shape[0]):
         wrapped = combined(k, j, model, work)
         decision = value * model.ratios[k] - wrapped
-        order = rounded_down(decision + HALF)
+        order = floor(decision + 0.5)
         left = decision - order
         if model.watched < 0:
-            residual = where(abs(left) > abs(residual), left, residual)
+            residual = select(abs(left) > abs(residual), left, residual)
         elif k == model.watched:
             residual = left
         value = wrapped + order
@@ -46,19 +46,19 @@ def unwrap_heterodyne(j: int, model: Any, work: Any) -> Any:
 @njit(**INLINE)
 def unwrap_gray(sums: Any, off: int, j: int, layout: Any, model: Any, work: Any) -> Any:
     """Number the periods by Gray code; half a period of overlap with the complementary plane heals the edges of the planes."""
-    code, coarse, bit = filled(np.int32(0), PIXELS), filled(np.int32(0), PIXELS), filled(np.int32(0), PIXELS)
-    light = converted(load(sums.total[0 if sums.total.shape[0] == 1 else model.finest], off + j, PIXELS), np.float32)
+    code, coarse, bit = broadcast(np.int32(0), PIXELS), broadcast(np.int32(0), PIXELS), broadcast(np.int32(0), PIXELS)
+    light = convert(load(sums.total[0 if sums.total.shape[0] == 1 else model.finest], off + j, PIXELS), np.float32)
     steps = np.float32(layout.steps[model.finest])
     for b in range(layout.planes.shape[0]):
-        bright = steps * converted(load(sums.planes[b], off + j, PIXELS), np.float32) > light
-        bit = where(bright, np.int32(1) - bit, bit)
+        bright = steps * convert(load(sums.planes[b], off + j, PIXELS), np.float32) > light
+        bit = select(bright, np.int32(1) - bit, bit)
         coarse = code
         code = code + code + bit
     phase = load(work.phase, model.finest * SPACING + j, PIXELS)
-    aligned = phase - rounded_down(phase)
+    aligned = phase - floor(phase)
     if not model.complementary:
-        return converted(code, np.float32) + aligned, HALF - aligned
+        return convert(code, np.float32) + aligned, 0.5 - aligned
     shifted = (code + np.int32(1)) >> np.int32(1)
-    period = where(aligned < QUARTER, shifted, where(aligned >= THREE_QUARTERS, shifted - np.int32(1), coarse))
-    apart = where(abs(coarse - period) > np.int32(1), filled(np.float32(1), PIXELS), np.float32(0))
-    return converted(period, np.float32) + aligned, apart
+    period = select(aligned < 0.25, shifted, select(aligned >= 0.75, shifted - np.int32(1), coarse))
+    apart = select(abs(coarse - period) > np.int32(1), broadcast(np.float32(1), PIXELS), np.float32(0))
+    return convert(period, np.float32) + aligned, apart

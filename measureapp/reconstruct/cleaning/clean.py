@@ -11,8 +11,8 @@ import cv2
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray, in_bands, read_only
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.point_state import PointState
-from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.cleaning.depth_grid import DepthGrid, Lens
 from measureapp.reconstruct.cleaning.gather import gathered_normals
@@ -102,7 +102,7 @@ def cleaned(
     lens: Lens,
     centres_mm: Sequence[FloatArray],
     settings: ReconstructSettings,
-    memory: MapMemory | None = None,
+    memory: BufferPool | None = None,
 ) -> DepthGrid:
     """Remove what cannot be trusted from a depth map; ``fate`` is written to. Islands are what hangs together after all else is gone.
 
@@ -110,7 +110,7 @@ def cleaned(
     ----------
     others : (H, W) uint8, bit i: the camera at ``centres_mm[i]``, in the frame of the depth map's, takes part
     """
-    memory = memory or MapMemory()
+    memory = memory or BufferPool()
     depth_mm, sigma_mm = read_only(depth_mm), read_only(sigma_mm)  # kernels are compiled once more for arrays that can be written to
     height, width = depth_mm.shape
     border = settings.normal_radius_px
@@ -161,7 +161,7 @@ def _judge(grid: DepthGrid, centres_mm: Sequence[FloatArray], settings: Reconstr
     )
 
 
-def _drop_islands(grid: DepthGrid, least: int, memory: MapMemory) -> None:
+def _drop_islands(grid: DepthGrid, least: int, memory: BufferPool) -> None:
     shape = grid.fate.shape
     starts, stops, counts = memory.empty(shape, np.int16), memory.empty(shape, np.int16), np.empty(shape[0], np.int32)
     in_bands(

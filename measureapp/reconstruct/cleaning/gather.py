@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray, in_bands, read_only
-from measureapp.map_memory import MapMemory
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.cleaning.depth_grid import DepthGrid
 
@@ -24,7 +24,7 @@ class PointArrays:
     cameras: IntArray  # (N,) uint8
 
     @classmethod
-    def of(cls, count: int, memory: MapMemory) -> PointArrays:
+    def of(cls, count: int, memory: BufferPool) -> PointArrays:
         """Make room for points."""
         return cls(
             memory.empty((count, 3), np.float64),
@@ -90,6 +90,6 @@ def gather(
 
 def gathered_normals(grid: DepthGrid) -> tuple[IntArray, FloatArray]:
     """Return the pixels (N, 2) and normals (N, 3) of the points left."""
-    out = PointArrays.of(int(grid.per_row.sum()), MapMemory())
+    out = PointArrays.of(int(grid.per_row.sum()), BufferPool())
     gather(grid, 0, grid.depth_mm, 1.0, (1,), np.eye(4), out)
     return out.pixel, out.normals

@@ -8,13 +8,13 @@ from measureapp.reconstruct.kernels.binning import LEAST_SINE, LINES_PER_CELL, f
 from measureapp.reconstruct.kernels.blur import take_blur
 from measureapp.reconstruct.kernels.both import fuse_both
 from measureapp.reconstruct.kernels.cleaning import CHUNK, invert, judge
+from measureapp.reconstruct.kernels.constants import PIXELS
 from measureapp.reconstruct.kernels.covered import mark_covered, mark_without_phase
 from measureapp.reconstruct.kernels.gathering import Points, gather_points
 from measureapp.reconstruct.kernels.islands import drop_islands, find_runs
 from measureapp.reconstruct.kernels.lanes import Found
 from measureapp.reconstruct.kernels.looking import resample
 from measureapp.reconstruct.kernels.matching import match
-from measureapp.reconstruct.kernels.options import PIXELS
 from measureapp.reconstruct.kernels.rims import mark_rims
 from measureapp.reconstruct.kernels.seen import BLANK, MATCHED, PARTLY, REPEATS, SEEN, WITHOUT_PARTNER
 from measureapp.reconstruct.kernels.sightlines import keep_new

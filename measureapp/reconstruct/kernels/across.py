@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from measureapp.compiled.options import ALLOCATING_LOOP, INLINE
 from measureapp.data.point_state import PointState
 from measureapp.reconstruct.kernels.looking import look, native_pixel, see
-from measureapp.reconstruct.kernels.options import INLINE
 from measureapp.reconstruct.kernels.seen import SEEN
 from measureapp.reconstruct.kernels.slopes import SLOPE_X, SLOPE_Y
 
@@ -149,7 +149,7 @@ def without_differing(verdict: Any, places: Any, bits: Any) -> Any:
     return bits
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**ALLOCATING_LOOP)
 def check_across(
     rays: Any,
     own: Any,  # (phase, sigma) of this camera along the epipolar lines, (H, W) float32

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from measureapp.compiled.options import ALLOCATING_LOOP
 from measureapp.reconstruct.kernels.both import fuse_both
 from measureapp.reconstruct.kernels.fusing import fuse
 from measureapp.reconstruct.kernels.lanes import CHUNK, Found
@@ -18,7 +19,7 @@ from measureapp.reconstruct.kernels.matching import match
 ZERO = np.float32(0)
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**ALLOCATING_LOOP)
 def match_and_fuse(
     rays: Any,  # (H, W, 2) float32, normalised image coordinates of the camera that is matched
     flat_rays: Any,  # the same (H, 2 W)

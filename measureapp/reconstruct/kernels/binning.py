@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.machine_memory import will_read
-from measureapp.reconstruct.kernels.options import INLINE, LOOP
+from measureapp.compiled.cache_hints import prefetch
+from measureapp.compiled.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.scratch import stack_float32, stack_int32
 
 REPEATED = np.int32(1 << 30)
@@ -32,7 +32,7 @@ NEAR = 0
 SCRATCH = CHUNK
 (CELL, LAST, HELD, HELD_LAST, PLACES) = (k * CHUNK for k in range(5))
 INDICES = 5 * CHUNK
-CELLS_APART = 8  # the cells of so many pixels lie in one line of the cache
+CELLS_APART = 8  # the cells of so many pixels lie in one cache line
 ZERO, HALF = np.float32(0), np.float32(0.5)
 
 
@@ -112,7 +112,7 @@ def fill_table(
                 at[PLACES + i] = row_of | ((begin + np.int32(i)) * step)
                 s[NEAR + i] = NEAR_PX + margin / rise
             for i in range(0, n, CELLS_APART):  # the next row of pixels begins a row of the table, which waits far away
-                will_read(table, np.uint32(at[CELL + i] + bins))
+                prefetch(table, np.uint32(at[CELL + i] + bins))
             for i in range(n):
                 cell, last, place = at[CELL + i], at[LAST + i], at[PLACES + i]
                 at[HELD + i] = put(table, np.uint32(cell), place)

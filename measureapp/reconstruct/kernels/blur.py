@@ -7,9 +7,10 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.reconstruct.kernels.options import INLINE, LOOP, PIXELS
-from measureapp.simd.elements import converted, filled, larger, smaller, square_root, where
-from measureapp.simd.memory import load, store
+from measureapp.compiled.options import INLINE, LOOP
+from measureapp.compiled.simd.elements import broadcast, convert, maximum, minimum, select, sqrt
+from measureapp.compiled.simd.memory import load, store
+from measureapp.reconstruct.kernels.constants import PIXELS
 
 REACH = 2  # px to either side, over which slopes of the phase are taken: its noise hardly grows by it, and the blur reaches no further
 STEEPEST = np.float32(0.3)  # of the logarithm of the light per px; beyond, at edges, the first order says nothing
@@ -29,7 +30,7 @@ NOTHING = np.uint8(0)
 @njit(**INLINE)
 def grey_at(grey: Any, at: int) -> Any:
     """Return grey levels as numbers with a fraction."""
-    return converted(load(grey, at, PIXELS), np.float32)
+    return convert(load(grey, at, PIXELS), np.float32)
 
 
 @njit(**INLINE)
@@ -56,16 +57,16 @@ def slope_at(phase: Any, grey: Any, state: Any, at: int, along: int, per_light: 
     no_before, no_behind = holes_at(state, at, REACH * along)
     no_near_before, no_near_behind = holes_at(state, at, NEAR * along)
     own = load(phase, at, PIXELS)
-    back = where(no_before, ZERO, own - load(phase, at - REACH * along, PIXELS))
-    ahead = where(no_behind, ZERO, load(phase, at + REACH * along, PIXELS) - own)
+    back = select(no_before, ZERO, own - load(phase, at - REACH * along, PIXELS))
+    ahead = select(no_behind, ZERO, load(phase, at + REACH * along, PIXELS) - own)
     one_sided = no_before | no_behind
-    run = where(one_sided, TWO * (back + ahead), back + ahead)
+    run = select(one_sided, TWO * (back + ahead), back + ahead)
     near, far = grey_at(grey, at + along) - grey_at(grey, at - along), grey_at(grey, at + 2 * along) - grey_at(grey, at - 2 * along)
     rise = (EIGHT * near - far) * per_light
-    slope = where(abs(run) < farthest, PER_RUNS * run, ZERO)
+    slope = select(abs(run) < farthest, PER_RUNS * run, ZERO)
     unknown = one_sided | no_near_before | no_near_behind | (abs(rise) >= STEEPEST)
-    doubt = where(unknown, slope * (smaller(abs(rise), ONE) + hidden_bend), ZERO)
-    return where(unknown, ZERO, slope * rise), doubt * doubt
+    doubt = select(unknown, slope * (minimum(abs(rise), ONE) + hidden_bend), ZERO)
+    return select(unknown, ZERO, slope * rise), doubt * doubt
 
 
 @njit(**INLINE)
@@ -88,11 +89,11 @@ def bend_at(phase: Any, state: Any, at: int, along: int, sigma: Any, variances: 
     allowed = ALIKE * abs(far)
     even = (abs(far - near) <= allowed + BENDS_APART * sigma) & (abs(far_run - near_run) <= allowed + HALVES_APART * sigma)
     cut, hidden = no_far_before | no_far_behind, no_near_before | no_near_behind
-    run = where(cut, near_run, far_run)
-    steep = larger(ONE - variance * PER_RUN * run * run, ZERO) + read
-    bend = where(cut, near, where(even, far, ZERO))
-    doubt = where(hidden | cut | even, ZERO, TWO * PER_BEND * near * steep)
-    return where(hidden, ZERO, PER_BEND * bend * steep), doubt * doubt
+    run = select(cut, near_run, far_run)
+    steep = maximum(ONE - variance * PER_RUN * run * run, ZERO) + read
+    bend = select(cut, near, select(even, far, ZERO))
+    doubt = select(hidden | cut | even, ZERO, TWO * PER_BEND * near * steep)
+    return select(hidden, ZERO, PER_BEND * bend * steep), doubt * doubt
 
 
 @njit(**LOOP)
@@ -130,12 +131,12 @@ def take_blur(
         for first in range(row + FAR, end - FAR, PIXELS):
             at = min(first, last)  # some pixels twice rather than some beyond
             own, noise = load(phase, at, PIXELS), load(sigma, at, PIXELS)
-            per_light = PER_RISE / larger(grey_at(grey, at) - dark, ONE)
+            per_light = PER_RISE / maximum(grey_at(grey, at) - dark, ONE)
             across, doubt_across = slope_at(phase, grey, state, at, 1, per_light, limits)
             down, doubt_down = slope_at(phase, grey, state, at, width, per_light, limits)
             bend_across, unsure_across = bend_at(phase, state, at, 1, noise, (variance, read))
             bend_down, unsure_down = bend_at(phase, state, at, width, noise, (variance, read))
-            taken = where(load(state, at, PIXELS) != NOTHING, ZERO, filled(variance, PIXELS))
+            taken = select(load(state, at, PIXELS) != NOTHING, ZERO, broadcast(variance, PIXELS))
             store(own - taken * (across + down + bend_across + bend_down), out, at)
             doubt = doubt_across + doubt_down + unsure_across + unsure_down
-            store(square_root(noise * noise + taken * taken * doubt), out_sigma, at)
+            store(sqrt(noise * noise + taken * taken * doubt), out_sigma, at)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.reconstruct.kernels.options import LOOP
+from measureapp.compiled.options import LOOP
 from measureapp.reconstruct.kernels.scratch import stack_float32
 
 CHUNK = 256

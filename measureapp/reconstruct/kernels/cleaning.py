@@ -11,13 +11,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numba import njit
 
+from measureapp.compiled.options import INLINE, LOOP
+from measureapp.compiled.simd.elements import any_lane, broadcast, convert, maximum, minimum, select, sqrt
+from measureapp.compiled.simd.memory import load, store
 from measureapp.data.point_state import PointState
+from measureapp.reconstruct.kernels.constants import PIXELS
 from measureapp.reconstruct.kernels.cubic import cubic
-from measureapp.reconstruct.kernels.options import INLINE, LOOP, PIXELS
-from measureapp.reconstruct.kernels.past_caches import write_row
 from measureapp.reconstruct.kernels.scratch import stack_float32, stack_uint8
-from measureapp.simd.elements import any_of, converted, filled, larger, smaller, square_root, where
-from measureapp.simd.memory import load, store
+from measureapp.reconstruct.kernels.streaming import write_row
 
 CHUNK = 128
 (INV, OWN, ROW_X, ROW_Y, Z, WU, WV, FITS, NX, NY, NZ, COSINE, OFF, FITTED, CODE) = (k * CHUNK for k in range(15))
@@ -64,8 +65,8 @@ def row_of_whole(row: Any, at: int, half: int, border: int, inv: Any, far_near: 
     a, b = load(row, at - border, PIXELS) - inv, load(row, at - half, PIXELS) - inv
     c = load(row, at, PIXELS) - inv
     e, f = load(row, at + half, PIXELS) - inv, load(row, at + border, PIXELS) - inv
-    wide, near = larger(abs(a), abs(f)), larger(larger(abs(b), abs(c)), abs(e))
-    return larger(wide - far_wide, near - far_near), a + b + c + e + f, np.float32(border) * (f - a) + np.float32(half) * (e - b)
+    wide, near = maximum(abs(a), abs(f)), maximum(maximum(abs(b), abs(c)), abs(e))
+    return maximum(wide - far_wide, near - far_near), a + b + c + e + f, np.float32(border) * (f - a) + np.float32(half) * (e - b)
 
 
 @njit(**INLINE)
@@ -79,7 +80,7 @@ def sums_of_whole(inverse: Any, row: int, at: int, half: int, border: int, inv: 
     worst_2, w_2, x_2 = row_of_whole(inverse[row], at, half, border, inv, far_h, far_r)
     worst_3, w_3, x_3 = row_of_whole(inverse[row + half], at, half, border, inv, far_h, far_r)
     worst_4, w_4, x_4 = row_of_whole(inverse[row + border], at, half, border, inv, far_r, far_r)
-    worst = larger(larger(larger(worst_0, worst_1), larger(worst_2, worst_3)), worst_4)
+    worst = maximum(maximum(maximum(worst_0, worst_1), maximum(worst_2, worst_3)), worst_4)
     h, r = np.float32(half), np.float32(border)
     return worst, w_0 + w_1 + w_2 + w_3 + w_4, x_0 + x_1 + x_2 + x_3 + x_4, r * (w_4 - w_0) + h * (w_3 - w_1)
 
@@ -128,7 +129,7 @@ def row_of_torn(row: Any, at: int, half: int, border: int, down: int, inv: Any, 
 @njit(**INLINE)
 def within(difference: Any, most: Any) -> Any:
     """Return 1 where a difference is at most so large, else 0."""
-    return converted(abs(difference) <= most, np.float32)
+    return convert(abs(difference) <= most, np.float32)
 
 
 @njit(**INLINE)
@@ -146,17 +147,17 @@ def sums_of_torn(inverse: Any, row: int, at: int, half: int, border: int, inv: A
 def fit_torn(inverse: Any, row: int, at: int, half: int, border: int, inv: Any, z: Any, far_h: Any, far_r: Any) -> Any:
     """Return what `fit` does, of windows of which not all places lie on the surfaces of their pixels."""
     sums = sums_of_torn(inverse, row, at, half, border, inv, far_h, far_r)
-    share = ONE / larger(sums.n, ONE)
+    share = ONE / maximum(sums.n, ONE)
     sw = sums.w * z
     cxx, cxy, cyy = sums.xx - sums.x * sums.x * share, sums.xy - sums.x * sums.y * share, sums.yy - sums.y * sums.y * share
     cwx, cwy = sums.wx * z - sw * sums.x * share, sums.wy * z - sw * sums.y * share
     determinant = cxx * cyy - cxy * cxy
     enough = sums.n >= FOUR
     fits = enough & (determinant > THIN * (cxx + cyy) * (cxx + cyy))
-    over = where(fits, ONE / larger(determinant, TINY), ZERO)
+    over = select(fits, ONE / maximum(determinant, TINY), ZERO)
     wu, wv = (cwx * cyy - cwy * cxy) * over, (cwy * cxx - cwx * cxy) * over
-    off = where(fits, (sw - wu * sums.x - wv * sums.y) * share, ZERO)
-    return wu, wv, off, converted(fits, np.float32), where(fits | ~enough, sums.n - ONE, ZERO)
+    off = select(fits, (sw - wu * sums.x - wv * sums.y) * share, ZERO)
+    return wu, wv, off, convert(fits, np.float32), select(fits | ~enough, sums.n - ONE, ZERO)
 
 
 @njit(**INLINE)
@@ -167,14 +168,14 @@ def fit(inverse: Any, row: int, at: int, half: int, border: int, inv: Any, noise
     0; how many other places lie on it; the depth of the pixels).
     """
     h, r = np.float32(half), np.float32(border)
-    z = ONE / larger(inv, TINY)
+    z = ONE / maximum(inv, TINY)
     slack = SIGMAS * noise * inv * inv
-    far_h, far_r = smaller(h * per_px * inv + slack, HALF * inv), smaller(r * per_px * inv + slack, HALF * inv)
+    far_h, far_r = minimum(h * per_px * inv + slack, HALF * inv), minimum(r * per_px * inv + slack, HALF * inv)
     worst, w, wx, wy = sums_of_whole(inverse, row, at, half, border, inv, far_h, far_r)
     per_place, per_square = ONE / WHOLE, ONE / (np.float32(10) * (r * r + h * h))
-    one = filled(ONE, PIXELS)
+    one = broadcast(ONE, PIXELS)
     made = wx * z * per_square, wy * z * per_square, w * z * per_place, one, one * (WHOLE - ONE)
-    if any_of(worst > ZERO):
+    if any_lane(worst > ZERO):
         made = fit_torn(inverse, row, at, half, border, inv, z, far_h, far_r)
     wu, wv, off, fits, fitted = made
     return wu, wv, off, fits, fitted, z
@@ -185,7 +186,7 @@ def any_above_zero(values: Any, begin: int, n: int) -> bool:
     """Whether one of n values from a lane's beginning on is above zero; behind them there are zeros."""
     some = False
     for i in range(begin, begin + n, PIXELS):
-        some |= any_of(load(values, i, PIXELS) > ZERO)
+        some |= any_lane(load(values, i, PIXELS) > ZERO)
     return some
 
 
@@ -244,13 +245,13 @@ def planes_of_chunk(
         x, y0 = load(s, ROW_X + i, PIXELS), load(s, ROW_Y + i, PIXELS)
         ahead = ONE + off
         w = ahead - p * x - q * y0
-        length = ONE / square_root(p * p + q * q + w * w)
-        towards = ONE / square_root(ONE + x * x + y0 * y0)
-        there, sign = fits > ZERO, where(ahead > ZERO, -length, length)
-        store(where(there, sign * p, -towards * x), s, NX + i)
-        store(where(there, sign * q, -towards * y0), s, NY + i)
-        store(where(there, sign * w, -towards), s, NZ + i)
-        store(where(there, abs(ahead) * length * towards, ONE), s, COSINE + i)
+        length = ONE / sqrt(p * p + q * q + w * w)
+        towards = ONE / sqrt(ONE + x * x + y0 * y0)
+        there, sign = fits > ZERO, select(ahead > ZERO, -length, length)
+        store(select(there, sign * p, -towards * x), s, NX + i)
+        store(select(there, sign * q, -towards * y0), s, NY + i)
+        store(select(there, sign * w, -towards), s, NZ + i)
+        store(select(there, abs(ahead) * length * towards, ONE), s, COSINE + i)
         store(off * load(s, Z + i, PIXELS), s, OFF + i)
     return True
 
@@ -296,13 +297,13 @@ def judge(
                     along = nx * dx + ny * dy + nz * dz
                     grazes = (along < ZERO) | (along * along < partner2 * (dx * dx + dy * dy + dz * dz))
                     part = (load(t, i, PIXELS) & np.uint8(1 << c)) != NONE
-                    code = where(grazes & part, BY_PARTNER, code)
+                    code = select(grazes & part, BY_PARTNER, code)
                 slant = load(s, COSINE + i, PIXELS)
-                code = where(slant < cosine, BY_CAMERA, code)
+                code = select(slant < cosine, BY_CAMERA, code)
                 apart = abs(load(s, OFF + i, PIXELS)) * slant
-                code = where(apart > sigmas * load(s, OWN + i, PIXELS) + edge * z, BY_PLANE, code)
-                code = where(load(s, FITTED + i, PIXELS) < least, ALONE, code)
-                store(where(load(s, INV + i, PIXELS) > ZERO, code, ZERO), s, CODE + i)
+                code = select(apart > sigmas * load(s, OWN + i, PIXELS) + edge * z, BY_PLANE, code)
+                code = select(load(s, FITTED + i, PIXELS) < least, ALONE, code)
+                store(select(load(s, INV + i, PIXELS) > ZERO, code, ZERO), s, CODE + i)
             for i in range(n):
                 code = np.int32(s[CODE + i])
                 verdict[i] = np.uint8(code) if code != 0 else verdict[i]

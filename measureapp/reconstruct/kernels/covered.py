@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from measureapp.compiled.options import INLINE, LOOP
 from measureapp.data.point_state import PointState
-from measureapp.reconstruct.kernels.options import INLINE, LOOP
 
 NO_PHASE, SEEN_BY_ANOTHER, RIM = np.uint8(PointState.NO_PHASE), np.uint8(PointState.SEEN_BY_ANOTHER), np.uint8(PointState.RIM)
 RADIUS_PX = 2  # gaps between the pixels that take part in points of another camera

@@ -6,7 +6,7 @@ from typing import Any
 
 from numba import njit
 
-from measureapp.reconstruct.kernels.options import INLINE
+from measureapp.compiled.options import INLINE
 
 
 @njit(**INLINE)

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from measureapp.compiled.options import ALLOCATING_LOOP, INLINE
 from measureapp.data.point_state import PointState
 from measureapp.reconstruct.kernels.looking import hidden, see
-from measureapp.reconstruct.kernels.options import INLINE
 from measureapp.reconstruct.kernels.seen import BLANK, REPEATS, SEEN
 
 VALID, NO_PHASE, UNMATCHED, AMBIGUOUS, CONTRADICTED = (
@@ -172,7 +172,7 @@ def solve(i: Any, own: Any, agrees: Any, best: Any, seen: Any) -> Any:
     return (rz * dd - zd * rd) / determinant, np.sqrt(dd / determinant), taking
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**ALLOCATING_LOOP)
 def fuse(
     rays: Any,
     phase: Any,

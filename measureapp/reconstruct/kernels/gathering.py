@@ -1,7 +1,7 @@
 """Compiled loop that writes the points left on a depth map into a cloud.
 
-A cloud is written once and is larger than the caches. So points wait on a stage until they fill whole lines of the cache in every array
-of the cloud, and these are written past the caches; what goes through them is first read from memory.
+A cloud is written once and is larger than the caches. So points wait on a stage until they fill whole cache lines in every array of the
+cloud, which are written by non-temporal stores; ordinary stores would first read these lines from memory.
 """
 
 from __future__ import annotations
@@ -11,15 +11,16 @@ from typing import Any, NamedTuple
 import numpy as np
 from numba import njit
 
-from measureapp.machine_memory import write_past_caches
-from measureapp.map_memory import LINE
+from measureapp.compiled.buffer_pool import CACHE_LINE_BYTES
+from measureapp.compiled.cache_hints import stream_line
+from measureapp.compiled.options import INLINE, LOOP
+from measureapp.compiled.simd.elements import convert, minimum, sqrt
+from measureapp.compiled.simd.memory import load, load_records, store, store_records
 from measureapp.reconstruct.kernels.cleaning import CHUNK, INV, NX, NY, NZ, OFF, OWN, ROW_X, ROW_Y, SCRATCH, planes_of_chunk
-from measureapp.reconstruct.kernels.options import INLINE, LOOP, PIXELS
+from measureapp.reconstruct.kernels.constants import PIXELS
 from measureapp.reconstruct.kernels.scratch import stack_float32, stack_float64, stack_int32, stack_uint8
-from measureapp.simd.elements import converted, smaller, square_root
-from measureapp.simd.memory import load, load_records, store, store_records
 
-BLOCK = LINE  # so many points fill whole lines in arrays of any number of elements of any type
+BLOCK = CACHE_LINE_BYTES  # so many points fill whole cache lines in arrays of any number of elements of any type
 STAGE = BLOCK + CHUNK
 TRIPLES, PAIRS = 3 * STAGE, 2 * STAGE
 (PX, PY, PZ) = (k * CHUNK for k in range(3))
@@ -44,11 +45,11 @@ def pour(stage: Any, out: Any, per_point: int, begin: int, first: int, stop: int
     """Write the points ``first … stop`` of the stage, whose first belongs at ``begin`` of the cloud, and move the rest to the front."""
     end, into = stop * per_point, out[begin * per_point : (begin + stop) * per_point]
     done = first * per_point
-    if first == 0 and into.ctypes.data % LINE == 0:
-        step = LINE // out.itemsize
+    if first == 0 and into.ctypes.data % CACHE_LINE_BYTES == 0:
+        step = CACHE_LINE_BYTES // out.itemsize
         done = end - end % step
         for j in range(0, done, step):
-            write_past_caches(stage, into, j)
+            stream_line(stage, into, j)
     for j in range(done, end):
         into[j] = stage[j]
     for j in range(held * per_point - end):
@@ -111,10 +112,10 @@ def stage_judged(maps: Any, first: int, n: int, per_grey: Any, pose: Any, stage:
             np.float32(c0) * nx + np.float32(c1) * ny + np.float32(c2) * nz,
         )
         store_records(turned, stage.normals, 3 * (held + i))
-        store(load(sigma, first + i, PIXELS) * square_root(ONE + x * x + y0 * y0), stage.along, held + i)
-        store(smaller(converted(load(grey, first + i, PIXELS), np.float32) * per_grey, ONE), stage.light, held + i)
-        z = converted(load(depth, first + i, PIXELS), np.float64)
-        p, q = converted(x, np.float64) * z, converted(y0, np.float64) * z
+        store(load(sigma, first + i, PIXELS) * sqrt(ONE + x * x + y0 * y0), stage.along, held + i)
+        store(minimum(convert(load(grey, first + i, PIXELS), np.float32) * per_grey, ONE), stage.light, held + i)
+        z = convert(load(depth, first + i, PIXELS), np.float64)
+        p, q = convert(x, np.float64) * z, convert(y0, np.float64) * z
         placed = a0 * p + a1 * q + a2 * z + a3, b0 * p + b1 * q + b2 * z + b3, c0 * p + c1 * q + c2 * z + c3
         store_records(placed, stage.points, 3 * (held + i))
 

@@ -9,15 +9,15 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from measureapp.compiled.options import ALLOCATING_LOOP, LOOP
 from measureapp.data.point_state import PointState
 from measureapp.reconstruct.kernels.cleaning import CHUNK
-from measureapp.reconstruct.kernels.options import LOOP
 
 ZERO, SIGMAS = np.float32(0), np.float32(8.0)
 ISLAND = np.uint8(PointState.ISLAND)
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**ALLOCATING_LOOP)
 def find_runs(
     inverse: Any,
     sigma: Any,
@@ -72,7 +72,7 @@ def root_of(parent: Any, index: int) -> int:
     return index
 
 
-@njit(nogil=True, cache=True, fastmath=True, error_model="numpy")
+@njit(**ALLOCATING_LOOP)
 def drop_islands(
     inverse: Any,
     sigma: Any,

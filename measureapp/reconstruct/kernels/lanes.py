@@ -7,21 +7,22 @@ from typing import Any, NamedTuple
 import numpy as np
 from numba import njit
 
-from measureapp.machine_memory import will_read
-from measureapp.map_memory import LINE as CACHE_LINE
-from measureapp.reconstruct.kernels.options import INLINE, PIXELS
+from measureapp.compiled.buffer_pool import CACHE_LINE_BYTES
+from measureapp.compiled.cache_hints import prefetch
+from measureapp.compiled.options import INLINE
+from measureapp.compiled.simd.elements import bitmask, convert, count_trailing_zeros
+from measureapp.compiled.simd.memory import load, load_records, store
+from measureapp.reconstruct.kernels.constants import PIXELS
 from measureapp.reconstruct.kernels.seen import MATCHED, REPEATS
-from measureapp.simd.elements import bits_of, converted, lowest_bit
-from measureapp.simd.memory import load, load_records, store
 
-CHUNK = 256  # all lanes stay in the first cache of a processor; behind the last pixel of a chunk they hold anything but WANTED and HELD
+CHUNK = 256  # all lanes stay in the L1 cache; behind the last pixel of a chunk they hold anything but WANTED and HELD
 ZERO, ONE, HALF = np.float32(0), np.float32(1), np.float32(0.5)
 WANTED, HELD, TWICE = np.float32(1), np.float32(MATCHED), np.float32(REPEATS)  # in CODE
 NOWHERE = np.float32(-1000.0)
 TWO = np.uint32(1)  # as a shift
 NOTHING, NONE = np.uint8(0), np.uint32(0)
 
-ROWS_AHEAD = 6  # so far below is asked for what rows soon need
+ROWS_AHEAD = 6  # prefetch distance
 
 # The pixel that is matched, and what was found.
 (PHASE, X, Y, DEPTH_SCALE, CODE, DEPTH, GAIN, VARIANCE) = (k * CHUNK for k in range(8))
@@ -52,15 +53,15 @@ def count_wanted(skip: Any, n: int) -> Any:
 
 
 @njit(**INLINE)
-def ask_for(phase: Any, lines: Any, rays: Any, skip: Any, start: int, n: int) -> None:
-    """Ask for n pixels from ``start`` on: down the columns every row lies elsewhere, which the processor's own prediction does not follow."""
-    for i in range(0, n, CACHE_LINE // 8):
-        will_read(lines, 2 * (start + i))
-        will_read(rays, 2 * (start + i))
-    for i in range(0, n, CACHE_LINE // 4):
-        will_read(phase, start + i)
-    for i in range(0, n, CACHE_LINE):
-        will_read(skip, start + i)
+def prefetch_pixels(phase: Any, lines: Any, rays: Any, skip: Any, start: int, n: int) -> None:
+    """Prefetch n pixels from ``start`` on: hardware prefetchers do not follow a walk down the columns."""
+    for i in range(0, n, CACHE_LINE_BYTES // 8):
+        prefetch(lines, 2 * (start + i))
+        prefetch(rays, 2 * (start + i))
+    for i in range(0, n, CACHE_LINE_BYTES // 4):
+        prefetch(phase, start + i)
+    for i in range(0, n, CACHE_LINE_BYTES):
+        prefetch(skip, start + i)
 
 
 @njit(**INLINE)
@@ -83,7 +84,7 @@ def take_all(s: Any, at: Any, n: int, phase: Any, lines: Any, rays: Any, turn: A
         store(x, s, X + i)
         store(y, s, Y + i)
         store(turn[0] * ray_x + turn[1] * ray_y + turn[2], s, DEPTH_SCALE + i)
-        store(converted(load(skip, i, PIXELS) == NOTHING, np.float32), s, CODE + i)
+        store(convert(load(skip, i, PIXELS) == NOTHING, np.float32), s, CODE + i)
     for i in range(whole, n):
         take_pixel(s, at, i, np.uint32(i), phase, lines, rays, turn)
         s[CODE + i] = WANTED if skip[i] == 0 else ZERO
@@ -141,7 +142,7 @@ def mark_unsettled(s: Any, at: Any, i: int, unsettled: Any, next_u: Any, next_v:
     """Note which of a group need another step, and from where."""
     store(next_u, s, NEXT_U + i)
     store(next_v, s, NEXT_V + i)
-    at[UNSETTLED + i // PIXELS] = bits_of(unsettled)
+    at[UNSETTLED + i // PIXELS] = bitmask(unsettled)
 
 
 @njit(**INLINE)
@@ -151,7 +152,7 @@ def write_group(at: Any, i: int, depth: Any, gain: Any, variance: Any, code: Any
     store(gain, out.gain, i)
     store(variance, out.variance, i)
     store(load(at, NEAREST + i, PIXELS), out.there, i)
-    store(converted(code, np.uint8), out.reason, i)
+    store(convert(code, np.uint8), out.reason, i)
 
 
 @njit(**INLINE)
@@ -176,7 +177,8 @@ def keep_unsettled(s: Any, at: Any, n: int) -> int:
     for i in range(0, n, PIXELS):
         bits = np.uint32(at[UNSETTLED + i // PIXELS])
         while bits != NONE:
-            k, m = np.uint32(i + lowest_bit(bits)), np.uint32(left)  # unsigned: negative places would be looked for at the end of an array
+            # Unsigned, or numba would wrap negative indices to the end of the array.
+            k, m = np.uint32(i + count_trailing_zeros(bits)), np.uint32(left)
             s[PHASE + m], s[X + m], s[Y + m], s[DEPTH_SCALE + m] = s[PHASE + k], s[X + k], s[Y + k], s[DEPTH_SCALE + k]
             s[U + m], s[V + m], s[CODE + m] = s[NEXT_U + k], s[NEXT_V + k], HELD
             at[COLUMN + m] = at[COLUMN + k]

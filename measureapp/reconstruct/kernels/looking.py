@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from measureapp.compiled.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.binning import PLACE, REPEATED
-from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.seen import BLANK, PARTLY, SEEN
 from measureapp.reconstruct.kernels.slopes import BESIDE, OWN_SIGMA, PHASE, SLOPE_X, SLOPE_Y, TORN, WHOLE
 

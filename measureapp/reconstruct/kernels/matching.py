@@ -13,6 +13,8 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from measureapp.compiled.options import INLINE, LOOP
+from measureapp.reconstruct.kernels.constants import PIXELS
 from measureapp.reconstruct.kernels.lanes import (
     CHUNK,
     PLACES,
@@ -20,18 +22,17 @@ from measureapp.reconstruct.kernels.lanes import (
     SCRATCH,
     ZERO,
     Found,
-    ask_for,
     count_wanted,
     forget,
     keep_unsettled,
     mark_unsettled,
+    prefetch_pixels,
     some_of,
     take_all,
     take_wanted,
     write_group,
     write_listed,
 )
-from measureapp.reconstruct.kernels.options import INLINE, LOOP, PIXELS
 from measureapp.reconstruct.kernels.scratch import stack_float32, stack_int32
 from measureapp.reconstruct.kernels.seen import MATCHED, WITHOUT_PARTNER
 from measureapp.reconstruct.kernels.steps import aim, fetch, jump, look_up, newton
@@ -113,7 +114,7 @@ def match(
             wanted = count_wanted(own[4], n)
             mostly = 2 * wanted > n
             if wanted > 0:
-                ask_for(phase, lines, rays, skip, (y + ROWS_AHEAD) * columns + first, n)
+                prefetch_pixels(phase, lines, rays, skip, (y + ROWS_AHEAD) * columns + first, n)
             if not mostly:
                 out.depth[:] = ZERO
                 out.reason[:] = WITHOUT_PARTNER

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from measureapp.compiled.options import LOOP
 from measureapp.data.point_state import PointState
-from measureapp.reconstruct.kernels.options import LOOP
 
 RIM = np.uint8(PointState.RIM)
 REACH = 3  # px: a rim two pixels wide, and the hole beyond it two deep

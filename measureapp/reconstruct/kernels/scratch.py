@@ -14,7 +14,7 @@ from numba.core import cgutils
 from numba.extending import intrinsic
 from numba.np import arrayobj
 
-from measureapp.map_memory import LINE
+from measureapp.compiled.buffer_pool import CACHE_LINE_BYTES
 
 INT = ir.IntType(32)
 numba_arrays: Any = arrayobj  # both without types
@@ -32,7 +32,7 @@ def _stack_of(element: Any) -> Any:
         def generate(context: Any, builder: Any, _signature: Any, _arguments: Any) -> Any:
             with builder.goto_entry_block():
                 pointer = builder.alloca(context.get_data_type(element), size=ir.Constant(INT, count.literal_value))
-                pointer.align = LINE
+                pointer.align = CACHE_LINE_BYTES
             array = numba_arrays.make_array(made)(context, builder)
             length, size = (context.get_constant(types.intp, value) for value in (count.literal_value, element.bitwidth // 8))
             shape, strides = (building.pack_array(builder, [value]) for value in (length, size))

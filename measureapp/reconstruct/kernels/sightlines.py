@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from measureapp.compiled.options import INLINE, LOOP
 from measureapp.data.point_state import PointState
 from measureapp.reconstruct.kernels.looking import native_pixel, see
-from measureapp.reconstruct.kernels.options import INLINE, LOOP
 from measureapp.reconstruct.kernels.seen import BLANK, SEEN
 
 VALID = int(PointState.VALID)

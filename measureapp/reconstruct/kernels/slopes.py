@@ -7,12 +7,13 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.map_memory import LINE
-from measureapp.reconstruct.kernels.options import INLINE, LOOP, PIXELS
-from measureapp.reconstruct.kernels.past_caches import write_row
+from measureapp.compiled.buffer_pool import CACHE_LINE_BYTES
+from measureapp.compiled.options import INLINE, LOOP
+from measureapp.compiled.simd.elements import broadcast, maximum, minimum, select
+from measureapp.compiled.simd.memory import load, store, store_records, store_records_streaming
+from measureapp.reconstruct.kernels.constants import PIXELS
 from measureapp.reconstruct.kernels.scratch import stack_float32, stack_uint8
-from measureapp.simd.elements import filled, larger, smaller, where
-from measureapp.simd.memory import load, store, store_records, store_records_past_caches
+from measureapp.reconstruct.kernels.streaming import write_row
 
 CHUNK = 512  # after so many samples are written
 REACH = 3  # pixels to either side over which a slope is taken
@@ -39,7 +40,7 @@ WHOLE, TORN, BESIDE = np.uint8(1), np.uint8(2), np.uint8(3)
 def narrow(before: Any, behind: Any, no_before: Any, no_behind: Any, step: Any) -> Any:
     """Return the slope from the changes of the phase to both neighbours, or to the one that lies on the same surface."""
     first, second = ~no_before & (abs(before) < step), ~no_behind & (abs(behind) < step)
-    return (where(first, before, ZERO) + where(second, behind, ZERO)) * where(first & second, HALF, filled(ONE, PIXELS))
+    return (select(first, before, ZERO) + select(second, behind, ZERO)) * select(first & second, HALF, broadcast(ONE, PIXELS))
 
 
 @njit(**INLINE)
@@ -52,15 +53,15 @@ def slopes_at(phase: Any, state: Any, at: int, width: int, sigma: Any, step: Any
     holes = holes | load(state, at - REACH * width, PIXELS) | load(state, at + REACH * width, PIXELS)
     rise_x, rise_y = right - left, below - above
     limit = BENT * (abs(rise_x) + abs(rise_y)) + BENT_SIGMAS * sigma
-    bend = larger(abs(right + left - TWO * own), abs(below + above - TWO * own))
+    bend = maximum(abs(right + left - TWO * own), abs(below + above - TWO * own))
     wide = (holes | hole == VALID) & (bend <= limit)
     no_left, no_right = load(state, at - 1, PIXELS) != VALID, load(state, at + 1, PIXELS) != VALID
     no_up, no_down = load(state, at - width, PIXELS) != VALID, load(state, at + width, PIXELS) != VALID
     narrow_x = narrow(own - load(phase, at - 1, PIXELS), load(phase, at + 1, PIXELS) - own, no_left, no_right, step)
     narrow_y = narrow(own - load(phase, at - width, PIXELS), load(phase, at + width, PIXELS) - own, no_up, no_down, step)
     nothing = hole != VALID
-    gx, gy = where(wide, PER_WIDE * rise_x, narrow_x), where(wide, PER_WIDE * rise_y, narrow_y)
-    return own, where(nothing, ZERO, gx), where(nothing, ZERO, gy)
+    gx, gy = select(wide, PER_WIDE * rise_x, narrow_x), select(wide, PER_WIDE * rise_y, narrow_y)
+    return own, select(nothing, ZERO, gx), select(nothing, ZERO, gy)
 
 
 @njit(**INLINE)
@@ -68,13 +69,13 @@ def quads_at(phase: Any, state: Any, at: int, width: int, step: Any) -> Any:
     """Return what PIXELS from ``at`` on are together with their right, lower and lower right neighbours."""
     a, b = load(phase, at, PIXELS), load(phase, at + 1, PIXELS)
     c, d = load(phase, at + width, PIXELS), load(phase, at + width + 1, PIXELS)
-    spread = larger(larger(a, b), larger(c, d)) - smaller(smaller(a, b), smaller(c, d))
+    spread = maximum(maximum(a, b), maximum(c, d)) - minimum(minimum(a, b), minimum(c, d))
     first, second = load(state, at, PIXELS) == VALID, load(state, at + 1, PIXELS) == VALID
     third, fourth = load(state, at + width, PIXELS) == VALID, load(state, at + width + 1, PIXELS) == VALID
     above, below = first & second, third & fourth
     some = above | below | ((first | second) & (third | fourth))
-    alone = filled(VALID, PIXELS)
-    return where(above & below, where(spread <= step, WHOLE, filled(TORN, PIXELS)), where(some, BESIDE, alone))
+    alone = broadcast(VALID, PIXELS)
+    return select(above & below, select(spread <= step, WHOLE, broadcast(TORN, PIXELS)), select(some, BESIDE, alone))
 
 
 @njit(**INLINE)
@@ -94,11 +95,11 @@ def copy_surroundings(maps: Any, height: int, width: int, y: int, first: int, n:
 
 
 @njit(**INLINE)
-def write(made: Any, sigma: Any, quad: Any, i: int, past_caches: bool, pixels: Any, quads: Any) -> None:
+def write(made: Any, sigma: Any, quad: Any, i: int, streaming: bool, pixels: Any, quads: Any) -> None:
     """Write records and quads of PIXELS from the i-th on."""
     own, gx, gy = made
-    if past_caches:  # for they are read when all others are written
-        store_records_past_caches((own, gx, gy, sigma), pixels, RECORD * i)
+    if streaming:  # for they are read when all others are written
+        store_records_streaming((own, gx, gy, sigma), pixels, RECORD * i)
     else:
         store_records((own, gx, gy, sigma), pixels, RECORD * i)
     store(quad, quads, i)
@@ -149,7 +150,7 @@ def slopes(
     phases[:], sigmas[:] = ZERO, ZERO
     for y in range(row_start, row_stop):
         inside, sampled, row = REACH <= y < height - REACH, y % every == 0, y * width
-        past_caches = pixels[RECORD * row :].ctypes.data % LINE == 0
+        streaming = pixels[RECORD * row :].ctypes.data % CACHE_LINE_BYTES == 0
         for first in range(0, width, CHUNK):
             count = min(CHUNK, width - first)
             for x in range(first, first + count, PIXELS):
@@ -157,7 +158,7 @@ def slopes(
                 if inside and REACH <= x <= width - PIXELS - REACH:
                     noise = load(sigma, at, PIXELS)
                     made = slopes_at(phase, state, at, width, noise, step)
-                    write(made, noise, quads_at(phase, state, at, width, step), at, past_caches, pixels, quad)
+                    write(made, noise, quads_at(phase, state, at, width, step), at, streaming, pixels, quad)
                 else:
                     n = min(PIXELS, width - x)
                     copy_surroundings(maps, height, width, y, x, n, (phases, sigmas, states))

@@ -11,8 +11,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numba import njit
 
-from measureapp.machine_memory import will_read
+from measureapp.compiled.cache_hints import prefetch
+from measureapp.compiled.options import INLINE
+from measureapp.compiled.simd.elements import bitmask, convert, count_trailing_zeros, maximum, minimum, select
+from measureapp.compiled.simd.memory import gather_records, load, store
 from measureapp.reconstruct.kernels.binning import REPEATED
+from measureapp.reconstruct.kernels.constants import PIXELS
 from measureapp.reconstruct.kernels.cubic import cubic
 from measureapp.reconstruct.kernels.lanes import (
     CODE,
@@ -59,10 +63,7 @@ from measureapp.reconstruct.kernels.lanes import (
     X,
     Y,
 )
-from measureapp.reconstruct.kernels.options import INLINE, PIXELS
 from measureapp.reconstruct.kernels.slopes import BESIDE, REACH, WHOLE
-from measureapp.simd.elements import bits_of, converted, larger, lowest_bit, smaller, where
-from measureapp.simd.memory import fetch_records, load, store
 
 STEEP = np.float32(4.0 / (REACH * np.sqrt(2.0)))  # a slope below four of its standard deviations does not tell where the point is
 FLAT = np.float32(1e-6)
@@ -71,7 +72,7 @@ ALL_WHOLE, ON_EDGE = np.float32(WHOLE), np.float32(BESIDE)  # what four pixels a
 QUARTER = np.float32(0.25)
 BEYOND = np.float32(0.1)  # so far out of its four pixels a place may lie, in px
 KEEPS_PX = np.float32(8.0)  # so near to a cell's pixel the match of the row above lies on the same surface
-CELLS_APART, RECORDS_APART, PAIRS_APART, PHASES_APART = 8, 2, 4, 8  # pixels whose cells, records, … lie in one line of the cache
+CELLS_APART, RECORDS_APART, PAIRS_APART, PHASES_APART = 8, 2, 4, 8  # pixels whose cells, records, … lie in one cache line
 HALVES, LOW_HALF, EMPTY = np.int32(16), np.int32(0xFFFF), np.int32(0)  # of what a cell holds
 FOUR = np.uint32(2)  # as a shift
 
@@ -79,7 +80,7 @@ FOUR = np.uint32(2)  # as a shift
 @njit(**INLINE)
 def within(value: Any, most: Any) -> Any:
     """Return numbers between zero and ``most``."""
-    return smaller(larger(value, ZERO), most)
+    return minimum(maximum(value, ZERO), most)
 
 
 @njit(**INLINE)
@@ -90,11 +91,11 @@ def look_up(s: Any, at: Any, n: int, table: Any, shape: Any, lowest: Any, per_ra
     for i in range(0, n, PIXELS):
         row = within(load(s, Y + i, PIXELS) * HALF + ONE, last_row)
         cell = within((load(s, PHASE + i, PIXELS) - lowest) * per_rad + ONE, last_bin)
-        store(converted(row, np.int32) * bins + converted(cell, np.int32), at, PLACE + i)
+        store(convert(row, np.int32) * bins + convert(cell, np.int32), at, PLACE + i)
     for i in range(0, n, CELLS_APART):
-        will_read(table, np.uint32(at[PLACE + i]) + np.uint32(bins))
+        prefetch(table, np.uint32(at[PLACE + i]) + np.uint32(bins))
     for i in range(0, n, PIXELS):
-        (held,) = fetch_records(table, 1, at, PLACE + i, PIXELS, 1)
+        (held,) = gather_records(table, 1, at, PLACE + i, PIXELS, 1)
         store(held, at, NEAREST + i)
 
 
@@ -105,7 +106,7 @@ def take_start(s: Any, at: Any, i: int, started: Any, images: Any, cubics: Any, 
     u0, per_u, v0, per_v = to_unit
     bits = started
     while bits != NONE:
-        k = np.uint32(i + lowest_bit(bits))
+        k = np.uint32(i + count_trailing_zeros(bits))
         place = np.uint32(at[PLACE + k])
         record = place << FOUR
         row = np.int32(at[PLACE + k] // width)
@@ -123,16 +124,16 @@ def jump(s: Any, at: Any, n: int, width: Any, images: Any, cubics: Any, to_unit:
         held = load(at, NEAREST + i, PIXELS)
         told, repeated = held >= EMPTY, (held & REPEATED) != EMPTY
         usable = (load(s, CODE + i, PIXELS) == WANTED) & told & ~repeated
-        held = where(usable, held, EMPTY)
+        held = select(usable, held, EMPTY)
         row, column = held >> HALVES, held & LOW_HALF
-        u, v = converted(column, np.float32), converted(row, np.float32)
+        u, v = convert(column, np.float32), convert(row, np.float32)
         kept_u, kept_v = load(s, KEPT_U + i, PIXELS), load(s, KEPT_V + i, PIXELS)
-        keeps = larger(abs(u - kept_u), abs(v - kept_v)) <= KEEPS_PX
-        started = bits_of(usable & ~keeps)
+        keeps = maximum(abs(u - kept_u), abs(v - kept_v)) <= KEEPS_PX
+        started = bitmask(usable & ~keeps)
         if started != NONE:
             store(row * width + column, at, PLACE + i)
             take_start(s, at, i, started, images, cubics, to_unit, width)
-        u, v = where(keeps, kept_u, u), where(keeps, kept_v, v)
+        u, v = select(keeps, kept_u, u), select(keeps, kept_v, v)
         c, d = load(s, KEPT_C + i, PIXELS), load(s, KEPT_D + i, PIXELS)
         gx, gy = load(s, KEPT_GX + i, PIXELS), load(s, KEPT_GY + i, PIXELS)
         down = load(s, Y + i, PIXELS) - load(s, KEPT_Y + i, PIXELS)
@@ -140,11 +141,11 @@ def jump(s: Any, at: Any, n: int, width: Any, images: Any, cubics: Any, to_unit:
         area = gx * d - gy * c
         du, dv = d * rise - gy * down, gx * down - c * rise
         farthest = FARTHEST_PX * abs(area)
-        near = larger(abs(du), abs(dv)) < farthest
+        near = maximum(abs(du), abs(dv)) < farthest
         scale = ONE / area
-        store(within(u + where(near, du * scale, ZERO), limits[0]), s, U + i)
-        store(within(v + where(near, dv * scale, ZERO), limits[1]), s, V + i)
-        store(where(usable, HELD, TWICE * converted(told & repeated, np.float32)), s, CODE + i)
+        store(within(u + select(near, du * scale, ZERO), limits[0]), s, U + i)
+        store(within(v + select(near, dv * scale, ZERO), limits[1]), s, V + i)
+        store(select(usable, HELD, TWICE * convert(told & repeated, np.float32)), s, CODE + i)
 
 
 @njit(**INLINE)
@@ -157,8 +158,8 @@ def aim(s: Any, at: Any, n: int, width: Any, cubics: Any, to_unit: Any) -> None:
     u0, per_u, v0, per_v = to_unit
     for i in range(0, n, PIXELS):
         u, v = load(s, U + i, PIXELS), load(s, V + i, PIXELS)
-        store(converted(v, np.int32) * width + converted(u, np.int32), at, PLACE + i)
-        store(converted(v + HALF, np.int32) * width + converted(u + HALF, np.int32), at, NEAREST + i)
+        store(convert(v, np.int32) * width + convert(u, np.int32), at, PLACE + i)
+        store(convert(v + HALF, np.int32) * width + convert(u + HALF, np.int32), at, NEAREST + i)
         us, vs = (u - u0) * per_u, (v - v0) * per_v
         a, b, c, d = cubic(x_u, us, vs), cubic(x_v, us, vs), cubic(y_u, us, vs), cubic(y_v, us, vs)
         store(a, s, A + i)
@@ -169,15 +170,15 @@ def aim(s: Any, at: Any, n: int, width: Any, cubics: Any, to_unit: Any) -> None:
 
 
 @njit(**INLINE)
-def ask_below(at: Any, i: int, ahead: Any, phase: Any, quad: Any, pixels: Any, lines: Any) -> None:
-    """Ask for what the pixels some rows below a group need."""
+def prefetch_below(at: Any, i: int, ahead: Any, phase: Any, quad: Any, pixels: Any, lines: Any) -> None:
+    """Prefetch what the pixels some rows below a group need."""
     for k in range(i, i + PIXELS, RECORDS_APART):
-        will_read(pixels, np.uint32(at[NEAREST + k] + ahead) << FOUR)
+        prefetch(pixels, np.uint32(at[NEAREST + k] + ahead) << FOUR)
     for k in range(i, i + PIXELS, PAIRS_APART):
-        will_read(lines, np.uint32(at[NEAREST + k] + ahead) << TWO)
+        prefetch(lines, np.uint32(at[NEAREST + k] + ahead) << TWO)
     for k in range(i, i + PIXELS, PHASES_APART):
-        will_read(phase, np.uint32(at[NEAREST + k] + ahead))
-    will_read(quad, np.uint32(at[NEAREST + i] + ahead))
+        prefetch(phase, np.uint32(at[NEAREST + k] + ahead))
+    prefetch(quad, np.uint32(at[NEAREST + i] + ahead))
 
 
 @njit(**INLINE)
@@ -186,17 +187,17 @@ def fetch(s: Any, at: Any, n: int, width: Any, images: Any) -> None:
     phase, quad, pixels, lines = images
     below = phase[width:]
     for i in range(0, n, PIXELS):
-        ask_below(at, i, width * ROWS_AHEAD, *images)
-        p00, p01 = fetch_records(phase, 1, at, PLACE + i, PIXELS, 2)
-        p10, p11 = fetch_records(below, 1, at, PLACE + i, PIXELS, 2)
-        (surface,) = fetch_records(quad, 1, at, PLACE + i, PIXELS, 1)
-        near, gx, gy, sigma = fetch_records(pixels, 4, at, NEAREST + i, PIXELS, 4)
-        x, y = fetch_records(lines, 2, at, NEAREST + i, PIXELS, 2)
+        prefetch_below(at, i, width * ROWS_AHEAD, *images)
+        p00, p01 = gather_records(phase, 1, at, PLACE + i, PIXELS, 2)
+        p10, p11 = gather_records(below, 1, at, PLACE + i, PIXELS, 2)
+        (surface,) = gather_records(quad, 1, at, PLACE + i, PIXELS, 1)
+        near, gx, gy, sigma = gather_records(pixels, 4, at, NEAREST + i, PIXELS, 4)
+        x, y = gather_records(lines, 2, at, NEAREST + i, PIXELS, 2)
         store(p00, s, P00 + i)
         store(p01, s, P01 + i)
         store(p10, s, P10 + i)
         store(p11, s, P11 + i)
-        store(converted(surface, np.float32), s, QUAD + i)
+        store(convert(surface, np.float32), s, QUAD + i)
         store(near, s, NEAR_PHASE + i)
         store(gx, s, NEAR_GX + i)
         store(gy, s, NEAR_GY + i)
@@ -240,8 +241,8 @@ def newton(s: Any, i: int, limits: Any, numbers: Any, last: bool, keep: bool) ->
     near_x, near_y, sigma = load(s, NEAR_X + i, PIXELS), load(s, NEAR_Y + i, PIXELS), load(s, NEAR_SIGMA + i, PIXELS)
     surface = load(s, QUAD + i, PIXELS)
     u, v = load(s, U + i, PIXELS), load(s, V + i, PIXELS)
-    fu, fv = converted(converted(u, np.int32), np.float32), converted(converted(v, np.int32), np.float32)
-    nu, nv = converted(converted(u + HALF, np.int32), np.float32), converted(converted(v + HALF, np.int32), np.float32)
+    fu, fv = convert(convert(u, np.int32), np.float32), convert(convert(v, np.int32), np.float32)
+    nu, nv = convert(convert(u + HALF, np.int32), np.float32), convert(convert(v + HALF, np.int32), np.float32)
     a, b, c, d = load(s, A + i, PIXELS), load(s, B + i, PIXELS), load(s, C + i, PIXELS), load(s, D + i, PIXELS)
     per_area = load(s, PER_AREA + i, PIXELS)
     p, q = u - fu, v - fv
@@ -250,23 +251,23 @@ def newton(s: Any, i: int, limits: Any, numbers: Any, last: bool, keep: bool) ->
     twist = p11 - p10 - right
     lx, ly = right + q * twist, under + p * twist
     whole = surface == ALL_WHOLE
-    value = where(whole, p00 + p * right + q * ly, near + gx * du + gy * dv)
+    value = select(whole, p00 + p * right + q * ly, near + gx * du + gy * dv)
     slope = (gx * d - gy * c) * per_area
     local = (lx * d - ly * c) * per_area
     inner = whole & (local * slope > QUARTER * slope * slope)
-    along = where(inner, local, slope)
-    across = (where(inner, ly, gy) * a - where(inner, lx, gx) * b) * per_area
+    along = select(inner, local, slope)
+    across = (select(inner, ly, gy) * a - select(inner, lx, gx) * b) * per_area
     down = load(s, Y + i, PIXELS) - (near_y + c * du + d * dv)
     move = (load(s, PHASE + i, PIXELS) - value - down * across) / along
-    move = smaller(larger(move, -FARTHEST_PX), FARTHEST_PX)
+    move = minimum(maximum(move, -FARTHEST_PX), FARTHEST_PX)
     to_u, to_v = (d * move - b * down) * per_area, (a * down - c * move) * per_area
     pn, qn = p + to_u, q + to_v
-    away = where(inner, larger(abs(pn - HALF), abs(qn - HALF)), larger(abs(du + to_u), abs(dv + to_v)))
+    away = select(inner, maximum(abs(pn - HALF), abs(qn - HALF)), maximum(abs(du + to_u), abs(dv + to_v)))
     settles = (away <= HALF + BEYOND) | (abs(to_u) + abs(to_v) < (HALF if last else ZERO))
     pn, qn = within(pn, ONE), within(qn, ONE)
     reach = abs(du + to_u) + abs(dv + to_v)
     outward = (ONE + reach) * (ONE + reach) + reach * reach
-    share = where(whole, (pn * pn + (ONE - pn) * (ONE - pn)) * (qn * qn + (ONE - qn) * (ONE - qn)), outward)
+    share = select(whole, (pn * pn + (ONE - pn) * (ONE - pn)) * (qn * qn + (ONE - qn) * (ONE - qn)), outward)
     held = load(s, CODE + i, PIXELS) == HELD
     taken = held & (whole | (surface == ON_EDGE)) & (abs(slope) >= FLAT)  # on an edge a pixel speaks for half a pixel around it
     parallax = load(s, X + i, PIXELS) - near_x + offset - (a * du + b * dv + move)
@@ -274,15 +275,15 @@ def newton(s: Any, i: int, limits: Any, numbers: Any, last: bool, keep: bool) ->
     depth = focal_baseline / (parallax * scale)
     variance = sigma * sigma * share
     steep = slope * slope >= STEEP * STEEP * variance
-    found = taken & settles & (smaller(parallax, depth) > ZERO)
+    found = taken & settles & (minimum(parallax, depth) > ZERO)
     if keep:
-        keep_nearest(s, i, where(taken, nu, NOWHERE), nv)
+        keep_nearest(s, i, select(taken, nu, NOWHERE), nv)
     code = load(s, CODE + i, PIXELS)
     return Step(
-        where(found & steep, depth, ZERO),
+        select(found & steep, depth, ZERO),
         slope * parallax * parallax * scale * (ONE / focal_baseline),
         variance,
-        where(found, where(steep, code, TWICE), where(held, ZERO, code)),
+        select(found, select(steep, code, TWICE), select(held, ZERO, code)),
         taken & ~settles,
         within(u + to_u, limits[0]),
         within(v + to_v, limits[1]),

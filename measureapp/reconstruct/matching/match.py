@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray, in_bands
-from measureapp.map_memory import MapMemory
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.matching.tables import PairTables
 from measureapp.reconstruct.phase_view import PhaseView
@@ -50,7 +50,7 @@ def match_view(
     covered: Mapping[str, IntArray],
     rectifier: Rectifier,
     settings: ReconstructSettings,
-    memory: MapMemory,
+    memory: BufferPool,
 ) -> DepthMap:
     """Match camera ``name`` with each of ``others``; candidates that another camera contradicts are dropped, the rest fused.
 

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray, in_bands, read_only
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.phase import PhaseMap
-from measureapp.map_memory import MapMemory
 from measureapp.reconstruct import kernels
 from measureapp.reconstruct.phase_view import PhaseView, table_step
 from measureapp.reconstruct.rectification.rectifier import EpipolarLines, Rectifier
@@ -60,10 +60,10 @@ def pair_tables(
     views: dict[str, PhaseView],
     maps: PhaseMap,
     rectifier: Rectifier,
-    memory: MapMemory | None = None,
+    memory: BufferPool | None = None,
 ) -> dict[str, PairTables]:
     """Sort camera ``name`` and each of ``others`` for their common epipolar lines; one thread per table."""
-    memory, made, jobs = memory or MapMemory(), {}, []
+    memory, made, jobs = memory or BufferPool(), {}, []
     for other in others:
         sides = pair_sides(name, other, views, rectifier)
         rise = np.concatenate([side.rises() for side in sides])
@@ -88,7 +88,7 @@ def _fill(side: Side, tables: PairTables, table: IntArray, repeated: IntArray) -
     return lambda: kernels.fill_table(*arguments)
 
 
-def _spread(tables: PairTables, memory: MapMemory) -> PairTables:
+def _spread(tables: PairTables, memory: BufferPool) -> PairTables:
     """Fill gaps of the other camera's table and mark in it what is repeated in the first one's."""
     wider = memory.empty(tables.there.shape, np.int32)
     in_bands(lambda start, stop: kernels.spread_table(tables.there, tables.here, start, stop, wider), len(wider))

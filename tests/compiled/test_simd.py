@@ -1,4 +1,4 @@
-"""Vectors in compiled loops against NumPy."""
+"""SIMD vectors in compiled loops against NumPy."""
 
 from __future__ import annotations
 
@@ -10,31 +10,31 @@ import pytest
 from numba import njit
 from numba.core.errors import TypingError
 
-from measureapp.map_memory import at_a_line
-from measureapp.simd.elements import (
-    any_of,
-    bits_of,
-    converted,
-    count_of,
-    filled,
-    larger,
-    largest,
-    lowest_bit,
-    rounded_down,
-    smaller,
-    smallest,
-    square_root,
-    where,
+from measureapp.compiled.buffer_pool import aligned_empty
+from measureapp.compiled.simd.elements import (
+    any_lane,
+    bitmask,
+    broadcast,
+    convert,
+    count_trailing_zeros,
+    floor,
+    maximum,
+    minimum,
+    popcount,
+    reduce_max,
+    reduce_min,
+    select,
+    sqrt,
 )
-from measureapp.simd.memory import (
-    fetch_records,
-    gathered,
+from measureapp.compiled.simd.memory import (
+    gather,
+    gather_records,
     load,
     load_records,
     store,
-    store_past_caches,
     store_records,
-    store_records_past_caches,
+    store_records_streaming,
+    store_streaming,
 )
 
 LANES, LENGTH = 16, 160
@@ -56,22 +56,22 @@ def through(step: Callable[[Any, Any], Any]) -> Callable[..., None]:
     @njit(error_model="numpy")
     def loop(first: Any, second: Any, out: Any) -> None:
         for j in range(0, LENGTH, LANES):
-            store(converted(compiled(load(first, j, LANES), load(second, j, LANES)), out.dtype), out, j)
+            store(convert(compiled(load(first, j, LANES), load(second, j, LANES)), out.dtype), out, j)
 
     return loop
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_arithmetic_and_choices_are_those_of_numpy(kind: Any) -> None:
+def test_arithmetic_and_selection_are_those_of_numpy(kind: Any) -> None:
     a, b = numbers(kind, 1), numbers(kind, 2)
     two = kind(2)
     expected = {
         (lambda x, y: x + y * two): a + b * two,
         (lambda x, y: two * x - y): two * a - b,
-        (lambda x, y: larger(two, y)): np.maximum(two, b),
-        (lambda x, y: smaller(x, two)): np.minimum(a, two),
-        (lambda x, y: where((x < y) & (y != two), x, y)): np.where((a < b) & (b != two), a, b),
-        (lambda x, y: where((x >= y) | ~(x == two), two, y)): np.where((a >= b) | ~(a == two), two, b),
+        (lambda x, y: maximum(two, y)): np.maximum(two, b),
+        (lambda x, y: minimum(x, two)): np.minimum(a, two),
+        (lambda x, y: select((x < y) & (y != two), x, y)): np.where((a < b) & (b != two), a, b),
+        (lambda x, y: select((x >= y) | ~(x == two), two, y)): np.where((a >= b) | ~(a == two), two, b),
     }
     if np.issubdtype(kind, np.signedinteger) or np.issubdtype(kind, np.floating):
         expected[lambda x, y: abs(x) - (-y)] = abs(a) + b
@@ -86,7 +86,7 @@ def test_division_roots_and_rounding_are_those_of_numpy_to_float_precision() -> 
     found = np.empty_like(a)
     through(lambda x, y: x / (abs(y) + np.float32(1)))(a, b, found)
     np.testing.assert_allclose(found, a / (abs(b) + 1), rtol=1e-6)
-    through(lambda x, y: square_root(abs(x)) + rounded_down(y))(a, b, found)
+    through(lambda x, y: sqrt(abs(x)) + floor(y))(a, b, found)
     np.testing.assert_allclose(found, np.sqrt(abs(a)) + np.floor(b), rtol=1e-6, atol=1e-6)
 
 
@@ -99,7 +99,7 @@ def test_conversions_are_those_of_numpy(given: Any, wanted: Any) -> None:
     assert np.array_equal(found, a.astype(wanted))
 
 
-def test_whole_numbers_shift_and_join_their_bits() -> None:
+def test_integers_shift_and_combine_their_bits() -> None:
     a, b = numbers(np.int32, 6), numbers(np.int32, 7)
     found = np.empty_like(a)
     through(lambda x, y: (x >> np.int32(1)) | (y & np.int32(5)))(a, b, found)
@@ -109,21 +109,21 @@ def test_whole_numbers_shift_and_join_their_bits() -> None:
     assert np.array_equal(shifted, bytes_ >> 3)
 
 
-def test_a_table_is_looked_up_at_every_element() -> None:
+def test_a_table_is_gathered_at_every_lane() -> None:
     table, places = np.arange(40, dtype=np.float32) ** 2, np.random.default_rng(8).integers(0, 40, LENGTH).astype(np.uint16)
     found = np.empty(LENGTH, np.float32)
 
     @njit
     def look_up(table: Any, places: Any, out: Any) -> None:
         for j in range(0, LENGTH, LANES):
-            store(gathered(table, converted(load(places, j, LANES), np.int32)), out, j)
+            store(gather(table, convert(load(places, j, LANES), np.int32)), out, j)
 
     look_up(table, places, found)
     assert np.array_equal(found, table[places])
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_all_elements_give_one_number(kind: Any) -> None:
+def test_reductions_over_all_lanes_are_those_of_numpy(kind: Any) -> None:
     a = numbers(kind, 9)
 
     @njit
@@ -132,7 +132,7 @@ def test_all_elements_give_one_number(kind: Any) -> None:
             seen = load(a, j, LANES)
             above = seen > bound
             row = out[j // LANES]
-            row[0], row[1], row[2], row[3] = largest(seen), smallest(seen), count_of(above), any_of(above)
+            row[0], row[1], row[2], row[3] = reduce_max(seen), reduce_min(seen), popcount(above), any_lane(above)
 
     found = np.empty((LENGTH // LANES, 4))
     for bound in (kind(1), kind(2), kind(100)):
@@ -144,25 +144,25 @@ def test_all_elements_give_one_number(kind: Any) -> None:
 
 @pytest.mark.parametrize("width", (1, 2, 3, 4))
 @pytest.mark.parametrize("kind", (np.float32, np.float64, np.int32))
-def test_records_are_taken_apart_and_put_together(width: int, kind: Any) -> None:
+def test_records_are_gathered_deinterleaved_and_interleaved(width: int, kind: Any) -> None:
     count = LENGTH // 2
     table = np.random.default_rng(11).integers(0, 200, (count, width)).astype(kind)
     places = np.random.default_rng(12).integers(0, count, count).astype(np.int32)
-    one_by_one, written, beyond_caches = np.empty((width, count), kind), np.empty_like(table), at_a_line(table.shape, kind)
+    one_by_one, written, streamed = np.empty((width, count), kind), np.empty_like(table), aligned_empty(table.shape, kind)
 
     @njit
-    def apart(table: Any, places: Any, columns: Any, records: Any, past: Any) -> None:
+    def apart(table: Any, places: Any, columns: Any, records: Any, streamed: Any) -> None:
         for j in range(0, count, LANES):
-            fetched = fetch_records(table, width, places, j, LANES, width)
+            fetched = gather_records(table, width, places, j, LANES, width)
             for number in range(width):
                 store(fetched[number], columns[number], j)
             read = load_records(table, width * j, LANES, width)
             store_records(read, records, width * j)
-            store_records_past_caches(read, past, width * j)
+            store_records_streaming(read, streamed, width * j)
 
-    apart(table.reshape(-1), places, one_by_one, written.reshape(-1), beyond_caches.reshape(-1))
+    apart(table.reshape(-1), places, one_by_one, written.reshape(-1), streamed.reshape(-1))
     assert np.array_equal(one_by_one, table[places].T)
-    assert np.array_equal(written, table) and np.array_equal(beyond_caches, table)
+    assert np.array_equal(written, table) and np.array_equal(streamed, table)
 
 
 @pytest.mark.parametrize("kind", (np.float32, np.uint8))
@@ -172,23 +172,23 @@ def test_records_may_overlap(kind: Any) -> None:
 
     @njit
     def rises(table: Any, places: Any, out: Any) -> None:
-        before, behind = fetch_records(table, 1, places, 0, LANES, 2)
+        before, behind = gather_records(table, 1, places, 0, LANES, 2)
         store(behind - before, out, 0)
 
     rises(table, places, steps)
     assert np.array_equal(steps, np.diff(table)[places])
 
 
-def test_a_mask_is_gone_through_bit_by_bit() -> None:
+def test_the_true_lanes_of_a_mask_are_enumerated_from_its_bits() -> None:
     a = numbers(np.float32, 14)
 
     @njit
     def chosen(a: Any, bound: Any, out: Any) -> Any:
         found = 0
         for j in range(0, LENGTH, LANES):
-            bits = bits_of(load(a, j, LANES) > bound)
+            bits = bitmask(load(a, j, LANES) > bound)
             while bits != np.uint32(0):
-                out[found] = j + lowest_bit(bits)
+                out[found] = j + count_trailing_zeros(bits)
                 found += 1
                 bits &= bits - np.uint32(1)
         return found
@@ -198,19 +198,19 @@ def test_a_mask_is_gone_through_bit_by_bit() -> None:
         assert np.array_equal(places[: chosen(a, bound, places)], np.flatnonzero(a > bound))
 
 
-def test_whole_lines_are_written_past_the_caches() -> None:
-    a, written = numbers(np.float32, 10), at_a_line((LENGTH,), np.float32)
+def test_non_temporal_stores_write_whole_cache_lines() -> None:
+    a, written = numbers(np.float32, 10), aligned_empty((LENGTH,), np.float32)
 
     @njit
     def copy(a: Any, out: Any) -> None:
         for j in range(0, LENGTH, LANES):
-            store_past_caches(load(a, j, LANES) * filled(np.float32(2), LANES), out, j)
+            store_streaming(load(a, j, LANES) * broadcast(np.float32(2), LANES), out, j)
 
     copy(a, written)
     assert np.array_equal(written, 2 * a)
 
 
-def test_what_does_not_fit_together_is_refused_by_the_compiler() -> None:
+def test_operands_of_different_types_or_lengths_do_not_compile() -> None:
     a, out = np.zeros(LENGTH, np.float32), np.zeros(LENGTH, np.int32)
 
     @njit

@@ -1,11 +1,11 @@
-"""Compiled kernels never outlive what they were compiled from."""
+"""Compiled kernels on disk are dropped when a source of theirs is newer."""
 
 from __future__ import annotations
 
 import os
 from pathlib import Path
 
-from measureapp.kernel_cache import drop_stale
+from measureapp.compiled.kernel_cache import drop_stale
 
 
 def test_kernels_older_than_a_source_of_their_package_are_dropped(tmp_path: Path) -> None:
