@@ -6,8 +6,6 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-import numpy as np
-
 from measureapp.data.length_unit import LengthUnit
 from measureapp.errors import InputError
 from measureapp.simulate.part import Part
@@ -24,7 +22,6 @@ SAMPLES: dict[str, Callable[[], Part]] = {
     "sphere_plate": sphere_plate,
     "flat": flat,
 }
-STL_RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 
 
 def make_part(name_or_path: str, unit: LengthUnit = LengthUnit.MM) -> Part:
@@ -45,13 +42,11 @@ def make_part(name_or_path: str, unit: LengthUnit = LengthUnit.MM) -> Part:
 
 def stl_bytes(part: Part) -> bytes:
     """Return the part's mesh as a binary STL file, the same for every call."""
-    corners = part.mesh.vertices_mm[part.mesh.triangles]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    records = np.zeros(len(corners), STL_RECORD)
-    records["normal"] = normals / np.linalg.norm(normals, axis=1, keepdims=True)
-    records["corners"] = corners
-    header = f"measureapp nominal of {part.name}, mm".encode("ascii").ljust(80)
-    return header + np.uint32(len(records)).tobytes() + records.tobytes()
+    from trimesh import Trimesh
+    from trimesh.exchange.stl import export_stl
+
+    data = export_stl(Trimesh(part.mesh.vertices_mm, part.mesh.triangles, process=False))
+    return f"measureapp nominal of {part.name}, mm".encode("ascii").ljust(80) + data[80:]
 
 
 def write_nominals(folder: Path) -> None:

@@ -18,6 +18,7 @@ ROOT = Path(__file__).resolve().parents[2]
 LOCK = ROOT / "installer" / "requirements.lock"
 PLACES = re.compile("|".join("/" + place + "/" for place in ("work", "root", "home", "tmp", "opt/pypi")) + r"|[A-Z]:\\Users|file:/" + "/")
 INDEX = re.compile(r"--(extra-)?index-" + r"url\b|pypi\.org/" + r"simple|--find-" + "links|--trusted-" + "host")
+NOT_YET_IMPORTED = {"pymodbus", "pyserial", "pyqtgraph", "pyvista"}  # for drivers and plots to come
 TEXT = {".py", ".toml", ".md", ".lock", ".yaml", ".yml", ".typ", ".qss", ".json", ".csv", ".txt", ""}
 
 
@@ -62,6 +63,16 @@ def test_the_lock_file_meets_every_requirement_of_the_project() -> None:
     wanted = [Requirement(text) for text in (*project["dependencies"], *project["optional-dependencies"]["dev"])]
     unmet = [str(need) for need in wanted if not any(need.specifier.contains(v) for v in pins.get(canonicalize_name(need.name), []))]
     assert not unmet
+
+
+def test_the_program_imports_every_dependency_it_declares() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    sources = "\n".join(text for name, text in tracked_texts().items() if name.startswith(("measureapp/", "ui/", "plugins/")))
+    imported = set(re.findall(r"^ *(?:from|import) (\w+)", sources, flags=re.MULTILINE))
+    modules = importlib.metadata.packages_distributions()
+    provides = {canonicalize_name(name) for module in imported for name in (module, *modules.get(module, ()))}
+    unused = {canonicalize_name(Requirement(text).name) for text in project["dependencies"]} - provides
+    assert unused <= NOT_YET_IMPORTED, sorted(unused - NOT_YET_IMPORTED)
 
 
 def test_the_version_is_the_same_wherever_it_stands() -> None:

@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 from measureapp.errors import InputError
 from measureapp.resources import resource
 from measureapp.simulate.part import Part
-from measureapp.simulate.parts import SAMPLES, STL_RECORD, make_part, stl_bytes
+from measureapp.simulate.parts import SAMPLES, make_part, stl_bytes
 from measureapp.simulate.solids import CHORD_ERROR_MM
 
 
@@ -52,7 +52,8 @@ def test_the_nominal_file_holds_the_surface_that_is_simulated(part: Part) -> Non
 
 
 def test_an_stl_file_holds_every_triangle_in_single_precision(part: Part) -> None:
-    records = np.frombuffer(stl_bytes(part)[84:], STL_RECORD)
+    record = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+    records = np.frombuffer(stl_bytes(part)[84:], record)
     np.testing.assert_array_equal(records["corners"], part.mesh.vertices_mm[part.mesh.triangles].astype(np.float32))
     np.testing.assert_allclose(np.linalg.norm(records["normal"], axis=1), 1.0, atol=1e-6)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 import numpy as np
+from scipy.spatial import transform
 from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import FloatArray
@@ -55,31 +56,20 @@ def park_martin(motions: Motions) -> FloatArray:
     .. [1] F. C. Park, B. J. Martin, IEEE Trans. Robotics and Automation 10(5), 717-721, 1994.
     """
     alpha, beta = (Rotation.from_matrix(part[:, :3, :3]).as_rotvec() for part in (motions.flange, motions.camera))
-    u, _, vt = np.linalg.svd(alpha.T @ beta)
-    return _with_translation(u @ np.diag([1, 1, np.linalg.det(u @ vt)]) @ vt, motions)
+    return _with_translation(Rotation.align_vectors(alpha, beta)[0].as_matrix(), motions)
 
 
 def horaud_dornaika(motions: Motions) -> FloatArray:
-    """Solve the rotation as the quaternion that best turns the camera's unit axes into the flange's, then translation [1]_.
+    """Solve the rotation as the one that best turns the camera's unit axes into the flange's, then translation [1]_.
+
+    The paper's smallest eigenvector, of quaternions, and the singular vectors of `align_vectors` minimise the same sum of squares.
 
     References
     ----------
     .. [1] R. Horaud, F. Dornaika, International Journal of Robotics Research 14(3), 195-210, 1995.
     """
     a, b = (part[:, 1:] / np.linalg.norm(part[:, 1:], axis=1, keepdims=True) for part in motions.quaternions())
-    rows = _products(a, b)
-    _, vectors = np.linalg.eigh(np.einsum("kij,kil->jl", rows, rows))
-    w, x, y, z = vectors[:, 0]
-    return _with_translation(Rotation.from_quat([x, y, z, w]).as_matrix(), motions)
-
-
-def _products(a: FloatArray, b: FloatArray) -> FloatArray:
-    """Return the matrices (K, 4, 4) of q → a q - q b for pure quaternions a, b (K, 3)."""
-    rows = np.zeros((len(a), 4, 4))
-    rows[:, 0, 1:] = b - a
-    rows[:, 1:, 0] = a - b
-    rows[:, 1:, 1:] = cross_matrices(a + b)
-    return rows
+    return _with_translation(Rotation.align_vectors(a, b)[0].as_matrix(), motions)
 
 
 def daniilidis(motions: Motions) -> FloatArray:
@@ -90,29 +80,28 @@ def daniilidis(motions: Motions) -> FloatArray:
     .. [1] K. Daniilidis, International Journal of Robotics Research 18(3), 286-298, 1999.
     """
     unit = _length_unit(motions)
-    a, b = motions.quaternions()
-    a_dual = _dual_part(a, motions.flange[:, :3, 3] / unit)
-    b_dual = _dual_part(b, motions.camera[:, :3, 3] / unit)
+    a, b = (_dual_quaternions(part, unit) for part in (motions.flange, motions.camera))
+    less, more = a - b, cross_matrices((a + b)[:, [[1, 2, 3], [5, 6, 7]]])
     rows = np.zeros((len(a), 6, 8))
-    rows[:, :3, 0] = rows[:, 3:, 4] = (a - b)[:, 1:]
-    rows[:, :3, 1:4] = rows[:, 3:, 5:] = cross_matrices((a + b)[:, 1:])
-    rows[:, 3:, 0] = (a_dual - b_dual)[:, 1:]
-    rows[:, 3:, 1:4] = cross_matrices((a_dual + b_dual)[:, 1:])
+    rows[:, :3, 0] = rows[:, 3:, 4] = less[:, 1:4]
+    rows[:, :3, 1:4] = rows[:, 3:, 5:] = more[:, 0]
+    rows[:, 3:, 0] = less[:, 5:]
+    rows[:, 3:, 1:4] = more[:, 1]
     _, _, vt = np.linalg.svd(rows.reshape(-1, 8), full_matrices=False)
-    real, dual = _unit_dual_quaternion(vt[6], vt[7])
-    result = np.eye(4)
-    result[:3, :3] = _rotation(real)
-    result[:3, 3] = 2 * unit * (_rotation_products(dual) @ (real * [1, -1, -1, -1]))[1:]
-    return result
+    result = transform.RigidTransform.from_dual_quat(_unit_dual_quaternion(vt[6], vt[7]), scalar_first=True).as_matrix()
+    result[:3, 3] *= unit
+    return np.asarray(result)
 
 
-def _dual_part(quaternion: FloatArray, translation: FloatArray) -> FloatArray:
-    scalar = -np.sum(translation * quaternion[:, 1:], axis=1, keepdims=True)
-    vector = translation * quaternion[:, :1] + np.cross(translation, quaternion[:, 1:])
-    return np.hstack([scalar, vector]) / 2
+def _dual_quaternions(poses: FloatArray, length_unit: float) -> FloatArray:
+    """Return poses (K, 4, 4) as unit dual quaternions (K, 8), the scalar of each half first and that of the real half not negative."""
+    scaled = np.array(poses)
+    scaled[:, :3, 3] /= length_unit
+    result = transform.RigidTransform.from_matrix(scaled).as_dual_quat(scalar_first=True)
+    return np.where(result[:, :1] < 0, -result, result)
 
 
-def _unit_dual_quaternion(first: FloatArray, second: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _unit_dual_quaternion(first: FloatArray, second: FloatArray) -> FloatArray:
     """Combine two null vectors so that the real part has length 1 and the dual part is orthogonal to it."""
     u1, v1, u2, v2 = first[:4], first[4:], second[:4], second[4:]
     square, linear, constant = float(u1 @ v1), float(u1 @ v2 + u2 @ v1), float(u2 @ v2)
@@ -123,18 +112,7 @@ def _unit_dual_quaternion(first: FloatArray, second: FloatArray) -> tuple[FloatA
         weights = [((-linear + sign * root) / (2 * square), 1.0) for sign in (1, -1)]
     combined = [w1 * first + w2 * second for w1, w2 in weights]
     best = max(combined, key=lambda vector: float(np.linalg.norm(vector[:4])) / max(float(np.linalg.norm(vector)), 1e-300))
-    best = best / np.linalg.norm(best[:4])
-    return best[:4], best[4:]
-
-
-def _rotation(quaternion: FloatArray) -> FloatArray:
-    return Rotation.from_quat(np.roll(quaternion, -1)).as_matrix()
-
-
-def _rotation_products(quaternion: FloatArray) -> FloatArray:
-    """Return the matrix (4, 4) of q → quaternion · q."""
-    w, x, y, z = quaternion
-    return np.array([[w, -x, -y, -z], [x, w, -z, y], [y, z, w, -x], [z, -y, x, w]])
+    return best / np.linalg.norm(best[:4])
 
 
 def andreff(motions: Motions) -> FloatArray:

@@ -147,21 +147,12 @@ def _check_ramp(levels: FloatArray, grey: FloatArray) -> None:
 
 def _curve(levels: FloatArray, light: FloatArray) -> tuple[tuple[float, float], ...]:
     """Return the strictly ascending curve from (0, 0) to (255, 1) closest to measured light."""
-    rising = _monotone(light)
+    from scipy.optimize import isotonic_regression
+
+    rising = isotonic_regression(light).x
     levels = np.concatenate([[0.0], levels[1:-1], [TOP_LEVEL]])
     share = (rising - rising[0]) / (rising[-1] - rising[0])
     # equal neighbours are kept apart by less than any 8-bit projector tells apart
     share = np.maximum.accumulate(share) + np.arange(len(share)) * 1e-9
     share = (share - share[0]) / (share[-1] - share[0])
     return tuple((float(level), float(value)) for level, value in zip(levels, share, strict=True))
-
-
-def _monotone(values: FloatArray) -> FloatArray:
-    """Return the non-decreasing sequence with the least squared distance: neighbours that fall are pooled (M. Ayer et al., 1955)."""
-    pools: list[tuple[float, int]] = []
-    for value in values:
-        pools.append((float(value), 1))
-        while len(pools) > 1 and pools[-2][0] > pools[-1][0]:
-            (mean, count), (last, size) = pools[-2:]
-            pools[-2:] = [((mean * count + last * size) / (count + size), count + size)]
-    return np.repeat([mean for mean, _ in pools], [count for _, count in pools])

@@ -53,10 +53,11 @@ class MeanLine:
 
     def lengths(self, x_mm: FloatArray) -> FloatArray:
         """Return arc lengths (N,) from x = 0 to x, negative before it."""
+        from scipy.integrate import cumulative_trapezoid
+
         low, high = min(float(x_mm.min(initial=0.0)), 0.0), max(float(x_mm.max(initial=0.0)), 1e-6)
         grid = np.linspace(low, high, SAMPLES)
-        speed = np.sqrt(1 + self.slopes(grid) ** 2)
-        length = np.concatenate([[0.0], np.cumsum((speed[1:] + speed[:-1]) / 2 * np.diff(grid))])
+        length = cumulative_trapezoid(np.sqrt(1 + self.slopes(grid) ** 2), grid, initial=0.0)
         return np.asarray(np.interp(x_mm, grid, length) - np.interp(0.0, grid, length))
 
 

@@ -46,8 +46,13 @@ def _ascii_corners(path: Path, data: bytes) -> FloatArray:
 
 def joined(corners_mm: FloatArray) -> tuple[FloatArray, IntArray]:
     """Join equal corners (3T, 3) to vertices; triangles that collapse to a line by it are left out."""
-    vertices, index = np.unique(corners_mm.astype(np.float64), axis=0, return_inverse=True)
-    triangles = index.reshape(-1, 3).astype(np.int32)
+    order = np.lexsort(corners_mm.T[::-1])  # as np.unique of rows would, in a tenth of its time
+    rows = corners_mm[order]
+    first = np.ones(len(rows), np.bool_)
+    first[1:] = np.any(rows[1:] != rows[:-1], axis=1)
+    index = np.empty(len(rows), np.int32)
+    index[order] = np.cumsum(first) - 1
+    vertices, triangles = rows[first].astype(np.float64), index.reshape(-1, 3)
     a, b, c = triangles.T
     return vertices, triangles[(a != b) & (b != c) & (c != a)]
 
@@ -84,13 +89,8 @@ def _obj_index(word: str, vertices: int) -> int:
 
 def write_stl(path: Path, vertices_mm: FloatArray, triangles: IntArray) -> None:
     """Write a binary STL."""
-    corners = vertices_mm[triangles]
-    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    length = np.linalg.norm(normal, axis=1, keepdims=True)
-    table = np.zeros(len(triangles), STL_RECORD)
-    table["corners"] = corners
-    table["normal"] = np.divide(normal, length, out=np.zeros_like(normal), where=length > 0)
-    with path.open("wb") as file:
-        file.write(b"MeasureApp, millimetres".ljust(80, b" "))
-        file.write(len(table).to_bytes(4, "little"))
-        table.tofile(file)
+    from trimesh import Trimesh
+    from trimesh.exchange.stl import export_stl
+
+    data = export_stl(Trimesh(vertices_mm, triangles, process=False))
+    path.write_bytes(b"MeasureApp, millimetres".ljust(80) + data[80:])

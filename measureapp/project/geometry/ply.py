@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +13,7 @@ from measureapp.arrays import FloatArray, IntArray
 from measureapp.errors import InputError
 
 HEADER_LIMIT_BYTES = 65536
+MOST_DIGITS = 18  # of a count; Python refuses to read thousands of them
 BYTE_ORDERS = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
 TYPES = {
     "char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4", "float": "f4", "double": "f8",
@@ -53,14 +54,13 @@ class Element:
         return any(prop.count_type for prop in self.properties)
 
     @property
-    def least_items(self) -> int:
-        """The fewest numbers one row holds."""
-        return len(self.properties)
-
-    @property
     def least_bytes(self) -> int:
         """The fewest bytes one binary row takes."""
         return sum(np.dtype(prop.count_type or prop.type).itemsize for prop in self.properties)
+
+    def of_doubles(self) -> Element:
+        """Return the element with every number, lengths of lists among them, as float64."""
+        return replace(self, properties=tuple(Property(prop.name, "f8", prop.count_type and "f8") for prop in self.properties))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -87,7 +87,9 @@ def read_ply(path: Path) -> Ply:
     data = path.read_bytes()
     order, comments, elements, start = _header(path, data)
     body = memoryview(data)[start:]
-    read = _AsciiBody(path, body) if order == "=" else _BinaryBody(path, body, order)
+    if order == "=":
+        body, elements = _as_doubles(path, body), [element.of_doubles() for element in elements]
+    read = _Body(path, body, order)
     return Ply(comments, {element.name: read.element(element) for element in elements})
 
 
@@ -136,7 +138,7 @@ def _header(path: Path, data: bytes) -> tuple[str, tuple[str, ...], list[Element
             comments.append(line.strip()[8:])
         elif words[0] == "format" and len(words) >= 2 and words[1] in BYTE_ORDERS:
             order = BYTE_ORDERS[words[1]]
-        elif words[0] == "element" and len(words) == 3 and words[2].isdecimal():
+        elif words[0] == "element" and len(words) == 3 and words[2].isdecimal() and len(words[2]) <= MOST_DIGITS:
             elements.append(Element(words[1], int(words[2]), ()))
         elif words[0] == "property" and elements and (prop := _property(words, elements[-1].properties)):
             last = elements[-1]
@@ -159,6 +161,14 @@ def _property(words: list[str], earlier: tuple[Property, ...]) -> Property | Non
     return None
 
 
+def _as_doubles(path: Path, body: memoryview) -> memoryview:
+    """Return the numbers of an ascii body, lengths of lists among them, as the bytes of float64."""
+    try:
+        return np.fromstring(bytes(body), sep=" ").data.cast("B")
+    except (ValueError, DeprecationWarning) as error:
+        raise InputError(f"{path} holds something that is not a number.", DAMAGED) from error
+
+
 def _cut_short(path: Path, element: Element) -> InputError:
     return InputError(f"{path} is cut short: it declares {element.count} of element {element.name!r} and holds fewer.", DAMAGED)
 
@@ -176,7 +186,7 @@ def _gather(element: Element, rows: Mapping[str, list[Any]]) -> dict[str, Any]:
     return columns
 
 
-class _BinaryBody:
+class _Body:
     """Takes elements one after the other from binary data."""
 
     def __init__(self, path: Path, body: memoryview, order: str) -> None:
@@ -227,10 +237,11 @@ class _BinaryBody:
         kind = np.dtype(self.order + prop.count_type)
         if at + kind.itemsize > len(self.body):
             raise _cut_short(self.path, element)
-        length = int(np.frombuffer(self.body, kind, 1, at)[0])
-        if length < 0 or at + kind.itemsize + length * np.dtype(prop.type).itemsize > len(self.body):
+        length = np.frombuffer(self.body, kind, 1, at)[0]
+        most = (len(self.body) - at - kind.itemsize) // np.dtype(prop.type).itemsize
+        if not 0 <= length <= most or length != int(length):  # also what is no number, or none that is whole, in ascii
             raise _cut_short(self.path, element)
-        return length, at + kind.itemsize
+        return int(length), at + kind.itemsize
 
     def _row_by_row(self, element: Element) -> dict[str, Any]:
         rows: dict[str, list[Any]] = {prop.name: [] for prop in element.properties}
@@ -243,65 +254,4 @@ class _BinaryBody:
                 values = np.frombuffer(self.body, kind, length, self.at)
                 rows[prop.name].append(values if prop.count_type else values[0])
                 self.at += length * kind.itemsize
-        return _gather(element, rows)
-
-
-class _AsciiBody:
-    """Takes elements one after the other from numbers in text."""
-
-    def __init__(self, path: Path, body: memoryview) -> None:
-        try:
-            self.numbers = np.fromstring(bytes(body), sep=" ")
-        except (ValueError, DeprecationWarning) as error:
-            raise InputError(f"{path} holds something that is not a number.", DAMAGED) from error
-        self.path, self.at = path, 0
-
-    def element(self, element: Element) -> dict[str, Any]:
-        if element.least_items == 0:
-            return {}
-        if element.count * element.least_items > len(self.numbers) - self.at:
-            raise _cut_short(self.path, element)
-        if element.count == 0:
-            return _gather(element, {prop.name: [] for prop in element.properties})
-        return self._uniform(element) or self._row_by_row(element)
-
-    def _uniform(self, element: Element) -> dict[str, Any] | None:
-        places, width = [], 0
-        for prop in element.properties:
-            length = self._length(element, self.at + width) if prop.count_type else 1
-            places.append((prop, width, length))
-            width += length + bool(prop.count_type)
-        if self.at + element.count * width > len(self.numbers):
-            return None
-        table = self.numbers[self.at : self.at + element.count * width].reshape(element.count, width)
-        columns: dict[str, Any] = {}
-        for prop, column, length in places:
-            if prop.count_type:
-                if np.any(table[:, column] != length):
-                    return None
-                columns[prop.name] = Ragged(np.full(element.count, length), table[:, column + 1 : column + 1 + length].ravel())
-            else:
-                columns[prop.name] = table[:, column]
-        self.at += element.count * width
-        return columns
-
-    def _length(self, element: Element, at: int) -> int:
-        length = self.numbers[at] if at < len(self.numbers) else -1.0
-        if not 0 <= length <= len(self.numbers) - at - 1 or length != int(length):
-            raise _cut_short(self.path, element)
-        return int(length)
-
-    def _row_by_row(self, element: Element) -> dict[str, Any]:
-        rows: dict[str, list[Any]] = {prop.name: [] for prop in element.properties}
-        for _ in range(element.count):
-            for prop in element.properties:
-                if prop.count_type:
-                    length = self._length(element, self.at)
-                    rows[prop.name].append(self.numbers[self.at + 1 : self.at + 1 + length])
-                    self.at += 1 + length
-                elif self.at < len(self.numbers):
-                    rows[prop.name].append(self.numbers[self.at])
-                    self.at += 1
-                else:
-                    raise _cut_short(self.path, element)
         return _gather(element, rows)

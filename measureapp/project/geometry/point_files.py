@@ -35,19 +35,23 @@ def read_table(path: Path, least_columns: int = 3) -> FloatArray:
         raise InputError(
             f"{path}, line {kept[0][0]}: {width} values where a point needs {least_columns}.", "Give x, y and z on every line."
         )
-    for number, line in kept:
-        if len(line.split()) != width:
-            raise InputError(f"{path}, line {number}: {len(line.split())} values where line {kept[0][0]} has {width}.", DAMAGED)
     try:
-        return np.array(" ".join(line for _, line in kept).split(), np.float64).reshape(-1, width)
+        return np.loadtxt([line for _, line in kept], comments=None, ndmin=2)
     except ValueError:
-        number, line = next((number, line) for number, line in kept if not _is_numbers(line))
-        raise InputError(f"{path}, line {number}: {line.strip()[:60]!r} is not a point.", DAMAGED) from None
+        raise _misfit(path, kept, width) from None
+
+
+def _misfit(path: Path, lines: list[tuple[int, str]], width: int) -> InputError:
+    """Return what to say of the first line that is not a point of ``width`` numbers."""
+    number, line = next((number, line) for number, line in lines if len(line.split()) != width or not _is_numbers(line))
+    if len(line.split()) != width:
+        return InputError(f"{path}, line {number}: {len(line.split())} values where line {lines[0][0]} has {width}.", DAMAGED)
+    return InputError(f"{path}, line {number}: {line.strip()[:60]!r} is not a point.", DAMAGED)
 
 
 def _is_numbers(line: str) -> bool:
     try:
-        np.array(line.split(), np.float64)
+        np.loadtxt([line], comments=None)
     except ValueError:
         return False
     return True

@@ -11,10 +11,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from heapq import heappop, heappush
 from itertools import pairwise
 
 import numpy as np
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import dijkstra
 
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.cloud import RingClosure
@@ -23,7 +24,7 @@ from measureapp.register.joint.pose_graph import edge_error, moved_to, turned
 from measureapp.register.pairs.icp import PairMeasurement, stepped
 
 LARGEST_STEP_RAD = 0.7 * np.pi  # a ring has at least three views
-Node = tuple[int, int]  # view, whole turns
+LEAST_COST_MM2 = 1e-30  # a link without cost is a link all the same
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -116,39 +117,22 @@ def _azimuth_rad(poses: Sequence[RigidTransform], centres_mm: FloatArray) -> Flo
 def _best_ring(start: int, links: Sequence[_Link], azimuth: FloatArray) -> tuple[int, ...]:
     """Return the most certain way of links once around and back to ``start``, which it begins with; empty where there is none.
 
-    The shortest path over views and whole turns (E. W. Dijkstra, Numerische Mathematik 1, 269-271, 1959).
+    The shortest path (Dijkstra's) over views in each of the turns -1, 0 and 1, from the start in turn 0 to the start in turn 1.
     """
-    steps: dict[int, list[tuple[int, float]]] = {}
+    count = len(azimuth)
+    costs = np.zeros((3 * count, 3 * count))  # zero: no link
     for link in links:
-        if abs(np.remainder(azimuth[link.source] - azimuth[link.target] + np.pi, 2 * np.pi) - np.pi) <= LARGEST_STEP_RAD:
-            steps.setdefault(link.target, []).append((link.source, link.cost))
-            steps.setdefault(link.source, []).append((link.target, link.cost))
-    came: dict[Node, Node] = {}
-    cost: dict[Node, float] = {(start, 0): 0.0}
-    waiting: list[tuple[float, Node]] = [(0.0, (start, 0))]
-    while waiting:
-        so_far, node = heappop(waiting)
-        if node == (start, 1):
-            return _path(node, came)
-        if so_far > cost[node]:
+        between = azimuth[link.source] - azimuth[link.target] + np.pi
+        if abs(np.remainder(between, 2 * np.pi) - np.pi) > LARGEST_STEP_RAD:
             continue
-        view, turns = node
-        for other, more in steps.get(view, []):
-            over = np.floor(
-                (azimuth[other] - azimuth[view] + np.pi) / (2 * np.pi)
-            )  # whole turns between the two directions as they are given
-            after = (other, turns - int(over))
-            if abs(after[1]) <= 1 and so_far + more < cost.get(after, np.inf):
-                cost[after], came[after] = so_far + more, node
-                heappush(waiting, (so_far + more, after))
-    return ()
-
-
-def _path(last: Node, came: dict[Node, Node]) -> tuple[int, ...]:
-    views = []
-    while last in came:
-        last = came[last]
-        views.append(last[0])
+        over = int(np.floor(between / (2 * np.pi)))  # whole turns between the two directions as they are given
+        for turn in range(max(0, over), min(3, 3 + over)):
+            costs[turn * count + link.target, (turn - over) * count + link.source] = max(link.cost, LEAST_COST_MM2)
+    _, before = dijkstra(csr_array(costs), directed=False, indices=count + start, return_predecessors=True)
+    views, node = [], before[2 * count + start]
+    while node >= 0:
+        views.append(int(node) % count)
+        node = before[node]
     return tuple(reversed(views))
 
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray
-from measureapp.geometry.transform import RigidTransform
+from measureapp.geometry.transform import RigidTransform, orthonormalised
 from measureapp.register.pairs.prepare import GICP_NEIGHBOURS, PreparedCloud
 from measureapp.register.pairs.smooth_errors import smooth_errors
 
@@ -83,13 +83,7 @@ def gicp(target: tuple[Any, Any], source: tuple[Any, Any], start: RigidTransform
     )  # fmt: skip
     if result.num_inliers < LEAST_MATCHES or not np.isfinite(result.T_target_source).all():
         return start
-    matrix = result.T_target_source
-    return RigidTransform.from_parts(_rotation(matrix[:3, :3]), matrix[:3, 3], start.to_frame, start.from_frame)
-
-
-def _rotation(matrix: FloatArray) -> FloatArray:
-    u, _, vt = np.linalg.svd(matrix)
-    return np.asarray(u @ vt)
+    return RigidTransform(orthonormalised(result.T_target_source), start.to_frame, start.from_frame)
 
 
 def register_pair(

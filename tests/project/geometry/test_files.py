@@ -159,6 +159,29 @@ def test_binary_ply_of_both_byte_orders_is_read(tmp_path: Path, form: str, order
     np.testing.assert_array_equal(mesh.triangles, [[0, 1, 2]])
 
 
+@pytest.mark.parametrize(
+    ("body", "lines"),
+    [
+        (b"\n", ("comment caf\xe9", "element vertex 1", *XYZ)),
+        (b"", ("", "element vertex 1", *XYZ)),
+        (b"\1\2\3\4", ("element vertex 1", *XYZ, "property float x")),
+        (b"\1\2\3\4\5\6\7\7", ("element vertex 1", *XYZ, "element view_pose 1", "property double m00")),
+        (b"\4" + bytes(16) + b"\3" + bytes(12), ("element vertex 1", *XYZ, "element face 2", "property list uchar int corners")),
+    ],
+    ids=[
+        "a byte too many, a comment in Latin-1",
+        "a blank line",
+        "two properties of one name",
+        "an unknown element",
+        "lists of two lengths",
+    ],
+)
+def test_binary_ply_as_programs_write_it_is_read(tmp_path: Path, body: bytes, lines: tuple[str, ...]):
+    header = ply(b"", *lines, form="binary_little_endian").decode().encode("latin-1")
+    (tmp_path / "p.ply").write_bytes(header + struct.pack("<3f", 1, 2, 3) + body)
+    np.testing.assert_array_equal(read_points(tmp_path / "p.ply").points_mm, [[1, 2, 3]])
+
+
 def test_ascii_stl_and_obj_are_read(tmp_path: Path):
     facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e0 0\nendloop\nendfacet\n"
     (tmp_path / "a.stl").write_text(f"solid s\n{facet}endsolid s\n")
@@ -201,6 +224,7 @@ def damaged() -> list[tuple[str, bytes]]:
         ("huge_binary.ply", ply(bytes(120), huge, *XYZ, form="binary_little_endian")),
         ("huge_list.ply", ply(b"\xff\xff\xff\x7f", "element vertex 1", "property list uint double x", form="binary_little_endian")),
         ("negative_list.ply", ply(b"\xff\xff\xff\xff", "element vertex 1", "property list int double x", form="binary_little_endian")),
+        ("digits.ply", ply(b"0 0 0\n", "element vertex " + "9" * 5000, *XYZ)),
         ("nothing.ply", ply(b"", "element vertex 1000000000000")),
         ("words.ply", ply(b"0 0 zero\n", "element vertex 1", *XYZ)),
         ("kind.ply", ply(b"", "element vertex 1", "property quaternion x")),
