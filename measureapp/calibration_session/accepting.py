@@ -45,11 +45,12 @@ CAMERAS, RIG, PROJECT = "cameras.json", "rig.json", "project.json"
 HINT = "Name a session, a result that was accepted, a cameras.json, or a project with a calibrated rig."
 SCHEMA_VERSION = 1
 COLLECTED = ("calibrate", "collect")  # how the arguments of a collected result begin
-LINKS: Mapping[str, Callable[[Mapping[str, Any]], HandEye | LinearGuide | RotationAxis]] = {
-    "hand_eye": hand_eye_from,
-    "guide": guide_from,
-    "axis": axis_from,
+LINKS: Mapping[str, tuple[type[Any], Callable[[Mapping[str, Any]], Any]]] = {
+    "hand_eye": (HandEye, hand_eye_from),
+    "guide": (LinearGuide, guide_from),
+    "axis": (RotationAxis, axis_from),
 }
+"""Results that are a single link of the rig: the field of the file that holds one, its noun, and how it is read."""
 
 
 def accept(
@@ -96,7 +97,7 @@ def keep(snapshot: Snapshot, target: Path, *, valid_days: float | None = None, t
     result, target = kind.result(solved), Path(target)
     provenance = Provenance(
         datetime.now(UTC).isoformat(timespec="seconds"),
-        _method(result),
+        kind.method(result),
         inputs,
         temperature_c=temperature_c if temperature_c is not None or not warm else median(warm),
         valid_days=valid_days,
@@ -172,7 +173,7 @@ def read_result(path: Path) -> Calibrated:
         return _made(path / RIG, lambda: rig_calibration_from(document, read_cameras(path / CAMERAS)))
     document = read_document(path)
     found = next((name for name in LINKS if name in document), None)
-    return read_cameras(path) if found is None else _made(path, lambda: LINKS[found](document[found]))
+    return read_cameras(path) if found is None else _made(path, lambda: LINKS[found][1](document[found]))
 
 
 def _place_of(result: Calibrated, target: Path) -> Path:
@@ -189,14 +190,6 @@ def _seen_from(folder: Path, place: Path) -> str:
         return folder.resolve().as_posix()
 
 
-def _method(result: Calibrated) -> str:
-    if isinstance(result, (CameraArrayCalibration, ProjectorCalibration, RigCalibration)):
-        return result.provenance.method
-    if isinstance(result, HandEye):
-        return result.method
-    return "maximum likelihood" if isinstance(result, RotationAxis) else "straight line through the positions"
-
-
 def _write_rig(result: RigCalibration, solution: object, target: Path) -> None:
     if (target / PROJECT).is_file():
         uncertainty = uncertainty_of(solution) if isinstance(solution, RigSolution) else None
@@ -207,8 +200,8 @@ def _write_rig(result: RigCalibration, solution: object, target: Path) -> None:
     write_rig(result, target)
 
 
-def _link(result: HandEye | LinearGuide | RotationAxis, provenance: Provenance) -> dict[str, Any]:
-    name = "hand_eye" if isinstance(result, HandEye) else "guide" if isinstance(result, LinearGuide) else "axis"
+def _link(result: Any, provenance: Provenance) -> dict[str, Any]:
+    name = next(name for name, (noun, _) in LINKS.items() if isinstance(result, noun))
     document = {"schema_version": SCHEMA_VERSION, name: link_document(result), "provenance": asdict(provenance)}
     if isinstance(result, HandEye):  # the field that `calibrate guide --hand-eye` and `calibrate collect --hand-eye` read
         document["flange_from_camera"] = result.flange_from_camera.matrix.tolist()

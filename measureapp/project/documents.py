@@ -97,8 +97,8 @@ def rig_calibration_from(document: Mapping[str, Any], cameras: CameraArrayCalibr
     )
 
 
-def link_document(link: HandEye | LinearGuide | RotationAxis) -> dict[str, Any]:
-    """Return a link of the rig's chain as JSON."""
+def link_document(link: Any) -> dict[str, Any]:
+    """Return a link of the rig's chain, a dataclass such as `HandEye`, as JSON."""
     return _plain(link)
 
 

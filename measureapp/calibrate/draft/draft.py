@@ -269,6 +269,10 @@ class Kind(ABC):
     def result(self, solved: Solved) -> Calibrated:
         """Return the calibration that a solution gives."""
 
+    def method(self, result: Any) -> str:
+        """Return by which method a result was determined."""
+        return str(result.provenance.method)
+
     @abstractmethod
     def estimates(self, result: Any) -> Sequence[Estimate]:
         """Return the values of a result in a fixed order; equal names mean equal quantities."""

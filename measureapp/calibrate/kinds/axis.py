@@ -77,6 +77,10 @@ class Axis(Kind):
         return solution.best.axis
 
     @override
+    def method(self, result: RotationAxis) -> str:
+        return "maximum likelihood"
+
+    @override
     def estimates(self, result: RotationAxis) -> Sequence[Estimate]:
         return axis_estimates(result)
 

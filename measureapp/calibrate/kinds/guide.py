@@ -93,6 +93,10 @@ class Guide(Kind):
         return solution.guide
 
     @override
+    def method(self, result: LinearGuide) -> str:
+        return "straight line through the positions"
+
+    @override
     def estimates(self, result: LinearGuide) -> Sequence[Estimate]:
         return guide_estimates(result)
 

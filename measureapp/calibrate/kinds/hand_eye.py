@@ -84,6 +84,10 @@ class HandEyeKind(Kind):
         return solution.hand_eye
 
     @override
+    def method(self, result: HandEye) -> str:
+        return result.method
+
+    @override
     def estimates(self, result: HandEye) -> Sequence[Estimate]:
         return hand_eye_estimates(result)
 
