@@ -19,7 +19,7 @@ from measureapp.data.mesh import Mesh
 from measureapp.data.pattern_sets import DEFAULT_NAME
 from measureapp.data.rig import Resolution
 from measureapp.devices.plugin_loader import load_plugin
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.inspection.alignment.point_to_plane import register
 from measureapp.inspection.measured import MeasuredPoints
 from measureapp.inspection.settings import AlignmentSettings
@@ -97,7 +97,7 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
     world = World(description, part, request.seed, project.settings.board)
     rig = load_plugin(plugin_folder(), PLUGIN).module.rig_of(world)
     watch = Stopwatch()
-    with project.claimed():
+    with project.lock():
         project.save_plan(plan)
         _give_drawing(project, request.part)
         with watch.stage("total"), Groundwork() as groundwork:
@@ -151,7 +151,7 @@ def _against(stitched: StitchedCloud, world: World) -> tuple[Mesh, dict[str, flo
     surface = NominalSurface(truth)
     points = MeasuredPoints.of(stitched)
     fitted = register(points.thinned(ALIGNMENT_POINTS), surface, np.eye(4), AlignmentSettings(), reach_mm=ALIGNMENT_REACH_MM)
-    truth_from_cloud = RigidTransform(orthonormalised(fitted.matrix), stitched.frame, stitched.frame)
+    truth_from_cloud = RigidTransform(orthonormalise(fitted.matrix), stitched.frame, stitched.frame)
     distances = signed_distances(truth_from_cloud.apply(stitched.points_mm), surface)
     figures = {
         "rms": float(np.sqrt(np.mean(distances**2))),

@@ -62,7 +62,7 @@ def register(app: typer.Typer) -> None:
         else:
             estimates = _of_files(images or [], dark or [], saturation) if rig is None else _of_rig(rig, plan)
         if opened is not None:
-            with opened.claimed():
+            with opened.lock():
                 opened.save_noise(estimates)
         if out is not None:
             write_noise(out, estimates)

@@ -41,7 +41,7 @@ def register(app: typer.Typer) -> None:
         from measureapp.project.rig_file import read_rig
 
         description = read_rig(rig)
-        known = None if calibration is None else ProjectFolder.open(calibration).needed_calibration()
+        known = None if calibration is None else ProjectFolder.open(calibration).require_calibration()
         connected = connect_rig(description, plugins)
         try:
             devices, problems = read_all(connected)

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from measureapp.acquire.capture import SHOW_TIMEOUT_S, checked_grab, move_to, set_exposure
+from measureapp.acquire.capture import SHOW_TIMEOUT_S, grab_checked, move_to, set_exposure
 from measureapp.arrays import ImageArray, read_only
 from measureapp.data.fringe import FringeStack, PatternSet, PhaseShiftGroup
 from measureapp.data.plan import Viewpoint
@@ -77,7 +77,7 @@ def probe_stack(rig: Rig, patterns: PatternSet, progress: Progress) -> FringeSta
             )
             rig.projector.show(start + image, timeout_s=SHOW_TIMEOUT_S)
             for name, camera in rig.cameras.items():
-                taken[name].append(checked_grab(camera, exposure_us, start + image))
+                taken[name].append(grab_checked(camera, exposure_us, start + image))
     images = {name: read_only(np.reshape(stack, (len(exposures), group.count, *stack[0].shape))) for name, stack in taken.items()}
     alone = patterns.model_copy(update={"name": f"{patterns.name}: probe", "groups": (group,)})
     return FringeStack("probe", alone, exposures, images, min(camera.saturation for camera in rig.description.cameras))

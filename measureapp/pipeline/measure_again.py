@@ -57,15 +57,15 @@ def measure_again(
     settings = inspection_settings(measurement.calibration, project.rig(), chosen(measurement.views, project.view_choices()))
     if drawing is not None and nominal is not None:
         check_size(measurement.stitched.points_mm, nominal.vertices_mm)
-    with project.claimed():
+    with project.lock():
         with watch.stage("inspection"):
             found = inspect(measurement.stitched, described, nominal, settings, PartOf(progress, 0.2, 0.8))
         progress.report(0.8, 1.0, "storing")
         if drawing is not None and nominal is not None:
-            project.save_drawing(drawing.path, nominal)
+            project.save_nominal(drawing.path, nominal)
         project.save_program(text)
         measured = replace(measurement, inspection=found)
-        project.save_inspected(measured)
+        project.update_inspection(measured)
         return finished(project, measured, watch)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from measureapp.acquire.capture import PLAIN_LIGHT, SHOW_TIMEOUT_S, checked_grab, move_to, set_exposure
+from measureapp.acquire.capture import PLAIN_LIGHT, SHOW_TIMEOUT_S, grab_checked, move_to, set_exposure
 from measureapp.arrays import ImageArray
 from measureapp.data.plan import Viewpoint
 from measureapp.devices.rig import Rig
@@ -77,7 +77,7 @@ def _of_camera(rig: Rig, name: str, repeats: int) -> NoiseEstimate:
 def _repeated(rig: Rig, name: str, exposure_us: int, repeats: int) -> ImageArray:
     camera = rig.cameras[name]
     set_exposure({name: camera}, exposure_us)
-    return np.stack([checked_grab(camera, exposure_us, PLAIN_LIGHT) for _ in range(repeats)])
+    return np.stack([grab_checked(camera, exposure_us, PLAIN_LIGHT) for _ in range(repeats)])
 
 
 def _longest_us(rig: Rig, name: str, saturation: int) -> int:

@@ -33,7 +33,7 @@ def restitch(project: ProjectFolder, choices: ViewChoices, on_event: Callable[[E
         raise InputError(f"{project.path} has no clouds yet.", "Scan the part, or compute it from its images: measureapp process PROJECT.")
     check_choices(choices, [view.viewpoint_id for view in measurement.views])
     watch, rest = Stopwatch(), PartOf(progress, 0.1, 1.0)
-    with project.claimed():
+    with project.lock():
         made = assemble(project, measurement.calibration, measurement.views, on_event, rest, watch, choices=choices, former=measurement)
         project.save_view_choices(choices)
         return finished(project, made, watch)

@@ -106,10 +106,10 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
             if calibration is not None:
                 check_before_scan(rig, calibration)
             project = ProjectFolder.create(request.folder, project.settings)
-            held.enter_context(project.claimed())
+            held.enter_context(project.lock())
             if calibration is not None and project.calibration() is None:
                 project.save_calibration(calibration, calibrated.rig_uncertainty())
-                project.take_noise_over(calibrated)
+                project.copy_noise_from(calibrated)
             project.save_plan(request.plan)
             views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch, request.bracket_s, groundwork)
         finally:
@@ -137,14 +137,14 @@ def _calibrated_for(request: ScanRequest, project: ProjectFolder) -> ProjectFold
     if project.calibration() is not None or request.calibrated is None:
         return project
     other = ProjectFolder.open(request.calibrated)
-    other.needed_calibration()
+    other.require_calibration()
     return other
 
 
 def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Outcome:
     """Recompute everything from the stored images: the calibration (where its images are stored), clouds, part, dimensions, report."""
     watch = Stopwatch()
-    with project.claimed():
+    with project.lock():
         calibration = _calibration_of(project, on_event, PartOf(progress, 0.0, 0.2), watch)
         check_stored_images(project, calibration)
         views = clouds_from_disk(project, calibration, on_event, PartOf(progress, 0.2, 0.7), watch)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from statistics import median
 
-from measureapp.acquire.capture import conditions_now
+from measureapp.acquire.capture import read_conditions
 from measureapp.calibrate.cameras.drift import camera_drift
 from measureapp.calibrate.cameras.validity import check_fits, shortfalls
 from measureapp.data.calibration import RigCalibration
@@ -29,7 +29,7 @@ def check_before_scan(rig: Rig, calibration: RigCalibration) -> Validity:
     CalibrationError
         It is of other cameras or of cameras set otherwise; or it no longer holds and the rig's rules refuse such a calibration.
     """
-    conditions = conditions_now(rig)
+    conditions = read_conditions(rig)
     sizes = {name: (camera.width_px, camera.height_px) for name, camera in rig.cameras.items()}
     check_fits(calibration.cameras, conditions.serials, sizes, conditions.lenses)
     return _aged(calibration, rig.description, conditions)

@@ -42,7 +42,7 @@ def test_sixteen_bit_images_give_the_same_phase(tmp_path: Path, capsys: pytest.C
     [
         ("shift_sign = -1", "shift_sign = 2", "shift_sign"),
         ("projector_px = 1024", "projector_px = 1100", "beat of the pitches"),
-        ("projector_px = 1024", "projektor_px = 1024", "projektor_px: is not known here"),
+        ("projector_px = 1024", "projektor_px = 1024", "projektor_px: is not a known field"),
         ("projector_px = 1024", "projector_px = ", "is not valid TOML"),
         ("pitch_px = 33", "pitch_px = 32", "beat|repeats|single pitch|not determine"),
         ("pitch_px = 33", "periods = 32\npitch_px = 33", "either pitch_px or periods"),

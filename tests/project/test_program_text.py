@@ -54,7 +54,7 @@ def test_an_entry_leaves_with_its_tables():
     [
         (lambda: without_entry(TEXT, "top"), "'height' needs feature 'top'"),
         (lambda: without_entry(TEXT, "lid"), "no entry 'lid'"),
-        (lambda: with_entry(TEXT, entry("features", SEED | {"name": "top"})), "two features are called 'top'"),
+        (lambda: with_entry(TEXT, entry("features", SEED | {"name": "top"})), "two features have the name 'top'"),
     ],
 )
 def test_a_change_that_does_not_fit_is_refused(change, told):

@@ -119,13 +119,13 @@ def _without_slide(viewpoints: Iterable[Viewpoint], rig: RigDescription) -> Iter
     """The same looks with the slide at 0, where they can be reached: hand-eye takes the robot's base to stand still."""
     from measureapp.data.plan import FlangePose
     from measureapp.geometry.transform import RigidTransform
-    from measureapp.planning.reach import obstacles
+    from measureapp.planning.reach import limit_violations
 
     for viewpoint in viewpoints:
         slid = RigidTransform.from_parts(np.eye(3), np.array([0.0, viewpoint.guide_mm, 0.0]), "base", "base")
         flange = FlangePose.of(slid @ viewpoint.flange.transform())
         still = viewpoint.model_copy(update={"flange": flange, "guide_mm": 0.0})
-        if not obstacles(still, rig):
+        if not limit_violations(still, rig):
             yield still
 
 
@@ -161,11 +161,11 @@ def _fringe_taker(rig: Rig, collection: Collection, live: Mailboxes[LiveImage]) 
     from measureapp.acquire.board_fringes import capture_board_fringes
     from measureapp.acquire.events import Event, ImageTaken
     from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
-    from measureapp.data.pattern_sets import BOTH_DIRECTIONS, made_for
+    from measureapp.data.pattern_sets import BOTH_DIRECTIONS, make_pattern_sets
     from measureapp.fringe.patterns.draw import pattern_images
 
     size_px = rig.projector.width_px, rig.projector.height_px
-    patterns = made_for(*size_px)[BOTH_DIRECTIONS]
+    patterns = make_pattern_sets(*size_px)[BOTH_DIRECTIONS]
     shown = pattern_images(patterns, *size_px)
     rig.projector.load(shown)
     names = dict.fromkeys(collection.setup.seeing)

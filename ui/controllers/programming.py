@@ -184,5 +184,5 @@ def drawn(folder: Path, measurement: Measurement, path: Path, unit: LengthUnit, 
             return Asked(path, question)
         raise InputError(question.message, "Choose the drawing of this part, or export it in millimetres.") from question
     return Changed(
-        Former(former, project.former_drawings()[-1]) if had_one else None, outcome, f"The part is compared with {path.name} from now on."
+        Former(former, project.former_nominals()[-1]) if had_one else None, outcome, f"The part is compared with {path.name} from now on."
     )

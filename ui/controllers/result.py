@@ -254,5 +254,5 @@ def _save_rig(rig: RigCalibration, place: Path, project: Path | None) -> None:
         write_rig(rig, place)
     else:
         opened = ProjectFolder.open(project)
-        with opened.claimed():
+        with opened.lock():
             opened.save_calibration(rig)

@@ -20,7 +20,7 @@ from measureapp.calibrate.poses import moved
 from measureapp.calibrate.sightings import FoundBoard, rms
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
-from measureapp.geometry.transform import RigidTransform, orthonormalised, rotation_about
+from measureapp.geometry.transform import RigidTransform, orthonormalise, rotation_about
 
 LEAST_TURN_RAD = float(np.deg2rad(2.0))  # between the two sightings
 SAME_ANGLE_RAD = float(np.deg2rad(0.01))
@@ -89,7 +89,7 @@ def _follows(chosen: Sequence[TurnedBoard], board: BoardDescription) -> bool:
     first, second, _ = chosen
     there = _predicted((first, second, first), second.table_rad, board)
     seen = second.pose.camera_from_board.apply(board.corners_mm)
-    return rms(RigidTransform(orthonormalised(there), "camera", "board").apply(board.corners_mm) - seen) < MOST_SLIP * board.neighbour_mm
+    return rms(RigidTransform(orthonormalise(there), "camera", "board").apply(board.corners_mm) - seen) < MOST_SLIP * board.neighbour_mm
 
 
 def _predicted(chosen: Sequence[TurnedBoard], table_rad: float, board: BoardDescription) -> FloatArray:
@@ -112,7 +112,7 @@ def _predicted(chosen: Sequence[TurnedBoard], table_rad: float, board: BoardDesc
 
 
 def _in_camera(place: FloatArray, camera: CameraCalibration, board: BoardDescription) -> FloatArray:
-    seen = RigidTransform(orthonormalised(place), "camera", "board").apply(board.corners_mm)
+    seen = RigidTransform(orthonormalise(place), "camera", "board").apply(board.corners_mm)
     return camera.reference_from_camera.inverse().apply(seen)
 
 
@@ -131,7 +131,7 @@ def _sigma_px(chosen: Sequence[TurnedBoard], table_rad: float, camera: CameraCal
 
 
 def _moved(one: TurnedBoard, step: FloatArray) -> TurnedBoard:
-    pose = RigidTransform(orthonormalised(moved(one.pose.camera_from_board.matrix, step)), "camera", "board")
+    pose = RigidTransform(orthonormalise(moved(one.pose.camera_from_board.matrix, step)), "camera", "board")
     return replace(one, pose=replace(one.pose, camera_from_board=pose))
 
 

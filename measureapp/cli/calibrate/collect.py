@@ -38,13 +38,13 @@ def register(group: typer.Typer) -> None:
         from measureapp.cli.calibrate.collect_session import Given, Sources, limits_of, opened
         from measureapp.cli.calibrate.collect_steps import carry_out
         from measureapp.pipeline.collecting import ReadbackFiles
-        from measureapp.project.claim import claimed
+        from measureapp.project.folder_lock import lock_folder
 
         limits = limits_of(steps.good_mm, steps.usable_mm)
         readbacks = ReadbackFiles(recorded.robot_poses, recorded.guide_positions, recorded.angles)
         sources = Sources(tuple(source.images or ()), tuple(recorded.fringes or ()), recorded.views, readbacks)
         collection = opened(session, Given(kind, source.board, source.cameras, start, noise.axis_noise()), sources)
-        with claimed(collection.folder):
+        with lock_folder(collection.folder):
             done = carry_out(steps, limits, collection, sources, TerminalProgress())
         reply(done.document, "\n".join(collect_lines(done.document)), as_json)
         if not done.within:

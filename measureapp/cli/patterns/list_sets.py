@@ -27,13 +27,13 @@ def register(group: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """List the named sets, made for a projector, with what each promises at a contrast."""
-        from measureapp.data.pattern_sets import made_for
+        from measureapp.data.pattern_sets import make_pattern_sets
         from measureapp.fringe.patterns.check import Contrast, check_patterns
         from measureapp.project.fringes.pattern_files import check_size
 
         check_size(width, height)
         contrast = Contrast(mean, modulation)
-        sets = {name: (made, check_patterns(made, width, height, contrast)) for name, made in made_for(width, height).items()}
+        sets = {name: (made, check_patterns(made, width, height, contrast)) for name, made in make_pattern_sets(width, height).items()}
         document = {name: {"name": made.name, "images": made.count, **promises(checks)} for name, (made, checks) in sets.items()}
         longest = max(len(name) for name in sets)
         lines = [

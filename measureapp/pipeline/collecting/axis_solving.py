@@ -28,7 +28,7 @@ from measureapp.calibrate.sightings import naming_refused
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.errors import CalibrationError
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.pipeline.collecting.carried import guide_carried
 from measureapp.pipeline.collecting.observation import Observation
 from measureapp.pipeline.collecting.setup import Setup
@@ -175,13 +175,13 @@ def _flanges(kept: Sequence[Observation]) -> tuple[RigidTransform, ...]:
 
 
 def _named(kept: Sequence[Observation], poses: FloatArray) -> dict[str, RigidTransform]:
-    return {one.id: RigidTransform(orthonormalised(pose), "camera", "board") for one, pose in zip(kept, poses, strict=True)}
+    return {one.id: RigidTransform(orthonormalise(pose), "camera", "board") for one, pose in zip(kept, poses, strict=True)}
 
 
 def _rig_places(rig: RigSolution) -> dict[str, RigidTransform]:
     names = [residual.name for residual in rig.residuals]
     poses = rig.chain.predicted(rig.state)
-    return {name: RigidTransform(orthonormalised(pose), "camera", "board") for name, pose in zip(names, poses, strict=True)}
+    return {name: RigidTransform(orthonormalise(pose), "camera", "board") for name, pose in zip(names, poses, strict=True)}
 
 
 def _draft(setup: Setup, kept: Sequence[Observation], poses: Poses) -> AxisDraft | HandEyeDraft | GuideDraft:

@@ -168,7 +168,7 @@ def _write_rig(result: RigCalibration, solution: Solution, target: Path) -> None
     if (target / PROJECT).is_file():
         uncertainty = uncertainty_of(solution) if isinstance(solution, RigSolution) else None
         project = ProjectFolder.open(target)
-        with project.claimed():
+        with project.lock():
             project.save_calibration(result, uncertainty)
         return
     write_rig(result, target)

@@ -1,4 +1,4 @@
-"""Images of the calibration board as files: one list per camera, in the same order."""
+"""Images of the calibration board in files: one list per camera, in the same order."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class BoardImages:
 
     @property
     def positions(self) -> int:
-        """How many board positions there are."""
+        """Number of board positions."""
         return len(next(iter(self.files.values())))
 
     def path(self, camera: str, position: int) -> Path:
@@ -39,28 +39,28 @@ class BoardImages:
         return width, height
 
     def each(self) -> Iterator[tuple[str, int, ImageArray]]:
-        """Read image after image; raises InputError where one cannot be read or has another size."""
+        """Read the images one by one; raises InputError for one that cannot be read or has another size."""
         for camera, paths in self.files.items():
             size: tuple[int, ...] | None = None
             for position, path in enumerate(paths):
                 image = read_image(path)
                 if size is not None and image.shape[:2] != size:
                     raise InputError(
-                        f"{path} is {image.shape[1]} × {image.shape[0]} px; the images of camera {camera!r} before it are "
+                        f"{path} is {image.shape[1]} × {image.shape[0]} px; earlier images of camera {camera!r} are "
                         f"{size[1]} × {size[0]} px.",
-                        "Give images of one camera at one resolution.",
+                        "Use the same resolution for all images of a camera.",
                     )
                 size = image.shape[:2]
                 yield camera, position, image
 
 
 def find_board_images(options: Sequence[str]) -> BoardImages:
-    """Return the images named by options ``camera=GLOB``, each list sorted by name.
+    """Find the images given by options ``camera=GLOB``, each list sorted by name.
 
     Raises
     ------
     InputError
-        An option without a name, a pattern that matches nothing, or lists of different lengths.
+        An option without a camera name, a pattern that matches nothing, or lists of different lengths.
     """
     files: dict[str, tuple[Path, ...]] = {}
     for option in options:

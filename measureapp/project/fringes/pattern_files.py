@@ -13,7 +13,7 @@ from pydantic import ValidationError
 from measureapp.arrays import ImageArray
 from measureapp.data.fringe import PatternSet, PhaseShiftGroup
 from measureapp.data.model import first_problem
-from measureapp.data.pattern_sets import made_for
+from measureapp.data.pattern_sets import make_pattern_sets
 from measureapp.errors import InputError, StorageError
 from measureapp.project.atomic import replacing, write_json, write_text
 from measureapp.project.text_document import read_toml_or_json
@@ -36,7 +36,7 @@ def read_pattern_set(name_or_path: str, width_px: int, height_px: int) -> Patter
     check_size(width_px, height_px)
     path = Path(name_or_path)
     if not path.suffix:
-        named = made_for(width_px, height_px)
+        named = make_pattern_sets(width_px, height_px)
         if name_or_path not in named:
             raise InputError(f"There is no pattern set {name_or_path!r}.", f"Give a file, or one of: {', '.join(named)}.")
         return named[name_or_path]

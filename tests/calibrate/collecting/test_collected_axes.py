@@ -13,7 +13,7 @@ from measureapp.calibrate.poses import moved
 from measureapp.data.calibration import HandEye
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError, InputError, StorageError
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.pipeline.again import collected_again, is_collected
 from measureapp.pipeline.collecting import Collection, Limits, Setup, accept, coach, compare, estimates_of, judge, read_result, result_of
 from measureapp.progress import NoProgress
@@ -42,7 +42,7 @@ def show(shown, session, rig, simulate, readbacks, generator, moved_board=None):
         error = errors.setdefault(readback.base_from_flange.matrix.tobytes(), generator.normal(size=6) * sigma)
         seen = rig.camera_from_board(readback, error)
         if moved_board is not None and number == len(readbacks) - 1:
-            seen = RigidTransform(orthonormalised(moved(seen.matrix, np.array(moved_board))), "camera", "board")
+            seen = RigidTransform(orthonormalise(moved(seen.matrix, np.array(moved_board))), "camera", "board")
         shown.add(session, simulate.corners(rig.head, rig.board, seen, SIGMA_PX, generator), readback)
 
 

@@ -8,7 +8,7 @@ import pytest
 from measureapp.pipeline.collecting import Collection, Setup
 from measureapp.pipeline.collecting.coaching.next_view import gain_of
 from measureapp.pipeline.collecting.suggested import LEAST_GAIN, NEAR_MM, NEAR_RAD, suggest_viewpoint
-from measureapp.planning.reach import obstacles
+from measureapp.planning.reach import limit_violations
 from tests.calibrate.paper_rig import BOARD, RIG, Cell, corners_of, planned
 from tests.calibrate.shown_board import Shown
 
@@ -54,7 +54,7 @@ def test_the_suggested_viewpoint_can_be_reached_is_new_and_teaches_what_it_promi
     solution = session.solve().camera_solution
     found = suggest_viewpoint(session, RIG, "more01")
     assert found.viewpoint.id == "more01"
-    assert obstacles(found.viewpoint, RIG) == ()
+    assert limit_violations(found.viewpoint, RIG) == ()
     place = seen_from(found.viewpoint, cell)  # with the true rig, which is not the drawn one
     assert gain_of(solution, place, solution.calibration.names) > LEAST_GAIN
     aparts = [place.inverse() @ known for known in solution.boards.values()]

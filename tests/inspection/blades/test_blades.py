@@ -223,7 +223,7 @@ def test_a_section_that_is_none_is_refused_when_the_program_is_read(change: dict
 
 def test_blade_values_are_taken_of_blades_and_of_nothing_else() -> None:
     plane = {"name": "top", "shape": "plane", "point_mm": [0, 0, 0], "direction": [0, 0, 1]}
-    with pytest.raises(ValidationError, match="'top' is no blade_section"):
+    with pytest.raises(ValidationError, match="'top' is not a blade_section"):
         measured(wheel(), [plane], dimension("chord", "top", nominal=1))
     with pytest.raises(ValidationError, match=r"'low\.1' is a blade_section"):
         measured(wheel(), SECTIONS, dimension("diameter", "low.1", nominal=1))

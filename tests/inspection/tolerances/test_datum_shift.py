@@ -137,7 +137,7 @@ def test_what_has_no_play_is_refused_with_the_reason(change, said):
         ({"datum_material": [{"datum": "shaft", "condition": "maximum", "size_limits_mm": [80.1, 80.0]}]}, "smaller to the greater"),
         ({"datum_material": [{"datum": "shaft", "condition": "regardless", "size_limits_mm": [80.0, 80.1]}]}, "maximum"),
         ({"kind": "coaxiality", "features": ["collar"], "datums": ["shaft"], **loose(0.1)}, "of a position only"),
-        ({"features": ["bore.{k}"], "count": 3, **loose(0.1)}, "says nothing"),
+        ({"features": ["bore.{k}"], "count": 3, **loose(0.1)}, "is meaningless"),
     ],
 )
 def test_datum_material_that_means_nothing_is_refused(change, said):

@@ -69,12 +69,12 @@ def test_files_of_version_1_are_still_read_and_have_no_covariance(calibration, t
     [
         (["left.fx"], [[1, 2], [2, 1]], "covariance.matrix is not 1 × 1 numbers"),
         (["left.fx", "left.fx"], [[1, 0], [0, 1]], "twice"),
-        (["upper.fx"], [[1]], "no camera's"),
+        (["upper.fx"], [[1]], "without a known camera"),
         (["left.fx", "right.fx"], [[1, 2], [2, 1]], "not a covariance"),
         (["left.fx", "right.fx"], [[1, 0.5], [0.2, 1]], "not a covariance"),
         (["left.fx"], [[-1]], "not a covariance"),
         (["left.fx"], [[None]], "covariance.matrix is not"),
-        (None, [[1]], "no camera's"),
+        (None, [[1]], "without a known camera"),
     ],
 )
 def test_a_covariance_that_cannot_be_one_is_named(calibration, tmp_path, parameters, matrix, said):
