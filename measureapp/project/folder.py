@@ -6,7 +6,7 @@ calibration/        views/ (images of the board and read-backs), cameras.json, r
                     noise.json (measured camera noise), former/, checks/, history.jsonl
 stacks/             raw fringe images: permanent
 inspection/         program.toml and its nominal, in mm; former/: replaced nominals
-view_choices.json   views accepted or rejected by the user
+view_choices.json   views accepted or refused by hand
 results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`; filters.npz, filtered_cloud.ply
 report/             reports
 """
@@ -281,12 +281,12 @@ class ProjectFolder:
         return next(iter(sorted((self.path / "inspection").glob(f"{NOMINAL}.*"))), None)
 
     def view_choices(self) -> ViewChoices:
-        """Return the views accepted or rejected by the user. Raises StorageError when the file is damaged."""
+        """Return the views accepted or refused by hand. Raises StorageError when the file is damaged."""
         path = self.path / VIEW_CHOICES
         return _read_model(path, ViewChoices) if path.exists() else ViewChoices()
 
     def save_view_choices(self, choices: ViewChoices) -> None:
-        """Store the views accepted or rejected by the user. Raises StorageError."""
+        """Store the views accepted or refused by hand. Raises StorageError."""
         write_text(self.path / VIEW_CHOICES, choices.model_dump_json(indent=2))
 
     @property

@@ -57,7 +57,7 @@ def test_copies_of_a_pattern_are_counted_in_a_ring() -> None:
         ('name = "p"\n' + FACE + "cut = { z_mm = [3, 1] }\n", "z_mm must run from the smaller"),
         ('name = "p"\n' + FACE.replace("point_mm = [0, 0, 0]\n", ""), "needs `point_mm`, or `grow` with a seed"),
         ('name = "p"\n' + FACE.replace("point_mm", "grow.seed_mm"), "a nominal needs `point_mm`"),
-        ('name = "p"\n' + FACE.replace('"plane"', '"surface_point"') + "grow = { seed_mm = [0, 0, 0] }\n", "does not `grow`"),
+        ('name = "p"\n' + FACE.replace('"plane"', '"surface_point"') + "grow = { seed_mm = [0, 0, 0] }\n", "`grow` does not apply"),
         (
             'name = "p"\n' + FACE + '[[dimensions]]\nname = "d"\nkind = "distance"\nfeatures = ["f", "g"]\nnominal = 1\n',
             "dimension 'd' needs feature 'g'",

@@ -26,7 +26,7 @@ def test_a_folder_that_is_held_is_refused_with_a_remedy_and_free_afterwards(tmp_
     with lock_folder(tmp_path):
         with pytest.raises(StorageError, match="in use by another") as refused, lock_folder(tmp_path):
             pass
-        assert refused.value.hint.startswith("Wait until that is done")
+        assert refused.value.hint.startswith("Wait until it has finished")
     with lock_folder(tmp_path):
         pass
 

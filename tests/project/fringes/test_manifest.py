@@ -85,8 +85,8 @@ def test_where_no_rows_are_given_the_beat_of_horizontal_pitches_is_taken(tmp_pat
 @pytest.mark.parametrize(
     ("old", "new", "error", "reason"),
     [
-        ("steps = 4", "steps = 5", InputError, "has 4 images and says steps = 5"),
-        ("planes = 7", "planes = 8", InputError, "has 7 images and says planes = 8"),
+        ("steps = 4", "steps = 5", InputError, "has 4 images but steps = 5"),
+        ("planes = 7", "planes = 8", InputError, "has 7 images but planes = 8"),
         ('"left/2000/003.png"', '"./left/../left/2000/002.png"', InputError, "more than once"),
         ("left/2000/00", "left/2000/99", InputError, "99[0-9].png cannot be read: it does not exist, and 9 more of the 88"),
         ("left/1000/001.png", r"left/\\u0000.png", InputError, "does not exist"),
