@@ -1,4 +1,4 @@
-"""A rig chooses its exposures itself, from a quick probe."""
+"""Automatic choice of exposures by a rig, from a probe of the scene."""
 
 from __future__ import annotations
 
@@ -33,23 +33,23 @@ def propose_bracket(
     compare: Mapping[str, Sequence[int]] | None = None,
     progress: Progress | None = None,
 ) -> BracketProposal:
-    """Take one pattern group at two exposures and propose the bracket of the scene in sight.
+    """Take one pattern group at two exposures and propose an exposure bracket for the visible scene.
 
-    The patterns are loaded into the projector and stay there. The rig's own bracket is compared with the proposal.
+    The patterns remain loaded in the projector. The rig's default bracket is compared with the proposal.
 
     Parameters
     ----------
     budget_s : time for all images of one viewpoint
-    most : exposures at most
-    viewpoint : where to look from; None for where the axes stand
-    noise : of the cameras that were measured; the default model for others
-    limits : of readout, exposures and their multiples; its budget and most are not looked at
+    most : greatest number of exposures
+    viewpoint : where to take the probe; None: at the present position
+    noise : measured camera noise; the default model for other cameras
+    limits : of readout, exposures and their multiples; its time budget and number of exposures are ignored
     compare : further brackets to predict, by name
 
     Raises
     ------
     DecodeError
-        Nothing in sight can be decoded: all dark, or saturated at the shortest probe exposure; says what to do.
+        Nothing visible can be decoded: all dark, or saturated at the shortest probe exposure.
     DeviceError
         From the rig.
     """
@@ -62,7 +62,7 @@ def propose_bracket(
 
 
 def probe_stack(rig: Rig, patterns: PatternSet, progress: Progress) -> FringeStack:
-    """Take the finest pitch at the rig's longest exposure and an eighth of it, where the axes stand."""
+    """Take the finest pitch at the rig's longest exposure and an eighth of it, at the present position."""
     place, start = _finest(patterns)
     group = patterns.groups[place]
     rig.projector.load(pattern_images(patterns, rig.projector.width_px, rig.projector.height_px))
@@ -84,7 +84,7 @@ def probe_stack(rig: Rig, patterns: PatternSet, progress: Progress) -> FringeSta
 
 
 def _finest(patterns: PatternSet) -> tuple[int, int]:
-    """Return the number of the group of the finest pitch, and its first image."""
+    """Return the index of the group of the finest pitch, and of its first image."""
     starts = np.cumsum([0, *(group.count for group in patterns.groups)])
     sinusoids = [(group.pitch_px, number) for number, group in enumerate(patterns.groups) if isinstance(group, PhaseShiftGroup)]
     place = min(sinusoids)[1]

@@ -72,7 +72,7 @@ def test_images_that_are_damaged_or_do_not_fit_each_other_are_refused_by_name(tm
     image = tmp_path / "left" / "1000_2.png"
     whole = image.read_bytes()
     for damage, expected in (
-        (whole[: len(whole) // 2], "cut off"),
+        (whole[: len(whole) // 2], "truncated"),
         (b"no image", "not a readable image"),
         (b"", "not a readable image"),
         (cv2.imencode(".png", np.zeros((40, 255), np.uint8))[1].tobytes(), "255 × 40 px"),
@@ -111,4 +111,4 @@ def test_the_guard_against_blooming_is_chosen_from_the_images_or_refused_in_word
     assert json.loads(capsys.readouterr().out)["settings"]["blooming_radius_px"] == 0
     for wrong in ("17", "-1", "far"):
         assert main([*asked, wrong]) != 0
-        assert "no radius" in json.loads(capsys.readouterr().out)["error"]["message"]
+        assert "not a radius" in json.loads(capsys.readouterr().out)["error"]["message"]
