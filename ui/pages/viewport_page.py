@@ -15,7 +15,7 @@ from ui.pages.page import Page
 from ui.session import Session
 from ui.viewport.cloud_view import CloudView
 from ui.viewport.layers import CloudLayer, SurfaceLayer
-from ui.viewport.shuffled import ShuffledCloud, shuffled
+from ui.viewport.shuffled_cloud import ShuffledCloud, shuffle
 from ui.widgets.basic import Button
 from ui.widgets.empty_state import EmptyState
 from ui.workers.job import Job
@@ -117,4 +117,4 @@ class ViewportPage(Page):
 def _prepared(composer: Composer, job: Job) -> tuple[Picture, ShuffledCloud]:
     """Compose the picture and bring its points into the order in which they are drawn; runs on a job's thread."""
     picture = composer(job)
-    return picture, shuffled(picture.clouds)
+    return picture, shuffle(picture.clouds)
