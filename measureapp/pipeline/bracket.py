@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
@@ -25,11 +24,9 @@ PROBE_RATIO = 8  # between the two exposures of the probe
 def propose_bracket(
     rig: Rig,
     patterns: PatternSet,
-    budget_s: float,
-    most: int = 5,
+    limits: BracketLimits,
     viewpoint: Viewpoint | None = None,
     noise: Mapping[str, CameraNoise] | None = None,
-    limits: BracketLimits | None = None,
     compare: Mapping[str, Sequence[int]] | None = None,
     progress: Progress | None = None,
 ) -> BracketProposal:
@@ -39,11 +36,9 @@ def propose_bracket(
 
     Parameters
     ----------
-    budget_s : time for all images of one viewpoint
-    most : greatest number of exposures
+    limits : time for all images of one viewpoint, number of exposures, limits of the rig
     viewpoint : where to take the probe; None: at the present position
     noise : measured camera noise; the default model for other cameras
-    limits : of readout, exposures and their multiples; its time budget and number of exposures are ignored
     compare : further brackets to predict, by name
 
     Raises
@@ -57,8 +52,7 @@ def propose_bracket(
     if viewpoint is not None:
         move_to(rig, viewpoint)
     probe = probed(probe_stack(rig, patterns, progress), noise or {})
-    allowed = replace(limits or BracketLimits(budget_s), budget_s=budget_s, most=most)
-    return bracket.propose_bracket(probe, patterns, allowed, compare={"rig": rig.description.exposures_us, **(compare or {})})
+    return bracket.propose_bracket(probe, patterns, limits, compare={"rig": rig.description.exposures_us, **(compare or {})})
 
 
 def probe_stack(rig: Rig, patterns: PatternSet, progress: Progress) -> FringeStack:

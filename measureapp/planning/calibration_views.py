@@ -119,10 +119,10 @@ def _viewpoint(rig: RigDescription, name: str, centre: FloatArray, pose: _BoardP
 
 def _axis(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
     """One pose of the robot, with the table turned to both sides as far as the board is visible."""
-    sight = LookAt(0.0, BOARD_ELEVATION_DEG + 10.0, rig.standoff_mm + 60.0)
+    look_at = LookAt(0.0, BOARD_ELEVATION_DEG + 10.0, rig.standoff_mm + 60.0)
     angles = np.arange(-60.0, 60.1, 10.0)
     return [
-        viewpoint_looking_at(rig, f"axis{index + 1:02d}", centre, sight, table_deg=round(float(angle), 3))
+        viewpoint_looking_at(rig, f"axis{index + 1:02d}", centre, look_at, table_deg=round(float(angle), 3))
         for index, angle in enumerate(angles)
     ]
 

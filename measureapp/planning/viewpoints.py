@@ -33,25 +33,25 @@ class LookAt:
     roll_deg: float = 0.0
 
 
-def guide_from_head(target_mm: FloatArray, sight: LookAt) -> RigidTransform:
+def guide_from_head(target_mm: FloatArray, look_at: LookAt) -> RigidTransform:
     """Return the pose of the head aimed at ``target_mm`` (3,) in the guide frame, its x axis level before the roll."""
-    azimuth, elevation = np.deg2rad([sight.azimuth_deg, sight.elevation_deg])
+    azimuth, elevation = np.deg2rad([look_at.azimuth_deg, look_at.elevation_deg])
     outward = np.array([-np.cos(elevation) * np.cos(azimuth), -np.cos(elevation) * np.sin(azimuth), np.sin(elevation)])
     forward = -outward
     right = np.cross(forward, [0.0, 0.0, 1.0])
     right /= np.linalg.norm(right)
     level = np.column_stack([right, np.cross(forward, right), forward])
-    rotation = level @ Rotation.from_euler("z", sight.roll_deg, degrees=True).as_matrix()
-    return RigidTransform.from_parts(rotation, np.asarray(target_mm) + sight.distance_mm * outward, "guide", "head")
+    rotation = level @ Rotation.from_euler("z", look_at.roll_deg, degrees=True).as_matrix()
+    return RigidTransform.from_parts(rotation, np.asarray(target_mm) + look_at.distance_mm * outward, "guide", "head")
 
 
 def viewpoint_looking_at(
-    rig: RigDescription, name: str, target_mm: FloatArray, sight: LookAt, *, guide_mm: float = 0.0, table_deg: float = 0.0
+    rig: RigDescription, name: str, target_mm: FloatArray, look_at: LookAt, *, guide_mm: float = 0.0, table_deg: float = 0.0
 ) -> Viewpoint:
     """Return the viewpoint whose head is aimed at ``target_mm`` (guide frame) with the guide at ``guide_mm``."""
     base_from_guide = RigidTransform.from_parts(np.eye(3), [0.0, -guide_mm, 0.0], "base", "guide")
     head_from_flange = rig.flange_from_head.transform("flange", "head").inverse()
-    base_from_flange = base_from_guide @ guide_from_head(target_mm, sight) @ head_from_flange
+    base_from_flange = base_from_guide @ guide_from_head(target_mm, look_at) @ head_from_flange
     return Viewpoint(id=name, flange=FlangePose.of(base_from_flange), guide_mm=guide_mm, table_deg=table_deg)
 
 
@@ -121,9 +121,9 @@ def _reachable(
     """Return the reachable viewpoint nearest to the wanted elevation."""
     for offset in np.arange(0.0, 40.0, ELEVATION_STEP_DEG):
         for sign in (-1.0, 1.0):
-            sight = LookAt(azimuth_deg, elevation_deg + sign * offset, rig.standoff_mm)
-            guide_mm = -sight.distance_mm * np.sin(np.deg2rad(azimuth_deg)) * np.cos(np.deg2rad(sight.elevation_deg))
-            candidate = viewpoint_looking_at(rig, name, target_mm, sight, guide_mm=round(float(guide_mm), 1), table_deg=table_deg)
+            look_at = LookAt(azimuth_deg, elevation_deg + sign * offset, rig.standoff_mm)
+            guide_mm = -look_at.distance_mm * np.sin(np.deg2rad(azimuth_deg)) * np.cos(np.deg2rad(look_at.elevation_deg))
+            candidate = viewpoint_looking_at(rig, name, target_mm, look_at, guide_mm=round(float(guide_mm), 1), table_deg=table_deg)
             if not limit_violations(candidate, rig):
                 return candidate
     raise PlanError(

@@ -48,10 +48,10 @@ def test_the_noise_of_the_virtual_cameras_is_found() -> None:
 def test_a_rig_that_sees_nothing_says_so() -> None:
     rig, view = rig_with("gypsum")
     rig.place_on_table("empty")
-    with pytest.raises(CalibrationError, match=r"Camera 'left' sees nothing lit at \d+ µs"):
+    with pytest.raises(CalibrationError, match=r"The image of camera 'left' is dark at \d+ µs"):
         measure_noise(rig, view)
     with pytest.raises(DecodeError, match="No camera sees fringes"):
-        propose_bracket(rig, PATTERNS, 4.0, viewpoint=view)
+        propose_bracket(rig, PATTERNS, BracketLimits(4.0), view)
 
 
 def test_a_camera_saturated_at_every_exposure_is_named() -> None:
@@ -62,7 +62,7 @@ def test_a_camera_saturated_at_every_exposure_is_named() -> None:
 
 def test_the_bracket_a_rig_proposes_gives_what_it_promises() -> None:
     rig, view = rig_with("impeller")
-    found = propose_bracket(rig, PATTERNS, 4.8, 5, view)
+    found = propose_bracket(rig, PATTERNS, BracketLimits(4.8), view)
     assert found.figures.time_s <= 4.8
     assert set(found.compared) == {"paper", "rig"}
     for figures in (found.figures, found.compared["rig"]):
@@ -111,7 +111,7 @@ def lit_pixels(rig: Rig, name: str) -> np.ndarray:
 def test_the_probe_takes_only_the_finest_pitch_at_two_exposures() -> None:
     rig, view = rig_with("flat")
     patterns = PATTERNS.model_copy(update={"groups": PATTERNS.groups[::-1]})
-    propose_bracket(rig, patterns, 4.8, 2, view, limits=BracketLimits(1.0, multiple_us=10_000))
+    propose_bracket(rig, patterns, BracketLimits(4.8, 2, multiple_us=10_000), view)
     stack = probe_stack(rig, patterns, NoProgress())
     assert stack.exposures_us == (100_000, 12_500)
     assert stack.patterns.pitches_px == (16,)

@@ -31,4 +31,4 @@ def test_points_and_dimensions_do_without_a_surface_and_it_is_told_why(
     assert stored is not None and stored.mesh is None
     (told,) = (event for event in events if isinstance(event, SurfaceFailed))
     report_event(told)
-    assert "There is no surface: The surface needs about" in capsys.readouterr().err
+    assert "No surface: The surface needs about" in capsys.readouterr().err
