@@ -1,4 +1,4 @@
-"""Array types and the one way to make an array read-only."""
+"""Array types, read-only arrays, and loops in parallel bands."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ def read_only(array: npt.ArrayLike, dtype: npt.DTypeLike | None = None, shape: t
     Parameters
     ----------
     array : array-like
-    dtype : wanted element type; None keeps the one it has
-    shape : wanted shape, with None where any length is right
+    dtype : element type; None: unchanged
+    shape : expected shape, with None for an arbitrary length
 
     Raises
     ------
     ValueError
-        The shape differs from ``shape``: a programming error, not one of the user.
+        The shape differs from ``shape``, which is a programming error.
     """
     made = np.ascontiguousarray(array, dtype=dtype)
     if shape is not None and (made.ndim != len(shape) or any(w is not None and w != g for w, g in zip(shape, made.shape, strict=True))):
@@ -43,42 +43,42 @@ def read_only(array: npt.ArrayLike, dtype: npt.DTypeLike | None = None, shape: t
 
 
 def in_bands(work: Callable[[int, int], Any], count: int, bands: int | None = None) -> list[Any]:
-    """Call ``work(start, stop)`` for consecutive shares of ``0…count`` on one thread per processor, of which this is one.
+    """Call ``work(start, stop)`` for consecutive bands of ``0…count`` in parallel, one thread per processor including this one.
 
-    Worth it only where ``work`` releases the interpreter (compiled kernels, large NumPy calls).
+    Useful only if ``work`` releases the interpreter lock (compiled kernels, large NumPy calls).
 
     Returns
     -------
-    list : what each call returned, in order; the exception of a call is raised
+    list : results of the calls, in order; an exception of a call is raised
     """
     threads = processors()
     edges = np.linspace(0, count, (bands or 4 * threads) + 1).astype(int)
-    shares = [(int(start), int(stop)) for start, stop in pairwise(edges) if stop > start]
-    done: list[Any] = [None] * len(shares)
-    queue = iter(range(len(shares)))
+    limits = [(int(start), int(stop)) for start, stop in pairwise(edges) if stop > start]
+    results: list[Any] = [None] * len(limits)
+    queue = iter(range(len(limits)))
 
-    def take_shares() -> None:
+    def process_bands() -> None:
         for number in queue:
-            done[number] = work(*shares[number])
+            results[number] = work(*limits[number])
 
-    asked = [_helpers(threads - 1).submit(take_shares) for _ in range(min(threads, len(shares)) - 1)]
+    submitted = [_helpers(threads - 1).submit(process_bands) for _ in range(min(threads, len(limits)) - 1)]
     try:
-        take_shares()
+        process_bands()
     finally:
-        begun = [helper for helper in asked if not helper.cancel()]  # one that is busy elsewhere is not waited for
-        wait(begun)
-    for helper in begun:
+        started = [helper for helper in submitted if not helper.cancel()]  # a busy thread is not waited for
+        wait(started)
+    for helper in started:
         helper.result()
-    return done
+    return results
 
 
 @cache
 def processors() -> int:
-    """Return how many there are: asking the system takes as long as a small share."""
+    """Return the number of processors; cached, because the system call takes as long as a small band."""
     return os.cpu_count() or 1
 
 
 @cache
 def _helpers(count: int) -> ThreadPoolExecutor:
-    """Return threads that stay: starting one takes as long as many a share."""
+    """Return a persistent thread pool, because starting a thread takes as long as many a band."""
     return ThreadPoolExecutor(count, thread_name_prefix=BAND_THREADS)

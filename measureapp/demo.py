@@ -1,4 +1,4 @@
-"""The whole job on the virtual rig, compared with its hidden truth only after everything is measured."""
+"""Complete measurement on the virtual rig, compared with its hidden ground truth afterwards."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from measureapp.data.mesh import Mesh
 from measureapp.data.pattern_sets import DEFAULT_NAME
 from measureapp.data.rig import Resolution
 from measureapp.devices.plugin_loader import load_plugin
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.inspection.alignment.point_to_plane import register
 from measureapp.inspection.measured import MeasuredPoints
 from measureapp.inspection.settings import AlignmentSettings
@@ -27,7 +27,7 @@ from measureapp.inspection.surface.deviation import signed_distances
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.measure import check_space, scan
-from measureapp.pipeline.run import Outcome, calibrate_rig, finished
+from measureapp.pipeline.run import Outcome, calibrate_rig, finish
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.viewpoints import plan_around_part
 from measureapp.progress import PartOf, Progress
@@ -52,27 +52,27 @@ ALIGNMENT_REACH_MM = 3.0
 
 @dataclass(frozen=True, slots=True)
 class DemoRequest:
-    """What to measure on the virtual rig, and into which folder."""
+    """Settings of a demo: part, virtual rig and project folder."""
 
     folder: Path
-    part: str = "gypsum"  # one of the sample parts, or a mesh file
+    part: str = "gypsum"  # a sample part, or a mesh file
     resolution: Resolution = "half"
-    viewpoints: int | None = None  # None: what the part needs
-    seed: int = 1  # draws the rig's hidden errors and all noise
+    viewpoints: int | None = None  # None: default of the part
+    seed: int = 1  # of the rig's hidden errors and all noise
     patterns: str = DEFAULT_NAME
-    unit: LengthUnit = LengthUnit.MM  # of a mesh file's lengths
-    bracket_s: float | None = None  # time for the images of a viewpoint, in which a probe chooses the exposures; None: the usual ones
+    unit: LengthUnit = LengthUnit.MM  # of a mesh file
+    bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: default exposures
 
 
 def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Outcome:
-    """Calibrate, scan, stitch, measure and report, then lay the hidden truth beside the results.
+    """Calibrate, scan, stitch, measure and report, then compare the results with the ground truth.
 
-    A folder that holds the same demo, begun or finished, is continued: images that are stored are not taken again.
+    A folder with the same demo is continued: stored images are not taken again.
 
     Raises
     ------
     InputError
-        The part cannot be read, or the folder holds something else.
+        The part cannot be read, or the folder contains something else.
     MeasureError
         From the stages.
     Cancelled
@@ -97,23 +97,23 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
     world = World(description, part, request.seed, project.settings.board)
     rig = load_plugin(plugin_folder(), PLUGIN).module.rig_of(world)
     watch = Stopwatch()
-    with project.claimed():
+    with project.lock():
         project.save_plan(plan)
-        _give_drawing(project, request.part)
+        _copy_nominal(project, request.part)
         with watch.stage("total"), Groundwork() as groundwork:
             calibration = calibrate_rig(rig, project, on_event, PartOf(progress, 0.0, 0.3), watch).calibration
             views = scan(rig, project, calibration, on_event, PartOf(progress, 0.3, 0.8), watch, request.bracket_s, groundwork)
             measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, groundwork)
-        return _with_truth(finished(project, measurement, watch), world, project)
+        return _add_truth(finish(project, measurement, watch), world, project)
 
 
-def _give_drawing(project: ProjectFolder, part: str) -> None:
-    """Put the sample part's inspection program and nominal into the project; a part given as a file has neither."""
+def _copy_nominal(project: ProjectFolder, part: str) -> None:
+    """Copy the inspection program and nominal of a sample part into the project; a mesh file has neither."""
     if part in SAMPLES:
         project.save_inspection(resource(f"parts/{part}/program.toml"), resource(f"parts/{part}/nominal.stl"))
 
 
-def _with_truth(outcome: Outcome, world: World, project: ProjectFolder) -> Outcome:
+def _add_truth(outcome: Outcome, world: World, project: ProjectFolder) -> Outcome:
     measurement = outcome.measurement
     surface, deviation = truth_deviation(measurement, world)
     path = project.results / "truth_mesh.ply"
@@ -121,7 +121,7 @@ def _with_truth(outcome: Outcome, world: World, project: ProjectFolder) -> Outco
     files = {**outcome.files, "truth_mesh": path}
     document = {
         **outcome.document,
-        "calibration": {**outcome.document["calibration"], "truth": calibration_beside_truth(measurement.calibration, world.truth())},
+        "calibration": {**outcome.document["calibration"], "truth": compare_calibration(measurement.calibration, world.truth())},
         "truth_deviation": deviation,
         "files": {name: str(file) for name, file in files.items()},
     }
@@ -129,29 +129,29 @@ def _with_truth(outcome: Outcome, world: World, project: ProjectFolder) -> Outco
 
 
 def truth_deviation(measurement: Measurement, world: World) -> tuple[Mesh, dict[str, Any]]:
-    """Compare the stitched cloud with the true surface, after laying the one onto the other as a whole.
+    """Compare the stitched cloud with the true surface after a rigid best fit.
 
     Returns
     -------
     surface : the true surface in the stitched cloud's frame
-    figures : `rms`, `p95`, `bias` in mm over all stitched points, the same for the views stitched by the axes alone, and
-        `offset_mm`, `offset_deg`: how far the calibrated frame of the part was from the true one
+    figures : `rms`, `p95`, `bias` in mm over all stitched points, the same for kinematic positions of the views, and
+        `offset_mm`, `offset_deg`: error of the calibrated part frame
     """
     views = [view for view in measurement.views if view.quality.accepted]
     kinematic = stitch([view.cloud for view in views], [view.part_from_camera for view in views], StitchSettings(fine=False))
-    surface, figures, offset = _against(measurement.stitched, world)
-    _, by_axes, _ = _against(kinematic, world)
+    surface, figures, offset = _compare(measurement.stitched, world)
+    _, kinematic_figures, _ = _compare(kinematic, world)
     shift = float(np.linalg.norm(offset.translation_mm))
-    return surface, {**figures, "kinematic_only": by_axes, "offset_mm": shift, "offset_deg": float(np.degrees(offset.angle_rad))}
+    return surface, {**figures, "kinematic_only": kinematic_figures, "offset_mm": shift, "offset_deg": float(np.degrees(offset.angle_rad))}
 
 
-def _against(stitched: StitchedCloud, world: World) -> tuple[Mesh, dict[str, float], RigidTransform]:
-    """The true surface in the cloud's frame, the cloud's distances from it, and the motion that brought them together."""
+def _compare(stitched: StitchedCloud, world: World) -> tuple[Mesh, dict[str, float], RigidTransform]:
+    """Return the true surface in the cloud's frame, the statistics of the distances, and the transform of the best fit."""
     truth = world.true_surface(stitched.frame)
     surface = NominalSurface(truth)
     points = MeasuredPoints.of(stitched)
     fitted = register(points.thinned(ALIGNMENT_POINTS), surface, np.eye(4), AlignmentSettings(), reach_mm=ALIGNMENT_REACH_MM)
-    truth_from_cloud = RigidTransform(orthonormalised(fitted.matrix), stitched.frame, stitched.frame)
+    truth_from_cloud = RigidTransform(orthonormalise(fitted.matrix), stitched.frame, stitched.frame)
     distances = signed_distances(truth_from_cloud.apply(stitched.points_mm), surface)
     figures = {
         "rms": float(np.sqrt(np.mean(distances**2))),
@@ -162,8 +162,8 @@ def _against(stitched: StitchedCloud, world: World) -> tuple[Mesh, dict[str, flo
     return truth.seen_from(truth_from_cloud.inverse()), figures, truth_from_cloud
 
 
-def calibration_beside_truth(found: RigCalibration, truth: Truth) -> dict[str, Any]:
-    """Return the error of every solution, with the true values."""
+def compare_calibration(found: RigCalibration, truth: Truth) -> dict[str, Any]:
+    """Return the true values of a calibration and its errors."""
     true = truth.calibration
     cameras = {}
     for name, camera in found.cameras.cameras.items():

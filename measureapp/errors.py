@@ -1,10 +1,10 @@
-"""The one tree of errors. Each says what happened and what the user can do about it."""
+"""Exceptions for errors that users can act on: each has a message and a hint."""
 
 from __future__ import annotations
 
 
 class MeasureError(Exception):
-    """Something the user can be told about in one sentence, with a remedy.
+    """Base class of errors reported to the user.
 
     Parameters
     ----------
@@ -26,11 +26,11 @@ class InputError(MeasureError):
 
 
 class FrameMismatch(MeasureError):
-    """Two transforms or clouds were chained whose frames do not meet."""
+    """Transforms or clouds were combined whose frames do not match."""
 
 
 class PlanError(MeasureError):
-    """A scan plan asks for something the rig cannot do."""
+    """A scan plan exceeds the capabilities of the rig."""
 
 
 class DecodeError(MeasureError):
@@ -38,29 +38,29 @@ class DecodeError(MeasureError):
 
 
 class ReconstructError(MeasureError):
-    """Phase maps and cameras do not give points."""
+    """Phase maps and calibration do not yield points."""
 
 
 class CalibrationError(MeasureError):
-    """A calibration has no answer, or does not fit the rig it is used with."""
+    """A calibration cannot be solved, or does not match the rig it is used with."""
 
 
 class RegistrationError(MeasureError):
-    """Clouds cannot be brought together."""
+    """Clouds cannot be registered."""
 
 
 class InspectionError(MeasureError):
-    """A feature or dimension has no answer."""
+    """A feature or dimension cannot be evaluated."""
 
 
 class UnitQuestion(InspectionError):
-    """Lengths look like another unit than they were taken in; only the user can say which it is.
+    """Lengths are probably in another unit than assumed; the user has to decide.
 
     Parameters
     ----------
     what : "points" or "nominal"
     unit : the likely unit, as `measureapp.data.length_unit.LengthUnit` names it
-    finding : why it looks so, a sentence without its stop
+    finding : evidence, a sentence without its full stop
     """
 
     def __init__(self, message: str, hint: str, what: str, unit: str, finding: str) -> None:
@@ -69,7 +69,7 @@ class UnitQuestion(InspectionError):
 
 
 class FitError(MeasureError):
-    """Points do not determine the shape asked for."""
+    """Points do not determine the requested shape."""
 
 
 class StorageError(MeasureError):

@@ -1,4 +1,4 @@
-"""What a pattern set is worth on a part: decoded images of the virtual rig beside the projector column that every pixel truly sees."""
+"""Trials of pattern sets: decoded images of the virtual rig compared with the true projector column of every pixel."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ from measureapp.simulate.options import LightSettings, WorldOptions
 from measureapp.simulate.parts import make_part
 from measureapp.simulate.world import World
 
-BORDER_PX = 3  # beside shadows, edges of the part and depth steps a pixel sees two surfaces
+BORDER_PX = 3  # around shadows, edges of the part and depth discontinuities, where pixels mix two surfaces
 STEP_COLUMNS = 3.0
-UNSATURATED = 240.0  # grey level that noise does not lift to saturation
-BLUR_MARGIN = 1.5  # the blur of projector and lens costs modulation
-SHARE_OF_PITCH = 0.45  # an error beyond it is a wrong order
+UNSATURATED = 240.0  # greatest grey level without saturation by noise
+BLUR_MARGIN = 1.5  # on the modulation, for the blur of projector and lens
+SHARE_OF_PITCH = 0.45  # errors beyond it are wrong fringe orders
 VIEWS = 6
 
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """One view of a part; ``brightness`` dims or brightens the projector."""
+    """One view of a part; ``brightness`` scales the projector's light."""
 
     part: str = "gear"
     resolution: Resolution = "quarter"
@@ -41,7 +41,7 @@ class Scene:
     brightness: float = 1.0
 
     def world(self) -> World:
-        """Set the world up and bring its axes to the view."""
+        """Build the world and move its axes to the view."""
         rig, part = read_rig("paper").at_resolution(self.resolution), make_part(self.part)
         light = LightSettings(projector=LightSettings().projector * self.brightness)
         world = World(rig, part, self.seed, options=WorldOptions(light=light))
@@ -55,37 +55,37 @@ class Scene:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Judged:
-    """A phase map beside the truth, in pixels of the camera."""
+class PhaseMapErrors:
+    """Comparison of a phase map with the truth; counts are camera pixels."""
 
-    wrong: int  # valid pixels in the light whose order is wrong
-    valid: int  # valid pixels in the light
-    decodable: int  # pixels that one surface fills, with modulation enough at an exposure that is not saturated
-    decoded: int  # of these, valid ones with the right order
+    wrong: int  # valid illuminated pixels with a wrong fringe order
+    valid: int  # valid illuminated pixels
+    decodable: int  # pixels of a single surface with sufficient modulation at an unsaturated exposure
+    decoded: int  # of these, valid ones with the right fringe order
     error_px: FloatArray  # (decoded,), projector column minus truth
     sigma_px: FloatArray  # (decoded,), predicted standard deviation of the column
 
 
 @dataclass(frozen=True, slots=True)
 class Trial:
-    """One pattern set and exposure rule over all scenes."""
+    """Result of one pattern set and exposure rule over all scenes."""
 
     patterns: str
     rule: str
     images: int
-    wrong_share: float  # of the valid pixels
-    decoded_share: float  # of the decodable pixels
+    wrong_share: float  # relative to the valid pixels
+    decoded_share: float  # relative to the decodable pixels
     column_error_px: float  # 1.4826 · median |error|, the standard deviation of a normal distribution
-    noise_ratio: float  # the same of error / predicted σ
+    noise_ratio: float  # robust standard deviation of error / predicted σ
     valid_px: int
 
 
-def try_out(scenes: tuple[Scene, ...], patterns: PatternSet, rule: Literal["combined", "paper"] = "combined") -> Trial:
-    """Decode ``patterns`` on every scene with the left camera and compare with the renderer's truth."""
+def run_trial(scenes: tuple[Scene, ...], patterns: PatternSet, rule: Literal["combined", "paper"] = "combined") -> Trial:
+    """Decode ``patterns`` on every scene with the left camera and compare with the ground truth."""
     found = []
     for scene in scenes:
         world = scene.world()
-        found.append(judge(world, decode(capture(world, patterns), DecodeSettings(rule=rule))["left"]))
+        found.append(evaluate(world, decode(capture(world, patterns), DecodeSettings(rule=rule))["left"]))
     error, sigma = (np.concatenate([getattr(each, name) for each in found]) for name in ("error_px", "sigma_px"))
     valid, decodable = sum(each.valid for each in found), sum(each.decodable for each in found)
     return Trial(
@@ -101,7 +101,7 @@ def try_out(scenes: tuple[Scene, ...], patterns: PatternSet, rule: Literal["comb
 
 
 def capture(world: World, patterns: PatternSet, cameras: tuple[str, ...] = ("left",)) -> FringeStack:
-    """Take all images of the set at the rig's bracket."""
+    """Take all images of the set at the exposures of the rig."""
     projector = world.description.projector
     world.load_patterns(pattern_images(patterns, projector.width_px, projector.height_px))
     exposures = tuple(world.description.exposures_us)
@@ -111,8 +111,8 @@ def capture(world: World, patterns: PatternSet, cameras: tuple[str, ...] = ("lef
     return FringeStack("trial", patterns, exposures, images, min(camera.saturation for camera in world.description.cameras))
 
 
-def judge(world: World, phase_map: PhaseMap) -> Judged:
-    """Compare a phase map with the column that the renderer used."""
+def evaluate(world: World, phase_map: PhaseMap) -> PhaseMapErrors:
+    """Compare a phase map with the true projector columns."""
     light = world.true_light(phase_map.camera)
     column, width = light[..., 0], world.description.projector.width_px
     lit = (column > 1) & (column < width - 2)
@@ -121,8 +121,8 @@ def judge(world: World, phase_map: PhaseMap) -> Judged:
     found = phase_map.column_px
     limit = SHARE_OF_PITCH * phase_map.pitch_px
     good = decodable & phase_map.valid & (np.abs(found - column) < limit)
-    of_a_neighbour = _least_error(found, column) < limit  # at a step the blur shows the brighter surface
-    return Judged(
+    of_a_neighbour = _least_error(found, column) < limit  # at a depth discontinuity the blurred image shows the brighter surface
+    return PhaseMapErrors(
         wrong=int((phase_map.valid & lit & ~_near(~lit) & ~of_a_neighbour).sum()),
         valid=int((phase_map.valid & lit).sum()),
         decodable=int(decodable.sum()),
@@ -138,7 +138,7 @@ def _shot(world: World, camera: str, pattern: int, exposure_us: int) -> ImageArr
 
 
 def _best_modulation(world: World, light: FloatArray) -> FloatArray:
-    """Return the modulation (H, W) in 8-bit grey levels, without blur, at the brightest exposure that does not saturate; 0 for none."""
+    """Return the modulation (H, W) in 8-bit grey levels, without blur, at the longest unsaturated exposure; 0 for none."""
     settings = world.options.light
     full_swing = 0.5 * 255.0 * settings.projector * light[..., 2]
     brightest = 2.0 * full_swing + 255.0 * settings.ambient * light[..., 3]
@@ -162,7 +162,7 @@ def _steps(column: FloatArray) -> BoolArray:
 
 
 def _least_error(found: FloatArray, column: FloatArray) -> FloatArray:
-    """Return how far the column found is from the nearest true one among the pixel and its eight neighbours."""
+    """Return the smallest error of the column relative to the pixel and its eight neighbours."""
     shifts = [(dy, dx) for dy in (-1, 0, 1) for dx in (-1, 0, 1)]
     return np.asarray(np.min([np.abs(found - np.roll(column, shift, axis=(0, 1))) for shift in shifts], axis=0))
 

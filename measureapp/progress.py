@@ -1,4 +1,4 @@
-"""Progress and cancellation, one argument for both."""
+"""Progress reports and cancellation."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ from typing import Protocol
 
 
 class Cancelled(BaseException):
-    """The user asked to stop; raised at the next progress report."""
+    """The user cancelled; raised at the next progress report."""
 
 
 class Progress(Protocol):
-    """Where a long task says how far it is. Reporting is also the point where it can be cancelled."""
+    """Receiver of the progress of a long task; reporting is also the cancellation point."""
 
     def report(self, done: float, total: float, note: str = "") -> None:
-        """Say that ``done`` of ``total`` is done. Raises Cancelled when the user asked to stop."""
+        """Report ``done`` of ``total``. Raises Cancelled when the user has cancelled."""
 
 
 class NoProgress:
-    """Listens to nobody and is never cancelled."""
+    """Ignores reports and is never cancelled."""
 
     def report(self, done: float, total: float, note: str = "") -> None:
         """Do nothing."""
@@ -27,7 +27,7 @@ class NoProgress:
 
 @dataclass(frozen=True)
 class PartOf:
-    """The share from ``start`` to ``end`` (0…1) of a larger task, as a task of its own."""
+    """Progress of a subtask that extends from ``start`` to ``end`` (0…1) of a larger task."""
 
     whole: Progress
     start: float

@@ -1,4 +1,4 @@
-"""Files that come with the program: rigs, boards, sample parts, templates, driver plugins."""
+"""Files shipped with the program: rigs, sample parts, templates, driver plugins."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ ROOTS = (PACKAGE.parent, PACKAGE / "_checkout")  # the checkout; the same folder
 
 
 def resource(path: str | Path) -> Path:
-    """Return the place of ``path``, relative to the folder `resources`.
+    """Return the location of ``path``, relative to the folder `resources`.
 
     Raises
     ------
     InputError
-        The program comes without such a file.
+        There is no such file.
     """
     return _shipped(Path("resources") / path)
 
 
 def plugin_folder() -> Path:
-    """Return the folder of the driver plugins that come with the program; raises InputError when it is absent."""
+    """Return the folder of the driver plugins shipped with the program; raises InputError when it is missing."""
     return _shipped(Path("plugins"))
 
 
@@ -31,5 +31,5 @@ def _shipped(path: Path) -> Path:
         if (root / path).exists():
             return root / path
     raise InputError(
-        f"The program comes without {path.as_posix()}.", "Check the name; if it is right, the installation is incomplete: get it anew."
+        f"The program has no file {path.as_posix()}.", "Check the name; if it is correct, the installation is incomplete: install again."
     )

@@ -14,8 +14,8 @@ from typing import Any
 from filelock import FileLock
 
 from measureapp.cli import main
-from measureapp.project.claim import LOCK
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.folder_lock import LOCK
 
 ANSWER = "answer.json"
 REQUEST = ("--part", "gypsum", "--resolution", "quarter", "--viewpoints", "6", "--seed", "1")
@@ -62,5 +62,5 @@ def _run(folder: Path) -> None:
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
         code = main(["demo", *REQUEST, "--out", str(folder / "project"), "--json"])
     answer = {"code": code, "document": json.loads(out.getvalue()), "messages": err.getvalue()}
-    (folder / "project" / LOCK).unlink(missing_ok=True)  # copies made of links would all be claimed by one
+    (folder / "project" / LOCK).unlink(missing_ok=True)  # copies made of links would all be locked by one
     (folder / ANSWER).write_text(json.dumps(answer), encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Builds the application once and runs it."""
+"""Construction and start of the application."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ from ui.workers.job import LOG, unexpected
 
 _log = logging.getLogger(__name__)
 LOG_BYTES = 1_000_000
-LAST_WAIT_MS = 60_000  # for threads that go on after the window is gone: compiling the largest kernel takes half a minute
+LAST_WAIT_MS = 60_000  # for threads still running after the window is closed: compiling the largest kernel takes half a minute
 
 
 @dataclass(frozen=True)
 class Application:
-    """Everything there is one of."""
+    """The singletons of the application."""
 
     look: Look
     session: Session
@@ -42,7 +42,7 @@ class Application:
 def build(application: QApplication) -> Application:
     """Build session, controllers and window."""
     look = Look(preferred_shade(application))
-    look.wear()
+    look.apply_theme()
     session = Session()
     controllers = Controllers(session)
     return Application(look, session, controllers, MainWindow(look, session, controllers))
@@ -76,7 +76,7 @@ def run(project: Path | None = None, demo: bool = False) -> int:
 
 
 def _leave(code: int) -> NoReturn:
-    """End the process under a thread that does not end: destroying it while it runs would abort the process instead."""
+    """Exit the process while a thread is still running; destroying the thread would abort the process instead."""
     logging.shutdown()
     for stream in (sys.stdout, sys.stderr):
         stream.flush()
@@ -84,7 +84,7 @@ def _leave(code: int) -> NoReturn:
 
 
 def keep_log(path: Path) -> None:
-    """Keep the tracebacks of errors in a file of limited size; where it cannot be written they go to the terminal alone."""
+    """Log tracebacks to a file of limited size and to the terminal; if the file cannot be written, to the terminal only."""
     with suppress(OSError):
         path.parent.mkdir(parents=True, exist_ok=True)
         handler = RotatingFileHandler(path, maxBytes=LOG_BYTES, backupCount=1, encoding="utf-8")
@@ -95,7 +95,7 @@ def keep_log(path: Path) -> None:
 
 
 def open_demo(built: Application) -> None:
-    """Open the demo project as it was left; a new one waits for its button."""
+    """Open the existing demo project, or prepare a new one without starting it."""
     settings = built.controllers.demo.settings
     folder = demo_folder(settings)
     if (folder / "project.json").exists():
@@ -105,17 +105,17 @@ def open_demo(built: Application) -> None:
 
 
 class Reporter:
-    """Tells errors that nobody caught in the window, as a sentence; the traceback goes to the log."""
+    """Exception hook: reports uncaught errors in the window; the traceback goes to the log."""
 
     def __init__(self, session: Session) -> None:
         self._session = session
 
     def __call__(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
-        """Take one error."""
+        """Report one error."""
         if issubclass(kind, KeyboardInterrupt):
             QApplication.quit()
             return
-        told = error if isinstance(error, MeasureError) else unexpected(error, "The last action")
-        if told is not error:
+        reported = error if isinstance(error, MeasureError) else unexpected(error, "The last action")
+        if reported is not error:
             _log.error("uncaught", exc_info=(kind, error, trace))
-        self._session.tell(told.message, told.hint, "error")
+        self._session.tell(reported.message, reported.hint, "error")

@@ -1,4 +1,4 @@
-"""The main window: header, rail, pages, properties and the strip at the bottom."""
+"""The main window: header, navigation rail, pages, properties and status strip."""
 
 from __future__ import annotations
 
@@ -35,10 +35,10 @@ from ui.widgets.rail import Rail
 from ui.widgets.unit_dialog import UnitDialog
 
 CLOUDS = "Clouds and meshes (*.ply *.stl *.obj *.pcd *.xyz *.txt *.csv *.asc *.pts)"
-DRAWINGS = "Drawings and programs (*.stl *.ply *.obj *.step *.stp *.toml)"
+REFERENCES = "Nominals and inspection programs (*.stl *.ply *.obj *.step *.stp *.toml)"
 PAGES = (RigPage, CalibrationPage, PlanPage, ScanPage, CloudsPage, InspectionPage, ReportPage)
 SMALLEST = (1366, 768)
-TITLE_BARS = 72  # what desktops take of the screen's height
+TITLE_BARS = 72  # height of desktop bars
 DISK_INTERVAL_MS = 30_000
 DISK_LOW_BYTES = 5e9
 CLOSING_WAIT_MS = 20_000
@@ -46,7 +46,7 @@ ROOMY_WIDTH = 1500
 
 
 class MainWindow(QMainWindow):
-    """Everything the user sees."""
+    """The main window."""
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
         super().__init__()
@@ -91,7 +91,7 @@ class MainWindow(QMainWindow):
         self._show_properties()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Fold the properties where the picture needs the room."""
+        """Fold the properties when the page needs the space."""
         super().resizeEvent(event)
         self._give_room()
 
@@ -99,13 +99,13 @@ class MainWindow(QMainWindow):
         self.properties.fold(self.page.wants_room and self.width() < ROOMY_WIDTH)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Ask before a running job is given up; wait until its thread has ended."""
+        """Ask before a running job is cancelled; wait until its thread has ended."""
         running = self.controllers.jobs.queue.running
         if running is not None and not running.quiet and not self._may_stop(running.title):
             event.ignore()
             return
         self._disk_timer.stop()
-        self.hide()  # whoever closes it need not watch it wait
+        self.hide()  # before waiting for threads
         self.controllers.end(CLOSING_WAIT_MS)
         for page in self.pages.values():
             page.close_page()
@@ -115,7 +115,7 @@ class MainWindow(QMainWindow):
         answer = QMessageBox.question(
             self,
             "Stop and close?",
-            f"{title} is still running. Closing stops it; what is stored until then is kept.",
+            f"{title} is still running. Closing cancels it; data stored so far is kept.",
             QMessageBox.StandardButton.Close | QMessageBox.StandardButton.Cancel,
             QMessageBox.StandardButton.Cancel,
         )
@@ -183,7 +183,7 @@ class MainWindow(QMainWindow):
             self.show_page("scan")
 
     def _follow_operator(self) -> None:
-        """Take an operator from the scan to the verdict."""
+        """Show the operator the verdict after a scan."""
         inspection = self.pages["inspection"]
         assert isinstance(inspection, InspectionPage)
         if self.session.role == "operator" and self.session.inspection is not None and self.page is self.pages["scan"]:
@@ -239,17 +239,17 @@ class MainWindow(QMainWindow):
             self.show_page("scan")
 
     def _choose_files(self) -> None:
-        cloud, _ = QFileDialog.getOpenFileName(self, "Choose the cloud or mesh to measure", str(Path.home()), CLOUDS)
-        drawing = (
-            QFileDialog.getOpenFileName(self, "Choose its drawing or inspection program", str(Path(cloud).parent), DRAWINGS)[0]
+        cloud, _ = QFileDialog.getOpenFileName(self, "Choose the cloud or mesh to inspect", str(Path.home()), CLOUDS)
+        reference = (
+            QFileDialog.getOpenFileName(self, "Choose its nominal or inspection program", str(Path(cloud).parent), REFERENCES)[0]
             if cloud
             else ""
         )
-        if drawing:
-            self.controllers.files.measure(FilesToMeasure(Path(cloud), Path(drawing)))
+        if reference:
+            self.controllers.files.measure(FilesToMeasure(Path(cloud), Path(reference)))
 
     def _ask_unit(self, asked: FileQuestion) -> None:
-        question, kept = asked.question, "unit" if asked.question.what == "points" else "drawing_unit"
+        question, kept = asked.question, "unit" if asked.question.what == "points" else "nominal_unit"
         self.unit_dialog = UnitDialog(self.look, question.what, question.finding, LengthUnit(question.unit), parent=self)
         self.unit_dialog.chosen.connect(lambda unit: self.controllers.files.measure(replace(asked.files, **{kept: unit})))
         self.unit_dialog.finished.connect(self.unit_dialog.deleteLater)

@@ -1,4 +1,4 @@
-"""What the window shows: the one mutable model. Controllers write it, views watch it."""
+"""The mutable model of the window. Controllers change it, widgets observe it."""
 
 from __future__ import annotations
 
@@ -35,19 +35,19 @@ GraphicsState = Literal["preparing", "ready", "failed"]
 
 @dataclass(frozen=True, eq=False)
 class Comparison:
-    """Deviations of one cloud, and the places of the drawing that were not measured."""
+    """Deviations of one cloud from the nominal, and the areas of the nominal that were not measured."""
 
     stitched: StitchedCloud
     deviation: Deviation
-    unmeasured_mm: np.ndarray  # (M, 3), in the nominal's frame
+    unmeasured_mm: np.ndarray  # (M, 3), in the nominal frame
     unmeasured_normals: np.ndarray  # (M, 3)
-    surface: NominalSurface | None = None  # the drawing, ready to be cut
+    surface: NominalSurface | None = None  # the nominal, for sections
     sections: DrawnSections | None = None  # of the inspection program
 
 
 @dataclass(frozen=True)
 class Message:
-    """Something to tell: what happened, what to do about it."""
+    """A message: what happened, and what to do about it."""
 
     text: str
     hint: str = ""
@@ -57,7 +57,7 @@ class Message:
 
 @dataclass(frozen=True)
 class ViewpointState:
-    """How far one viewpoint is."""
+    """Progress of one viewpoint."""
 
     id: str
     status: ViewpointStatus = "waiting"
@@ -66,7 +66,7 @@ class ViewpointState:
 
 @dataclass(frozen=True)
 class DriverRow:
-    """One device driver found, or why it could not be loaded."""
+    """One device driver, or the reason why it could not be loaded."""
 
     name: str
     kind: str
@@ -75,7 +75,7 @@ class DriverRow:
 
 
 class Session(QObject):
-    """The open project and what is known about it so far."""
+    """The open project with its results so far."""
 
     projectChanged = Signal()
     rigChanged = Signal()
@@ -101,15 +101,15 @@ class Session(QObject):
         self.graphics_problem = ""
         self.rig: RigDescription | None = None
         self.drivers: tuple[DriverRow, ...] = ()
-        self._forget()
+        self._reset()
 
     @property
     def scale_ppm(self) -> float:
-        """The standard uncertainty of all lengths, as the rig's description states it; zero: taken as exact."""
+        """Relative standard uncertainty of all lengths from the rig description, in ppm; 0: exact."""
         return 0.0 if self.rig is None else self.rig.calibration_rules.scale_ppm
 
-    def _tell_results(self) -> None:
-        """Tell everyone that everything which follows from the images may be another."""
+    def _emit_results_changed(self) -> None:
+        """Emit the change signals of everything computed from the images."""
         for signal in (
             self.calibrationChanged,
             self.viewpointsChanged,
@@ -120,68 +120,68 @@ class Session(QObject):
         ):
             signal.emit()
 
-    def _forget(self) -> None:
+    def _reset(self) -> None:
         self.project_name = ""
         self.part = ""
         self.folder: Path | None = None
         self.plan: ScanPlan | None = None
         self.calibration: RigCalibration | None = None
         self.validity: Validity | None = None
-        self.cameras: CameraArrayCalibration | None = None  # those of the calibration; without one they may be calibrated alone
+        self.cameras: CameraArrayCalibration | None = None  # of the calibration, or calibrated alone
         self.viewpoints: dict[str, ViewpointState] = {}
         self.views: tuple[ViewResult, ...] = ()
         self.stitched: StitchedCloud | None = None
         self.filters: FilterChain | None = None  # of the stitched cloud
-        self.filtered: StitchedCloud | None = None  # what they left of it
+        self.filtered: StitchedCloud | None = None  # after the filters
         self.inspection: Inspection | None = None
         self.measurement: Measurement | None = None
         self.comparison: Comparison | None = None
         self.files: Mapping[str, Path] = {}
 
     def open_project(self, name: str, part: str, folder: Path | None) -> None:
-        """Begin with another project; whatever was known of the last one is forgotten."""
-        self._forget()
+        """Replace the open project; all data of the former one is discarded."""
+        self._reset()
         self.project_name, self.part, self.folder = name, part, folder
         self.projectChanged.emit()
         self.planChanged.emit()
-        self._tell_results()
+        self._emit_results_changed()
 
     def set_rig(self, rig: RigDescription | None, drivers: tuple[DriverRow, ...] | None = None) -> None:
-        """Tell which rig is there."""
+        """Set the rig and its drivers."""
         self.rig = rig
         self.drivers = self.drivers if drivers is None else drivers
         self.rigChanged.emit()
 
     def set_plan(self, plan: ScanPlan | None) -> None:
-        """Tell which plan is measured."""
+        """Set the scan plan."""
         self.plan = plan
         if plan is not None and not self.viewpoints:
             self.start_viewpoints(tuple(viewpoint.id for viewpoint in plan))
         self.planChanged.emit()
 
     def set_calibration(self, calibration: RigCalibration | None) -> None:
-        """Tell what the rig's geometry is."""
-        self.calibration, self.validity = calibration, None  # what was known of another one says nothing about it
+        """Set the calibration of the rig, which resets its validity."""
+        self.calibration, self.validity = calibration, None
         self.cameras = None if calibration is None else calibration.cameras
         self.calibrationChanged.emit()
 
     def set_cameras(self, cameras: CameraArrayCalibration) -> None:
-        """Tell the geometry of the cameras, while that of the rig is not known."""
+        """Set the calibration of the cameras, for a rig that is not calibrated."""
         self.cameras = cameras
         self.calibrationChanged.emit()
 
     def set_validity(self, validity: Validity | None) -> None:
-        """Tell whether the calibration may be trusted."""
+        """Set the validity of the calibration."""
         self.validity = validity
         self.calibrationChanged.emit()
 
     def start_viewpoints(self, ids: tuple[str, ...]) -> None:
-        """Show these viewpoints as waiting, in scan order."""
+        """Set all viewpoints to waiting, in scan order."""
         self.viewpoints = {id_: ViewpointState(id_) for id_ in ids}
         self.viewpointsChanged.emit()
 
     def set_viewpoint(self, id_: str, status: ViewpointStatus, note: str = "") -> None:
-        """Tell how far one viewpoint is."""
+        """Set the progress of one viewpoint."""
         self.viewpoints[id_] = ViewpointState(id_, status, note)
         self.viewpointsChanged.emit()
 
@@ -196,12 +196,12 @@ class Session(QObject):
         self.cloudsChanged.emit()
 
     def set_stitched(self, stitched: StitchedCloud | None) -> None:
-        """Tell the cloud of all views."""
+        """Set the stitched cloud."""
         self.stitched, self.filters, self.filtered = stitched, None, None
         self.cloudsChanged.emit()
 
     def set_filters(self, filters: FilterChain | None) -> None:
-        """Tell which filters are applied to the stitched cloud; None or an empty chain: none."""
+        """Set the filters of the stitched cloud; None or an empty chain: none."""
         self._filter(filters)
         self.cloudsChanged.emit()
 
@@ -210,17 +210,17 @@ class Session(QObject):
         self.filtered = None if self.filters is None or self.stitched is None else self.stitched.where(self.filters.stays)
 
     def set_inspection(self, inspection: Inspection | None) -> None:
-        """Tell the dimensions."""
+        """Set the inspection results."""
         self.inspection = inspection
         self.inspectionChanged.emit()
 
     def set_comparison(self, comparison: Comparison | None) -> None:
-        """Tell how far the cloud is from the drawing."""
+        """Set the deviations from the nominal."""
         self.comparison = comparison
         self.comparisonChanged.emit()
 
     def set_measurement(self, measurement: Measurement, files: Mapping[str, Path], filters: FilterChain | None = None) -> None:
-        """Take over everything one measurement gave, and the filters of its stitched cloud."""
+        """Set all results of a measurement, and the filters of its stitched cloud."""
         self.measurement = measurement
         self.files = dict(files)
         self.calibration = measurement.calibration
@@ -234,15 +234,15 @@ class Session(QObject):
         for view in measurement.views:
             status: ViewpointStatus = "processed" if view.quality.accepted else "failed"
             self.viewpoints[view.viewpoint_id] = ViewpointState(view.viewpoint_id, status, view.quality.reason)
-        self._tell_results()
+        self._emit_results_changed()
 
     def set_busy(self, title: str) -> None:
-        """Tell which job runs; an empty title: none."""
+        """Set the title of the running job; empty: none."""
         self.busy_with = title
         self.busyChanged.emit()
 
     def set_graphics(self, state: GraphicsState, problem: str = "") -> None:
-        """Tell whether the 3-D view can be shown."""
+        """Set the state of the 3-D graphics."""
         self.graphics, self.graphics_problem = state, problem
         self.graphicsChanged.emit()
 
@@ -252,7 +252,7 @@ class Session(QObject):
         self.appearanceChanged.emit()
 
     def tell(self, text: str, hint: str = "", level: Level = "info") -> None:
-        """Add a message to the strip and the list of all messages."""
+        """Add a message to the status strip and the list of messages."""
         message = Message(text, hint, level)
         self.messages.append(message)
         self.messageAdded.emit(message)

@@ -1,1 +1,1 @@
-"""Running a plan on a rig."""
+"""Acquisition: running a scan plan on a rig."""

@@ -1,4 +1,4 @@
-"""Fringes of both directions on the board, from one viewpoint: what the projector is calibrated from."""
+"""Acquisition of fringes of both directions on the board, for the calibration of the projector."""
 
 from __future__ import annotations
 
@@ -9,9 +9,8 @@ import numpy as np
 from measureapp.acquire.capture import (
     BOARD_SATURATED_SHARE,
     SHOW_TIMEOUT_S,
-    ExposureTaken,
     capture_stack,
-    checked_grab,
+    grab_checked,
     move_to,
     set_exposure,
 )
@@ -27,25 +26,25 @@ PROBE_SHARE = 0.1  # of the time
 def capture_board_fringes(
     rig: Rig, viewpoint: Viewpoint, patterns: PatternSet, on_event: Callable[[Event], None], progress: Progress
 ) -> FringeStack:
-    """Take all patterns at the longest exposure of the rig that saturates next to nothing; the projector has them already.
+    """Take all patterns at the longest exposure of the rig without significant saturation; the patterns must be loaded already.
 
-    One exposure is enough: a board reflects evenly, and its black squares need no phase.
+    One exposure is enough: a board reflects diffusely, and its black squares need no phase.
 
     Raises
     ------
     DeviceError
-        A device refused a setting, or gave an image that is not the one asked for, three times in a row.
+        A device refused a setting, or delivered an image other than the requested one three times in a row.
     Cancelled
         From ``progress``.
     """
     move_to(rig, viewpoint)
     exposure_us = _well_exposed_us(rig, patterns, PartOf(progress, 0.0, PROBE_SHARE))
     plan = ScanPlan(name="board", viewpoints=(viewpoint,), patterns=patterns, bracket=ExposureBracket(exposures_us=(exposure_us,)))
-    return capture_stack(rig, viewpoint, plan, on_event, PartOf(progress, PROBE_SHARE, 1.0), _nobody)
+    return capture_stack(rig, viewpoint, plan, on_event, PartOf(progress, PROBE_SHARE, 1.0), lambda _: None)
 
 
 def _well_exposed_us(rig: Rig, patterns: PatternSet, progress: Progress) -> int:
-    """The longest exposure at which the brightest of the first shifted images saturates next to nothing in every camera."""
+    """Return the longest exposure at which no camera saturates significantly in any image of the first group."""
     tried = rig.description.exposures_us
     for done, exposure_us in enumerate(tried[:-1]):
         progress.report(done, len(tried), f"exposure {exposure_us / 1000:g} ms")
@@ -56,14 +55,10 @@ def _well_exposed_us(rig: Rig, patterns: PatternSet, progress: Progress) -> int:
 
 
 def _saturated(rig: Rig, name: str, exposure_us: int, patterns: PatternSet) -> float:
-    """The share of a camera's pixels that one of the first shifted images saturates."""
+    """Return the fraction of a camera's pixels saturated in at least one image of the first group."""
     level = rig.description.camera(name).saturation
     clipped = []
     for pattern in range(patterns.groups[0].count):
         rig.projector.show(pattern, timeout_s=SHOW_TIMEOUT_S)
-        clipped.append(checked_grab(rig.cameras[name], exposure_us, pattern) >= level)
+        clipped.append(grab_checked(rig.cameras[name], exposure_us, pattern) >= level)
     return float(np.mean(np.any(clipped, axis=0)))
-
-
-def _nobody(_taken: ExposureTaken) -> None:
-    """Nobody waits for single exposures."""

@@ -1,4 +1,4 @@
-"""One engine runs any plan on any rig."""
+"""Scan engine: runs any plan on any rig."""
 
 from __future__ import annotations
 
@@ -18,29 +18,29 @@ from measureapp.progress import Cancelled, PartOf, Progress
 
 
 class Sink(Protocol):
-    """Where finished stacks go, and who may begin with one before it is complete."""
+    """Consumer of the images of a scan."""
 
     def exposure_taken(self, taken: ExposureTaken) -> None:
-        """Hear that all images of one exposure are there; must return quickly, because the rig waits."""
+        """Accept all images of one exposure; must return quickly, because the rig waits."""
 
     def drop(self, viewpoint_id: str) -> None:
-        """Hear that a viewpoint failed or was cancelled: what was begun with its exposures is void."""
+        """Discard the exposures of a viewpoint that failed or was cancelled."""
 
     def store(self, stack: FringeStack) -> None:
-        """Keep ``stack`` for good; raises StorageError."""
+        """Store ``stack`` permanently; raises StorageError."""
 
 
 class Engine:
-    """Runs plans on one rig and gives the stacks to a sink.
+    """Runs scan plans on one rig and passes the stacks to a sink.
 
-    A device that fails ends its viewpoint, and the run goes on with the next; an axis that does not arrive, or a full
-    disk, ends the run, because going on would not be safe or would lose data.
+    A device error ends the viewpoint and the run continues with the next one; an axis that times out, or a full disk, ends the
+    run, because continuing would be unsafe or lose data.
     """
 
     def __init__(self, rig: Rig, sink: Sink) -> None:
         self._rig = rig
         self._sink = sink
-        self._approached: tuple[FlangePose, float, str] | None = None  # goals of robot and guide, and when they were given
+        self._approached: tuple[FlangePose, float, str] | None = None  # goals of robot and guide, and the time of the command
 
     def run(
         self,
@@ -54,11 +54,11 @@ class Engine:
 
         Parameters
         ----------
-        plan : whose reach was checked
-        pattern_images : (patterns, height, width) uint8, as the projector shows them
-        on_event : hears everything; `RunEnded` last, always
-        progress : also the point of cancellation
-        stored : ids of viewpoints that lie on disk already
+        plan : must be within the rig's limits, see `check_reach`
+        pattern_images : (patterns, height, width) uint8, images of the projector
+        on_event : receives all events; `RunEnded` is always the last one
+        progress : also the cancellation point
+        stored : ids of viewpoints that are stored already
 
         Raises
         ------
@@ -66,7 +66,7 @@ class Engine:
             After `RunEnded` was sent and all devices were stopped.
         """
         waiting = [viewpoint for viewpoint in plan if viewpoint.id not in stored]
-        self._approached = None  # between runs anything may move it
+        self._approached = None  # the robot may have been moved between runs
         on_event(RunStarted(plan.name, tuple(viewpoint.id for viewpoint in waiting)))
         try:
             self._rig.projector.load(pattern_images)
@@ -74,7 +74,7 @@ class Engine:
                 part = PartOf(progress, index / len(waiting), (index + 1) / len(waiting))
                 self._take(viewpoint, plan, on_event, part)
         except Cancelled:
-            self._stop(on_event, RunEnded("cancelled", "Stopped on request; what was stored is kept."))
+            self._stop(on_event, RunEnded("cancelled", "Stopped on request; stored viewpoints are kept."))
             raise
         except MeasureError as error:
             self._stop(on_event, RunEnded("failed", str(error)))
@@ -90,7 +90,7 @@ class Engine:
             self._sink.drop(viewpoint.id)
             raise
         except DeviceError as error:
-            self._approached = None  # it may have moved
+            self._approached = None  # the robot may have moved
             self._sink.drop(viewpoint.id)
             on_event(ViewpointFailed(viewpoint.id, str(error)))
             return
@@ -98,7 +98,7 @@ class Engine:
         on_event(ViewpointStored(viewpoint.id, time.monotonic() - start))
 
     def _approach(self, viewpoint: Viewpoint) -> str:
-        """Return when robot and guide were sent to where they stand at ``viewpoint``: goals that they have already move nothing."""
+        """Return the time at which robot and guide were sent to ``viewpoint``; an unchanged goal does not move them."""
         goals = (viewpoint.flange, viewpoint.guide_mm)
         if self._approached is None or self._approached[:2] != goals:
             self._approached = (*goals, datetime.now(UTC).isoformat())

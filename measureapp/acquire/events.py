@@ -1,4 +1,4 @@
-"""What the engine and the pipeline tell while they work. Views watch these; `RunEnded` is always the last of a run and always sent."""
+"""Events of the engine and the pipeline; `RunEnded` is always the last event of a run and always sent."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class RunStarted:
 
 @dataclass(frozen=True, slots=True)
 class ExposuresChosen:
-    """A probe of the scene has chosen the exposures."""
+    """The exposures were chosen from a probe of the scene."""
 
     exposures_us: tuple[int, ...]
     decodable_share: float  # predicted, of the lit pixels
@@ -49,7 +49,7 @@ class ImageTaken:
 
 @dataclass(frozen=True, slots=True)
 class ViewpointStored:
-    """The stack lies complete on disk."""
+    """The stack of a viewpoint is stored completely."""
 
     viewpoint_id: str
     seconds: float
@@ -57,7 +57,7 @@ class ViewpointStored:
 
 @dataclass(frozen=True, slots=True)
 class ViewpointFailed:
-    """A viewpoint gave nothing, and why; the run goes on with the next where that is safe."""
+    """A viewpoint failed, with the reason; the run continues with the next one if that is safe."""
 
     viewpoint_id: str
     reason: str
@@ -72,21 +72,21 @@ class CalibrationReady:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ViewReady:
-    """The stack of a viewpoint became a cloud."""
+    """The cloud of a viewpoint was computed."""
 
     view: ViewResult
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class StitchReady:
-    """All views lie in one cloud."""
+    """All clouds were stitched."""
 
     stitched: StitchedCloud
 
 
 @dataclass(frozen=True, slots=True)
 class SurfaceFailed:
-    """There is no surface; the points and the dimensions do without."""
+    """No surface could be computed; points and dimensions do not need it."""
 
     reason: str
     remedy: str
@@ -94,21 +94,21 @@ class SurfaceFailed:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class InspectionReady:
-    """The dimensions are known."""
+    """The dimensions were evaluated."""
 
     inspection: Inspection
 
 
 @dataclass(frozen=True, slots=True)
 class ValidityKnown:
-    """What is known about the calibration's validity: before the first move its age and temperature, after the last image its drift too."""
+    """Validity of the calibration: its age and temperature before the first move, its drift too after the last image."""
 
     validity: Validity
 
 
 @dataclass(frozen=True, slots=True)
 class RunEnded:
-    """The last event."""
+    """The run ended; always the last event."""
 
     reason: Literal["done", "cancelled", "failed"]
     message: str = ""

@@ -146,7 +146,7 @@ def accept_result(snapshot: Snapshot, merged: Known, place: Path, project: Path 
         write_rig(rig, place)
     else:
         opened = ProjectFolder.open(project)
-        with opened.claimed():
+        with opened.lock():
             opened.save_calibration(rig)
     return Known(cameras, rig)
 
@@ -194,7 +194,7 @@ def _write_rig(result: RigCalibration, solution: object, target: Path) -> None:
     if (target / PROJECT).is_file():
         uncertainty = uncertainty_of(solution) if isinstance(solution, RigSolution) else None
         project = ProjectFolder.open(target)
-        with project.claimed():
+        with project.lock():
             project.save_calibration(result, uncertainty)
         return
     write_rig(result, target)

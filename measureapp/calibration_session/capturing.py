@@ -11,7 +11,7 @@ from measureapp.arrays import ImageArray
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
 from measureapp.calibration_session.observation import CollectedObservation
 from measureapp.calibration_session.session import CalibrationSession
-from measureapp.data.pattern_sets import BOTH_DIRECTIONS, made_for
+from measureapp.data.pattern_sets import BOTH_DIRECTIONS, make_pattern_sets
 from measureapp.data.plan import Viewpoint
 from measureapp.devices.rig import Rig
 from measureapp.fringe.patterns.draw import pattern_images
@@ -56,7 +56,7 @@ def _plainly(rig: Rig, session: CalibrationSession, on_image: OnImage) -> _TakeO
 def _under_fringes(rig: Rig, session: CalibrationSession, on_image: OnImage) -> _TakeOne:
     """Fringes of both directions, which are loaded into the projector once."""
     size_px = rig.projector.width_px, rig.projector.height_px
-    patterns = made_for(*size_px)[BOTH_DIRECTIONS]
+    patterns = make_pattern_sets(*size_px)[BOTH_DIRECTIONS]
     shown = pattern_images(patterns, *size_px)
     rig.projector.load(shown)
 

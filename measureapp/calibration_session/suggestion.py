@@ -17,7 +17,7 @@ from measureapp.data.board import BoardDescription
 from measureapp.data.plan import FlangePose, Viewpoint
 from measureapp.data.rig import RigDescription
 from measureapp.geometry.transform import RigidTransform
-from measureapp.planning.reach import obstacles
+from measureapp.planning.reach import limit_violations
 
 SLIDES_MM = (0.0, -150.0, 150.0, -300.0, 300.0)  # beside the place straight before the table's centre
 NEAR_MM, NEAR_RAD = 20.0, float(np.deg2rad(8.0))  # of a view there is already: it would teach the same again
@@ -90,7 +90,7 @@ def _viewpoint(
     for guide_mm in _slides(guide_from_flange):
         flange = FlangePose.of(_slide(guide_mm).inverse() @ guide_from_flange)
         viewpoint = Viewpoint(id=name, flange=flange, guide_mm=guide_mm, table_deg=degrees(read.table_rad))
-        if not obstacles(viewpoint, rig):
+        if not limit_violations(viewpoint, rig):
             return viewpoint
     return None
 

@@ -23,16 +23,16 @@ def register(app: typer.Typer) -> None:
     @group.command()
     @with_groups
     def export(
-        out: Annotated[Path, typer.Option("--out", help="SVG file to write; print it at 100 % and check its line of 100 mm.")],
+        out: Annotated[Path, typer.Option("--out", help="SVG file to write; print it at 100 % and measure its line of 100 mm.")],
         board: BoardChoice,
         as_json: JsonOption = False,
     ) -> None:
-        """Draw a board to print at true scale."""
+        """Write a printable calibration board at true scale."""
         from measureapp.project.calibration.board_drawing import write_board
 
         description = board.description()
         write_board(out, description)
         document = {"board": description.model_dump(), "files": {"board": out}}
-        reply(document, f"Written: {out} ({description.label}). Print it at 100 % and measure its line of 100 mm.", as_json)
+        reply(document, f"Board saved to {out}: {description.label}. Print it at 100 % and measure its line of 100 mm.", as_json)
 
     app.add_typer(group, name="board")

@@ -1,4 +1,4 @@
-"""`bracket`: which exposures a scene needs, from a recorded probe."""
+"""`bracket`: choice of exposures for a scene, from a recorded probe."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 MultipleOption = Annotated[
     float | None,
-    typer.Option("--multiple-us", help="Exposures must be multiples of this: the projector's frame, or 10000 against 50 Hz flicker."),
+    typer.Option("--multiple-us", help="Exposures are multiples of this: the projector's frame time, or 10000 against 50 Hz flicker."),
 ]
 
 
@@ -26,17 +26,17 @@ def register(app: typer.Typer) -> None:
     def bracket(
         manifest: Annotated[Path, typer.Argument(help="MANIFEST.toml of a recorded probe: the patterns at one or a few exposures.")],
         budget_s: Annotated[float, typer.Option("--budget-s", min=0.001, help="Time for all images of one viewpoint.")] = 3.2,
-        most: Annotated[int, typer.Option("--max-exposures", min=1, max=16, help="How many exposures at most.")] = 5,
-        noise: Annotated[Path | None, typer.Option("--noise", help="Noise models of the cameras, from `noise`.")] = None,
-        readout_ms: Annotated[float, typer.Option("--readout-ms", min=0.0, help="Time an image takes at least.")] = 71.0,
-        longest_us: Annotated[int, typer.Option("--longest-us", min=1, help="Longest exposure the cameras can do.")] = 500_000,
+        most: Annotated[int, typer.Option("--max-exposures", min=1, max=16, help="Greatest number of exposures.")] = 5,
+        noise: Annotated[Path | None, typer.Option("--noise", help="Noise models of the cameras, from `measureapp noise`.")] = None,
+        readout_ms: Annotated[float, typer.Option("--readout-ms", min=0.0, help="Least time per image.")] = 71.0,
+        longest_us: Annotated[int, typer.Option("--longest-us", min=1, help="Longest exposure of the cameras.")] = 500_000,
         multiple_us: MultipleOption = None,
         as_json: JsonOption = False,
     ) -> None:
-        """Propose exposures for a scene from a probe, with what they are predicted to give.
+        """Propose exposures for a scene from a probe, with the predicted phase noise and share of decodable pixels.
 
         The manifest is that of `decode`; its exposures are compared with the proposal. A probe with a long and a short exposure
-        serves best: dark pixels are seen in the long one, shiny ones in the short one.
+        is best: the long one shows dark areas, the short one glossy areas.
         """
         from measureapp.fringe.exposures.bracket import BracketLimits, propose_bracket
         from measureapp.fringe.exposures.probe import probed

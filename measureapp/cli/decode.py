@@ -1,4 +1,4 @@
-"""`decode`: recorded fringe images to absolute phase."""
+"""`decode`: absolute phase from recorded fringe images."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ if TYPE_CHECKING:
 RuleOption = Annotated[
     str, typer.Option("--rule", help="combined: all unsaturated exposures; paper: the brightest unsaturated one of each pixel.")
 ]
-PerFrequencyOption = Annotated[bool, typer.Option("--per-frequency", help="Choose exposures for each pitch by itself.")]
-NoiseOption = Annotated[Path | None, typer.Option("--noise", help="Noise of the cameras, written by `measureapp noise`.")]
-ResponseOption = Annotated[Path | None, typer.Option("--response", help="Projector response, written by `measureapp response`.")]
+PerFrequencyOption = Annotated[bool, typer.Option("--per-frequency", help="Choose the exposures for each pitch separately.")]
+NoiseOption = Annotated[Path | None, typer.Option("--noise", help="Noise models of the cameras, from `measureapp noise`.")]
+ResponseOption = Annotated[Path | None, typer.Option("--response", help="Projector response, from `measureapp response`.")]
 BloomingOption = Annotated[
     str,
     typer.Option(
         "--blooming-px",
         metavar="0…16|auto",
-        help="Do not use an exposure so close to a pixel that it saturates; auto: as far as the images show light that spills over.",
+        help="Radius around saturated pixels within which the exposure is not used; auto: estimated from the images.",
     ),
 ]
 
@@ -36,7 +36,7 @@ def register(app: typer.Typer) -> None:
     @app.command()
     def decode(
         manifest: Annotated[Path, typer.Argument(help="MANIFEST.toml of the recorded images.")],
-        out: Annotated[Path, typer.Option("--out", help="Folder of the phase maps, one .npz per camera.")],
+        out: Annotated[Path, typer.Option("--out", help="Folder for the phase maps, one .npz per camera.")],
         rule: RuleOption = "combined",
         per_frequency: PerFrequencyOption = False,
         noise: NoiseOption = None,
@@ -49,13 +49,13 @@ def register(app: typer.Typer) -> None:
         MANIFEST.toml has shift_sign (image n is A + B cos(phase + shift_sign · 2πn/N)), saturation, projector_px, and from long to
         short [[exposure]] tables with exposure_us and [[exposure.group]] tables: kind = "phase-shift" with pitch_px or periods, or
         kind = "gray-code" (most significant bit first; complementary = true when a shifted last plane follows); each with
-        images = { camera = ["file", …] }. Groups may have direction = "horizontal" (then projector_rows is the height, and periods
-        fill it), and steps or planes, which the number of images must match; both directions may stand in one file.
-        `measureapp patterns export` writes a manifest to fill.
+        images = { camera = ["file", …] }. Groups may have direction = "horizontal" (then projector_rows is the height, over which
+        periods extend), and steps or planes, the expected number of images; one file may contain both directions.
+        `measureapp patterns export` writes a manifest template.
 
-        A phase map holds phase_rad, sigma_rad, modulation, grey, snr (modulation over noise), exposure_index and mask: 0 valid,
-        1 saturated, 2 weak modulation, 3 shadow, 4 order conflict, 5 out of range, 6 edge, 7 blooming. Sets with fringes of both
-        directions give the same arrays once more for the horizontal ones, with across_ before their names.
+        A phase map contains phase_rad, sigma_rad, modulation, grey, snr (modulation over noise), exposure_index and mask: 0 valid,
+        1 saturated, 2 weak modulation, 3 shadow, 4 order conflict, 5 out of range, 6 edge, 7 blooming. For sets with orthogonal
+        fringes it contains the same arrays for the horizontal ones, with the prefix across_.
         """
         from measureapp.fringe.decode import decode as decode_stack
         from measureapp.project.fringes.manifest import read_manifest
@@ -70,7 +70,7 @@ def register(app: typer.Typer) -> None:
             write_phase_map(file, phase_map)
             cameras[name] = {**figures(phase_map), "file": file}
             if not phase_map.valid.any():
-                cameras[name]["no_phase"] = "no phase at all: {}. {}".format(*most_frequent_loss(phase_map))
+                cameras[name]["no_phase"] = "no pixel has a phase: {}. {}".format(*most_frequent_loss(phase_map))
         lines = [line for name, entry in cameras.items() for line in _lines(name, entry)]
         reply({"cameras": cameras, "settings": settings.model_dump()}, "\n".join(lines), as_json)
 
@@ -78,18 +78,18 @@ def register(app: typer.Typer) -> None:
 def decode_settings(
     stack: FringeStack, rule: str, per_frequency: bool, noise: Path | None, response: Path | None, blooming_px: str = "0"
 ) -> DecodeSettings:
-    """Return the settings of the options; raises InputError for a rule that is not known, or a file that does not fit the images."""
+    """Return the decode settings of the options; raises InputError for an unknown rule, or a file that does not match the images."""
     from measureapp.errors import InputError
     from measureapp.fringe.settings import DecodeSettings
     from measureapp.project.fringes.noise_file import read_noise
     from measureapp.project.fringes.response_file import read_response
 
     if rule not in ("combined", "paper"):
-        raise InputError(f"--rule {rule} is not known.", "Give combined or paper.")
+        raise InputError(f"--rule {rule} is unknown.", "Give combined or paper.")
     known = read_noise(noise) if noise else {}
     missing = sorted(set(stack.images) - set(known)) if noise else []
     if missing:
-        raise InputError(f"{noise} has no camera {missing[0]!r}.", "Measure the noise of every camera, or leave --noise out.")
+        raise InputError(f"{noise} has no camera {missing[0]!r}.", "Measure the noise of every camera, or omit --noise.")
     settings = DecodeSettings(
         rule="paper" if rule == "paper" else "combined",
         joint=not per_frequency,
@@ -100,19 +100,19 @@ def decode_settings(
 
 
 def _blooming_px(stack: FringeStack, settings: DecodeSettings, wanted: str) -> int:
-    """Return the radius of the guard against blooming; raises InputError."""
+    """Return the radius of the blooming guard; raises InputError."""
     from measureapp.errors import InputError
     from measureapp.fringe.exposures.spill import FARTHEST_PX, spill_radius_px
 
     if wanted == "auto":
         return max(spill_radius_px(stack, camera, settings.noise_of(camera)) for camera in stack.images)
     if not wanted.isdecimal() or int(wanted) > FARTHEST_PX:
-        raise InputError(f"--blooming-px {wanted} is no radius.", f"Give a whole number up to {FARTHEST_PX}, or auto.")
+        raise InputError(f"--blooming-px {wanted} is not a radius.", f"Give a whole number up to {FARTHEST_PX}, or auto.")
     return int(wanted)
 
 
 def figures(phase_map: PhaseMap) -> dict[str, Any]:
-    """Return what the answer says about one camera."""
+    """Return the decoding figures of one camera."""
     import numpy as np
 
     from measureapp.data.phase import PixelState
@@ -132,16 +132,16 @@ def figures(phase_map: PhaseMap) -> dict[str, Any]:
 
 
 def most_frequent_loss(phase_map: PhaseMap) -> tuple[str, str]:
-    """Return why most pixels of a camera have no phase, in words with their share, and what helps."""
+    """Return the most frequent reason for missing phase with its share of the image, and a remedy."""
     from measureapp.data.phase import PixelState
 
     lost = {state: int((phase_map.state == state).sum()) for state in PixelState if state != PixelState.VALID}
     state = max(lost, key=lambda each: lost[each])
     share = f"{state.name.lower().replace('_', ' ')} in {lost[state] / phase_map.state.size:.0%} of the image"
     if state == PixelState.SATURATED:
-        return share, "Record a shorter exposure too, or dim the projector."
+        return share, "Add a shorter exposure, or reduce the light of the projector."
     if state in (PixelState.SHADOW, PixelState.WEAK_MODULATION):
-        return share, "Record a longer exposure too, and check that the projector lights the part."
+        return share, "Add a longer exposure, and check that the projector illuminates the part."
     return share, "Check pitches, projector_px and shift_sign in the manifest."
 
 
@@ -152,6 +152,6 @@ def _lines(name: str, entry: dict[str, Any]) -> list[str]:
         f"modulation {entry['modulation_median']:.1f}, phase noise {sigma:.4f} rad (medians)" if sigma is not None else entry["no_phase"]
     )
     return [
-        f"{name}: valid by exposure {exposures}; composite {entry['valid_ratio']['composite']:.1%}; decoded {entry['decoded_ratio']:.1%}",
+        f"{name}: valid per exposure {exposures}; composite {entry['valid_ratio']['composite']:.1%}; decoded {entry['decoded_ratio']:.1%}",
         f"  {noise}; {entry['order_conflicts']} order conflicts → {entry['file']}",
     ]

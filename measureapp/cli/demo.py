@@ -1,4 +1,4 @@
-"""`demo`: the whole job on the virtual rig."""
+"""`demo`: complete measurement on the virtual rig."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 import typer
 
 from measureapp.cli.main import OUT_OF_TOLERANCE
-from measureapp.cli.outcome import measurement_lines, passed, tell_failures
+from measureapp.cli.outcome import has_passed, measurement_lines, report_event
 from measureapp.cli.reply import UNIT_HELP, JsonOption, TerminalProgress, reply
 from measureapp.data.length_unit import LengthUnit, likely_unit
 from measureapp.errors import InputError
@@ -21,38 +21,39 @@ def register(app: typer.Typer) -> None:
     def demo(
         out: Annotated[Path | None, typer.Option("--out", help="Folder of the new project; default: demo-PART-RESOLUTION here.")] = None,
         part: Annotated[str, typer.Option(help="impeller, gypsum, gear, sphere_plate, flat, or a mesh file (STL, PLY, OBJ).")] = "gypsum",
-        viewpoints: Annotated[int | None, typer.Option(help="How many views to take; default: what the part needs.")] = None,
-        resolution: Annotated[Literal["full", "half", "quarter"], typer.Option(help="Of the cameras.")] = "half",
-        seed: Annotated[int, typer.Option(min=0, help="Draws the virtual rig's hidden errors and noise.")] = 1,
-        patterns: Annotated[str, typer.Option(help="Pattern set of `patterns list`; paper: 4 steps at 32 and 33 px.")] = "three-close",
+        viewpoints: Annotated[int | None, typer.Option(help="Number of viewpoints; default: depends on the part.")] = None,
+        resolution: Annotated[Literal["full", "half", "quarter"], typer.Option(help="Resolution of the cameras.")] = "half",
+        seed: Annotated[int, typer.Option(min=0, help="Seed of the virtual rig's hidden errors and noise.")] = 1,
+        patterns: Annotated[str, typer.Option(help="Pattern set, see `measureapp patterns list`.")] = "three-close",
         auto_bracket: Annotated[
-            float | None, typer.Option("--auto-bracket", min=0.1, help="Let a probe choose the exposures, for so many seconds a viewpoint.")
+            float | None,
+            typer.Option("--auto-bracket", min=0.1, help="Choose the exposures by a probe, for this many seconds per viewpoint."),
         ] = None,
         unit: Annotated[LengthUnit | None, typer.Option(help=UNIT_HELP)] = None,
         as_json: JsonOption = False,
     ) -> None:
-        """Calibrate, scan, stitch, measure and report on the virtual rig, and compare with its hidden truth."""
+        """Calibrate, scan, stitch, measure and report on the virtual rig, and compare with the ground truth."""
         from measureapp.demo import DemoRequest, run_demo
 
         if unit is None:
             _ask_unit(Path(part))
         folder = out or Path(f"demo-{Path(part).stem}-{resolution}")
         request = DemoRequest(folder, part, resolution, viewpoints, seed, patterns, unit or LengthUnit.MM, auto_bracket)
-        outcome = run_demo(request, tell_failures, TerminalProgress())
+        outcome = run_demo(request, report_event, TerminalProgress())
         deviation = outcome.document["truth_deviation"]
         lines = [
             *measurement_lines(outcome.measurement),
             f"Against the true surface: rms {deviation['rms']:.3f} mm, 95 % within {deviation['p95']:.3f} mm, "
-            f"bias {deviation['bias']:+.3f} mm (by the axes alone: rms {deviation['kinematic_only']['rms']:.3f} mm).",
+            f"bias {deviation['bias']:+.3f} mm (kinematic positions: rms {deviation['kinematic_only']['rms']:.3f} mm).",
             f"Report: {outcome.files['report_pdf']}",
         ]
         reply(outcome.document, "\n".join(lines), as_json)
-        if not passed(outcome.measurement):
+        if not has_passed(outcome.measurement):
             raise typer.Exit(OUT_OF_TOLERANCE)
 
 
 def _ask_unit(mesh: Path) -> None:
-    """Ask about the unit of a mesh file that is no part of the rig's size in millimetres. Raises InputError."""
+    """Ask for the unit of a mesh file with an implausible size in millimetres. Raises InputError."""
     from measureapp.simulate.part_file import mesh_span
 
     if not mesh.is_file():
@@ -61,6 +62,6 @@ def _ask_unit(mesh: Path) -> None:
     unit = likely_unit(span)
     if unit is not LengthUnit.MM:
         raise InputError(
-            f"{mesh} spans {span:.4g}: it looks like {unit.words}, {span * unit.in_mm:.4g} mm.",
-            f"Say so with `--unit {unit}`, or with `--unit mm` if the part is that small.",
+            f"{mesh} has a size of {span:.4g}: probably {unit.words}, that is {span * unit.in_mm:.4g} mm.",
+            f"Confirm with `--unit {unit}`, or give `--unit mm` if it is in millimetres.",
         )

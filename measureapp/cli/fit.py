@@ -99,7 +99,7 @@ def _document(made: Feature, criterion: str) -> dict[str, Any]:
 
 def _proof(zone: MinimumZone) -> dict[str, Any]:
     """Return why the zone is the narrowest: which points hold it (counted from 1), by which shares, and what is left unbalanced."""
-    return {"contacts": (zone.contacts + 1).tolist(), "shares": zone.shares.tolist(), "imbalance": zone.imbalance}
+    return {"contacts": (zone.contacts + 1).tolist(), "shares": zone.multipliers.tolist(), "imbalance": zone.imbalance}
 
 
 def _lines(document: dict[str, Any]) -> str:

@@ -1,4 +1,4 @@
-"""`gui`: the window."""
+"""`gui`: opens the window."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from measureapp.cli.reply import JsonOption, reply
 from measureapp.errors import InputError
 
 REPAIR = "Run `python3 installer/bootstrap.py run`, which installs what Qt needs."
-FROM_TERMINAL = "Everything works without the window too: see `measureapp --help`."
+FROM_TERMINAL = "All functions are also available without the window: see `measureapp --help`."
 
 
 def register(app: typer.Typer) -> None:
@@ -39,7 +39,7 @@ def register(app: typer.Typer) -> None:
 
 
 def check_screen() -> None:
-    """Raise InputError where no window can be shown; Qt itself would abort the process."""
+    """Raise InputError if no window can be shown; Qt itself would abort the process."""
     if not sys.platform.startswith("linux") or "QT_QPA_PLATFORM" in os.environ or os.environ.get("WAYLAND_DISPLAY"):
         return
     display = os.environ.get("DISPLAY")
@@ -54,7 +54,7 @@ def check_screen() -> None:
 
 
 def _x_server_answers() -> bool:
-    """Tell whether the X server can be reached; raises OSError naming a library that Qt's X plugin lacks."""
+    """Return whether the X server can be reached; raises OSError naming a library missing for Qt's X plugin."""
     qt = importlib.util.find_spec("PySide6")
     for folder in (qt.submodule_search_locations or ()) if qt else ():
         for plugin in Path(folder).glob("Qt/plugins/platforms/libqxcb.so"):
@@ -68,7 +68,7 @@ def _x_server_answers() -> bool:
 
 
 def _window() -> Any:
-    """Return the module of the window. By name, because the core knows no window: it is looked for only here and only now."""
+    """Import the module of the window by name, because the core must not depend on it."""
     try:
         importlib.import_module("PySide6.QtWidgets")
     except ImportError as error:

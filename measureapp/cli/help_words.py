@@ -1,4 +1,4 @@
-"""The help of commands in the words of people: PATH, TEXT and NUMBER for what options take, and whole sentences for what commands do."""
+"""Formatting of the command help: PATH, TEXT and NUMBER as value types, and complete sentences for commands."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ RANGES = (
 )
 
 
-class _Worded:
-    """What commands and groups have in common."""
+class _PlainHelp:
+    """Help formatting common to commands and groups."""
 
     def collect_usage_pieces(self, ctx: Any) -> list[str]:
-        """Return what follows the name of the command in its usage line."""
+        """Return the parts of the usage line after the command name."""
         own: Any = self
         names = [_usage(one) for one in own.get_params(ctx) if one.param_type_name == "argument"]
         return [own.options_metavar, *names, *([own.subcommand_metavar] if hasattr(own, "commands") else [])]
@@ -37,22 +37,22 @@ class _Worded:
         _write(formatter, "Commands", [(name, _first_sentence(command.help or "")) for name, command in commands.items()])
 
 
-class WordedCommand(_Worded, typer.core.TyperCommand):
-    """A command with such help."""
+class PlainHelpCommand(_PlainHelp, typer.core.TyperCommand):
+    """A command with this help formatting."""
 
 
-class WordedGroup(_Worded, typer.core.TyperGroup):
-    """A group of commands with such help."""
+class PlainHelpGroup(_PlainHelp, typer.core.TyperGroup):
+    """A command group with this help formatting."""
 
 
-def worded(app: typer.Typer) -> typer.Typer:
-    """Give such help to an application and to everything that was registered with it."""
-    app.info.cls = WordedGroup
+def use_plain_help(app: typer.Typer) -> typer.Typer:
+    """Apply the help formatting to an application and all its commands."""
+    app.info.cls = PlainHelpGroup
     for command in app.registered_commands:
-        command.cls = WordedCommand
+        command.cls = PlainHelpCommand
     for group in app.registered_groups:
         if group.typer_instance is not None:
-            worded(group.typer_instance)
+            use_plain_help(group.typer_instance)
     return app
 
 
@@ -63,7 +63,7 @@ def _write(formatter: Any, title: str, rows: list[tuple[str, str]]) -> None:
 
 
 def _row(parameter: Any, name: str, text: str) -> tuple[str, str]:
-    """One line of the help: what is written, and what it means."""
+    """Return one row of the help: parameter and meaning."""
     for pattern, words in RANGES:
         text = pattern.sub(words, text)
     if parameter.param_type_name != "argument":
@@ -73,7 +73,7 @@ def _row(parameter: Any, name: str, text: str) -> tuple[str, str]:
 
 
 def _kind(found: re.Match[str]) -> str:
-    """Return what an option takes: a kind of value, several of them, or one of some words."""
+    """Return the value type of an option: one, several, or a choice."""
     label = found[1].removeprefix("list[").removesuffix("]").removesuffix(" range")
     return " ".join(KINDS.get(part, part) for part in label.split(","))
 

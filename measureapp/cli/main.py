@@ -1,4 +1,4 @@
-"""The application object of the command line, and the one place where errors become exit codes."""
+"""Entry point of the command line; the only place where errors become exit codes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import typer
 import typer.exceptions
 
 from measureapp import __version__
-from measureapp.cli.help_words import worded
+from measureapp.cli.help_words import use_plain_help
 from measureapp.cli.reply import say
 from measureapp.errors import DeviceError, MeasureError
 from measureapp.progress import Cancelled
@@ -42,51 +42,51 @@ def build() -> typer.Typer:
     for module in pkgutil.iter_modules(importlib.import_module("measureapp.cli").__path__):
         if module.name not in NOT_COMMANDS:
             importlib.import_module(f"measureapp.cli.{module.name}").register(app)
-    return worded(app)
+    return use_plain_help(app)
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run one command and return its exit code; never lets a traceback out for bad input."""
+    """Run one command and return its exit code; invalid input never causes a traceback."""
     arguments = list(sys.argv[1:] if argv is None else argv)
     as_json = "--json" in arguments
-    _write_what_can_be_written()
+    _replace_unencodable()
     try:
         outcome = build()(args=arguments, obj=tuple(arguments), prog_name="measureapp", standalone_mode=False)
         return outcome if isinstance(outcome, int) else DONE
     except typer.Exit as stop:
         return stop.exit_code
     except (Cancelled, KeyboardInterrupt, typer.exceptions.Abort):
-        return _refuse("Cancelled", "Cancelled.", "Nothing more was written.", as_json, CANCELLED)
+        return _fail("Cancelled", "Cancelled.", "Nothing more was written.", as_json, CANCELLED)
     except typer.exceptions.TyperException as error:
-        return _refuse_usage(error.format_message(), as_json)
+        return _fail_usage(error.format_message(), as_json)
     except DeviceError as error:
-        return _refuse(type(error).__name__, error.message, error.hint, as_json, DEVICE_FAILED)
+        return _fail(type(error).__name__, error.message, error.hint, as_json, DEVICE_FAILED)
     except MeasureError as error:
-        return _refuse(type(error).__name__, error.message, error.hint, as_json, BAD_INPUT)
+        return _fail(type(error).__name__, error.message, error.hint, as_json, BAD_INPUT)
     except OSError as error:
         message = f"{error.filename or 'A file'}: {error.strerror or error}."
-        return _refuse("StorageError", message, "Check the path, the free space and the permissions.", as_json, BAD_INPUT)
+        return _fail("StorageError", message, "Check the path, the free space and the permissions.", as_json, BAD_INPUT)
 
 
-def _write_what_can_be_written() -> None:
-    """Let a terminal or file whose encoding lacks a character (✓, σ, µ) get a question mark instead of a traceback."""
+def _replace_unencodable() -> None:
+    """Print a question mark for characters (✓, σ, µ) missing in the encoding of a terminal or file."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
 
 
-def _refuse_usage(message: str, as_json: bool) -> int:
-    """Answer a call that the command line cannot understand; one without a command gets the help."""
+def _fail_usage(message: str, as_json: bool) -> int:
+    """Report a usage error; without a command print the help."""
     if message.startswith("Usage:"):
         if not as_json:
             say(message)
             return BAD_INPUT
         message = "A command is missing."
     sentence = message if message.endswith((".", "?", ")")) else f"{message}."
-    return _refuse("UsageError", sentence, "See `measureapp --help`.", as_json, BAD_INPUT)
+    return _fail("UsageError", sentence, "See `measureapp --help`.", as_json, BAD_INPUT)
 
 
-def _refuse(kind: str, message: str, hint: str, as_json: bool, code: int) -> int:
+def _fail(kind: str, message: str, hint: str, as_json: bool, code: int) -> int:
     if as_json:
         print(json.dumps({"error": {"type": kind, "message": message, "hint": hint}}))
     else:

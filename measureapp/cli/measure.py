@@ -46,12 +46,12 @@ def register(app: typer.Typer) -> None:
         from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
         from measureapp.inspection.verdict import RULES
         from measureapp.project.geometry.files import read_cloud_or_mesh
-        from measureapp.project.program_file import read_program, read_program_nominal, with_alignment
+        from measureapp.project.program_file import read_program, read_program_nominal, replace_alignment
         from measureapp.report.json_document import alignment_document, dimension_document, feature_document
 
         described = read_program(program)
         if alignment is not None:
-            described = with_alignment(described, alignment)
+            described = replace_alignment(described, alignment)
         nominal = read_program_nominal(program, described)
         settings = InspectionSettings(uncertainty=UncertaintySettings(scale_ppm=scale_ppm))
         inspection = inspect(read_cloud_or_mesh(cloud, unit=unit), described, nominal, settings, TerminalProgress())

@@ -1,4 +1,4 @@
-"""`noise`: the noise model of cameras from flat images."""
+"""`noise`: noise models of the cameras by photon transfer."""
 
 from __future__ import annotations
 
@@ -21,26 +21,32 @@ def register(app: typer.Typer) -> None:
 
     @app.command()
     def noise(
-        images: Annotated[list[str] | None, typer.Option("--images", help='CAMERA="PATTERN" of its flat images; once per camera.')] = None,
+        images: Annotated[
+            list[str] | None, typer.Option("--images", help='CAMERA="PATTERN" of its flat-field images; once per camera.')
+        ] = None,
         rig: Annotated[
             str | None, typer.Option("--rig", help="Rig whose cameras take the images: a TOML file, or a name in resources/rigs.")
         ] = None,
         fringes: Annotated[
-            Path | None, typer.Option("--fringes", metavar="MANIFEST", help="MANIFEST.toml of recorded fringes, where there are no flats.")
+            Path | None,
+            typer.Option("--fringes", metavar="MANIFEST", help="MANIFEST.toml of recorded fringes, instead of flat-field images."),
         ] = None,
-        plan: Annotated[Path | None, typer.Option("--plan", help="With --rig: move to the first viewpoint of this plan before.")] = None,
-        out: Annotated[Path | None, typer.Option("--out", help="File of the noise models, for `decode --noise`.")] = None,
-        project: Annotated[Path | None, typer.Option("--project", help="Project whose images are decoded with it from then on.")] = None,
-        dark: Annotated[list[str] | None, typer.Option("--dark", help='CAMERA="PATTERN" of images with covered lens.')] = None,
+        plan: Annotated[Path | None, typer.Option("--plan", help="With --rig: first move to the first viewpoint of this plan.")] = None,
+        out: Annotated[Path | None, typer.Option("--out", help="File for the noise models, used by `decode --noise`.")] = None,
+        project: Annotated[
+            Path | None,
+            typer.Option("--project", help="Project in which to store the noise models; its images are decoded with them from then on."),
+        ] = None,
+        dark: Annotated[list[str] | None, typer.Option("--dark", help='CAMERA="PATTERN" of dark images (lens covered).')] = None,
         saturation: Annotated[int | None, typer.Option("--saturation", help="Grey level of a saturated pixel; needed for 16 bit.")] = None,
         as_json: JsonOption = False,
     ) -> None:
-        """Estimate the noise of cameras (gain, read noise, quantisation) from flat images by photon transfer.
+        """Estimate the noise of cameras (gain, read noise, quantisation) by photon transfer.
 
-        From files: at least two images of each of five or more brightnesses, from dark to nearly saturated, of an evenly lit surface that
-        does not move; images are grouped by their mean. Dark images are needed where the camera adds a black level. By a rig: whatever
-        its cameras see, at seven exposures; without --plan nothing moves. By fringes: what four steps or more disagree by; a projector
-        whose light is not sinusoidal, and anything that moves, counts as noise there, which is told where it shows.
+        From files: at least two images at each of five or more brightness levels, from dark to nearly saturated, of an evenly lit
+        stationary surface; images are grouped by their mean. Dark images are needed if the camera adds a black level. With a rig:
+        any stationary scene at seven exposures; without --plan nothing moves. From fringes: residuals of four or more phase steps;
+        non-sinusoidal light and motion count as noise there, and are reported if detected.
         """
         from measureapp.errors import InputError
         from measureapp.project.folder import ProjectFolder
@@ -48,21 +54,21 @@ def register(app: typer.Typer) -> None:
 
         if sum([rig is not None, bool(images), fringes is not None]) != 1:
             raise InputError(
-                "Give one of --images, --rig and --fringes.", "Give --images once for every camera, or one of the others alone."
+                "Exactly one of --images, --rig and --fringes is needed.", "Give --images once for every camera, or one of the others."
             )
         if out is None and project is None:
-            raise InputError("The noise models have no place to go.", "Add --out FILE or --project PROJECT.")
+            raise InputError("There is no destination for the noise models.", "Add --out FILE or --project PROJECT.")
         if rig is None and plan is not None:
-            raise InputError("--plan says where a rig looks from.", "Add --rig, or leave --plan out.")
+            raise InputError("--plan needs --rig.", "Add --rig, or omit --plan.")
         if not images and (dark or saturation is not None):
-            raise InputError("--dark and --saturation belong to --images.", "Leave them out: the rig, or the manifest, has the saturation.")
+            raise InputError("--dark and --saturation need --images.", "Omit them: the rig or the manifest states the saturation.")
         opened = None if project is None else ProjectFolder.open(project)
         if fringes is not None:
             estimates = _of_fringes(fringes)
         else:
             estimates = _of_files(images or [], dark or [], saturation) if rig is None else _of_rig(rig, plan)
         if opened is not None:
-            with opened.claimed():
+            with opened.lock():
                 opened.save_noise(estimates)
         if out is not None:
             write_noise(out, estimates)
@@ -101,7 +107,7 @@ def _of_rig(rig: str, plan: Path | None) -> dict[str, NoiseEstimate]:
 
 
 def _assigned(option: str, values: list[str]) -> dict[str, str]:
-    """Take CAMERA=PATTERN apart; raises InputError."""
+    """Parse CAMERA=PATTERN; raises InputError."""
     from measureapp.errors import InputError
 
     assigned = {}
@@ -110,7 +116,7 @@ def _assigned(option: str, values: list[str]) -> dict[str, str]:
         if not (camera and equals and pattern):
             raise InputError(f"{option} {value} does not name a camera.", f'Give {option} left="flats/left_*.png".')
         if camera in assigned:
-            raise InputError(f"{option} gives camera {camera} twice.", "Put all its images into one pattern.")
+            raise InputError(f"{option} names camera {camera} twice.", "Match all its images by one pattern.")
         assigned[camera] = pattern
     return assigned
 
@@ -125,7 +131,7 @@ def _estimate(camera: str, pattern: str, dark: str | None, saturation: int | Non
     flats = read_flats(pattern)
     eight_bit = next(iter(flats.values())).dtype == np.uint8
     if saturation is None and not eight_bit:
-        raise InputError(f"The images of camera {camera} have 16 bit.", "Add --saturation: 1023, 4095 or 65535.")
+        raise InputError(f"The 16-bit images of camera {camera} need a saturation level.", "Add --saturation: 1023, 4095 or 65535.")
     covered = None if dark is None else np.stack(list(read_flats(dark).values()))
     return estimate_noise(brightness_levels(flats), saturation or 255, camera, covered)
 

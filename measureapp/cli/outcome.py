@@ -1,4 +1,4 @@
-"""A measurement in a few lines for a terminal."""
+"""Summary of a measurement for the terminal."""
 
 from __future__ import annotations
 
@@ -10,37 +10,37 @@ from measureapp.data.measurement import Alignment, Measurement
 MARK = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdict.NOT_MEASURED: "–"}
 
 
-def tell_failures(event: Event) -> None:
-    """Say on standard error which view gave nothing, or why there is no surface; and which exposures a probe chose."""
+def report_event(event: Event) -> None:
+    """Print failed views, a missing surface, chosen exposures and warnings to standard error."""
     if isinstance(event, ViewpointFailed):
         say(f"{event.viewpoint_id}: {event.reason}")
     elif isinstance(event, SurfaceFailed):
-        say(f"There is no surface: {event.reason} {event.remedy}")
+        say(f"No surface: {event.reason} {event.remedy}")
     elif isinstance(event, ExposuresChosen):
         say(exposures_line(event))
     elif isinstance(event, ValidityKnown):
-        tell_warnings(event)
+        report_warnings(event)
 
 
-def tell_warnings(event: ValidityKnown) -> None:
-    """Say before a scan what speaks against its calibration; what the scan itself says comes with its results."""
+def report_warnings(event: ValidityKnown) -> None:
+    """Print warnings about the calibration before a scan; those found by the scan are part of its results."""
     if event.validity.drift is None:
         for warning in event.validity.warnings:
             say(f"Calibration: {warning}")
 
 
 def exposures_line(event: ExposuresChosen) -> str:
-    """Return which exposures a probe chose, and what they are worth."""
+    """Return the exposures chosen by a probe, with their predicted benefit."""
     times = ", ".join(f"{exposure / 1000:g}" for exposure in event.exposures_us)
     note = f"; {event.note}" if event.note else ""
     return (
         f"Exposures chosen: {times} ms, {event.decodable_share:.1%} of the lit pixels decodable "
-        f"(with those of the plan {event.planned_share:.1%}){note}."
+        f"(exposures of the plan: {event.planned_share:.1%}){note}."
     )
 
 
-def passed(measurement: Measurement) -> bool:
-    """Whether no dimension has a negative verdict, and no camera moved since the calibration."""
+def has_passed(measurement: Measurement) -> bool:
+    """Whether all dimensions pass and no camera has drifted since the calibration."""
     drift = measurement.validity.drift
     if drift is not None and drift.standing == "drifted":
         return False
@@ -48,7 +48,7 @@ def passed(measurement: Measurement) -> bool:
 
 
 def measurement_lines(measurement: Measurement) -> list[str]:
-    """Return what a measurement gave, a line each."""
+    """Return the summary of a measurement."""
     used = sum(placement.used for placement in measurement.stitched.placements)
     lines = [f"{measurement.part}: {len(measurement.stitched):,} points from {used} of {len(measurement.views)} views."]
     for placement in measurement.stitched.placements:
@@ -56,28 +56,28 @@ def measurement_lines(measurement: Measurement) -> list[str]:
             lines.append(f"  {placement.viewpoint_id}: {placement.verdict}")
     lines += [f"Calibration: {sentence}" for sentence in measurement.validity.told]
     if measurement.inspection is None:
-        return [*lines, "No inspection program: no dimensions."]
+        return [*lines, "The project has no inspection program."]
     return lines + [dimension_line(dimension) for dimension in measurement.inspection.dimensions]
 
 
 def dimension_line(dimension: Dimension) -> str:
-    """Return one dimension as a line: mark, name, measured ± uncertainty, nominal, error."""
+    """Return one dimension as a line: mark, name, measured ± uncertainty, nominal, deviation."""
     start = f"  {MARK[dimension.verdict]} {dimension.name:<18}"
     if dimension.measured is None or dimension.error is None:
         return f"{start}not measured: {dimension.reason}"
     shown = dimension.uncertainty_shown()
     uncertainty = "" if shown is None else f" ± {shown:.3f}"
     return (
-        f"{start}{dimension.measured:9.3f}{uncertainty} {dimension.unit} (nominal {dimension.nominal:g}, error {dimension.error:+.3f})"
+        f"{start}{dimension.measured:9.3f}{uncertainty} {dimension.unit} (nominal {dimension.nominal:g}, deviation {dimension.error:+.3f})"
         f"  {dimension.verdict.value}"
     )
 
 
 def alignment_lines(alignment: Alignment) -> str:
-    """Return how the part was laid onto its nominal: name, residuals, what stays open, notes."""
+    """Return the alignment of the part: name, residuals, undetermined degrees of freedom, notes."""
     lines = [f"Alignment: {alignment.name}" + (f", rms {alignment.rms_mm:.3f} mm." if alignment.rms_mm > 0 else ".")]
     if alignment.residuals_mm:
-        lines.append("Off their nominal places: " + ", ".join(f"{name} {off:.4f} mm" for name, off in alignment.residuals_mm.items()) + ".")
+        lines.append("Residuals: " + ", ".join(f"{name} {off:.4f} mm" for name, off in alignment.residuals_mm.items()) + ".")
     if alignment.undetermined:
-        lines.append("Left open by the points: " + ", ".join(alignment.undetermined) + ".")
+        lines.append("Not determined by the points: " + ", ".join(alignment.undetermined) + ".")
     return "\n".join([*lines, *(f"{note}." for note in alignment.notes)])

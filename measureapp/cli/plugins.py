@@ -1,4 +1,4 @@
-"""`plugins`: which drivers there are, and why any failed to load."""
+"""`plugins`: list of device drivers."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ def register(app: typer.Typer) -> None:
 
     @app.command()
     def plugins(
-        folder: Annotated[Path | None, typer.Option(help="Folder of the plugins; default: those that come with the program.")] = None,
+        folder: Annotated[Path | None, typer.Option(help="Folder of the plugins; default: those shipped with the program.")] = None,
         as_json: JsonOption = False,
     ) -> None:
-        """List the device drivers and why any failed to load."""
+        """List the device drivers, with the reason for any that failed to load."""
         from measureapp.devices.plugin_loader import PluginRow, examine
         from measureapp.errors import InputError
 
         if folder is not None and not folder.is_dir():
-            raise InputError(f"{folder} is not a folder.", "Name the folder that holds the plugin folders.")
+            raise InputError(f"{folder} is not a folder.", "Name the folder that contains the plugin folders.")
 
         def line(row: PluginRow) -> str:
             start = f"{row.id:<20} {row.version or '–':<9} {row.kind or '–':<13} "

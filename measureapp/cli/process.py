@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from measureapp.cli.main import OUT_OF_TOLERANCE
-from measureapp.cli.outcome import measurement_lines, passed, tell_failures
+from measureapp.cli.outcome import has_passed, measurement_lines, report_event
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 if TYPE_CHECKING:
@@ -22,9 +22,9 @@ def register(app: typer.Typer) -> None:
     def process(
         project: Annotated[Path, typer.Argument(help="Project folder.")],
         accept: Annotated[
-            list[str] | None, typer.Option(help="Use this view whatever its figures say, now and later; may be given several times.")
+            list[str] | None, typer.Option(help="Use this view regardless of its quality, now and later; may be given several times.")
         ] = None,
-        refuse: Annotated[list[str] | None, typer.Option(help="Leave this view out, now and later; may be given several times.")] = None,
+        refuse: Annotated[list[str] | None, typer.Option(help="Do not use this view, now and later; may be given several times.")] = None,
         as_json: JsonOption = False,
     ) -> None:
         """Recompute everything, calibration included, from the stored images."""
@@ -33,9 +33,9 @@ def register(app: typer.Typer) -> None:
 
         folder = ProjectFolder.open(project)
         _choose(folder, accept or [], refuse or [])
-        outcome = process_project(folder, tell_failures, TerminalProgress())
+        outcome = process_project(folder, report_event, TerminalProgress())
         reply(outcome.document, "\n".join(measurement_lines(outcome.measurement)), as_json)
-        if not passed(outcome.measurement):
+        if not has_passed(outcome.measurement):
             raise typer.Exit(OUT_OF_TOLERANCE)
 
     @app.command()
@@ -46,19 +46,19 @@ def register(app: typer.Typer) -> None:
         folder = ProjectFolder.open(project)
         checked, damaged = folder.verify()
         lines = [problem for problems in damaged.values() for problem in problems]
-        summary = f"{len(checked)} viewpoints checked: " + ("all as stored." if not damaged else f"{len(lines)} files damaged.")
+        summary = f"{len(checked)} viewpoints checked: " + ("no damage." if not damaged else f"{len(lines)} files damaged.")
         reply({"checked": checked, "damaged": damaged}, "\n".join([*lines, summary]), as_json)
         if damaged:
             raise typer.Exit(OUT_OF_TOLERANCE)
 
 
 def _choose(project: ProjectFolder, accepted: list[str], refused: list[str]) -> None:
-    """Keep with the project which views are used or refused by hand."""
+    """Store the views accepted or refused by hand in the project."""
     from measureapp.errors import InputError
     from measureapp.pipeline.chosen_views import check_choices
 
     if both := sorted(set(accepted) & set(refused)):
-        raise InputError(f"The view {both[0]!r} is accepted and refused at once.", "Name it once.")
+        raise InputError(f"The view {both[0]!r} is both accepted and refused.", "Name it once.")
     choices = project.view_choices()
     for name in accepted:
         choices = choices.with_choice(name, "use")

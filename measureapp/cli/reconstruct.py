@@ -1,4 +1,4 @@
-"""`reconstruct`: recorded fringe images to a point cloud."""
+"""`reconstruct`: point cloud from recorded fringe images."""
 
 from __future__ import annotations
 
@@ -43,14 +43,15 @@ def register(app: typer.Typer) -> None:
         response: ResponseOption = None,
         blooming_px: BloomingOption = "0",
         projector: Annotated[
-            bool, typer.Option("--projector", help="Let the calibrated projector of cameras.json fill what only one camera sees.")
+            bool,
+            typer.Option("--projector", help="Triangulate areas visible to only one camera with the calibrated projector of cameras.json."),
         ] = False,
         as_json: JsonOption = False,
     ) -> None:
         """Decode fringe images, match the cameras by phase and triangulate; a single camera needs a calibrated projector.
 
-        Points in which the projector took part have bit 128 of `cameras` set. Mistakes that decode smoothly (wrong shift sign,
-        exchanged cameras, a camera that moved since its calibration) are named.
+        Points triangulated with the projector have bit 128 of `cameras` set. Mistakes that do not disturb decoding (wrong shift
+        sign, exchanged cameras, a camera that moved since its calibration) are diagnosed.
         """
         from measureapp.errors import ReconstructError
         from measureapp.fringe.decode import decode
@@ -65,8 +66,8 @@ def register(app: typer.Typer) -> None:
         _check_fits(stack, calibration, cameras)
         progress = TerminalProgress()
         maps = decode(stack, settings, PartOf(progress, 0.0, 0.5))
-        findings = diagnosed(maps, calibration)
-        made, agreement = _made(maps, calibration, projector or len(maps) == 1, PartOf(progress, 0.5, 1.0))
+        findings = diagnose_maps(maps, calibration)
+        made, agreement = _reconstruct(maps, calibration, projector or len(maps) == 1, PartOf(progress, 0.5, 1.0))
         if len(made.cloud) == 0:
             raise ReconstructError(*_no_points(maps, manifest, cameras))
         write_cloud(out, made.cloud)
@@ -76,19 +77,19 @@ def register(app: typer.Typer) -> None:
 
 
 def _no_points(maps: Mapping[str, PhaseMap], manifest: Path, cameras: Path) -> tuple[str, str]:
-    """Return why there is no point, and what helps."""
+    """Return the reason for missing points, and a remedy."""
     for name, phase_map in maps.items():
         if not phase_map.valid.any():
-            why, remedy = most_frequent_loss(phase_map)
-            return f"{manifest} gives no points: camera {name!r} has no phase, {why}.", remedy
+            reason, remedy = most_frequent_loss(phase_map)
+            return f"{manifest} gives no points: camera {name!r} has no phase, {reason}.", remedy
     return (
-        f"{manifest} gives no points: no phase occurs in two cameras on one epipolar line.",
+        f"{manifest} gives no points: no pixels of two cameras have the same phase on an epipolar line.",
         f"Check that {cameras} belongs to these images, and the pitches and shift_sign in the manifest.",
     )
 
 
-def diagnosed(maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration) -> tuple[Finding, ...]:
-    """Return what looks suspicious, also said aloud; raises ReconstructError where points would be wrong."""
+def diagnose_maps(maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration) -> tuple[Finding, ...]:
+    """Diagnose the phase maps and print the findings; raises ReconstructError when points would be wrong."""
     from measureapp.reconstruct.diagnosis.diagnose import diagnose
 
     findings = diagnose(maps, calibration)
@@ -100,7 +101,7 @@ def diagnosed(maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration)
 
 
 def _validity(maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration) -> dict[str, Any]:
-    """Return whether the calibration has expired and whether a camera moved since, also said aloud; images in files have no date."""
+    """Evaluate the validity of the calibration and print warnings; images in files have no date."""
     from datetime import UTC, datetime
 
     from measureapp.calibrate.cameras.drift import camera_drift
@@ -117,10 +118,10 @@ def _validity(maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration)
     return validity_document(validity)
 
 
-def _made(
+def _reconstruct(
     maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration, with_projector: bool, progress: Progress
 ) -> tuple[Reconstruction, dict[str, Any]]:
-    """Return the reconstruction, and how well the projector agrees where it takes part."""
+    """Return the reconstruction and, with the projector, its agreement with the cameras."""
     from measureapp.reconstruct.projector.with_projector import reconstruct_view_with_projector
     from measureapp.reconstruct.reconstruct import reconstruct as reconstruct_maps
 
@@ -132,7 +133,7 @@ def _made(
 
 
 def _check_fits(stack: FringeStack, calibration: CameraArrayCalibration, file: Path) -> None:
-    """Raise InputError where the calibration is of other cameras than the images, before the long work starts."""
+    """Raise InputError when the calibration is of other cameras than the images."""
     from measureapp.errors import InputError
 
     for name, images in stack.images.items():
@@ -145,7 +146,7 @@ def _check_fits(stack: FringeStack, calibration: CameraArrayCalibration, file: P
         height, width = images.shape[2:]
         if (width, height) != (pinhole.width_px, pinhole.height_px):
             raise InputError(
-                f"{file}: camera {name!r} is calibrated for {pinhole.width_px} × {pinhole.height_px} px, its images have {width} × {height} px.",
+                f"{file}: camera {name!r} is calibrated for {pinhole.width_px} × {pinhole.height_px} px, its images are {width} × {height} px.",
                 "Use the calibration of the camera and resolution that took the images.",
             )
 
@@ -182,11 +183,12 @@ def _lines(document: dict[str, Any]) -> str:
     ]
     for pair in document["pairs"]:
         rms = pair["epipolar_rms_px"]
-        of_pair = len(document["pairs"]) == 1  # two cameras, judged by the fringes of the other direction
-        where = "across the epipolar lines" if of_pair else "in the third camera"
-        seen = "" if rms is None else f", {rms:.3f} px {where}, {pair['epipolar_px']:.3f} px without the phase noise"
-        seen += "" if of_pair or pair["across_px"] is None else f", {pair['across_px']:.3f} px across the epipolar lines"
-        said = f"not matched, {pair['skipped']}" if pair["skipped"] else f"{pair['matched']} matched{seen}"
-        lines.append(f"  {'–'.join(pair['cameras'])}: {said}")
+        is_only_pair = len(document["pairs"]) == 1  # two cameras: error from the orthogonal fringes
+        where = "perpendicular to the epipolar lines" if is_only_pair else "in the third camera"
+        errors = "" if rms is None else f", {rms:.3f} px {where}, {pair['epipolar_px']:.3f} px without the phase noise"
+        if not is_only_pair and pair["across_px"] is not None:
+            errors += f", {pair['across_px']:.3f} px perpendicular to the epipolar lines"
+        result = f"not matched, {pair['skipped']}" if pair["skipped"] else f"{pair['matched']} matched{errors}"
+        lines.append(f"  {'–'.join(pair['cameras'])}: {result}")
     lines.append("  rejected: " + ", ".join(f"{count} {reason}" for reason, count in document["rejected"].items() if count))
     return "\n".join(lines)

@@ -1,4 +1,4 @@
-"""How commands answer: one JSON document or plain lines on standard output, progress on standard error."""
+"""Answers of commands: one JSON document or plain lines on standard output, progress on standard error."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from measureapp.data.length_unit import LengthUnit
 
 JsonOption = Annotated[bool, typer.Option("--json", help="Answer with exactly one JSON document on standard output.")]
 
-UNIT_HELP = "Unit of its lengths: mm, inch, m, cm or um; without it mm is taken, and a likely other one is asked about."
+UNIT_HELP = "Unit of its lengths: mm, inch, m, cm or um; default: mm, with a question if another unit is more likely."
 UnitOption = Annotated[LengthUnit, typer.Option("--unit", help=UNIT_HELP)]
 
 
 def jsonable(value: Any) -> Any:
-    """Return ``value`` with arrays, paths, enums and NumPy numbers as plain JSON; a number that is not finite becomes null."""
+    """Convert arrays, paths, enums and NumPy numbers in ``value`` to plain JSON; non-finite numbers become null."""
     if isinstance(value, Mapping):
         return {str(key): jsonable(item) for key, item in value.items()}
     if isinstance(value, np.ndarray):
@@ -42,12 +42,12 @@ def jsonable(value: Any) -> Any:
 
 
 def reply(document: Mapping[str, Any], lines: str, as_json: bool) -> None:
-    """Print the answer of a command, either as JSON or as ``lines`` for people."""
+    """Print the answer of a command, as JSON or as ``lines``."""
     print(json.dumps(jsonable(document), indent=2, allow_nan=False) if as_json else lines)
 
 
 def say(message: str) -> None:
-    """Tell something beside the answer, on standard error."""
+    """Print a message to standard error."""
     print(message, file=sys.stderr)
 
 

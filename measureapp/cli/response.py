@@ -1,4 +1,4 @@
-"""`response`: the projector's answer to levels, from recorded fringes or a grey ramp."""
+"""`response`: intensity response of the projector, from recorded fringes or a grey ramp."""
 
 from __future__ import annotations
 
@@ -23,22 +23,22 @@ def register(app: typer.Typer) -> None:
     def response(
         recorded: Annotated[Path, typer.Argument(metavar="MANIFEST", help="MANIFEST.toml of recorded fringes, or .csv of a grey ramp.")],
         out: Annotated[Path, typer.Option("--out", help="Response file (JSON) to write.")],
-        camera: Annotated[str | None, typer.Option("--camera", help="The camera whose images count; default: the first.")] = None,
+        camera: Annotated[str | None, typer.Option("--camera", help="Camera whose images are used; default: the first.")] = None,
         as_json: JsonOption = False,
     ) -> None:
-        """Estimate what light the projector makes of levels: gamma, harmonics, and the phase error they leave.
+        """Estimate the intensity response of the projector: gamma, harmonics, and the phase error they cause.
 
-        From fringes of six or more steps (twelve are good) come the harmonics and the curve; fringes of three to five steps tell
-        only the error of their own phases, and need a scene with many fringes. A ramp is a CSV with the columns level (0…255,
-        shown) and grey (mean measured by a camera that does not saturate); it tells the curve.
+        Fringes of six or more steps (twelve are recommended) determine the harmonics and the response curve; fringes of three to
+        five steps only the errors of their own phases, and need a scene with many fringes. A ramp is a CSV with the columns level
+        (0…255, projected) and grey (mean of an unsaturated camera); it determines the curve.
 
-        `patterns export --response` corrects images before they are shown, `decode --response` phases after they were recorded.
+        `patterns export --response` corrects the images to be projected, `decode --response` the recorded phases.
         """
-        made, reports, seen_by = _estimate(recorded, camera)
+        made, reports, used_camera = _estimate(recorded, camera)
         from measureapp.project.fringes.response_file import write_response
 
         write_response(out, made)
-        reply(_document(made, reports, seen_by, out), "\n".join([*_lines(made, reports), f"→ {out}"]), as_json)
+        reply(_document(made, reports, used_camera, out), "\n".join([*_lines(made, reports), f"→ {out}"]), as_json)
 
 
 def _estimate(recorded: Path, camera: str | None) -> tuple[ProjectorResponse, tuple[PitchReport, ...], str | None]:
@@ -84,8 +84,8 @@ def _lines(made: ProjectorResponse, reports: tuple[PitchReport, ...]) -> list[st
 
 
 def _harmonics(waveform: Waveform) -> str:
-    told = ", ".join(f"harmonic {h.order}: {h.share:.2%} ± {h.spread:.2%}" for h in waveform)
-    return told or "no error beyond the unevenness of the scene"
+    words = ", ".join(f"harmonic {h.order}: {h.share:.2%} ± {h.spread:.2%}" for h in waveform)
+    return words or "no significant harmonics"
 
 
 def _kept(kept: KeptError) -> str:

@@ -1,4 +1,4 @@
-"""`rig check`: connect everything a rig has and say what answers."""
+"""`rig check`: connection test of all devices of a rig."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ def register(app: typer.Typer) -> None:
 
     @group.callback()
     def about() -> None:
-        """Look after the connected devices."""
+        """The connected devices."""
 
     @group.command()
     def check(
         rig: Annotated[str, typer.Argument(help="Rig description: a TOML file, or a name in resources/rigs.")],
-        plugins: Annotated[Path | None, typer.Option(help="Folder of the plugins; default: those that come with the program.")] = None,
+        plugins: Annotated[Path | None, typer.Option(help="Folder of the plugins; default: those shipped with the program.")] = None,
         calibration: Annotated[
-            Path | None, typer.Option("--calibration", help="Project whose calibration must be of these cameras and still hold.")
+            Path | None, typer.Option("--calibration", help="Project whose calibration is checked for these cameras.")
         ] = None,
         as_json: JsonOption = False,
     ) -> None:
@@ -41,7 +41,7 @@ def register(app: typer.Typer) -> None:
         from measureapp.project.rig_file import read_rig
 
         description = read_rig(rig)
-        known = None if calibration is None else ProjectFolder.open(calibration).needed_calibration()
+        known = None if calibration is None else ProjectFolder.open(calibration).require_calibration()
         connected = connect_rig(description, plugins)
         try:
             devices, problems = read_all(connected)
@@ -49,18 +49,18 @@ def register(app: typer.Typer) -> None:
         finally:
             connected.close()
         if problems:
-            raise DeviceError(f"Rig {description.name}: " + " ".join(problems), "Check the cables and the power of the devices named.")
+            raise DeviceError(f"Rig {description.name}: " + " ".join(problems), "Check the cables and the power of these devices.")
         width = max(len(device["name"]) for device in devices)
         lines = [f"{device['name']:<{width}}  {device['kind']:<13} {device['state']}" for device in devices]
         document: dict[str, Any] = {"rig": description.name, "driver": description.driver, "devices": devices}
         if validity is not None:
             document["calibration"] = {"warnings": list(validity.warnings), "temperature_c": validity.temperature_c}
-            lines += [f"Calibration: {warning}" for warning in validity.warnings or ("of these cameras, and valid.",)]
+            lines += [f"Calibration: {warning}" for warning in validity.warnings or ("matches these cameras and is valid.",)]
         reply(document, "\n".join(lines), as_json)
 
 
 def read_all(rig: Rig) -> tuple[list[dict[str, Any]], list[str]]:
-    """Read every device back; return what each answered, and the problems of those that did not."""
+    """Read every device back; return their states, and the problems of those that did not answer."""
     questions: list[tuple[str, str, Callable[[], str]]] = [
         *((name, "camera", lambda camera=camera: camera_state(camera)) for name, camera in rig.cameras.items()),
         (
@@ -82,7 +82,7 @@ def read_all(rig: Rig) -> tuple[list[dict[str, Any]], list[str]]:
 
 
 def camera_state(camera: Any) -> str:
-    """Return what a camera is set to."""
-    warm = camera.temperature_c()
-    warmth = "no thermometer" if warm is None else f"{warm:.1f} °C"
-    return f"{camera.serial}, {camera.width_px} × {camera.height_px} px, exposure {camera.exposure_us()} µs, {warmth}"
+    """Describe the state of a camera."""
+    temperature_c = camera.temperature_c()
+    temperature = "no thermometer" if temperature_c is None else f"{temperature_c:.1f} °C"
+    return f"{camera.serial}, {camera.width_px} × {camera.height_px} px, exposure {camera.exposure_us()} µs, {temperature}"

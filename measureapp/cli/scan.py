@@ -1,4 +1,4 @@
-"""`scan`: run a plan on a rig and process what it gave."""
+"""`scan`: run a plan on a rig and process the images."""
 
 from __future__ import annotations
 
@@ -18,13 +18,15 @@ from measureapp.acquire.events import (
     ViewpointStored,
 )
 from measureapp.cli.main import DEVICE_FAILED, OUT_OF_TOLERANCE
-from measureapp.cli.outcome import exposures_line, measurement_lines, passed, tell_warnings
+from measureapp.cli.outcome import exposures_line, has_passed, measurement_lines, report_warnings
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply, say
 
 if TYPE_CHECKING:
     from measureapp.data.plan import ScanPlan
 
-NOT_PROCESSED = "The images are stored. The project has no calibration: calibrate the rig, then `measureapp process PROJECT`."
+NOT_PROCESSED = (
+    "The images are stored but not processed: the project has no calibration. Calibrate the rig, then run `measureapp process PROJECT`."
+)
 
 
 def register(app: typer.Typer) -> None:
@@ -34,13 +36,14 @@ def register(app: typer.Typer) -> None:
     def scan(
         plan: Annotated[Path, typer.Argument(help="Scan plan (JSON or TOML).")],
         rig: Annotated[str, typer.Option("--rig", help="Rig description: a TOML file, or a name in resources/rigs.")],
-        project: Annotated[Path, typer.Option("--project", help="Project folder, new or with the calibration of this rig.")],
+        project: Annotated[Path, typer.Option("--project", help="Project folder, new or with a calibration of this rig.")],
         calibration: Annotated[
-            Path | None, typer.Option("--calibration", help="Another project of this rig whose calibration a new project takes over.")
+            Path | None, typer.Option("--calibration", help="Another project of this rig whose calibration is copied into a new project.")
         ] = None,
-        resume: Annotated[bool, typer.Option("--resume", help="Keep the viewpoints that are stored already.")] = False,
+        resume: Annotated[bool, typer.Option("--resume", help="Keep stored viewpoints and take only the missing ones.")] = False,
         auto_bracket: Annotated[
-            float | None, typer.Option("--auto-bracket", min=0.1, help="Let a probe choose the exposures, for so many seconds a viewpoint.")
+            float | None,
+            typer.Option("--auto-bracket", min=0.1, help="Choose the exposures by a probe, for this many seconds per viewpoint."),
         ] = None,
         as_json: JsonOption = False,
     ) -> None:
@@ -60,23 +63,23 @@ def register(app: typer.Typer) -> None:
         reply({**document, **run}, "\n".join(lines), as_json)
         if any(state["state"] != "stored" for state in log.states.values()):
             raise typer.Exit(DEVICE_FAILED)
-        if any("reason" in state for state in log.states.values()) or not (outcome is None or passed(outcome.measurement)):
+        if any("reason" in state for state in log.states.values()) or not (outcome is None or has_passed(outcome.measurement)):
             raise typer.Exit(OUT_OF_TOLERANCE)
 
 
 class ScanLog:
-    """What became of every viewpoint of a plan: missing, failed (a device), or stored; a reason says why it gave no points."""
+    """State of every viewpoint of a plan: missing, failed (device error) or stored, with the reason if it has no points."""
 
     def __init__(self, plan: ScanPlan) -> None:
         self.states: dict[str, dict[str, Any]] = {viewpoint.id: {"state": "stored"} for viewpoint in plan}
         self.ended = RunEnded("done")
 
     def note(self, event: Event) -> None:
-        """Hear one event of the run."""
+        """Record one event of the run."""
         if isinstance(event, ExposuresChosen):
             say(exposures_line(event))
         elif isinstance(event, ValidityKnown):
-            tell_warnings(event)
+            report_warnings(event)
         elif isinstance(event, RunStarted):
             for viewpoint_id in event.viewpoint_ids:
                 self.states[viewpoint_id] = {"state": "missing"}

@@ -1,4 +1,4 @@
-"""`why`: why a pixel, a region or a view has holes."""
+"""`why`: explanation of holes in a pixel, region or view."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ if TYPE_CHECKING:
     from measureapp.pipeline.why_pictures import Kind, Picture
 
 Decoding = tuple[str, bool, Path | None, Path | None, str]  # rule, per frequency, noise, response, blooming: the options of `decode`
-AS_USUAL: Decoding = ("combined", False, None, None, "0")
+DEFAULT_DECODING: Decoding = ("combined", False, None, None, "0")
 STAGES = {
     "decode": "lost in decoding",
     "match": "lost in matching the cameras",
-    "clean": "left out by cleaning",
+    "clean": "rejected by outlier filters",
 }
 
 
@@ -32,9 +32,11 @@ def register(app: typer.Typer) -> None:
         source: Annotated[Path, typer.Argument(help="Project folder, or MANIFEST.toml of recorded images.")],
         view: Annotated[str | None, typer.Option("--view", help="View of the project.")] = None,
         cameras: Annotated[Path | None, typer.Option("--cameras", help="cameras.json of the cameras that took recorded images.")] = None,
-        camera: Annotated[str | None, typer.Option("--camera", help="Camera to look at; the reference camera where one is needed.")] = None,
+        camera: Annotated[
+            str | None, typer.Option("--camera", help="Camera to explain; default: all, or the reference camera for a pixel or region.")
+        ] = None,
         pixel: Annotated[str | None, typer.Option("--pixel", help="ROW,COLUMN of the pixel to explain.")] = None,
-        region: Annotated[str | None, typer.Option("--region", help="ROW,COLUMN,ROW,COLUMN of a box, its end not included.")] = None,
+        region: Annotated[str | None, typer.Option("--region", help="ROW,COLUMN,ROW,COLUMN of a region, its end not included.")] = None,
         maps: Annotated[
             list[str] | None,
             typer.Option("--map", help="OUT.png, or KIND=OUT.png with the kind reasons, exposure or snr; may be given several times."),
@@ -46,17 +48,17 @@ def register(app: typer.Typer) -> None:
         blooming_px: BloomingOption = "0",
         as_json: JsonOption = False,
     ) -> None:
-        """Say why there is a hole: the stage, the reason, its numbers beside the limits, and what to do.
+        """Explain a hole: the stage, the reason, the values with their limits, and what to do.
 
-        Without --pixel or --region the shares of all reasons are told, for every camera; those of a camera sum to 1. The images
-        are decoded and reconstructed again; nothing in the project changes. --map draws every camera, or only --camera.
-        Images of a single camera are explained with the projector of --cameras, or without it up to their phase. Give recorded images
-        the options they were decoded with.
+        Without --pixel or --region the fractions of all reasons are listed for every camera; those of a camera sum to 1. The images
+        are decoded and reconstructed again; the project is not changed. --map draws every camera, or only --camera.
+        Images of a single camera are explained with the projector of --cameras, or without it up to their phase. For recorded
+        images give the options they were decoded with.
         """
         from measureapp.errors import InputError
 
         if pixel is not None and region is not None:
-            raise InputError("--pixel and --region exclude each other.", "Ask for one of them.")
+            raise InputError("--pixel and --region exclude each other.", "Give one of them.")
         pictures = dict(_kind_and_file(value) for value in maps or [])
         wanted = _numbers("--pixel", pixel, 2), _numbers("--region", region, 4)
         explained = _explained(source, view, cameras, (rule, per_frequency, noise, response, blooming_px))
@@ -69,7 +71,7 @@ def register(app: typer.Typer) -> None:
 
 
 def _kind_and_file(value: str) -> tuple[Kind, Path]:
-    """Take [KIND=]FILE apart; raises InputError."""
+    """Parse [KIND=]FILE; raises InputError."""
     from measureapp.errors import InputError
     from measureapp.pipeline.why_pictures import KINDS
 
@@ -83,7 +85,7 @@ def _kind_and_file(value: str) -> tuple[Kind, Path]:
 
 
 def _numbers(option: str, value: str | None, count: int) -> tuple[int, ...] | None:
-    """Return whole numbers apart by commas; raises InputError."""
+    """Parse whole numbers separated by commas; raises InputError."""
     from measureapp.errors import InputError
 
     if value is None:
@@ -94,13 +96,13 @@ def _numbers(option: str, value: str | None, count: int) -> tuple[int, ...] | No
         numbers = ()
     if len(numbers) != count:
         raise InputError(
-            f"{option} {value} is not {'a place' if count == 2 else 'a box'}.", f"Give {','.join(['ROW,COLUMN'] * (count // 2))}."
+            f"{option} {value} is not a {'pixel' if count == 2 else 'region'}.", f"Give {','.join(['ROW,COLUMN'] * (count // 2))}."
         )
     return numbers
 
 
 def _explained(source: Path, view: str | None, cameras: Path | None, decoding: Decoding) -> ExplainedView:
-    """Decode and reconstruct the images asked for; raises InputError where the options do not name them."""
+    """Decode and reconstruct the requested images; raises InputError when the options do not identify them."""
     from measureapp.errors import InputError
     from measureapp.pipeline.why import explain_stack, explain_view
     from measureapp.project.calibration.camera_file import read_cameras
@@ -109,15 +111,15 @@ def _explained(source: Path, view: str | None, cameras: Path | None, decoding: D
 
     if source.is_dir():
         project = ProjectFolder.open(source)
-        if cameras is not None or decoding != AS_USUAL:
-            raise InputError("A project is explained as it was measured.", "Leave --cameras and the options of decoding out.")
+        if cameras is not None or decoding != DEFAULT_DECODING:
+            raise InputError("A project is explained with its own settings.", "Omit --cameras and the options of decoding.")
         if view is None:
             stored = project.stored_viewpoints()
             hint = f"Add --view with one of: {', '.join(stored)}." if stored else "Scan the part first: measureapp scan."
-            raise InputError(f"Which view of {source} is not said.", hint)
+            raise InputError(f"--view is missing for the project {source}.", hint)
         return explain_view(project, view, TerminalProgress())
     if view is not None:
-        raise InputError(f"{source} is not a project, so it has no view {view!r}.", "Leave --view out, or name a project folder.")
+        raise InputError(f"{source} is not a project, so it has no view {view!r}.", "Omit --view, or name a project folder.")
     stack = read_manifest(source)
     if cameras is None and len(stack.images) > 1:
         raise InputError(f"Recorded images ({source}) need the calibration of their cameras.", "Add --cameras cameras.json.")
@@ -126,7 +128,7 @@ def _explained(source: Path, view: str | None, cameras: Path | None, decoding: D
 
 
 def _known(explained: ExplainedView, camera: str | None) -> str | None:
-    """Return the camera; raises InputError where the view has no such camera."""
+    """Return the camera; raises InputError when the view has no such camera."""
     from measureapp.errors import InputError
 
     if camera is not None and camera not in explained.cameras:
@@ -137,12 +139,12 @@ def _known(explained: ExplainedView, camera: str | None) -> str | None:
 def _answer(
     explained: ExplainedView, camera: str | None, pixel: tuple[int, ...] | None, region: tuple[int, ...] | None
 ) -> tuple[dict[str, Any], list[str]]:
-    """Return the document and the lines of what is asked."""
+    """Return the document and the lines of the requested explanation."""
     document: dict[str, Any] = {"view": explained.viewpoint_id}
     chosen = camera or explained.cameras[0]
     if pixel is not None:
-        told = explained.pixel(chosen, *pixel)
-        return document | {"pixel": _pixel_document(told)}, _pixel_lines(told)
+        answer = explained.pixel(chosen, *pixel)
+        return document | {"pixel": _pixel_document(answer)}, _pixel_lines(answer)
     if region is not None:
         top, left, bottom, right = region
         box = explained.region(chosen, (top, left, bottom, right))
@@ -152,34 +154,34 @@ def _answer(
     return document | {"cameras": {name: {"shares": found} for name, found in shares.items()}}, _share_lines(shares)
 
 
-def _pixel_document(told: PixelAnswer) -> dict[str, Any]:
+def _pixel_document(answer: PixelAnswer) -> dict[str, Any]:
     return {
-        "camera": told.camera,
-        "row": told.row,
-        "column": told.column,
-        **asdict(told.found),
-        "numbers": {number.what: {key: value for key, value in asdict(number).items() if key != "what"} for number in told.numbers},
+        "camera": answer.camera,
+        "row": answer.row,
+        "column": answer.column,
+        **asdict(answer.found),
+        "numbers": {number.what: {key: value for key, value in asdict(number).items() if key != "what"} for number in answer.numbers},
     }
 
 
-def _pixel_lines(told: PixelAnswer) -> list[str]:
+def _pixel_lines(answer: PixelAnswer) -> list[str]:
     from measureapp.pipeline.why import NO_HOLES
 
-    found = told.found
+    found = answer.found
     stage = found.reason if found.reason in NO_HOLES else f"{STAGES[found.stage]}, {found.reason}"
     return [
-        f"Camera {told.camera}, row {told.row}, column {told.column}: {stage}.",
+        f"Camera {answer.camera}, row {answer.row}, column {answer.column}: {stage}.",
         f"  {found.sentence}",
-        "  " + "; ".join(_number_words(number) for number in told.numbers) + ".",
+        "  " + "; ".join(_number_words(number) for number in answer.numbers) + ".",
     ]
 
 
 def _number_words(number: Number) -> str:
     unit = f" {number.unit}" if number.unit else ""
     if number.least is not None:
-        return f"{number.what} {number.value:.4g} of at least {number.least:.4g}{unit}"
+        return f"{number.what} {number.value:.4g}{unit} (at least {number.least:.4g}{unit})"
     if number.most is not None:
-        return f"{number.what} {number.value:.4g} of at most {number.most:.4g}{unit}"
+        return f"{number.what} {number.value:.4g}{unit} (at most {number.most:.4g}{unit})"
     return f"{number.what} {number.value:.0f}{unit}" if number.unit == "µs" else f"{number.what} {number.value:.4g}{unit}"
 
 
@@ -200,7 +202,7 @@ def _table(shares: Any) -> list[str]:
 
 
 def _draw(explained: ExplainedView, camera: str | None, kind: Kind, file: Path) -> dict[str, Any]:
-    """Write the picture; return its legend, by camera."""
+    """Write the picture; return its legends by camera."""
     from measureapp.pipeline.why_pictures import picture, with_legends, write_picture
 
     drawn: dict[str, Picture] = {name: picture(explained, name, kind) for name in explained.cameras if camera in (None, name)}

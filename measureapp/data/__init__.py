@@ -1,1 +1,1 @@
-"""The nouns the stages exchange: frozen, with read-only arrays, without algorithms."""
+"""Value types exchanged between the stages: immutable, with read-only arrays, without algorithms."""

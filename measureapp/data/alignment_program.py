@@ -1,4 +1,4 @@
-"""How an inspection program lays the measured part onto its nominal."""
+"""Alignment of the measured part to its nominal, as an inspection program states it."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ Range = tuple[float, float]
 
 
 class NoAlignment(Model):
-    """The part's frame is taken as the nominal's."""
+    """No alignment: the part frame and the nominal frame coincide."""
 
     method: Literal["none"] = "none"
 
 
 class Region(Model):
-    """A part of space in the nominal's frame; what is left out does not limit it."""
+    """An axis-aligned region in the nominal frame; an omitted limit does not restrict it."""
 
     x_mm: Range | None = None
     y_mm: Range | None = None
@@ -37,26 +37,26 @@ class Region(Model):
 
 
 class BestFit(Model):
-    """Least distances of all points from the nominal mesh, or of those of chosen features and regions alone."""
+    """Least-squares best fit to the nominal mesh of all points, or of those of chosen features and regions alone."""
 
     method: Literal["best-fit"] = "best-fit"
     features: tuple[str, ...] = Field(default=(), description="only the points of these features")
     regions: tuple[Region, ...] = Field(default=(), description="only the points in these regions")
-    fold: int | None = Field(default=None, ge=2, le=1000, description="how often the part repeats in one turn: every position is tried")
+    fold: int | None = Field(default=None, ge=2, le=1000, description="order of the rotational symmetry: every angular position is tried")
     axis_point_mm: Vector = (0.0, 0.0, 0.0)
-    axis: Vector = Field(default=(0.0, 0.0, 1.0), description="the axis it repeats about")
+    axis: Vector = Field(default=(0.0, 0.0, 1.0), description="the axis of symmetry")
 
     @model_validator(mode="after")
     def _is_consistent(self) -> BestFit:
         if sum(value * value for value in self.axis) < 1e-12:
-            raise ValueError("`axis` has no length")
+            raise ValueError("`axis` has length 0")
         if self.fold is not None and (self.features or self.regions):
-            raise ValueError("`fold` tries positions with all points: leave out `features` and `regions`")
+            raise ValueError("`fold` uses all points: remove `features` and `regions`")
         return self
 
 
 class ThreeTwoOne(Model):
-    """A plane holds three motions, a line or axis two of the rest, a point the last one."""
+    """3-2-1 alignment: a plane fixes three degrees of freedom, a line or axis two more, a point the last one."""
 
     method: Literal["3-2-1"] = "3-2-1"
     plane: str
@@ -65,29 +65,31 @@ class ThreeTwoOne(Model):
 
 
 class ReferencePoint(Model):
-    """A feature held at its nominal place along given directions."""
+    """A feature constrained to its nominal position along given directions."""
 
     feature: str
     along: tuple[Vector, ...] = Field(
-        default=(), max_length=3, description="directions it is held in; left out: the normal of a surface point or plane, all of a centre"
+        default=(),
+        max_length=3,
+        description="constrained directions; default: the normal of a surface point or plane, all three of a centre",
     )
 
     @model_validator(mode="after")
     def _directions_have_length(self) -> ReferencePoint:
         if any(sum(value * value for value in direction) < 1e-12 for direction in self.along):
-            raise ValueError("a direction of `along` has no length")
+            raise ValueError("a direction of `along` has length 0")
         return self
 
 
 class ReferencePoints(Model):
-    """Reference point system: all points held at once, by least squares where they are more than needed."""
+    """Reference point system (RPS): all constraints at once, by least squares where they are redundant."""
 
     method: Literal["rps"] = "rps"
     points: tuple[ReferencePoint, ...] = Field(min_length=3)
 
 
 class DatumAlignment(Model):
-    """Datums A, B and C laid onto the drawing's, each as far as those before it leave it free."""
+    """Datum alignment: A, B and C onto their nominals in order of precedence; each constrains only what the earlier ones leave free."""
 
     method: Literal["datums"] = "datums"
     datums: tuple[str, ...] = Field(min_length=1, max_length=3)
@@ -98,7 +100,7 @@ FORMS = "best-fit, none, local:FEATURE,…, cyclic:COUNT, 3-2-1:PLANE,LINE,POINT
 
 
 def alignment_features(alignment: AlignmentProgram) -> tuple[str, ...]:
-    """Return the names of the features an alignment rests on."""
+    """Return the names of the features an alignment uses."""
     if isinstance(alignment, BestFit):
         return alignment.features
     if isinstance(alignment, ThreeTwoOne):
@@ -109,12 +111,12 @@ def alignment_features(alignment: AlignmentProgram) -> tuple[str, ...]:
 
 
 def alignment_entry(words: str) -> dict[str, object]:
-    """Return the entry of a program for an alignment in one word; its values are not checked yet.
+    """Parse the short form of an alignment, such as `best-fit`, into the entry of a program; its values are not checked yet.
 
     Raises
     ------
     ValueError
-        It has none of the forms of `FORMS`.
+        The text has none of the forms in `FORMS`.
 
     >>> alignment_entry("cyclic:7")
     {'method': 'best-fit', 'fold': 7}

@@ -1,4 +1,4 @@
-"""Sections of the blades of a part, as an inspection program names them."""
+"""Blade sections as an inspection program defines them."""
 
 from __future__ import annotations
 
@@ -32,9 +32,9 @@ NO_LENGTH = 1e-12
 
 
 class BladeSection(Model):
-    """Where a plane or a cylinder about the axis cuts a blade, and every further one of `count` evenly spaced blades (`name.k`).
+    """The section of a blade by a plane or by a cylinder about the axis, repeated for `count` evenly spaced blades (`name.k`).
 
-    All places are those of the first blade in the nominal's frame.
+    All positions are those of the first blade in the nominal frame.
     """
 
     name: str = Field(min_length=1)
@@ -43,13 +43,15 @@ class BladeSection(Model):
     plane_normal: Vector | None = None
     radius_mm: float | None = Field(default=None, gt=0, description="instead of a plane: radius of the cutting cylinder about the axis")
     axis_point_mm: Vector = (0.0, 0.0, 0.0)
-    axis: Vector = Field(default=(0.0, 0.0, 1.0), description="the axis the blades stand about")
-    count: int = Field(default=1, ge=1, le=1000, description="how many blades there are")
-    leading_mm: Vector = Field(description="the leading edge in the drawing, or where an open section begins")
-    trailing_mm: Vector = Field(description="the trailing edge in the drawing, or where an open section ends")
-    open_ends: tuple[Literal["leading", "trailing"], ...] = Field(default=(), description="ends where the blade goes on, as into a hub")
-    width_mm: float = Field(default=1.0, gt=0, description="width of the strip whose points count")
-    beside_mm: float = Field(gt=0, description="greatest distance of the blade's points from the straight line between its edges")
+    axis: Vector = Field(default=(0.0, 0.0, 1.0), description="axis of the blade row")
+    count: int = Field(default=1, ge=1, le=1000, description="number of blades")
+    leading_mm: Vector = Field(description="nominal leading edge, or where an open section begins")
+    trailing_mm: Vector = Field(description="nominal trailing edge, or where an open section ends")
+    open_ends: tuple[Literal["leading", "trailing"], ...] = Field(
+        default=(), description="ends where the blade continues, for example into a hub"
+    )
+    width_mm: float = Field(default=1.0, gt=0, description="width of the strip whose points are used")
+    beside_mm: float = Field(gt=0, description="greatest distance of the blade's points from the chord line")
 
     @model_validator(mode="after")
     def _is_consistent(self) -> BladeSection:
@@ -59,9 +61,9 @@ class BladeSection(Model):
         for name in ("plane_normal", "axis"):
             direction = getattr(self, name)
             if direction is not None and sum(value * value for value in direction) < NO_LENGTH:
-                raise ValueError(f"`{name}` has no length")
+                raise ValueError(f"`{name}` has length 0")
         if sum((a - b) ** 2 for a, b in zip(self.leading_mm, self.trailing_mm, strict=True)) < NO_LENGTH:
-            raise ValueError("`leading_mm` and `trailing_mm` are the same place")
+            raise ValueError("`leading_mm` and `trailing_mm` are the same point")
         return self
 
     @property

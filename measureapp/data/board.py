@@ -1,4 +1,4 @@
-"""The calibration boards, and a sighting of one."""
+"""Descriptions of calibration boards, and the images taken of one."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from measureapp.data.conditions import Conditions
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.model import Model
 
-# name -> markers; the names are OpenCV's without DICT_
+# name -> number of ArUco markers; OpenCV's names without DICT_
 DICTIONARIES = {f"{bits}X{bits}_{count}": count for bits in (4, 5, 6, 7) for count in (50, 100, 250, 1000)} | {
     "APRILTAG_16H5": 30,
     "APRILTAG_25H9": 35,
@@ -23,19 +23,21 @@ DICTIONARIES = {f"{bits}X{bits}_{count}": count for bits in (4, 5, 6, 7) for cou
     "APRILTAG_36H11": 587,
     "ARUCO_ORIGINAL": 1024,
 }
-LARGEST_CIRCLE = 0.9  # diameter over the distance of neighbouring centres: beyond it circles run into each other in the image
+LARGEST_CIRCLE = 0.9  # diameter over the distance of neighbouring centres; larger circles merge in the image
 
 
 class BoardDescription(Model):
-    """What all boards have in common: marks in rows, numbered row by row.
+    """Base of all boards: marks in rows, numbered row by row.
 
-    Frame `board`: origin at mark 0, x along columns, y along rows, z = 0 on a flat board; the printed side faces -z. The marks are
-    the inner corners of a checkerboard or the centres of circles; their index is their id, so that a view may hold some of them.
+    Frame `board`: origin at mark 0, x along a row, y along a column, z = 0 on a flat board; the printed side faces -z. The marks are
+    the inner corners of a checkerboard or the centres of circles; the index of a mark is its id, so that an image may show a subset.
     """
 
     columns: int = Field(ge=2, description="marks along x")
     rows: int = Field(ge=3, description="marks along y")
-    bow_mm: tuple[float, float, float] = Field(default=(0.0, 0.0, 0.0), description="departure from flat: factors of the `bow_terms`")
+    bow_mm: tuple[float, float, float] = Field(
+        default=(0.0, 0.0, 0.0), description="deviation from flatness: coefficients of the `bow_terms`"
+    )
 
     @property
     @abstractmethod
@@ -45,38 +47,33 @@ class BoardDescription(Model):
     @property
     @abstractmethod
     def neighbour_mm(self) -> float:
-        """The distance of a mark to the nearest others."""
+        """Distance between neighbouring marks."""
 
     @property
     @abstractmethod
     def label(self) -> str:
-        """What it is, as part of a sentence."""
+        """Name of the board, as part of a sentence."""
 
     @property
     @abstractmethod
     def is_symmetric(self) -> bool:
-        """Whether the board looks the same after half a turn, so that its pose has two answers."""
-
-    @property
-    def shows_parts(self) -> bool:
-        """Whether each mark is known by itself, so that a view of a part of the board can be used."""
-        return False
+        """Whether the board has a 180° symmetry, which leaves its pose ambiguous."""
 
     @property
     def count(self) -> int:
-        """How many marks there are."""
+        """Number of marks."""
         return self.columns * self.rows
 
     @property
     def bow_terms(self) -> FloatArray:
-        """The terms x², xy, y² of the marks (columns·rows, 3), with x, y from −1 to 1 over the longer side."""
+        """The quadratic terms x², xy, y² of the marks (columns·rows, 3), with x, y from −1 to 1 over the longer side."""
         centred = self.flat_corners_mm[:, :2] - self.flat_corners_mm[:, :2].mean(axis=0)
         x, y = (centred / np.abs(centred).max()).T
         return np.column_stack([x * x, x * y, y * y])
 
     @property
     def corners_mm(self) -> FloatArray:
-        """The marks (columns·rows, 3) with the board's bow, row by row."""
+        """The marks (columns·rows, 3) of the bowed board, row by row."""
         corners = self.flat_corners_mm
         corners[:, 2] += self.bow_terms @ np.array(self.bow_mm)
         return corners
@@ -88,12 +85,12 @@ class BoardDescription(Model):
         return np.asarray((corners.min(axis=0) + corners.max(axis=0)) / 2.0)
 
     def marks_mm(self, ids: IntArray | None = None) -> FloatArray:
-        """Return the marks of ``ids`` (N, 3) with the board's bow; all of them without ids."""
+        """Return the marks of ``ids`` (N, 3) on the bowed board; all of them without ids."""
         return self.corners_mm if ids is None else self.corners_mm[ids]
 
 
 class _SquaresDescription(BoardDescription):
-    """A board of squares by its inner corners."""
+    """A board of squares, described by its inner corners."""
 
     columns: int = Field(ge=3, description="inner corners along x")
     rows: int = Field(ge=3, description="inner corners along y")
@@ -107,18 +104,18 @@ class _SquaresDescription(BoardDescription):
 
     @property
     def neighbour_mm(self) -> float:
-        """The side of a square."""
+        """Side of a square."""
         return self.square_mm
 
 
 class CheckerboardDescription(_SquaresDescription):
-    """A plain checkerboard. The squares on both sides of corner 0 along the board's diagonal are black."""
+    """A plain checkerboard; the squares that touch corner 0 along the main diagonal are black."""
 
     kind: Literal["checkerboard"] = Field(default="checkerboard", exclude=True)  # files from before the other boards do not have it
 
     @property
     def label(self) -> str:
-        """What it is, as part of a sentence."""
+        """Name of the board, as part of a sentence."""
         return f"board of {self.columns} × {self.rows} corners"
 
     @property
@@ -128,13 +125,13 @@ class CheckerboardDescription(_SquaresDescription):
 
 
 class CharucoDescription(_SquaresDescription):
-    """A checkerboard with ArUco markers in its white squares, which tell its corners apart."""
+    """A ChArUco board: a checkerboard with ArUco markers in its white squares, which identify the corners."""
 
     kind: Literal["charuco"]
     marker_mm: float = Field(gt=0, description="side of a marker")
-    dictionary: str = Field(default="5X5_250", description="the markers' dictionary: " + ", ".join(DICTIONARIES))
+    dictionary: str = Field(default="5X5_250", description="ArUco dictionary: " + ", ".join(DICTIONARIES))
     legacy_pattern: bool = Field(
-        default=False, description="drawn by OpenCV before 4.6, an even number of rows of squares, first one white"
+        default=False, description="layout of OpenCV before 4.6: even number of rows of squares, first square white"
     )
 
     @model_validator(mode="after")
@@ -147,27 +144,22 @@ class CharucoDescription(_SquaresDescription):
         if markers > DICTIONARIES[self.dictionary]:
             raise ValueError(f"the board needs {markers} markers, dictionary {self.dictionary} has {DICTIONARIES[self.dictionary]}")
         if self.legacy_pattern and self.rows % 2 == 0:
-            raise ValueError("legacy_pattern makes a difference only with an even number of rows of squares (an odd one of corners)")
+            raise ValueError("legacy_pattern applies only to an even number of rows of squares (an odd number of rows of corners)")
         return self
 
     @property
     def label(self) -> str:
-        """What it is, as part of a sentence."""
+        """Name of the board, as part of a sentence."""
         return f"ChArUco board of {self.columns} × {self.rows} corners"
 
     @property
     def is_symmetric(self) -> bool:
-        """Never: every marker is another one."""
+        """Never: every marker is unique."""
         return False
-
-    @property
-    def shows_parts(self) -> bool:
-        """Its markers tell the corners apart."""
-        return True
 
 
 class CirclesDescription(BoardDescription):
-    """Dark circles on white in staggered rows: circle j of row i lies at ((2j + i mod 2)·spacing, i·spacing)."""
+    """Asymmetric circle grid, dark on white: circle j of row i is at ((2j + i mod 2)·spacing, i·spacing)."""
 
     columns: int = Field(ge=2, description="circles in a row")
     rows: int = Field(ge=3, description="rows of circles")
@@ -179,29 +171,29 @@ class CirclesDescription(BoardDescription):
     def _fits(self) -> CirclesDescription:
         if self.diameter_mm > LARGEST_CIRCLE * self.neighbour_mm:
             raise ValueError(
-                f"circles of {self.diameter_mm:g} mm lie too close: at most {LARGEST_CIRCLE * self.neighbour_mm:.3g} mm at this spacing"
+                f"circles of {self.diameter_mm:g} mm are too close: at most {LARGEST_CIRCLE * self.neighbour_mm:.3g} mm at this spacing"
             )
         return self
 
     @property
     def flat_corners_mm(self) -> FloatArray:
-        """The centres (columns·rows, 3) on a perfectly flat board, row by row."""
+        """The circle centres (columns·rows, 3) of a perfectly flat board, row by row."""
         row, column = np.mgrid[0 : self.rows, 0 : self.columns]
         return np.column_stack([(2 * column + row % 2).ravel(), row.ravel(), np.zeros(row.size)]) * self.spacing_mm
 
     @property
     def neighbour_mm(self) -> float:
-        """The distance to the nearest circle in the next row."""
+        """Distance to the nearest circle in the next row."""
         return self.spacing_mm * float(np.sqrt(2.0))
 
     @property
     def label(self) -> str:
-        """What it is, as part of a sentence."""
+        """Name of the board, as part of a sentence."""
         return f"grid of {self.columns} × {self.rows} circles"
 
     @property
     def is_symmetric(self) -> bool:
-        """The first and the last row start at the same side only where the number of rows is odd."""
+        """True for an even number of rows: then half a turn maps the grid onto itself."""
         return self.rows % 2 == 0
 
 
@@ -215,12 +207,12 @@ AnyBoard = Annotated[
     | Annotated[CirclesDescription, Tag("circles")],
     Discriminator(_kind),
 ]
-"""Any of the boards, told apart by `kind`; without one it is a checkerboard."""
+"""Any of the boards, discriminated by `kind`; without `kind` it is a checkerboard."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BoardView:
-    """One sighting of the board by all cameras, with where every axis said it was."""
+    """Images of the board by all cameras at one viewpoint, with the axis read-back."""
 
     viewpoint_id: str
     images: Mapping[str, ImageArray]  # camera -> (height, width)

@@ -1,4 +1,4 @@
-"""What calibrations leave behind: immutable solutions of the rig's geometry with their standard deviations."""
+"""Results of calibrations: immutable solutions of the rig's geometry with their standard deviations."""
 
 from __future__ import annotations
 
@@ -14,26 +14,26 @@ from measureapp.errors import CalibrationError
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, rotation_about
 
-NO_VARIANCE = 1e-12  # share of the largest: rounding of a combination that is exactly known
+NO_VARIANCE = 1e-12  # eigenvalue relative to the largest, below which it is rounding
 SAME_STATION_MM, SAME_STATION_RAD = 0.01, 2e-5
 
 
 @dataclass(frozen=True, slots=True)
 class Provenance:
-    """Where a calibration comes from."""
+    """Provenance of a calibration: date, method, inputs and conditions."""
 
     created: str = ""  # ISO 8601
     method: str = ""
     inputs: Mapping[str, str] = field(default_factory=dict)  # file or image -> checksum, device -> serial number
-    temperature_c: float | None = None  # of the room or the head, where it was measured
-    valid_days: float | None = None  # after `created`; None: until something says otherwise
-    arguments: tuple[str, ...] = ()  # of the command that made it, where it was one
-    folder: str = ""  # in which that command ran, seen from the folder of the calibration; the names of `inputs` start there
+    temperature_c: float | None = None  # of the room or the head, if it was measured
+    valid_days: float | None = None  # after `created`; None: no expiry date
+    arguments: tuple[str, ...] = ()  # of the command that made it, if any
+    folder: str = ""  # working folder of that command, relative to the calibration's folder; `inputs` are relative to it
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CameraCalibration:
-    """One camera: lens and place. `reference_from_camera` goes from this camera's frame (called by its name) to the reference's ("camera")."""
+    """Intrinsics and pose of one camera; `reference_from_camera` maps its frame (named after it) to the reference camera's ("camera")."""
 
     name: str
     pinhole: PinholeCamera
@@ -41,15 +41,15 @@ class CameraCalibration:
     standard_deviations: Mapping[str, float] = field(default_factory=dict)
     rms_px: float = 0.0
     serial: str = ""
-    lens: LensSetting = field(default_factory=LensSetting)  # as it was set, where the camera tells
-    blur_px: float = 0.0  # standard deviation of the blur of its images, by the edges of the board; 0 where not known
+    lens: LensSetting = field(default_factory=LensSetting)  # during the calibration, if the camera reports it
+    blur_px: float = 0.0  # standard deviation of the image blur, from the edges of the board; 0 if unknown
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ProjectorCalibration:
     """The projector as an inverse camera: pixel (0, 0) of its image is the centre of the top-left projector pixel.
 
-    `reference_from_projector` goes from the projector's frame (called by its name) to the reference camera's ("camera").
+    `reference_from_projector` maps the projector's frame (named after it) to the reference camera's ("camera").
     """
 
     pinhole: PinholeCamera
@@ -57,12 +57,12 @@ class ProjectorCalibration:
     name: str = "projector"
     standard_deviations: Mapping[str, float] = field(default_factory=dict)
     provenance: Provenance = field(default_factory=Provenance)
-    rms_px: float = 0.0  # of the marks, in projector pixels; 0 where it is not stated
+    rms_px: float = 0.0  # reprojection error of the marks, in projector pixels; 0 if not stated
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LabelledCovariance:
-    """What a calibration leaves uncertain, with the name of every row: "left.fx", …, "right.x_mm", …; lengths in mm, angles in rad."""
+    """Covariance matrix of calibration parameters with a label per row: "left.fx", …, "right.x_mm", …; lengths in mm, angles in rad."""
 
     parameters: tuple[str, ...]
     covariance: FloatArray  # (C, C), symmetric
@@ -72,7 +72,7 @@ class LabelledCovariance:
 
     @property
     def root(self) -> FloatArray:
-        """Columns (C, K) whose products sum to the covariance: changes of the parameters that are independent of each other, one σ each."""
+        """Square root (C, K) of the covariance, S with S Sᵀ = C: each column is an independent one-σ change of the parameters."""
         scale = np.sqrt(np.maximum(np.diag(self.covariance), 0))
         scale = np.where(scale > 0, scale, 1.0)
         values, vectors = np.linalg.eigh(self.covariance / np.outer(scale, scale))
@@ -80,7 +80,7 @@ class LabelledCovariance:
         return np.asarray(scale[:, None] * vectors[:, kept] * np.sqrt(values[kept]))
 
     def rows_of(self, labels: Sequence[str]) -> FloatArray:
-        """Return the covariance (L, L) of chosen parameters in the order of ``labels``; zero for those it does not have."""
+        """Return the covariance (L, L) of the parameters ``labels``, in this order; zero for unknown ones."""
         place = {label: index for index, label in enumerate(self.parameters)}
         there = [index for index, label in enumerate(labels) if label in place]
         chosen = [place[labels[index]] for index in there]
@@ -91,14 +91,14 @@ class LabelledCovariance:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CameraArrayCalibration:
-    """All cameras of the head, and its projector where it is calibrated, in the reference camera's frame `camera`."""
+    """All cameras of the head, and its projector if it is calibrated, in the reference camera's frame `camera`."""
 
     reference: str
     cameras: Mapping[str, CameraCalibration]
     pair_rms_px: Mapping[str, float] = field(default_factory=dict)  # "left-right" -> rms
     provenance: Provenance = field(default_factory=Provenance)
     projector: ProjectorCalibration | None = None
-    covariance: LabelledCovariance | None = None  # of cameras and projector; None where it is not known
+    covariance: LabelledCovariance | None = None  # of cameras and projector; None if unknown
 
     def __post_init__(self) -> None:
         if self.reference not in self.cameras:
@@ -115,7 +115,7 @@ class CameraArrayCalibration:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RotationAxis:
-    """An axis of rotation: a point on it and its unit direction, right-handed for growing table angles."""
+    """An axis of rotation: a point on it and its unit direction, right-handed for increasing table angles."""
 
     point_mm: FloatArray  # (3,)
     direction: FloatArray  # (3,), unit
@@ -130,14 +130,14 @@ class RotationAxis:
         object.__setattr__(self, "direction", read_only(direction / np.linalg.norm(direction), np.float64, (3,)))
 
     def turned(self, angle_rad: float) -> RigidTransform:
-        """Return the motion of the turning thing by ``angle_rad``: x' = R(x − c) + c, both in `frame`."""
+        """Return the rotation about the axis by ``angle_rad``: x' = R(x − c) + c, both in `frame`."""
         rotation = rotation_about(self.direction, angle_rad)
         return RigidTransform.from_parts(rotation, self.point_mm - rotation @ self.point_mm, self.frame, self.frame)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class HandEye:
-    """Where the reference camera sits on the flange."""
+    """Hand-eye calibration: the pose of the reference camera on the robot flange."""
 
     flange_from_camera: RigidTransform
     rotation_sigma_rad: float = 0.0
@@ -149,7 +149,7 @@ class HandEye:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LinearGuide:
-    """How the guide moves the robot: unit direction in the base frame and true millimetres per displayed millimetre."""
+    """Linear guide: unit direction of travel in the base frame and scale, true millimetres per displayed millimetre."""
 
     direction: FloatArray  # (3,), unit, in the base frame (whose axes the guide frame shares)
     scale: float
@@ -162,7 +162,7 @@ class LinearGuide:
         object.__setattr__(self, "direction", read_only(direction / np.linalg.norm(direction), np.float64, (3,)))
 
     def guide_from_base(self, position_mm: float) -> RigidTransform:
-        """Return where the robot's base stands when the slide shows ``position_mm``; the base at 0 is the guide frame."""
+        """Return the pose of the robot base at the displayed ``position_mm``; the base at position 0 is the guide frame."""
         return RigidTransform.from_parts(np.eye(3), self.direction * self.scale * position_mm, "guide", "base")
 
 
@@ -170,21 +170,21 @@ class LinearGuide:
 class RobotStation:
     """A pose of the robot whose error was measured.
 
-    The pose error of a robot is some tenths of a millimetre but repeats within hundredths, so that a measured one can be undone.
+    The pose error of a robot is some tenths of a millimetre but repeats within hundredths, so that it can be corrected once measured.
     """
 
-    read: RigidTransform  # base_from_flange as the controller says
+    read: RigidTransform  # base_from_flange as the controller reports it
     true: RigidTransform  # base_from_flange as measured with the board
 
     def is_at(self, base_from_flange: RigidTransform) -> bool:
-        """Whether the controller says that the robot stands here."""
+        """Whether a reported pose is this station."""
         gap = self.read.inverse() @ base_from_flange
         return bool(np.linalg.norm(gap.translation_mm) < SAME_STATION_MM and gap.angle_rad < SAME_STATION_RAD)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RigCalibration:
-    """The whole rig. The part's frame has its z axis on the table's axis and turns with the table."""
+    """Calibration of the whole rig. The z axis of the part frame is the table's axis; the part frame turns with the table."""
 
     cameras: CameraArrayCalibration
     hand_eye: HandEye
@@ -196,22 +196,22 @@ class RigCalibration:
     def __post_init__(self) -> None:
         if self.axis.frame != "guide":
             raise CalibrationError(
-                f"The rotation axis is given in frame {self.axis.frame!r}, not in the guide frame.", "Carry it through the chain first."
+                f"The rotation axis is given in frame {self.axis.frame!r}, not in the guide frame.", "Transform it to the guide frame."
             )
 
     def station(self, readback: AxisReadback) -> RobotStation | None:
-        """Return the measured station at which the robot stands, if it stands at one."""
+        """Return the measured station of this read-back, if it is one."""
         return next((station for station in self.stations if station.is_at(readback.base_from_flange)), None)
 
     def guide_from_camera(self, readback: AxisReadback) -> RigidTransform:
-        """Chain from the reference camera to the guide frame for the robot and guide as read back; at a station with its error undone."""
+        """Return the pose of the reference camera in the guide frame by forward kinematics; at a station, corrected for the robot's error."""
         station = self.station(readback)
         base_from_flange = readback.base_from_flange if station is None else station.true
         return self.guide.guide_from_base(readback.guide_mm) @ base_from_flange @ self.hand_eye.flange_from_camera
 
     @property
     def table_from_guide(self) -> RigidTransform:
-        """The fixed table frame: z = axis, origin = foot of the guide origin's perpendicular on the axis, x nearest to the guide's x."""
+        """The fixed table frame: z = axis, origin = orthogonal projection of the guide's origin onto the axis, x nearest to the guide's x."""
         z = self.axis.direction
         x = np.array([1.0, 0.0, 0.0]) - z[0] * z
         x /= np.linalg.norm(x)
@@ -220,6 +220,6 @@ class RigCalibration:
         return RigidTransform.from_parts(rotation, origin, "guide", "table").inverse()
 
     def part_from_camera(self, readback: AxisReadback) -> RigidTransform:
-        """The kinematic chain of the methods sheet, section 1."""
+        """Return the kinematic position of the viewpoint: part ← table ← guide ← base ← flange ← camera, with all axes as read back."""
         part_from_table = RigidTransform.from_parts(rotation_about([0, 0, 1], -readback.table_rad), np.zeros(3), "part", "table")
         return part_from_table @ self.table_from_guide @ self.guide_from_camera(readback)

@@ -1,4 +1,4 @@
-"""What the phases of a view say about cameras that turned since they were calibrated."""
+"""Evidence in the phase maps of a view for rotations of the cameras since their calibration."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from measureapp.arrays import FloatArray, read_only
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ShiftEvidence:
-    """Normal equations of small turns of every camera, from how the phases of all cameras contradict each other; they add up over views.
+    """Normal equations for small rotations of every camera, from the phase inconsistencies between the cameras; additive over views.
 
     The unknowns are the rotation vectors ω of the cameras in their own frames, three for each in the order of ``cameras``.
     """
@@ -22,8 +22,8 @@ class ShiftEvidence:
     information: FloatArray  # (3 n, 3 n), JᵀWJ per rad²
     gradient: FloatArray  # (3 n,), JᵀWr per rad
     misfit: float  # rᵀWr
-    freedom: int  # residuals that r holds
-    image_px2: FloatArray  # (n, 3, 3): ωᵀ(…)ω is the mean square shift of a camera's image across the fringes
+    freedom: int  # number of residuals in r
+    image_px2: FloatArray  # (n, 3, 3): ωᵀ(…)ω is the mean square shift of a camera's image perpendicular to the fringes
     depth_mm2: FloatArray  # (n, 3, 3): ωᵀ(…)ω is the mean square shift of the points along the reference camera's rays
 
     def __post_init__(self) -> None:
@@ -34,8 +34,8 @@ class ShiftEvidence:
         object.__setattr__(self, "depth_mm2", read_only(self.depth_mm2, np.float64, (count, 3, 3)))
 
 
-def together(views: Sequence[ShiftEvidence]) -> ShiftEvidence:
-    """Return the evidence of several views of the same cameras, at least one; the mean squares are weighted by their samples."""
+def sum_evidence(views: Sequence[ShiftEvidence]) -> ShiftEvidence:
+    """Add the normal equations of one or more views of the same cameras; the mean squares are averaged, weighted by samples."""
     weights = np.array([view.samples for view in views], float) / sum(view.samples for view in views)
 
     def mean(name: str) -> FloatArray:

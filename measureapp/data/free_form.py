@@ -1,4 +1,4 @@
-"""Regions of the nominal mesh that are no plane, cylinder, sphere or cone."""
+"""Free-form surfaces: regions of the nominal mesh."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ NO_LENGTH = 1e-12
 
 
 class FreeForm(Model):
-    """A region of the nominal mesh: all of it, or what lies within limits and faces one way; its profile is taken, and nothing else.
+    """A region of the nominal mesh: all of it, or the part within limits that faces one way; only profiles are evaluated on it.
 
-    Limits and direction are those of the first copy, in the nominal's frame.
+    Limits and direction are those of the first copy, in the nominal frame.
     """
 
     name: str = Field(min_length=1)
@@ -28,7 +28,9 @@ class FreeForm(Model):
     facing_within_deg: float = Field(default=60.0, gt=0, le=180)
     band_mm: float = Field(default=2.0, gt=0, description="greatest distance from the nominal surface")
     edge_mm: float = Field(default=2.0, ge=0, description="distance kept from sharp edges of the nominal mesh")
-    normals_within_deg: float = Field(default=35.0, gt=0, le=180, description="between the normals of a point and of the nominal")
+    normals_within_deg: float = Field(
+        default=35.0, gt=0, le=180, description="greatest angle between the normals of a point and of the nominal"
+    )
     repeat: Repeat | None = None
 
     @model_validator(mode="after")
@@ -38,5 +40,5 @@ class FreeForm(Model):
             if given is not None and given[0] >= given[1]:
                 raise ValueError(f"{name} must run from the smaller to the greater value")
         if self.facing is not None and sum(value * value for value in self.facing) < NO_LENGTH:
-            raise ValueError("`facing` has no length: give the direction that the surface looks in")
+            raise ValueError("`facing` has length 0: give the direction that the surface faces")
         return self

@@ -1,4 +1,4 @@
-"""Pattern sets, and the stack of fringe images taken at one viewpoint."""
+"""Pattern sets, and the fringe images taken at one viewpoint."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from measureapp.data.model import Model
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform
 
-Direction = Literal["vertical", "horizontal"]  # of the fringes: the phase of vertical ones grows with the projector's column
+Direction = Literal["vertical", "horizontal"]  # of the fringes: the phase of vertical ones increases with the projector's column
 
 
 class PhaseShiftGroup(Model):
-    """Equally shifted sinusoids of one pitch: image n is A + B cos(phase + shift_sign · 2πn/steps)."""
+    """Phase-shifted sinusoidal fringes of one pitch: image n is A + B cos(phase + shift_sign · 2πn/steps)."""
 
     kind: Literal["phase-shift"] = "phase-shift"
     direction: Direction = "vertical"
@@ -28,12 +28,12 @@ class PhaseShiftGroup(Model):
 
     @property
     def count(self) -> int:
-        """How many images the group has."""
+        """Number of images."""
         return self.steps
 
 
 class GrayCodeGroup(Model):
-    """Binary planes, most significant first, that number the periods; with ``complementary`` the last is shifted by half a period."""
+    """Gray-code planes, most significant first, that number the periods; with ``complementary`` the last is shifted by half a period."""
 
     kind: Literal["gray-code"] = "gray-code"
     direction: Direction = "vertical"
@@ -42,7 +42,7 @@ class GrayCodeGroup(Model):
 
     @property
     def count(self) -> int:
-        """How many images the group has."""
+        """Number of images."""
         return self.planes
 
 
@@ -53,8 +53,8 @@ class PatternSet(Model):
     """The images projected at one viewpoint, in order: first all groups of vertical fringes, then those of horizontal ones."""
 
     name: str
-    projector_px: int = Field(gt=0, description="columns the phase of vertical fringes runs over")
-    projector_rows: int | None = Field(default=None, gt=0, description="rows the phase of horizontal fringes runs over")
+    projector_px: int = Field(gt=0, description="columns spanned by the phase of vertical fringes")
+    projector_rows: int | None = Field(default=None, gt=0, description="rows spanned by the phase of horizontal fringes")
     groups: tuple[PatternGroup, ...] = Field(min_length=1)
     shift_sign: Literal[-1, 1] = -1
 
@@ -69,18 +69,18 @@ class PatternSet(Model):
 
     @property
     def count(self) -> int:
-        """How many images the set has."""
+        """Number of images."""
         return sum(group.count for group in self.groups)
 
     @property
     def directions(self) -> tuple[Direction, ...]:
-        """The directions of its fringes, vertical first."""
+        """Directions of the fringes, vertical first."""
         return tuple(dict.fromkeys(group.direction for group in self.groups))
 
-    def along(self, direction: Direction) -> tuple[PatternSet, slice]:
-        """Return the groups of one direction as a set of their own, and which images they are.
+    def subset(self, direction: Direction) -> tuple[PatternSet, slice]:
+        """Return the groups of one direction as a set of their own, and the indices of their images.
 
-        The set's ``projector_px`` is the extent its phase runs over: columns for vertical fringes, rows for horizontal ones.
+        The set's ``projector_px`` is the extent of its phase: columns for vertical fringes, rows for horizontal ones.
         Raises ValueError when there are none.
         """
         groups = tuple(group for group in self.groups if group.direction == direction)
@@ -97,7 +97,7 @@ class PatternSet(Model):
 
     @property
     def pitches_px(self) -> tuple[float, ...]:
-        """The pitches of the sinusoids, in order."""
+        """Pitches of the sinusoids, in order."""
         return tuple(group.pitch_px for group in self.groups if isinstance(group, PhaseShiftGroup))
 
     @property
@@ -144,13 +144,13 @@ class AxisReadback(Readback):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FringeStack:
-    """All images of one viewpoint, with what they show and where they were taken."""
+    """All fringe images of one viewpoint with their patterns, exposures and axis read-back."""
 
     viewpoint_id: str
     patterns: PatternSet
     exposures_us: tuple[int, ...]  # from long to short
     images: Mapping[str, ImageArray]  # camera -> (exposures, patterns, height, width), read-only uint8 or uint16
-    saturation: int  # grey level from which a pixel counts as saturated
+    saturation: int  # grey level at which a pixel is saturated
     readback: AxisReadback | None = None  # None for recorded images without a rig
-    conditions: Conditions | None = None  # None where they were not recorded
-    approach: str | None = None  # alike for stacks between which robot and guide stood still; None where that was not watched
+    conditions: Conditions | None = None  # None if not recorded
+    approach: str | None = None  # the same for stacks between which robot and guide did not move; None if not recorded

@@ -1,4 +1,4 @@
-"""Units of length that files come in; everything inside is in millimetres."""
+"""Units of length of files; all lengths inside the program are in millimetres."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ _WORDS = {"mm": "millimetres", "inch": "inches", "m": "metres", "cm": "centimetr
 
 
 class LengthUnit(StrEnum):
-    """A unit as it is named on the command line and in programs; the likelier ones come first.
+    """A unit as named on the command line and in programs, in order of likelihood.
 
     >>> LengthUnit.INCH.in_mm, LengthUnit.INCH.words
     (25.4, 'inches')
@@ -23,20 +23,20 @@ class LengthUnit(StrEnum):
 
     @property
     def in_mm(self) -> float:
-        """Millimetres of one unit."""
+        """Millimetres per unit."""
         return _MM[self.value]
 
     @property
     def words(self) -> str:
-        """The unit's name, in the plural."""
+        """Name of the unit, in the plural."""
         return _WORDS[self.value]
 
 
-PLAUSIBLE_MM = (30.0, 1500.0)  # parts that a rig for parts of this size measures
+PLAUSIBLE_MM = (30.0, 1500.0)  # size of parts that such a rig measures
 
 
 def likely_unit(span: float) -> LengthUnit:
-    """Return the first unit in which a part of this span (the longest side of its box) has a size that a rig measures.
+    """Guess the unit of a part from its span (longest side of its bounding box): the first that gives a plausible size.
 
     >>> [str(likely_unit(span)) for span in (180.0, 7.1, 0.18, 180000.0)]
     ['mm', 'inch', 'm', 'um']

@@ -1,4 +1,4 @@
-"""Maximum and least material conditions of what is toleranced and of its datums (ISO 2692)."""
+"""Maximum and least material conditions of toleranced features and their datums (ISO 2692)."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ MaterialCondition = Literal["regardless", "maximum", "least"]
 
 
 class DatumMaterial(Model):
-    """A datum that is taken at its maximum or least material: by what its size departs from that the part may shift in it."""
+    """A datum at maximum or least material condition: the departure of its actual size from it allows a datum shift."""
 
     datum: str = Field(min_length=1, description="one of the dimension's datums, a hole or shaft")
     condition: Literal["maximum", "least"]
     size_limits_mm: Range = Field(
-        description="limits of its diameter; where it has a position or orientation tolerance of its own at the same condition, "
-        "with the limit at this material widened by that: the virtual size"
+        description="limits of its diameter; if the datum has a position or orientation tolerance at the same condition, "
+        "widen the limit at this condition by that tolerance (virtual size)"
     )
 
     @model_validator(mode="after")
     def _runs_upwards(self) -> DatumMaterial:
-        ascending("size_limits_mm", self.size_limits_mm)
+        require_ascending("size_limits_mm", self.size_limits_mm)
         return self
 
 
-def ascending(name: str, limits: Range) -> None:
-    """Raise ValueError for limits of a diameter that do not run upwards."""
+def require_ascending(name: str, limits: Range) -> None:
+    """Raise ValueError unless the limits of a diameter are in ascending order."""
     if limits[0] >= limits[1]:
         raise ValueError(f"{name} must run from the smaller to the greater diameter")

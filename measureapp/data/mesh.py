@@ -17,7 +17,7 @@ class Mesh:
     vertices_mm: FloatArray  # (V, 3) float64
     triangles: IntArray  # (T, 3) int32
     frame: str
-    measured: BoolArray | None = None  # (V,), False where the surface was filled without points; None: all of it
+    measured: BoolArray | None = None  # (V,), False where a hole was filled without points; None: all measured
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "vertices_mm", read_only(self.vertices_mm, np.float64, (None, 3)))

@@ -1,4 +1,4 @@
-"""The pattern sets that come with the program, for a projector of any size."""
+"""Predefined pattern sets, for a projector of any size."""
 
 from __future__ import annotations
 
@@ -7,20 +7,20 @@ from math import ceil, log2, sqrt
 
 from measureapp.data.fringe import Direction, GrayCodeGroup, PatternGroup, PatternSet, PhaseShiftGroup
 
-GUARD = 1 / 16  # share of the extent by which the range exceeds it: 64 px of 1024
+GUARD = 1 / 16  # guard band relative to the extent: 64 px of 1024
 PAPER_GUARD = 1 / 32
-FINE_PX, COARSE_PX = 16.0, 32.0  # the finest pitch a usual projector and lens show with full contrast, and the paper's
-MIDDLE = 0.85  # where the second of three close pitches has the quietest order decisions, in √(periods over the range)
+FINE_PX, COARSE_PX = 16.0, 32.0  # the finest pitch that projector and lens usually show with full contrast, and the paper's
+MIDDLE = 0.85  # of √(periods over the range): position of the second of three close pitches with the most robust fringe orders
 
 Groups = Callable[[float, Direction], tuple[PatternGroup, ...]]
 
 
-def made_for(width_px: int, height_px: int) -> dict[str, PatternSet]:
-    """Return every named set for a projector of this size; those called ``…-both`` have vertical and horizontal fringes.
+def make_pattern_sets(width_px: int, height_px: int) -> dict[str, PatternSet]:
+    """Return all predefined sets for a projector of this size; sets named ``…-both`` have vertical and horizontal fringes.
 
     Parameters
     ----------
-    width_px, height_px : what the projector shows; each range exceeds it by a guard band of at least 1/32
+    width_px, height_px : of the projector; the unambiguous range exceeds them by a guard band of at least 1/32
     """
     one = {name: _one_way(words, groups, width_px) for name, (words, groups) in _KINDS.items()}
     both = {f"{name}-both": _both_ways(*_KINDS[name], width_px, height_px) for name in _BOTH}
@@ -47,7 +47,7 @@ def _sines(pitches_px: tuple[float, ...], steps: tuple[int, ...], direction: Dir
 
 
 def _two_close(steps: int) -> Groups:
-    """Two neighbouring whole pitches p and p + 1, whose beat p (p + 1) covers extent and guard band: the paper's 32 and 33 px."""
+    """Two-frequency heterodyne: integer pitches p and p + 1, whose beat p (p + 1) covers extent and guard band (32 and 33 px)."""
 
     def groups(extent_px: float, direction: Direction) -> tuple[PatternGroup, ...]:
         pitch = ceil(sqrt(extent_px * (1 + PAPER_GUARD) + 0.25) - 0.5 - 1e-9)
@@ -57,10 +57,10 @@ def _two_close(steps: int) -> Groups:
 
 
 def _three_close(steps: int) -> Groups:
-    """Three pitches near 16 px, which all take part in the result.
+    """Three-frequency heterodyne with pitches near 16 px, which all contribute to the resulting phase.
 
     With R periods of the finest over the range, the others have R − 0.85 √R and one period less: their beat is the range, and
-    the beat with the finest stands half-way, so that no order decision amplifies noise more than about 1.4 √R.
+    the beat with the finest lies in between, so that no step of the unwrapping amplifies noise by more than about 1.4 √R.
     """
 
     def groups(extent_px: float, direction: Direction) -> tuple[PatternGroup, ...]:
@@ -73,7 +73,10 @@ def _three_close(steps: int) -> Groups:
 
 
 def _three_wide(finest_px: float, steps: tuple[int, int, int]) -> Groups:
-    """One period over the range, the finest pitch, and their geometric mean: the least amplification, but one pitch carries the result."""
+    """Hierarchical unwrapping with three pitches: the finest, one period over the range, and their geometric mean.
+
+    Least noise amplification, but the resulting phase comes from the finest pitch alone.
+    """
 
     def groups(extent_px: float, direction: Direction) -> tuple[PatternGroup, ...]:
         reach = extent_px * (1 + GUARD)
@@ -83,7 +86,7 @@ def _three_wide(finest_px: float, steps: tuple[int, int, int]) -> Groups:
 
 
 def _halving(extent_px: float, direction: Direction) -> tuple[PatternGroup, ...]:
-    """One period over the range, then half of it, and so on to about 16 px."""
+    """Hierarchical unwrapping by halving: one period over the range, then half of it, and so on down to about 16 px."""
     reach = extent_px * (1 + GUARD)
     count = 1 + round(log2(reach / FINE_PX))
     pitches = tuple(reach / 2**k for k in reversed(range(count)))
@@ -91,7 +94,7 @@ def _halving(extent_px: float, direction: Direction) -> tuple[PatternGroup, ...]
 
 
 def _gray(steps: int, complementary: bool) -> Groups:
-    """A sinusoid of 16 px whose periods Gray planes number."""
+    """A sinusoid of 16 px whose periods are numbered by a Gray code."""
 
     def groups(extent_px: float, direction: Direction) -> tuple[PatternGroup, ...]:
         planes = ceil(log2(extent_px / FINE_PX) - 1e-9) + int(complementary)
@@ -100,7 +103,7 @@ def _gray(steps: int, complementary: bool) -> Groups:
     return groups
 
 
-# name -> what it is called with its pitches filled in, and its groups for an extent
+# name -> title with placeholders for the pitches, and its groups for an extent
 _KINDS: dict[str, tuple[str, Groups]] = {
     "paper": ("paper: 4 steps at {} and {} px", _two_close(4)),
     "paper-8-step": ("8 steps at {} and {} px", _two_close(8)),
@@ -117,8 +120,8 @@ _KINDS: dict[str, tuple[str, Groups]] = {
 }
 _BOTH = ("paper", "three-close", "complementary-gray")
 
-PATTERN_SETS = made_for(1024, 768)  # the projector of the paper's rig
+PATTERN_SETS = make_pattern_sets(1024, 768)  # the projector of the reference rig
 PAPER_PATTERNS = PATTERN_SETS["paper"]
-DEFAULT_NAME = "three-close"  # resources/docs/decisions/0005-pattern-sets.md says why
+DEFAULT_NAME = "three-close"  # see resources/docs/decisions/0006-pattern-sets.md
 BOTH_DIRECTIONS = f"{DEFAULT_NAME}-both"  # the same for vertical and horizontal fringes
 DEFAULT_PATTERNS = PATTERN_SETS[DEFAULT_NAME]

@@ -1,4 +1,4 @@
-"""The absolute phase seen by one camera."""
+"""Absolute phase map of one camera."""
 
 from __future__ import annotations
 
@@ -13,49 +13,49 @@ from measureapp.data.fringe import Direction
 
 
 class PixelState(IntEnum):
-    """Why a pixel has a phase, or has none; the first reason that applies."""
+    """Whether a pixel has a phase, or the reason why not; the first reason that applies."""
 
     VALID = 0
     SATURATED = 1  # in every exposure
-    WEAK_MODULATION = 2  # light, but too little of it follows the pattern, or its phase is too uncertain
+    WEAK_MODULATION = 2  # too little modulation, or too uncertain a phase
     SHADOW = 3  # no light of the projector
     ORDER_CONFLICT = 4  # the fringe orders of the pitches or bits contradict each other
     OUT_OF_RANGE = 5  # phase outside the projector
-    EDGE = 6  # at a depth step: phase of two surfaces mixed
-    BLOOMING = 7  # beside a saturated pixel that spills over
+    EDGE = 6  # at a depth discontinuity: phases of two surfaces mixed
+    BLOOMING = 7  # next to a saturated pixel that blooms
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PhaseMap:
-    """Absolute phase of the finest pitch, its standard deviation and the reason of every hole. Masked pixels hold 0, never NaN."""
+    """Absolute phase of the finest pitch, its standard deviation and the state of every pixel. Masked pixels are 0, never NaN."""
 
     camera: str
     viewpoint_id: str
     phase_rad: FloatArray  # (H, W) float32, 0 … 2π · projector_px / pitch_px
     sigma_rad: FloatArray  # (H, W) float32
-    modulation: FloatArray | IntArray  # (H, W) of the images' type, B in grey levels at the exposure taken, least of all pitches
-    grey: FloatArray | IntArray  # (H, W) uint16, mean grey level over the exposures taken, scaled to the longest exposure
+    modulation: FloatArray | IntArray  # (H, W) of the images' type, B in grey levels at the exposure used, minimum over the pitches
+    grey: FloatArray | IntArray  # (H, W) uint16, mean grey level over the exposures used, scaled to the longest exposure
     state: IntArray  # (H, W) uint8 of PixelState
-    exposure_index: IntArray  # (H, W) int8, exposure taken (paper's rule) or longest unsaturated one; -1 for none
+    exposure_index: IntArray  # (H, W) int8, exposure used (paper's rule) or longest unsaturated one; -1 for none
     pitch_px: float
     projector_px: int
-    valid_ratio_exposures: tuple[float, ...] = ()  # paper's figure 13, long to short; by the paper's rule an estimate
+    valid_ratio_exposures: tuple[float, ...] = ()  # long to short (figure 13 of the paper); an estimate with the paper's rule
     valid_ratio_composite: float = 0.0
     details: dict[str, float] = field(default_factory=dict)
     saturation: float = 255.0  # grey level of a saturated pixel
-    across: PhaseMap | None = None  # of the horizontal fringes, where the set has both directions
+    across: PhaseMap | None = None  # of the orthogonal (horizontal) fringes, if the set has both directions
     direction: Direction = "vertical"  # of the fringes
-    snr_at_one_rad: float = 0.0  # B/σ_I of one image at which the phase would have a standard deviation of 1 rad
-    exposures_us: tuple[float, ...] = ()  # those that `exposure_index` counts, longest first; of a single one nothing need be told
+    snr_at_one_rad: float = 0.0  # B/σ_I of one image that gives a phase standard deviation of 1 rad
+    exposures_us: tuple[float, ...] = ()  # indexed by `exposure_index`, longest first; may be empty for a single one
 
     @property
     def valid(self) -> BoolArray:
-        """Where there is a phase, (H, W)."""
+        """Mask of the pixels with a phase, (H, W)."""
         return np.asarray(self.state == PixelState.VALID)
 
     @property
     def origin_rad(self) -> float:
-        """Phase at the centre of the projector's first column (row), as the decoder found it: 0, or -π where fringes start dark."""
+        """Phase at the centre of the projector's first column (row) as determined by the decoder: 0, or -π for fringes that start dark."""
         return self.details.get("origin_rad", 0.0)
 
     def pixel_of_phase(self) -> tuple[float, float]:
@@ -65,24 +65,24 @@ class PhaseMap:
 
     @property
     def column_px(self) -> FloatArray:
-        """The projector's column, (H, W) float32; its row where the fringes are horizontal. Column 0 is the centre of the first one."""
+        """Projector column (row for horizontal fringes) of every pixel, (H, W) float32; 0 is the centre of the first one."""
         scale, offset = self.pixel_of_phase()
         return self.phase_rad * np.float32(scale) + np.float32(offset)
 
     def column_at(self, row: int, column: int) -> float:
-        """Return the projector's column (row) at one pixel."""
+        """Return the projector column (row) at one pixel."""
         scale, offset = self.pixel_of_phase()
         return float(self.phase_rad[row, column]) * scale + offset
 
     @property
     def snr(self) -> FloatArray:
-        """Modulation over noise, B/σ_I, (H, W) float32: of one image that would give the phase as exactly as all of them; 0 where masked."""
+        """Signal-to-noise ratio B/σ_I, (H, W) float32, of a single image that would give the same phase noise; 0 where masked."""
         made = np.zeros(self.sigma_rad.shape, np.float32)
         np.divide(np.float32(self.snr_at_one_rad), self.sigma_rad, out=made, where=self.sigma_rad > 0)
         return made
 
     @property
     def reasons(self) -> dict[str, int]:
-        """How many pixels have which state, by name in lower case."""
+        """Number of pixels per state, by its name in lower case."""
         counts = np.bincount(self.state.ravel(), minlength=len(PixelState))
         return {state.name.lower(): int(counts[state]) for state in PixelState}

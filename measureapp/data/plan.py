@@ -1,4 +1,4 @@
-"""A scan plan: an immutable list of viewpoints with patterns and exposures; iterating twice gives the same."""
+"""Scan plans: immutable lists of viewpoints with patterns and exposures."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Motion = Literal["robot", "table", "guide", "passes", "stations"]
 
 
 class FlangePose(Model):
-    """A goal of the robot: base_from_flange as position and unit quaternion (w, x, y, z)."""
+    """Target pose of the robot: base_from_flange as position and unit quaternion (w, x, y, z)."""
 
     position_mm: tuple[float, float, float]
     quaternion_wxyz: tuple[float, float, float, float]
@@ -32,7 +32,7 @@ class FlangePose(Model):
 
     @classmethod
     def of(cls, base_from_flange: RigidTransform) -> FlangePose:
-        """Take the pose out of a transform."""
+        """Build from a transform."""
         x, y, z = (float(value) for value in base_from_flange.translation_mm)
         qw, qx, qy, qz = (float(value) for value in base_from_flange.quaternion_wxyz)
         return cls(position_mm=(x, y, z), quaternion_wxyz=(qw, qx, qy, qz))
@@ -43,7 +43,7 @@ class FlangePose(Model):
 
 
 class Viewpoint(Model):
-    """Planned place of the sensor and the table."""
+    """Planned pose of the sensor and angle of the table."""
 
     id: str = Field(pattern=r"^[A-Za-z0-9_.-]+$")
     flange: FlangePose
@@ -52,7 +52,7 @@ class Viewpoint(Model):
 
 
 class ExposureBracket(Model):
-    """The exposures taken of every pattern, from long to short."""
+    """Exposure bracket: the exposures of every pattern, from long to short."""
 
     exposures_us: tuple[int, ...] = Field(default=(100_000, 80_000, 60_000, 40_000, 20_000), min_length=1)
 
@@ -65,12 +65,12 @@ class ExposureBracket(Model):
 
 
 class ScanPlan(Model):
-    """What to measure, from where and how."""
+    """Viewpoints, pattern set and exposures of a scan."""
 
     schema_version: Literal[1] = 1
     name: str
     viewpoints: tuple[Viewpoint, ...] = Field(min_length=1)
-    patterns: PatternSet = DEFAULT_PATTERNS  # in a file also the name of a set for the projector of 1024 × 768 px
+    patterns: PatternSet = DEFAULT_PATTERNS  # a file may name a predefined set, for a projector of 1024 × 768 px
     bracket: ExposureBracket = ExposureBracket()
 
     @field_validator("patterns", mode="before")

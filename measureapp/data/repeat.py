@@ -1,4 +1,4 @@
-"""Patterns of features about an axis."""
+"""Circular patterns of features."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from measureapp.data.model import Model
 
 
 class Repeat(Model):
-    """A pattern about the z axis: copy k (from 1) of a feature is turned by (k − 1)·angle and called `name.k`."""
+    """Circular pattern about the z axis: copy k (from 1) of a feature is rotated by (k − 1)·angle and named `name.k`."""
 
     count: int = Field(ge=2, le=1000)
     angle_deg: float = 0.0

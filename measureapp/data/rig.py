@@ -1,4 +1,4 @@
-"""What a rig is made of: cameras, projector, axes and their limits. Nominal values only, as in its data sheets."""
+"""Rig descriptions: cameras, projector, axes and their limits, with nominal values as in the data sheets."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ BINNING: dict[Resolution, int] = {"full": 1, "half": 2, "quarter": 4}
 
 
 class NominalPose(Model):
-    """A mounting as drawn: position and rotation (intrinsic x-y-z Euler angles)."""
+    """Nominal mounting pose: position and rotation (intrinsic x-y-z Euler angles)."""
 
     position_mm: Vector
     rotation_deg: Vector
 
     def transform(self, to_frame: str, from_frame: str) -> RigidTransform:
-        """Return the mounting as to_from."""
+        """Return the pose as transform to_from."""
         rotation = Rotation.from_euler("XYZ", self.rotation_deg, degrees=True).as_matrix()
         return RigidTransform.from_parts(rotation, self.position_mm, to_frame, from_frame)
 
@@ -47,7 +47,7 @@ class CameraDescription(Model):
 
     @property
     def saturation(self) -> int:
-        """The grey level of a saturated pixel."""
+        """Grey level of a saturated pixel."""
         return int(2**self.bit_depth - 1)
 
 
@@ -63,7 +63,7 @@ class ProjectorDescription(Model):
 
 
 class RobotDescription(Model):
-    """The six-axis robot; its reach is checked for the flange about the shoulder."""
+    """The six-axis robot; its reach is the distance of the flange from the shoulder."""
 
     model: str
     shoulder_mm: Vector
@@ -75,7 +75,7 @@ class RobotDescription(Model):
 
 
 class GuideDescription(Model):
-    """The linear guide that carries the robot along +Y of the guide frame."""
+    """The linear guide that moves the robot along +Y of the guide frame."""
 
     model: str
     limits_mm: tuple[float, float]
@@ -83,7 +83,7 @@ class GuideDescription(Model):
 
 
 class TableDescription(Model):
-    """The rotary table that carries the part; where its top centre stands in the guide frame as drawn."""
+    """The rotary table under the part, with the nominal position of its top centre in the guide frame."""
 
     model: str
     diameter_mm: float
@@ -94,23 +94,21 @@ class TableDescription(Model):
 
 
 class CalibrationRules(Model):
-    """How long and how far a calibration of this rig is trusted."""
+    """Validity limits of a calibration of this rig: age, temperature, traceable scale."""
 
-    valid_days: float | None = Field(
-        default=90.0, gt=0, description="after the day of the calibration; none: until something else speaks against it"
-    )
-    largest_temperature_change_k: float = Field(default=3.0, gt=0, description="of the head since the calibration")
-    head_expansion_per_k: float = Field(default=23e-6, ge=0, description="of the head's frame; aluminium by default")
+    valid_days: float | None = Field(default=90.0, gt=0, description="validity after the date of the calibration; none: no expiry")
+    largest_temperature_change_k: float = Field(default=3.0, gt=0, description="change of the head's temperature since the calibration")
+    head_expansion_per_k: float = Field(default=23e-6, ge=0, description="thermal expansion of the head's frame; default: aluminium")
     scale_ppm: float = Field(
         default=0.0,
         ge=0,
-        description="standard uncertainty of the board's lengths by its certificate, and of the part's by its temperature; 0: exact",
+        description="standard uncertainty of the scale: board certificate and part temperature; 0: exact",
     )
-    when_exceeded: Literal["warn", "refuse"] = Field(default="warn", description="refuse: such a calibration starts no scan")
+    when_exceeded: Literal["warn", "refuse"] = Field(default="warn", description="refuse: no scan starts with an invalid calibration")
 
 
 class RigDescription(Model):
-    """All devices of a cell as drawn (nominal). The guide frame is the robot base at slide position 0: x towards the table, z up."""
+    """Nominal description of all devices. The guide frame is the robot base at guide position 0: x towards the table, z up."""
 
     schema_version: Literal[1] = 1
     name: str
@@ -132,7 +130,7 @@ class RigDescription(Model):
         return {camera.name: camera for camera in self.cameras}[name]
 
     def at_resolution(self, resolution: Resolution) -> RigDescription:
-        """Return this rig with its cameras binned to half or quarter resolution."""
+        """Return this rig with its cameras binned to ``resolution``."""
         factor = BINNING[resolution]
         cameras = tuple(
             camera.model_copy(

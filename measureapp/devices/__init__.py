@@ -1,1 +1,1 @@
-"""What the program expects of devices, and what is connected."""
+"""Device interfaces, the connected rig, and the plugin loader."""

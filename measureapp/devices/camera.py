@@ -1,4 +1,4 @@
-"""Cameras."""
+"""Camera interface."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from measureapp.data.conditions import LensSetting
 
 @dataclass(frozen=True, slots=True, eq=False)
 class GrabbedImage:
-    """One image with the identity the device gave it."""
+    """One image with the identification reported by the device."""
 
     pixels: ImageArray  # (height, width)
-    frame_number: int  # counts every image of this camera; a gap or repeat means a lost or stale one
+    frame_number: int  # consecutive; a gap or a repeat means a lost or stale image
     exposure_us: int  # as read back with the image
     serial: str
-    pattern_index: int  # the pattern the projector confirmed while the image was exposed; -1: a plain image
+    pattern_index: int  # the pattern that the projector confirmed during the exposure; -1: uniform light
 
 
 class Camera(Protocol):
@@ -30,7 +30,7 @@ class Camera(Protocol):
     bit_depth: int
 
     def set_exposure_us(self, exposure_us: int) -> None:
-        """Ask for an exposure. Raises LimitError when the camera cannot do it."""
+        """Set the exposure. Raises LimitError when the camera does not support it."""
 
     def exposure_us(self) -> int:
         """Read the exposure back."""
@@ -39,10 +39,10 @@ class Camera(Protocol):
         """Trigger one image and wait for it. Raises DeviceTimeout, DeviceError."""
 
     def temperature_c(self) -> float | None:
-        """Read the temperature of the camera's housing back; None where it has no thermometer."""
+        """Read the temperature of the camera's housing; None if it has no thermometer."""
 
     def lens(self) -> LensSetting:
-        """Read back how the lens is set; an empty setting where nothing tells, as with a lens that is set by hand."""
+        """Read the lens setting back; empty for a manual lens."""
 
     def stop(self) -> None:
         """Stop now, from any thread; a waiting `grab` then raises Cancelled."""

@@ -1,4 +1,4 @@
-"""Connecting a rig through the plugin that drives it."""
+"""Connecting a rig through its driver plugin."""
 
 from __future__ import annotations
 
@@ -11,24 +11,24 @@ from measureapp.errors import DeviceError, MeasureError, PluginError
 
 
 def connect_rig(description: RigDescription, plugins: Path | None = None) -> Rig:
-    """Connect all devices of a rig by the plugin its description names; the caller closes it.
+    """Connect all devices of a rig through the plugin named in its description; the caller closes it.
 
     Parameters
     ----------
-    plugins : folder of the plugins; None: those that come with the program
+    plugins : folder of the plugins; None: those shipped with the program
 
     Raises
     ------
     PluginError
-        The plugin cannot be loaded, or drives something smaller than a rig.
+        The plugin cannot be loaded, or is not a rig driver.
     DeviceError
-        A device does not answer, or the driver failed in a way it does not explain.
+        A device does not answer, or the driver raised an unexpected exception.
     """
     plugin = load_plugin(plugins, description.driver)
     if plugin.manifest.kind != "rig":
         raise PluginError(
             f"Rig {description.name}: the plugin {description.driver} drives a {plugin.manifest.kind}, not a rig.",
-            "Name a plugin of kind rig as `driver` of the rig description.",
+            "Set `driver` of the rig description to a plugin of kind rig.",
         )
     try:
         return plugin.entry(description, description.driver_settings)
@@ -37,5 +37,5 @@ def connect_rig(description: RigDescription, plugins: Path | None = None) -> Rig
     except Exception as error:  # foreign code may raise anything
         raise DeviceError(
             f"Rig {description.name}: its driver {description.driver} failed: {type(error).__name__}: {error}.",
-            "Check that the devices are on and connected; if they are, the driver is at fault.",
+            "Check that the devices are on and connected; if they are, report the error to the author of the driver.",
         ) from error

@@ -1,4 +1,4 @@
-"""Linear guides."""
+"""Linear guide interface."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Protocol
 
 
 class LinearGuideAxis(Protocol):
-    """The slide that carries the robot. Every driver must pass ``tests/contracts/test_linear_guide.py``."""
+    """The linear guide that moves the robot. Every driver must pass ``tests/contracts/test_linear_guide.py``."""
 
     name: str
     limits_mm: tuple[float, float]

@@ -1,4 +1,4 @@
-"""Driver plugins: folders that are found by their manifest and loaded by path, so that their names never meet others."""
+"""Driver plugins: folders found by their manifest and loaded by path under private package names."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ PluginKind = Literal["rig", "camera", "projector", "robot", "linear-guide", "rot
 
 
 class PluginManifest(Model):
-    """What `plugin.toml` says; read without importing the driver."""
+    """Contents of `plugin.toml`; read without importing the driver."""
 
     id: str = Field(pattern=r"^[a-z][a-z0-9_]*$")
     name: str = Field(min_length=1)
@@ -37,7 +37,7 @@ class PluginManifest(Model):
 
 @dataclass(frozen=True, slots=True)
 class PluginRow:
-    """One plugin folder; ``problem`` is empty where nothing is wrong with it."""
+    """One plugin folder; ``problem`` is empty if it is sound."""
 
     id: str
     name: str
@@ -50,7 +50,7 @@ class PluginRow:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LoadedPlugin:
-    """A driver ready to be called."""
+    """A loaded driver with its entry function."""
 
     manifest: PluginManifest
     module: ModuleType
@@ -58,36 +58,36 @@ class LoadedPlugin:
 
 
 def discover(folder: Path | None = None) -> tuple[PluginRow, ...]:
-    """Return a row for every plugin below ``folder`` (default: those that come with the program), sorted by folder; imports nothing."""
+    """List the plugins below ``folder`` (default: those shipped with the program), sorted by folder; imports nothing."""
     rows: list[PluginRow] = []
     for path in sorted((folder or plugin_folder()).glob(f"*/{MANIFEST}")):
         row = _row(path)
         twin = next((other for other in rows if other.id == row.id), None)
         if twin is not None:
-            row = replace(row, problem=f"The plugin {twin.folder.name} has the same id {row.id}.", hint="Give one of them another id.")
+            row = replace(row, problem=f"Plugin {twin.folder.name} has the same id {row.id}.", hint="Change one of the two ids.")
         rows.append(row)
     return tuple(rows)
 
 
 def examine(folder: Path | None = None) -> tuple[PluginRow, ...]:
-    """Return the rows of `discover` after an attempt to load each plugin; one that fails carries the reason and hides no other."""
-    return tuple(_examined(row) for row in discover(folder))
+    """List the plugins and try to load each one; the row of a plugin that fails states the reason."""
+    return tuple(_examine_row(row) for row in discover(folder))
 
 
 def load_plugin(folder: Path | None, plugin_id: str) -> LoadedPlugin:
-    """Load the plugin called ``plugin_id`` below ``folder`` (None: those that come with the program).
+    """Load the plugin ``plugin_id`` below ``folder`` (None: those shipped with the program).
 
     Raises
     ------
     PluginError
-        No such plugin, a wrong manifest, or a driver that cannot be imported; says why.
+        No such plugin, an invalid manifest, or a driver that cannot be imported.
     """
     rows = discover(folder)
     row = next((row for row in rows if row.id == plugin_id), None)
     if row is None:
         known = ", ".join(sorted(row.id for row in rows)) or "none"
         raise PluginError(
-            f"There is no driver plugin {plugin_id} (found: {known}).", "Correct the driver's id, or add its folder to plugins."
+            f"There is no driver plugin {plugin_id} (available: {known}).", "Correct the driver's id, or add its folder to plugins."
         )
     if row.problem:
         raise PluginError(f"Plugin {row.id}: {row.problem}", row.hint)
@@ -102,7 +102,7 @@ def _row(path: Path) -> PluginRow:
     return PluginRow(manifest.id, manifest.name, manifest.version, manifest.kind, path.parent)
 
 
-def _examined(row: PluginRow) -> PluginRow:
+def _examine_row(row: PluginRow) -> PluginRow:
     if row.problem:
         return row
     try:
@@ -148,7 +148,7 @@ def _load(folder: Path) -> LoadedPlugin:
 
 
 def _private_package(plugin_id: str, folder: Path) -> str:
-    """Make the folder a package of a private name; one of that name from another folder is forgotten first."""
+    """Register the folder as a private package, after unloading one of the same name from another folder."""
     name = f"{PRIVATE_PACKAGE}.{plugin_id}"
     place = [str(folder.resolve())]
     if name in sys.modules and sys.modules[name].__path__ != place:

@@ -1,4 +1,4 @@
-"""What is connected: all devices of one cell."""
+"""The connected rig: all devices of one cell."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from measureapp.errors import DeviceError
 
 
 class Device(Protocol):
-    """What every device has."""
+    """Interface common to all devices."""
 
     name: str
 
@@ -29,7 +29,7 @@ class Device(Protocol):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rig:
-    """All connected devices. `place_on_table` asks whoever loads the table for a thing by name ("board", "part") and returns when it lies there."""
+    """All connected devices. `place_on_table` requests an object by name ("board", "part") and returns when it is on the table."""
 
     description: RigDescription
     cameras: Mapping[str, Camera]
@@ -45,7 +45,7 @@ class Rig:
         return AxisReadback(self.robot.pose(), self.guide.position_mm(), self.table.angle_rad())
 
     def conditions(self, taken_at: str) -> Conditions:
-        """Ask all cameras under which conditions images are taken at ``taken_at`` (ISO 8601); the head is as warm as their median."""
+        """Read the conditions of images taken at ``taken_at`` (ISO 8601); the head's temperature is the median of its cameras."""
         temperatures = [value for camera in self.cameras.values() if (value := camera.temperature_c()) is not None]
         lenses = {name: setting for name, camera in self.cameras.items() if (setting := camera.lens()) != LensSetting()}
         return Conditions(
@@ -56,7 +56,7 @@ class Rig:
         )
 
     def stop_all(self) -> None:
-        """Stop every device now, from any thread; gathers failures and raises one DeviceError for all of them."""
+        """Stop every device now, from any thread; failures are collected and raised as one DeviceError."""
         devices: tuple[Device, ...] = (self.robot, self.guide, self.table, *self.cameras.values(), self.projector)
         failures = []
         for device in devices:
@@ -66,5 +66,5 @@ class Rig:
                 failures.append(f"{device.name}: {error.message}")
         if failures:
             raise DeviceError(
-                "Not every device confirmed the stop: " + "; ".join(failures) + ".", "Use the emergency stop and check the devices named."
+                "Not every device confirmed the stop: " + "; ".join(failures) + ".", "Use the emergency stop and check these devices."
             )

@@ -1,4 +1,4 @@
-"""Robots."""
+"""Robot interface."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rotary tables."""
+"""Rotary table interface."""
 
 from __future__ import annotations
 

@@ -54,7 +54,7 @@ class Recipe:
             raise DecodeError(f"{len(exposures_us)} exposures are more than {MOST_EXPOSURES}.", "Leave exposures out of the bracket.")
         if list(exposures_us) != sorted(exposures_us, reverse=True):
             raise DecodeError("The exposures are not in order from long to short.", "Sort the exposures of the stack.")
-        alone, where = patterns.along(direction)
+        alone, where = patterns.subset(direction)
         return cls(alone, direction, where.start, exposures_us, saturation, settings, settings.noise_of(camera))
 
     @property

@@ -1,1 +1,1 @@
-"""Rigid transforms that know their frames, pinhole cameras, lines and fits of basic shapes."""
+"""Rigid transforms between named frames, pinhole cameras, and fits of geometric elements."""

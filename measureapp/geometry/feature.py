@@ -1,4 +1,4 @@
-"""Geometry fitted to points."""
+"""Geometric elements fitted to points."""
 
 from __future__ import annotations
 
@@ -12,32 +12,32 @@ from measureapp.arrays import FloatArray, read_only
 
 Shape = Literal[
     "point", "line", "plane", "circle", "sphere", "cylinder", "cone", "torus", "surface"
-]  # a surface is no fit: a region of the nominal mesh
+]  # a surface is not fitted: it is a region of the nominal mesh
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Feature:
-    """A fitted shape; what a shape does not have is None. Lengths in mm, in one frame."""
+    """A fitted geometric element; parameters that the shape does not have are None. Lengths in mm, in one frame."""
 
     name: str
     shape: Shape
-    point_mm: FloatArray  # (3,) on the plane or axis, nearest the data's centroid; the centre of circle, sphere, torus; the apex side is given by `direction` for a cone
-    direction: FloatArray | None = None  # (3,), unit: normal or axis
+    point_mm: FloatArray  # (3,) of the plane or axis, nearest the centroid of the points; centre of a circle, sphere or torus
+    direction: FloatArray | None = None  # (3,), unit: normal or axis; of a cone towards its apex
     radius_mm: float | None = None  # for a cone: its radius at `point_mm`
     half_angle_rad: float | None = None
     minor_radius_mm: float | None = None
     points: int = 0
-    left_out: int = 0
+    left_out: int = 0  # rejected outliers
     rms_mm: float = 0.0
     form_error_mm: float = 0.0  # greatest minus smallest signed distance
     standard_deviations: Mapping[str, float] = field(
         default_factory=dict
     )  # keys like the fields: "radius_mm", "position_mm", "direction_rad"
     covariance: FloatArray | None = (
-        None  # (6 + S, 6 + S): of point_mm, direction and the S sizes (radius_mm, then half_angle_rad or minor_radius_mm)
+        None  # (6 + S, 6 + S): of point_mm, direction and S sizes (radius_mm, then half_angle_rad or minor_radius_mm)
     )
     boundary_mm: FloatArray | None = None  # (K, 3) extent of the points used, for display
-    how: str = ""  # how its points were found, where that is not around its nominal
+    how: str = ""  # how its points were selected, if not around its nominal
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "point_mm", read_only(self.point_mm, np.float64, (3,)))

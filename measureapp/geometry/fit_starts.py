@@ -1,4 +1,4 @@
-"""Starting values of the fits, from points alone. Coordinates are centred on the points and scaled to about 1."""
+"""Starting values of the fits from the points alone, in coordinates centred on the points and scaled to about 1."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ from measureapp.arrays import FloatArray
 from measureapp.geometry.feature import Shape
 from measureapp.geometry.shapes import MODELS, State, tangents
 
-DIRECTIONS = 120  # over the half sphere: no axis is further than about 8° from one of them
+DIRECTIONS = 120  # over the half sphere: every axis is within about 8° of one of them
 SAMPLE = 1500
-FLAT = 1e-4  # curvature, relative to the size of the data
+FLAT = 1e-4  # curvature of a plane, relative to the size of the data
 TUBE_PLACES = 24
-TRIED = 6  # the best starts of an axis shape are all refined
+TRIED = 6  # number of starts that are refined for a shape with an axis
 
 
-def starts(shape: Shape, points: FloatArray) -> list[State]:
-    """Return starting states for ``shape``, best first; ``points`` (N, 3) are centred and scaled."""
+def find_starts(shape: Shape, points: FloatArray) -> list[State]:
+    """Estimate starting states for ``shape``, best first; ``points`` (N, 3) are centred and scaled."""
     sample = points if len(points) <= SAMPLE else points[np.random.default_rng(0).choice(len(points), SAMPLE, replace=False)]
     _, _, axes = np.linalg.svd(sample - sample.mean(axis=0), full_matrices=False)
     centre = points.mean(axis=0)
@@ -54,7 +54,7 @@ def _half_sphere() -> FloatArray:
 
 
 def _curvatures(points: FloatArray, axes: FloatArray) -> tuple[float, FloatArray, FloatArray]:
-    """Return height at the centroid, principal curvatures (2,) and their directions (2, 3) of a quadratic over a patch's plane: for short arcs."""
+    """Fit a quadratic over the plane of a patch: height at the centroid, principal curvatures (2,) and their directions (2, 3)."""
     x, y, z = ((points - points.mean(axis=0)) @ axes.T).T
     design = np.column_stack([x * x, x * y, y * y, x, y, np.ones(len(x))])
     a, b, c, _, _, height = np.linalg.lstsq(design, z, rcond=None)[0]
@@ -63,7 +63,7 @@ def _curvatures(points: FloatArray, axes: FloatArray) -> tuple[float, FloatArray
 
 
 def _torus_patches(point: FloatArray, curvatures: FloatArray, directions: FloatArray, normal: FloatArray) -> list[State]:
-    """Return tori that have these curvatures at a point: one curvature is 1/r, the other cos θ/(R + r cos θ) for any place θ on the tube."""
+    """Return tori with these curvatures at a point: one curvature is 1/r, the other cos θ/(R + r cos θ) at angle θ of the tube."""
     made = []
     for tube in (0, 1):
         if abs(curvatures[tube]) < FLAT:
@@ -108,7 +108,7 @@ def _on_axis(points: FloatArray, direction: FloatArray, *, cone: bool) -> State:
 
 
 def _torus(points: FloatArray, direction: FloatArray) -> State:
-    """Take the ring's centre from the circle about the direction, then a circle through the section (ρ, h)."""
+    """Fit the torus about the direction: centre from a circle about it, radii from a circle in the section (ρ, h)."""
     ring = _on_axis(points, direction, cone=False)
     offset = points - ring.point
     height = offset @ direction

@@ -1,4 +1,4 @@
-"""Orthogonal-distance fits of line, plane, circle, sphere, cylinder, cone and torus."""
+"""Orthogonal distance regression of line, plane, circle, sphere, cylinder, cone and torus."""
 
 from __future__ import annotations
 
@@ -9,26 +9,26 @@ import numpy as np
 from measureapp.arrays import BoolArray, FloatArray
 from measureapp.errors import FitError
 from measureapp.geometry.feature import Feature, Shape
-from measureapp.geometry.fit_starts import SAMPLE, starts
+from measureapp.geometry.fit_starts import SAMPLE, find_starts
 from measureapp.geometry.shapes import MODELS, Model, State
 
 LEAST_POINTS: dict[Shape, int] = {"line": 2, "plane": 3, "circle": 3, "sphere": 4, "cylinder": 5, "cone": 6, "torus": 7}
 ITERATIONS = 200
 CONVERGED = 1e-13  # step, relative to the size of the data
-SHRINKING = 0.95  # of the last steps towards the solution
+SHRINKING = 0.95  # greatest ratio of the lengths of successive final steps
 ROUNDING = 1e-12  # of sums of squares, relative
-PROBE = 1e-6  # change of a parameter, to see what it does to point, direction and sizes
+PROBE = 1e-6  # step of a parameter for numerical derivatives
 SINGULAR = 1e-9  # ratio of singular values below which the points do not determine the shape
 MAD_TO_SIGMA = 1.4826
 REJECTED_SIGMAS = 3.5
 ROBUST_ROUNDS = 20
-FAR_OFF = 0.1  # rms distance, relative to the size of the data, at which a shape is plainly not the one asked for
-LARGEST_RATIO = 1e4  # a radius this many times the size of the data is a plane
+FAR_OFF = 0.1  # rms distance, relative to the size of the data, beyond which the points are not of the requested shape
+LARGEST_RATIO = 1e4  # a radius larger than this times the size of the data is a plane
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Scaled:
-    """The points of a fit, centred and scaled; keeps the numbers near 1 wherever the part lies."""
+    """The points of a fit, centred and scaled to about 1 for numerical conditioning."""
 
     points: FloatArray
     centre_mm: FloatArray
@@ -36,7 +36,7 @@ class Scaled:
 
     @classmethod
     def of(cls, points_mm: FloatArray) -> Scaled:
-        """Centre on the mean and scale by the rms distance from it."""
+        """Centre on the mean and scale by the rms distance from the mean."""
         centre = points_mm.mean(axis=0)
         offset = points_mm - centre
         centre, offset = centre + offset.mean(axis=0), offset - offset.mean(axis=0)
@@ -47,22 +47,23 @@ class Scaled:
 def fit(
     shape: Shape, points_mm: FloatArray, *, weights: FloatArray | None = None, start: Feature | None = None, robust: bool = False
 ) -> Feature:
-    """Fit ``shape`` to points by the least sum of squared orthogonal distances [1]_.
+    """Fit ``shape`` to points by orthogonal least squares [1]_.
 
     Parameters
     ----------
     shape : "line", "plane", "circle", "sphere", "cylinder", "cone" or "torus"
     points_mm : (N, 3), in any order
     weights : (N,), inverse variances up to a common factor; None: all equal
-    start : an approximate feature of the same shape; None: found from the points
-    robust : leave out points further than 3.5 robust standard deviations, and say how many in ``left_out``
+    start : an approximate feature of the same shape; None: estimated from the points
+    robust : reject outliers beyond 3.5 robust standard deviations; their number is ``left_out``
 
     Returns
     -------
     Feature
-        With ``point_mm`` nearest the centroid of the points used. Standard deviations are those of the direction in
-        which the point and the axis are least certain, scaled by the scatter found; ``covariance`` has all of it. A
-        cone's direction points to its apex. ``form_error_mm`` is the range of signed distances; for a line the diameter about all points, for a circle radial.
+        With ``point_mm`` nearest the centroid of the points used. The standard deviations of point and axis are those in
+        their least certain direction, scaled by the residual scatter; ``covariance`` is complete. A cone's direction points
+        to its apex. ``form_error_mm`` is the range of signed distances: for a line the diameter of the enclosing cylinder,
+        for a circle the radial range.
 
     Raises
     ------
@@ -75,13 +76,13 @@ def fit(
     """
     points, weight = _checked(shape, points_mm, weights)
     scaled = Scaled.of(points)
-    begin = starts(shape, scaled.points) if start is None else [state_of(start, scaled)]
+    begin = find_starts(shape, scaled.points) if start is None else [state_of(start, scaled)]
     keep = np.ones(len(points), np.bool_)
     if robust:
         state, keep = _robust(shape, scaled.points, weight, begin)
     else:
         state = _best(shape, scaled.points, weight, begin)
-    return described(shape, state, scaled, weight, keep)
+    return to_feature(shape, state, scaled, weight, keep)
 
 
 def distances_mm(feature: Feature, points_mm: FloatArray) -> FloatArray:
@@ -93,15 +94,15 @@ def distances_mm(feature: Feature, points_mm: FloatArray) -> FloatArray:
     return distances[0] if len(distances) == 1 else np.hypot(*distances)
 
 
-def following_points(feature: Feature, points_mm: FloatArray, weights: FloatArray | None = None) -> FloatArray:
-    """Return how point (mm), direction and sizes of a fitted feature, in the order of its ``covariance``, follow its points, (6 + S, N).
+def point_sensitivities(feature: Feature, points_mm: FloatArray, weights: FloatArray | None = None) -> FloatArray:
+    """Sensitivity of a fitted feature to its points: Jacobian (6 + S, N) of point (mm), direction and sizes, ordered as ``covariance``.
 
-    Column n is what 1 mm does by which point n moves away from the shape along its normal (to where distances are positive). Where the
-    sum of squares is least its gradient stays zero: dθ = -(Jᵀ W J)⁻¹ Jᵀ W dd.
+    Column n belongs to a displacement of point n along the normal of the shape, towards positive distances. From the normal
+    equations, dθ = -(Jᵀ W J)⁻¹ Jᵀ W dd.
 
     Parameters
     ----------
-    feature : as `fit` found it; a shape with one distance per point
+    feature : result of `fit`, of a shape with one distance per point
     weights : (N,), as they were in the fit; None: all equal
     """
     model, scaled = MODELS[feature.shape], Scaled.of(points_mm)
@@ -117,7 +118,7 @@ def _checked(shape: Shape, points_mm: FloatArray, weights: FloatArray | None) ->
         raise FitError(f"A {shape} cannot be fitted.", "Use one of: " + ", ".join(MODELS) + ".")
     points = np.asarray(points_mm, np.float64)
     if points.ndim != 2 or points.shape[1] != 3 or not np.isfinite(points).all():
-        raise FitError("Points for a fit must be rows of three finite numbers.", "Leave out lines that are not points.")
+        raise FitError("Points for a fit must be rows of three finite numbers.", "Remove lines that are not points.")
     if len(points) < LEAST_POINTS[shape]:
         raise FitError(f"A {shape} needs at least {LEAST_POINTS[shape]} points; there are {len(points)}.", "Give more points.")
     weight = np.ones(len(points)) if weights is None else np.asarray(weights, np.float64)
@@ -140,13 +141,13 @@ def state_of(feature: Feature, scaled: Scaled) -> State:
 
 
 def _best(shape: Shape, points: FloatArray, weight: FloatArray, begin: list[State]) -> State:
-    """Refine every start on a sample of the points, and the best of them on all."""
+    """Refine every start on a sample of the points, and the best one on all points."""
     model = MODELS[shape]
     chosen = slice(None) if len(points) <= SAMPLE else np.random.default_rng(0).choice(len(points), SAMPLE, replace=False)
     few, few_weights = points[chosen], weight[chosen]
-    solved = [refined(model, state, few, few_weights) for state in begin]
+    solved = [refine(model, state, few, few_weights) for state in begin]
     costs = [_cost(model, state, few, few_weights) for state in solved]
-    return refined(model, solved[int(np.argmin(costs))], points, weight)
+    return refine(model, solved[int(np.argmin(costs))], points, weight)
 
 
 def _cost(model: Model, state: State, points: FloatArray, weight: FloatArray) -> float:
@@ -155,13 +156,13 @@ def _cost(model: Model, state: State, points: FloatArray, weight: FloatArray) ->
     return cost if np.isfinite(cost) else np.inf
 
 
-def refined(model: Model, state: State, points: FloatArray, weight: FloatArray) -> State:
-    """Return the state of least weighted squares near ``state`` (Levenberg-Marquardt by QR, then Gauss-Newton)."""
+def refine(model: Model, state: State, points: FloatArray, weight: FloatArray) -> State:
+    """Minimise the weighted sum of squares, starting at ``state`` (Levenberg-Marquardt by QR, then Gauss-Newton)."""
     damping = 1e-6
     cost = _cost(model, state, points, weight)
     for _ in range(ITERATIONS):
         step = _step(model, state, points, weight, damping)
-        trial = model.moved(state, step)
+        trial = model.move(state, step)
         trial_cost = _cost(model, trial, points, weight)
         small = float(np.linalg.norm(step)) < CONVERGED * (1 + float(np.linalg.norm(state.sizes)))
         if trial_cost <= cost:
@@ -170,19 +171,19 @@ def refined(model: Model, state: State, points: FloatArray, weight: FloatArray) 
             damping = min(damping * 10, 1e12)
         if small or (trial_cost > cost and damping >= 1e12):
             break
-    return _polished(model, state, points, weight, cost)
+    return _polish(model, state, points, weight, cost)
 
 
-def _polished(model: Model, state: State, points: FloatArray, weight: FloatArray, cost: float) -> State:
-    """Take whole Gauss-Newton steps as long as they shrink.
+def _polish(model: Model, state: State, points: FloatArray, weight: FloatArray, cost: float) -> State:
+    """Take full Gauss-Newton steps as long as they shrink.
 
-    Sums of squares do not tell states apart that differ by less than √ε of the scatter; the length of the steps does.
+    The sum of squares cannot resolve differences below √ε of the scatter; the length of the steps can.
     """
     shortest = np.inf
     for _ in range(ITERATIONS):
         step = _step(model, state, points, weight, 0.0)
         length = float(np.linalg.norm(step))
-        trial = model.moved(state, step)
+        trial = model.move(state, step)
         if not length < SHRINKING * shortest or _cost(model, trial, points, weight) > cost * (1 + ROUNDING) + ROUNDING**2:
             break
         state, shortest = trial, length
@@ -201,13 +202,13 @@ def _step(model: Model, state: State, points: FloatArray, weight: FloatArray, da
 
 
 def _robust(shape: Shape, points: FloatArray, weight: FloatArray, begin: list[State]) -> tuple[State, BoolArray]:
-    """Approach with Cauchy weights, then leave out what is too far until the set no longer changes."""
+    """Robust fit: iteratively reweighted with Cauchy weights, then rejection of outliers until the set no longer changes."""
     model = MODELS[shape]
     state = _best(shape, points, weight, begin)
     for _ in range(ROBUST_ROUNDS):
         far = _length(model, state, points)
         sigma = max(MAD_TO_SIGMA * float(np.median(far)), 1e-9)
-        state = refined(model, state, points, weight / (1 + (far / (2 * sigma)) ** 2))
+        state = refine(model, state, points, weight / (1 + (far / (2 * sigma)) ** 2))
     keep = np.ones(len(points), np.bool_)
     for _ in range(ROBUST_ROUNDS):
         far = _length(model, state, points)
@@ -216,7 +217,7 @@ def _robust(shape: Shape, points: FloatArray, weight: FloatArray, begin: list[St
         if np.count_nonzero(found) < LEAST_POINTS[shape] or np.array_equal(found, keep):
             break
         keep = found
-        state = refined(model, state, points[keep], weight[keep])
+        state = refine(model, state, points[keep], weight[keep])
     return state, keep
 
 
@@ -225,11 +226,11 @@ def _length(model: Model, state: State, points: FloatArray) -> FloatArray:
     return np.sqrt(np.sum(distances**2, axis=0))
 
 
-def described(shape: Shape, state: State, scaled: Scaled, weight: FloatArray, keep: BoolArray) -> Feature:
-    """Turn a state into a feature in millimetres, its point nearest the centroid; raises FitError when it is not determined."""
+def to_feature(shape: Shape, state: State, scaled: Scaled, weight: FloatArray, keep: BoolArray) -> Feature:
+    """Convert a state to a feature in millimetres, its point nearest the centroid; raises FitError when it is not determined."""
     model = MODELS[shape]
     points = scaled.points[keep]
-    state = _normalised(shape, state, points.mean(axis=0))
+    state = _normalise(shape, state, points.mean(axis=0))
     distances, derivatives = model.evaluate(state, points)
     _refuse_undetermined(shape, model, distances, derivatives, weight[keep], state)
     covariance = _covariance(model, distances, derivatives, weight[keep])
@@ -260,8 +261,8 @@ def _radius(shape: Shape, state: State, scale_mm: float) -> float | None:
     return float(state.sizes[0]) * scale_mm if len(state.sizes) else None
 
 
-def _normalised(shape: Shape, state: State, centroid: FloatArray) -> State:
-    """Bring the point nearest the centroid, sizes to positive values, and the direction to a repeatable sign."""
+def _normalise(shape: Shape, state: State, centroid: FloatArray) -> State:
+    """Normalise a state: point nearest the centroid, positive sizes, and a unique sign of the direction."""
     direction, point, sizes = state.direction, state.point, state.sizes.copy()
     if shape in ("line", "cylinder", "cone"):
         shift = float((centroid - point) @ direction)
@@ -282,7 +283,7 @@ def _normalised(shape: Shape, state: State, centroid: FloatArray) -> State:
 def _refuse_undetermined(
     shape: Shape, model: Model, distances: FloatArray, derivatives: FloatArray, weight: FloatArray, state: State
 ) -> None:
-    """Raise FitError when some change of the shape leaves all distances as they are."""
+    """Raise FitError when the Jacobian is rank deficient, or the points are not of this shape."""
     jacobian = (derivatives * np.sqrt(weight)[None, :, None]).reshape(-1, model.parameters)
     singular = np.linalg.svd(jacobian, compute_uv=False) if np.isfinite(jacobian).all() else np.zeros(model.parameters)
     if singular[-1] <= SINGULAR * singular[0] or np.any(np.abs(state.sizes) > LARGEST_RATIO):
@@ -290,11 +291,11 @@ def _refuse_undetermined(
     if shape == "cone" and not 0 < state.sizes[1] < np.pi / 2:
         raise FitError("The points do not determine a cone.", "Give points spread over more of the cone, or fit a cylinder.")
     if shape in ("cylinder", "cone", "torus") and np.sqrt(np.mean(distances**2)) > FAR_OFF:
-        raise FitError(f"The points do not lie on a {shape}.", "Choose the points of one surface only, or give a start.")
+        raise FitError(f"The points are not on a {shape}.", "Select the points of one surface only, or give a start.")
 
 
 def _covariance(model: Model, distances: FloatArray, derivatives: FloatArray, weight: FloatArray) -> FloatArray:
-    """Covariance (P, P) of the model's parameters, scaled by the scatter found."""
+    """Covariance (P, P) of the model's parameters, scaled by the residual scatter."""
     jacobian = (derivatives * np.sqrt(weight)[None, :, None]).reshape(-1, model.parameters)
     freedom = jacobian.shape[0] - model.parameters
     variance = float(np.sum(weight * distances**2)) / freedom if freedom > 0 else 0.0
@@ -303,7 +304,7 @@ def _covariance(model: Model, distances: FloatArray, derivatives: FloatArray, we
 
 
 def _spread(shape: Shape, model: Model, state: State, scale_mm: float) -> FloatArray:
-    """What each parameter does to point (mm), direction and sizes of the feature (6 + sizes, P)."""
+    """Jacobian (6 + sizes, P) of point (mm), direction and sizes of the feature by the model's parameters."""
 
     def reported(moved: State) -> FloatArray:
         sizes = moved.sizes * scale_mm
@@ -312,7 +313,7 @@ def _spread(shape: Shape, model: Model, state: State, scale_mm: float) -> FloatA
         return np.concatenate([moved.point * scale_mm, moved.direction, sizes])
 
     probes = PROBE * np.eye(model.parameters)
-    return np.column_stack([(reported(model.moved(state, probe)) - reported(model.moved(state, -probe))) / (2 * PROBE) for probe in probes])
+    return np.column_stack([(reported(model.move(state, probe)) - reported(model.move(state, -probe))) / (2 * PROBE) for probe in probes])
 
 
 def _deviations(shape: Shape, model: Model, covariance: FloatArray, state: State, scale_mm: float) -> dict[str, float]:
@@ -333,7 +334,7 @@ def _largest(covariance: FloatArray) -> float:
 
 
 def _cone_radius_deviation(covariance: FloatArray, state: State) -> float:
-    """Propagate to radius = s / cos t."""
+    """Propagate the covariance to the radius s / cos t."""
     distance, angle = state.sizes
     slope = np.array([1 / np.cos(angle), distance * np.sin(angle) / np.cos(angle) ** 2])
     return float(np.sqrt(max(slope @ covariance @ slope, 0.0)))

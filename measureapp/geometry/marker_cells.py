@@ -1,4 +1,4 @@
-"""What stands in the squares of a ChArUco board: the black and white cells of its markers."""
+"""Marker cells of a ChArUco board."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from measureapp.arrays import ImageArray
 
 
 def marker_cells(columns: int, rows: int, dictionary: str, legacy_pattern: bool) -> ImageArray:
-    """Return the cells (rows + 1, columns + 1, n, n) uint8 of the marker in every square; 1 is white, 2 everywhere: no marker.
+    """Return the cells (rows + 1, columns + 1, n, n) uint8 of the marker in every square: 0 black, 1 white; all 2: no marker.
 
     Parameters
     ----------
     columns, rows : inner corners of the board
     dictionary : name without ``DICT_``, such as ``5X5_250``
-    legacy_pattern : boards with an even number of rows of squares as OpenCV drew them before 4.6: the first square is white
+    legacy_pattern : layout of OpenCV before 4.6 for an even number of rows of squares: the first square is white
     """
     markers = cv2.aruco.getPredefinedDictionary(getattr(cv2.aruco, f"DICT_{dictionary}"))
     board = cv2.aruco.CharucoBoard((columns + 1, rows + 1), 1.0, 0.5, markers)

@@ -1,4 +1,4 @@
-"""The pinhole camera with Brown-Conrady lens distortion; projectors use it as well."""
+"""Pinhole camera with Brown-Conrady lens distortion; also the model of projectors."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ UNDISTORT_TOLERANCE = 1e-12
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PinholeCamera:
-    """Intrinsic parameters. Pixel (0, 0) is the centre of the top-left pixel; points are (x, y).
+    """Intrinsic parameters of a camera. Pixel (0, 0) is the centre of the top-left pixel; points are (x, y).
 
-    The distortion coefficients stand in OpenCV's order (k1 k2 p1 p2 [k3 [k4 k5 k6 [s1 s2 s3 s4 [τx τy]]]]);
+    The distortion coefficients are in OpenCV's order (k1 k2 p1 p2 [k3 [k4 k5 k6 [s1 s2 s3 s4 [τx τy]]]]);
     model: D. C. Brown, Photogrammetric Engineering 37(8), 1971, with OpenCV's extensions.
     """
 
@@ -38,8 +38,8 @@ class PinholeCamera:
         pixels, _ = cv2.projectPoints(points, np.zeros(3), np.zeros(3), np.asarray(self.matrix), np.asarray(self.distortion))
         return np.asarray(pixels, np.float64).reshape(-1, 2)
 
-    def project_with_slopes(self, points_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Project points (N, 3) in the camera's frame to pixels (N, 2), with their derivatives by the points, (N, 2, 3) px/mm."""
+    def project_with_jacobian(self, points_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Project points (N, 3) in the camera's frame to pixels (N, 2), with the Jacobian (N, 2, 3) by the points, px/mm."""
         if len(points_mm) == 0:
             return np.empty((0, 2)), np.empty((0, 2, 3))
         points = np.ascontiguousarray(points_mm, np.float64).reshape(-1, 1, 3)

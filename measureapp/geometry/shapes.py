@@ -1,7 +1,7 @@
-"""Signed orthogonal distances of basic shapes and their derivatives.
+"""Signed orthogonal distances from basic shapes and their derivatives.
 
-A shape is a `State`: a point, a unit direction and sizes. Small changes of it are numbered by each model: first the
-moves of the point, then the two tilts of the direction along `tangents(direction)`, then the sizes. Distances by
+A shape is a `State`: a point, a unit direction and sizes. Its local parameters are ordered: first the translations of the point,
+then the two tilts of the direction along `tangents(direction)`, then the sizes. Distances by
 G. T. Anthony et al., "Reference software for finding Chebyshev best-fit geometric elements", NPL DITC, 1996, and
 A. B. Forbes, "Least-squares best-fit geometric elements", NPL DITC 140/89, 1989.
 """
@@ -21,7 +21,7 @@ TINY = 1e-300
 
 @dataclass(frozen=True, slots=True, eq=False)
 class State:
-    """Where a shape is and how large, in the (centred, scaled) coordinates of a fit."""
+    """Position, direction and sizes of a shape in the centred, scaled coordinates of a fit."""
 
     point: FloatArray  # (3,)
     direction: FloatArray  # (3,), unit; unused by a sphere
@@ -29,37 +29,37 @@ class State:
 
 
 class Distances(Protocol):
-    """Distances of points from a shape, and what small changes of the shape do to them."""
+    """Distances of points from a shape and their derivatives by the local parameters of the shape."""
 
     parameters: int
 
     def evaluate(self, state: State, points: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return distances (K, N) and their derivatives (K, N, P); K distances per point, squared and summed."""
 
-    def moved(self, state: State, step: FloatArray) -> State:
-        """Return the state changed by ``step`` (P,)."""
+    def move(self, state: State, step: FloatArray) -> State:
+        """Return the state after the parameter increment ``step`` (P,)."""
 
 
 class Model(Distances, Protocol):
-    """One kind of shape."""
+    """Distance model of one shape."""
 
-    moves: int  # how many parameters move the point
-    tilts: int
+    moves: int  # number of translations of the point
+    tilts: int  # number of tilts of the direction
 
     def form(self, distances: FloatArray) -> FloatArray:
-        """Return the one distance (N,) whose range is the form error."""
+        """Return the signed distance (N,) whose range is the form error."""
 
 
 def tangents(direction: FloatArray) -> FloatArray:
-    """Return two unit vectors (2, 3) that make a right-handed triad with ``direction``."""
+    """Return two unit vectors (2, 3) that form a right-handed triad with ``direction``."""
     helper = np.eye(3)[np.argmin(np.abs(direction))]
     first = np.cross(direction, helper)
     first /= np.linalg.norm(first)
     return np.stack([first, np.cross(direction, first)])
 
 
-def tilted(direction: FloatArray, step: FloatArray) -> FloatArray:
-    """Return the unit direction tilted by the two components of ``step`` along its tangents."""
+def tilt(direction: FloatArray, step: FloatArray) -> FloatArray:
+    """Tilt a unit direction by the two components of ``step`` along its tangents."""
     leaning = direction + step @ tangents(direction)
     return leaning / np.linalg.norm(leaning)
 
@@ -73,14 +73,14 @@ def _radial(state: State, points: FloatArray) -> tuple[FloatArray, FloatArray, F
 
 
 class _FreeModel:
-    """What the shapes with a centre and a direction have in common: the point moves anywhere."""
+    """Base of shapes with a centre and a direction: the point moves in all directions."""
 
     moves, tilts = 3, 2
 
-    def moved(self, state: State, step: FloatArray) -> State:
-        """Return the state changed by a step."""
+    def move(self, state: State, step: FloatArray) -> State:
+        """Return the state after a parameter increment."""
         point = state.point + step[:2] @ tangents(state.direction) + step[2] * state.direction
-        return State(point, tilted(state.direction, step[3:5]), state.sizes + step[5:])
+        return State(point, tilt(state.direction, step[3:5]), state.sizes + step[5:])
 
     def form(self, distances: FloatArray) -> FloatArray:
         """Return the first (radial) distance."""
@@ -88,13 +88,13 @@ class _FreeModel:
 
 
 class _AxisModel(_FreeModel):
-    """What the shapes about an axis have in common: the point moves across the axis only."""
+    """Base of shapes with an axis: the point moves perpendicular to the axis only."""
 
     moves, tilts = 2, 2
 
-    def moved(self, state: State, step: FloatArray) -> State:
-        """Return the state changed by a step."""
-        return State(state.point + step[:2] @ tangents(state.direction), tilted(state.direction, step[2:4]), state.sizes + step[4:])
+    def move(self, state: State, step: FloatArray) -> State:
+        """Return the state after a parameter increment."""
+        return State(state.point + step[:2] @ tangents(state.direction), tilt(state.direction, step[2:4]), state.sizes + step[4:])
 
 
 class Plane(_FreeModel):
@@ -108,13 +108,13 @@ class Plane(_FreeModel):
         across = offset @ tangents(state.direction).T
         return (offset @ state.direction)[None], np.column_stack([-np.ones(len(points)), across])[None]
 
-    def moved(self, state: State, step: FloatArray) -> State:
-        """Return the state changed by a step."""
-        return State(state.point + step[0] * state.direction, tilted(state.direction, step[1:]), state.sizes)
+    def move(self, state: State, step: FloatArray) -> State:
+        """Return the state after a parameter increment."""
+        return State(state.point + step[0] * state.direction, tilt(state.direction, step[1:]), state.sizes)
 
 
 class Line(_AxisModel):
-    """The two components of the distance from an axis; its form error is the diameter of the cylinder about all points."""
+    """The two components of the distance from an axis; the form error is the diameter of the enclosing cylinder."""
 
     parameters = 4
 
@@ -129,13 +129,13 @@ class Line(_AxisModel):
         return (offset @ tangents(state.direction).T).T, derivatives
 
     def form(self, distances: FloatArray) -> FloatArray:
-        """Return both ends of every diameter."""
+        """Return the distances with both signs, so that their range is the diameter."""
         far = np.hypot(*distances)
         return np.concatenate([far, -far])
 
 
 class Circle(_FreeModel):
-    """Distance from the circle's line in space: radial (first) and out of its plane."""
+    """Distance from a circle in space: radial component (first) and out-of-plane component."""
 
     parameters = 6
 
@@ -164,13 +164,13 @@ class Sphere(_FreeModel):
         outward = offset / np.maximum(length, TINY)[:, None]
         return (length - state.sizes[0])[None], np.column_stack([-outward, -np.ones(len(points))])[None]
 
-    def moved(self, state: State, step: FloatArray) -> State:
-        """Return the state changed by a step."""
+    def move(self, state: State, step: FloatArray) -> State:
+        """Return the state after a parameter increment."""
         return replace(state, point=state.point + step[:3], sizes=state.sizes + step[3:])
 
 
 class Cylinder(_AxisModel):
-    """Distance from the axis less the radius."""
+    """Distance ρ − r from the axis."""
 
     parameters = 5
 

@@ -16,9 +16,9 @@ ORTHONORMAL_TOLERANCE = 1e-6
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RigidTransform:
-    """Takes coordinates in ``from_frame`` to ``to_frame``; name a variable of it ``to_from``.
+    """Rigid transform of coordinates from ``from_frame`` to ``to_frame``; variables are named ``to_from``.
 
-    ``a_from_c = a_from_b @ b_from_c``; a chain whose frames do not meet is refused.
+    ``a_from_c = a_from_b @ b_from_c``; a product with mismatched inner frames is refused.
     """
 
     matrix: FloatArray  # (4, 4), read-only; millimetres
@@ -34,7 +34,7 @@ class RigidTransform:
 
     @classmethod
     def identity(cls, to_frame: str, from_frame: str) -> RigidTransform:
-        """Return the transform between two frames that coincide."""
+        """Return the identity between two coincident frames."""
         return cls(np.eye(4), to_frame, from_frame)
 
     @classmethod
@@ -85,17 +85,17 @@ class RigidTransform:
         return float(np.linalg.norm(self.rotation_vector))
 
     def __matmul__(self, other: RigidTransform) -> RigidTransform:
-        """Chain: first ``other``, then this. Raises FrameMismatch when the inner frames differ."""
+        """Compose: first ``other``, then this. Raises FrameMismatch when the inner frames differ."""
         if self.from_frame != other.to_frame:
             raise FrameMismatch(
-                f"{self.to_frame}_from_{self.from_frame} cannot follow {other.to_frame}_from_{other.from_frame}.",
-                "The inner frames of a chain must be the same.",
+                f"{self.to_frame}_from_{self.from_frame} cannot be multiplied by {other.to_frame}_from_{other.from_frame}.",
+                "The inner frames of a product must be the same.",
             )
         product = self.matrix @ other.matrix
-        return RigidTransform(orthonormalised(product), self.to_frame, other.from_frame)
+        return RigidTransform(orthonormalise(product), self.to_frame, other.from_frame)
 
     def inverse(self) -> RigidTransform:
-        """Return the transform that takes coordinates back."""
+        """Return the inverse transform."""
         inverse = np.eye(4)
         inverse[:3, :3] = self.rotation.T
         inverse[:3, 3] = -self.rotation.T @ self.translation_mm
@@ -106,12 +106,12 @@ class RigidTransform:
         return points_mm @ self.rotation.T.astype(points_mm.dtype) + self.translation_mm.astype(points_mm.dtype)
 
     def rotate(self, vectors: FloatArray) -> FloatArray:
-        """Turn directions (..., 3); no translation."""
+        """Rotate vectors (..., 3), without translation."""
         return vectors @ self.rotation.T.astype(vectors.dtype)
 
 
-def orthonormalised(matrix: FloatArray) -> FloatArray:
-    """Return the 4×4 ``matrix`` with its 3×3 part replaced by the nearest rotation (SVD)."""
+def orthonormalise(matrix: FloatArray) -> FloatArray:
+    """Replace the 3×3 part of a 4×4 ``matrix`` by the nearest rotation (SVD)."""
     u, _, vt = np.linalg.svd(matrix[:3, :3])
     result = np.array(matrix, float)
     result[:3, :3] = u @ np.diag([1.0, 1.0, np.linalg.det(u @ vt)]) @ vt

@@ -1,4 +1,4 @@
-"""The one distance per point whose greatest value a minimum zone makes least, and its derivatives."""
+"""Distances that a minimum-zone fit minimises, one per point, with their derivatives."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from measureapp.geometry.shapes import MODELS, TINY, Distances, State, tangents
 
 
 class _LineZone:
-    """Distance from the axis: the zone is the narrowest cylinder about all points (straightness in space, ISO 12780-1)."""
+    """Distance from the axis: the zone is the smallest enclosing cylinder (straightness in space, ISO 12780-1)."""
 
     parameters = 4
 
@@ -21,13 +21,13 @@ class _LineZone:
         outward = across / np.maximum(length, TINY)
         return length[None], np.sum(outward[:, :, None] * derivatives, axis=0)[None]
 
-    def moved(self, state: State, step: FloatArray) -> State:
-        """Return the state changed by a step."""
-        return MODELS["line"].moved(state, step)
+    def move(self, state: State, step: FloatArray) -> State:
+        """Return the state after a parameter increment."""
+        return MODELS["line"].move(state, step)
 
 
 class _CircleZone:
-    """Radial distance within the least-squares plane: the zone is the narrowest ring (reference circles MZCI, ISO 12181-1)."""
+    """Radial distance in the least-squares plane: the zone is the narrowest annulus (reference circles MZCI, ISO 12181-1)."""
 
     parameters = 3
 
@@ -38,8 +38,8 @@ class _CircleZone:
         outward = across / np.maximum(rho, TINY)[:, None]
         return (rho - state.sizes[0])[None], np.column_stack([-outward, -np.ones(len(points))])[None]
 
-    def moved(self, state: State, step: FloatArray) -> State:
-        """Return the state changed by a step."""
+    def move(self, state: State, step: FloatArray) -> State:
+        """Return the state after a parameter increment."""
         return State(state.point + step[:2] @ tangents(state.direction), state.direction, state.sizes + step[2:])
 
 

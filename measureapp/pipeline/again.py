@@ -15,7 +15,7 @@ from measureapp.errors import InputError, StorageError
 from measureapp.pipeline.calibrate import calibrate_from_views, checksums_of
 from measureapp.progress import Progress
 from measureapp.project.calibration.camera_file import cameras_document
-from measureapp.project.differences import Difference, compared
+from measureapp.project.differences import Difference, compare_documents
 from measureapp.project.documents import rig_calibration_document
 from measureapp.project.folder import ProjectFolder
 
@@ -48,7 +48,7 @@ def collected_again(result: Path, progress: Progress) -> Again:
         solved = repeat_session(CalibrationSession.open(place), provenance["inputs"], Path(folder) / "session", progress)
         written = Path(folder) / "result"
         keep(solved.snapshot(), written, valid_days=provenance.get("valid_days"), temperature_c=provenance.get("temperature_c"))
-        found, numbers = compared(stored, _documents(written))
+        found, numbers = compare_documents(stored, _documents(written))
     return Again(found, numbers, len(provenance["inputs"]))
 
 
@@ -100,5 +100,5 @@ def calibration_again(project: ProjectFolder, progress: Progress) -> Again:
             )
     solved = calibrate_from_views(views, project.settings.board, project.rig(), progress).calibration
     documents = [{"cameras": cameras_document(one.cameras), "rig": rig_calibration_document(one)} for one in (stored, solved)]
-    found, numbers = compared(*documents)
+    found, numbers = compare_documents(*documents)
     return Again(found, numbers, len(seen))

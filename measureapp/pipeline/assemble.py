@@ -1,4 +1,4 @@
-"""From the clouds of the views to a part, and from the part to its dimensions."""
+"""Assembly of a measurement: stitching of the clouds, surface, dimensions."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ from measureapp.data.view_choices import ViewChoices
 from measureapp.data.view_errors import CalibrationErrors
 from measureapp.errors import RegistrationError
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
-from measureapp.pipeline.chosen_views import chosen, with_refused
-from measureapp.pipeline.noise import noise_words
+from measureapp.pipeline.chosen_views import add_refused, select_views
+from measureapp.pipeline.noise import describe_noise
 from measureapp.pipeline.validity import validity_of
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
@@ -34,8 +34,8 @@ from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
 from measureapp.register.surface.closed import surface
 
-TYPICAL_RADIUS_MM = 100.0  # of points about the table's axis
-KNOWN_STATION_MM, KNOWN_STATION_DEG = 0.03, 0.004  # repeatability of the robot and what the board leaves unknown
+TYPICAL_RADIUS_MM = 100.0  # typical distance of points from the table's axis
+KNOWN_STATION_MM, KNOWN_STATION_DEG = 0.03, 0.004  # repeatability of the robot and uncertainty of the board's pose, combined
 
 
 def assemble(
@@ -50,33 +50,33 @@ def assemble(
     choices: ViewChoices | None = None,
     former: Measurement | None = None,
 ) -> Measurement:
-    """Stitch the clouds of all views, make the surface, measure the dimensions and keep everything.
+    """Stitch the clouds of all views, compute the surface, evaluate the dimensions and store everything.
 
     Parameters
     ----------
-    groundwork : what was done of stitching while the views came
-    choices : views used or refused by hand; None: as the project keeps them
-    former : where the clouds are those of a measurement: its validity of the calibration and its settings hold for them; None: told anew
+    groundwork : registration results prepared while the views were taken
+    choices : views accepted or refused by hand; None: as stored in the project
+    former : measurement with the same clouds, whose calibration validity and settings still apply; None: both are determined anew
 
     Raises
     ------
     RegistrationError
-        No view gave a cloud worth stitching.
+        No view has a usable cloud.
     """
     validity = None if former is None else former.validity
     if validity is None:
         validity = validity_of(project, calibrated, views)
         on_event(ValidityKnown(validity))
     choices = project.view_choices() if choices is None else choices
-    good = _worth_stitching(views, choices, validity)
+    good = _require_usable(views, choices, validity)
     with watch.stage("stitching"):
-        stitched = _stitched(project, calibrated, good, choices, PartOf(progress, 0.0, 0.5), groundwork)
-        stitched = with_refused(stitched, views, choices)
+        stitched = _stitch(project, calibrated, good, choices, PartOf(progress, 0.0, 0.5), groundwork)
+        stitched = add_refused(stitched, views, choices)
     on_event(StitchReady(stitched))
     with watch.stage("surface"):
-        mesh = _surface(stitched, on_event, PartOf(progress, 0.5, 0.7))
+        mesh = _compute_surface(stitched, on_event, PartOf(progress, 0.5, 0.7))
     with watch.stage("inspection"):
-        inspection = _inspected(project, stitched, inspection_settings(calibrated, project.rig(), good), PartOf(progress, 0.7, 0.9))
+        inspection = _inspect(project, stitched, inspection_settings(calibrated, project.rig(), good), PartOf(progress, 0.7, 0.9))
     if inspection is not None:
         on_event(InspectionReady(inspection))
     measurement = Measurement(
@@ -99,8 +99,8 @@ def assemble(
     return measurement
 
 
-def _surface(stitched: StitchedCloud, on_event: Callable[[Event], None], progress: Progress) -> Mesh | None:
-    """Return the surface; None where there is none, as for want of memory: nothing is measured on it."""
+def _compute_surface(stitched: StitchedCloud, on_event: Callable[[Event], None], progress: Progress) -> Mesh | None:
+    """Compute the surface; None if that fails, for example for lack of memory: no dimension depends on it."""
     try:
         return surface(stitched, progress=progress)
     except RegistrationError as error:
@@ -108,17 +108,17 @@ def _surface(stitched: StitchedCloud, on_event: Callable[[Event], None], progres
         return None
 
 
-def _worth_stitching(views: Sequence[ViewResult], choices: ViewChoices, validity: Validity) -> list[ViewResult]:
-    """Return the views that are good or wanted by hand; raises RegistrationError with the reasons where there is none."""
-    good = chosen(views, choices)
+def _require_usable(views: Sequence[ViewResult], choices: ViewChoices, validity: Validity) -> list[ViewResult]:
+    """Return the views that are good or accepted by the user; raises RegistrationError with the reasons if there is none."""
+    good = select_views(views, choices)
     if not good:
-        reasons = "; ".join(sorted({view.quality.reason or "refused by hand" for view in views})) or "no view gave points"
-        told = " ".join(("", *validity.told))
-        raise RegistrationError(f"There is nothing to stitch: {reasons}.{told}", "Look at the images; change exposures or viewpoints.")
+        reasons = "; ".join(sorted({view.quality.reason or "refused by hand" for view in views})) or "no view has points"
+        notes = " ".join(("", *validity.told))
+        raise RegistrationError(f"There is nothing to stitch: {reasons}.{notes}", "Check the images; change exposures or viewpoints.")
     return good
 
 
-def _stitched(
+def _stitch(
     project: ProjectFolder,
     calibrated: RigCalibration,
     good: Sequence[ViewResult],
@@ -132,23 +132,23 @@ def _stitched(
         stitch_settings(calibrated, good),
         progress,
         stations=stations([view.readback for view in good]),
-        prior_covariance=_placed_by_axes(project, good),
-        calibration=_left_open(project, good),
+        prior_covariance=_kinematic_covariance(project, good),
+        calibration=_camera_errors(project, good),
         accepted=choices.used,
         groundwork=groundwork,
     )
 
 
-def _placed_by_axes(project: ProjectFolder, views: Sequence[ViewResult]) -> FloatArray | None:
-    """Return the covariance of where the calibrated axes place the views, all together; None where the calibration did not keep it."""
+def _kinematic_covariance(project: ProjectFolder, views: Sequence[ViewResult]) -> FloatArray | None:
+    """Return the joint covariance of the kinematic positions of the views; None if the calibration has no uncertainty."""
     rig = project.rig_uncertainty()
     if rig is None:
         return None
     return view_uncertainty(rig, [view.readback for view in views], _approaches(project, views)).pose_covariance
 
 
-def _left_open(project: ProjectFolder, views: Sequence[ViewResult]) -> CalibrationErrors | None:
-    """Return how the cameras' calibration errs in clouds and poses; None where the project's calibration did not keep it."""
+def _camera_errors(project: ProjectFolder, views: Sequence[ViewResult]) -> CalibrationErrors | None:
+    """Propagate the uncertainty of the camera calibration to clouds and poses; None if the calibration has no uncertainty."""
     rig = project.rig_uncertainty()
     clouds = [np.asarray(view.cloud.points_mm) for view in views if len(view.cloud)]
     if rig is None or not clouds:
@@ -158,23 +158,23 @@ def _left_open(project: ProjectFolder, views: Sequence[ViewResult]) -> Calibrati
 
 
 def _approaches(project: ProjectFolder, views: Sequence[ViewResult]) -> list[str] | None:
-    """Return by which approach of the robot each view was taken; None where that is not known of all of them."""
+    """Return the id of the robot's approach of each view; None unless all are known."""
     stored = set(project.stored_viewpoints())
     known = [approach for view in views if view.viewpoint_id in stored and (approach := project.frames.approach(view.viewpoint_id))]
     return known if len(known) == len(views) else None
 
 
 def stitch_settings(calibration: RigCalibration, views: Sequence[ViewResult]) -> StitchSettings:
-    """Return the settings of stitching where no covariance is known: the priors are tight where the robot's error was measured at every station of the scan."""
+    """Return the stitching settings used without a covariance: tight priors if the robot's error was measured at all stations."""
     known = all(calibration.station(view.readback) is not None for view in views)
     return StitchSettings(pose_sigma_mm=KNOWN_STATION_MM, pose_sigma_deg=KNOWN_STATION_DEG) if known else StitchSettings()
 
 
 def inspection_settings(calibration: RigCalibration, rig: RigDescription, views: Sequence[ViewResult]) -> InspectionSettings:
-    """Return the settings of inspection with what is assumed of axes and calibration where stitched clouds do not know how their views err.
+    """Return the inspection settings, with assumed uncertainties of axes and calibration for clouds without an error model.
 
-    Where the robot's error was measured at the stations of the scan, a view is placed as well as the robot repeats and the
-    table turns; elsewhere only as well as the robot's absolute accuracy. The scale is known as well as the focal lengths.
+    If the robot's error was measured at all stations, a view's position is as uncertain as the robot's repeatability and the table's
+    accuracy, otherwise as the robot's absolute accuracy. The scale is as uncertain as the focal lengths.
     """
     known = all(calibration.station(view.readback) is not None for view in views)
     table_mm = float(np.deg2rad(rig.table.accuracy_arcsec / 3600.0)) * TYPICAL_RADIUS_MM
@@ -188,7 +188,7 @@ def inspection_settings(calibration: RigCalibration, rig: RigDescription, views:
     )
 
 
-def _inspected(project: ProjectFolder, stitched: StitchedCloud, settings: InspectionSettings, progress: Progress) -> Inspection | None:
+def _inspect(project: ProjectFolder, stitched: StitchedCloud, settings: InspectionSettings, progress: Progress) -> Inspection | None:
     if project.program is None:
         return None
     from measureapp.inspection.dimensions import inspect
@@ -208,5 +208,5 @@ def _settings(project: ProjectFolder) -> dict[str, Any]:
         "patterns": plan.patterns.name,
         "exposures_us": list(plan.bracket.exposures_us),
         "exposure rule": "all unsaturated exposures, weighted by inverse variance",
-        "noise": noise_words(project),
+        "noise": describe_noise(project),
     }

@@ -31,12 +31,12 @@ def check_with_board(project: ProjectFolder, rig: Rig, progress: Progress, limit
     DeviceError
         From the rig.
     """
-    with project.claimed():
+    with project.lock():
         return _checked(project, rig, progress, limit_mm)
 
 
 def _checked(project: ProjectFolder, rig: Rig, progress: Progress, limit_mm: float) -> QuickCheck:
-    calibration = project.needed_calibration()
+    calibration = project.require_calibration()
     check_before_scan(rig, calibration)
     viewpoints = check_viewpoints(rig.description)
     views: list[BoardView] = []

@@ -1,13 +1,12 @@
-"""A rig chooses its exposures itself, from a quick probe."""
+"""Automatic choice of exposures by a rig, from a probe of the scene."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
-from measureapp.acquire.capture import SHOW_TIMEOUT_S, checked_grab, move_to, set_exposure
+from measureapp.acquire.capture import SHOW_TIMEOUT_S, grab_checked, move_to, set_exposure
 from measureapp.arrays import ImageArray, read_only
 from measureapp.data.fringe import FringeStack, PatternSet, PhaseShiftGroup
 from measureapp.data.plan import Viewpoint
@@ -25,31 +24,27 @@ PROBE_RATIO = 8  # between the two exposures of the probe
 def propose_bracket(
     rig: Rig,
     patterns: PatternSet,
-    budget_s: float,
-    most: int = 5,
+    limits: BracketLimits,
     viewpoint: Viewpoint | None = None,
     noise: Mapping[str, CameraNoise] | None = None,
-    limits: BracketLimits | None = None,
     compare: Mapping[str, Sequence[int]] | None = None,
     progress: Progress | None = None,
 ) -> BracketProposal:
-    """Take one pattern group at two exposures and propose the bracket of the scene in sight.
+    """Take one pattern group at two exposures and propose an exposure bracket for the visible scene.
 
-    The patterns are loaded into the projector and stay there. The rig's own bracket is compared with the proposal.
+    The patterns remain loaded in the projector. The rig's default bracket is compared with the proposal.
 
     Parameters
     ----------
-    budget_s : time for all images of one viewpoint
-    most : exposures at most
-    viewpoint : where to look from; None for where the axes stand
-    noise : of the cameras that were measured; the default model for others
-    limits : of readout, exposures and their multiples; its budget and most are not looked at
+    limits : time for all images of one viewpoint, number of exposures, limits of the rig
+    viewpoint : where to take the probe; None: at the present position
+    noise : measured camera noise; the default model for other cameras
     compare : further brackets to predict, by name
 
     Raises
     ------
     DecodeError
-        Nothing in sight can be decoded: all dark, or saturated at the shortest probe exposure; says what to do.
+        Nothing visible can be decoded: all dark, or saturated at the shortest probe exposure.
     DeviceError
         From the rig.
     """
@@ -57,12 +52,11 @@ def propose_bracket(
     if viewpoint is not None:
         move_to(rig, viewpoint)
     probe = probed(probe_stack(rig, patterns, progress), noise or {})
-    allowed = replace(limits or BracketLimits(budget_s), budget_s=budget_s, most=most)
-    return bracket.propose_bracket(probe, patterns, allowed, compare={"rig": rig.description.exposures_us, **(compare or {})})
+    return bracket.propose_bracket(probe, patterns, limits, compare={"rig": rig.description.exposures_us, **(compare or {})})
 
 
 def probe_stack(rig: Rig, patterns: PatternSet, progress: Progress) -> FringeStack:
-    """Take the finest pitch at the rig's longest exposure and an eighth of it, where the axes stand."""
+    """Take the finest pitch at the rig's longest exposure and an eighth of it, at the present position."""
     place, start = _finest(patterns)
     group = patterns.groups[place]
     rig.projector.load(pattern_images(patterns, rig.projector.width_px, rig.projector.height_px))
@@ -77,14 +71,14 @@ def probe_stack(rig: Rig, patterns: PatternSet, progress: Progress) -> FringeSta
             )
             rig.projector.show(start + image, timeout_s=SHOW_TIMEOUT_S)
             for name, camera in rig.cameras.items():
-                taken[name].append(checked_grab(camera, exposure_us, start + image))
+                taken[name].append(grab_checked(camera, exposure_us, start + image))
     images = {name: read_only(np.reshape(stack, (len(exposures), group.count, *stack[0].shape))) for name, stack in taken.items()}
     alone = patterns.model_copy(update={"name": f"{patterns.name}: probe", "groups": (group,)})
     return FringeStack("probe", alone, exposures, images, min(camera.saturation for camera in rig.description.cameras))
 
 
 def _finest(patterns: PatternSet) -> tuple[int, int]:
-    """Return the number of the group of the finest pitch, and its first image."""
+    """Return the index of the group of the finest pitch, and of its first image."""
     starts = np.cumsum([0, *(group.count for group in patterns.groups)])
     sinusoids = [(group.pitch_px, number) for number, group in enumerate(patterns.groups) if isinstance(group, PhaseShiftGroup)]
     place = min(sinusoids)[1]

@@ -1,4 +1,4 @@
-"""Views that are used or refused by hand."""
+"""Views accepted or refused by hand."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from measureapp.data.measurement import ViewResult
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import InputError
 
-REFUSED = "refused by hand: left out"
+REFUSED = "refused by hand: not used"
 
 
-def chosen(views: Sequence[ViewResult], choices: ViewChoices) -> list[ViewResult]:
-    """Return the views to be stitched: those whose cloud is good enough or that are used by hand, without those refused by hand."""
+def select_views(views: Sequence[ViewResult], choices: ViewChoices) -> list[ViewResult]:
+    """Select the views to be stitched: those of sufficient quality or accepted by the user, except those refused by hand."""
     return [
         view for view in views if view.viewpoint_id not in choices.refused and (view.quality.accepted or view.viewpoint_id in choices.used)
     ]
 
 
-def with_refused(stitched: StitchedCloud, views: Sequence[ViewResult], choices: ViewChoices) -> StitchedCloud:
-    """Return the stitched cloud with a line for each view refused by hand, after those that its points refer to."""
+def add_refused(stitched: StitchedCloud, views: Sequence[ViewResult], choices: ViewChoices) -> StitchedCloud:
+    """Append a placement for each view refused by hand, after those of the stitched views."""
     refused = [view for view in views if view.viewpoint_id in choices.refused]
     lines = (
         ViewPlacement(view.viewpoint_id, view.part_from_camera, view.part_from_camera, 0.0, 0.0, 0.0, 0.0, REFUSED, False)
@@ -31,7 +31,7 @@ def with_refused(stitched: StitchedCloud, views: Sequence[ViewResult], choices: 
 
 
 def check_choices(choices: ViewChoices, known: Sequence[str]) -> None:
-    """Refuse choices about views that are not there. Raises InputError."""
+    """Refuse choices of unknown views. Raises InputError."""
     unknown = sorted({*choices.used, *choices.refused}.difference(known))
     if unknown:
-        raise InputError(f"There is no view {unknown[0]!r}.", "The views are called: " + ", ".join(known) + ".")
+        raise InputError(f"There is no view {unknown[0]!r}.", "Name one of: " + ", ".join(known) + ".")

@@ -1,4 +1,4 @@
-"""The JSON document of a run, and the report's files."""
+"""JSON document and report files of a run."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def write_reports(project: ProjectFolder, measurement: Measurement) -> dict[str,
 
 
 def outcome_document(measurement: Measurement, files: Mapping[str, Path], seconds: Mapping[str, float]) -> dict[str, Any]:
-    """Return what `process`, `scan` and `demo` print with `--json`; the truth is the demo's to add."""
+    """Return the JSON answer of `process`, `scan` and `demo`; the demo adds the ground truth."""
     document = measurement_document(measurement)
     stitched = measurement.stitched
     figures = {view.viewpoint_id: view_figures(view) for view in measurement.views}
@@ -54,7 +54,7 @@ def outcome_document(measurement: Measurement, files: Mapping[str, Path], second
 
 
 def view_figures(view: ViewResult) -> dict[str, Any]:
-    """Return what decoding and matching gave for one view."""
+    """Return the figures of decoding and matching of one view."""
     return {
         "decode": dict(view.decode),
         "pairs": list(view.pairs),

@@ -1,4 +1,4 @@
-"""Decoding on a thread of its own while a scan still takes images."""
+"""Decoding in a background thread while a scan takes images."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class _Viewpoint:
 
 
 class LiveDecoding:
-    """Sums every exposure as soon as it is complete, and takes the phase after the last; a context that ends its thread."""
+    """Accumulates every exposure as soon as it is complete, and computes the phase after the last; a context manager of its thread."""
 
     def __init__(self, settings: DecodeSettings | None = None) -> None:
         self._settings, self._memory = settings, BufferPool()
@@ -39,7 +39,7 @@ class LiveDecoding:
         self._pool.shutdown(wait=True, cancel_futures=True)
 
     def exposure_taken(self, taken: ExposureTaken) -> None:
-        """Begin to sum an exposure; returns at once. The first one of a viewpoint begins it anew. Raises DecodeError."""
+        """Start to accumulate an exposure and return at once; the first one restarts a viewpoint. Raises DecodeError."""
         if taken.level == 0:
             decoder = StreamingDecoder(
                 taken.patterns, taken.exposures_us, taken.saturation, self._settings, taken.viewpoint_id, self._memory
@@ -53,14 +53,14 @@ class LiveDecoding:
             viewpoint.maps = self._pool.submit(viewpoint.decoder.finish)
 
     def drop(self, viewpoint_id: str) -> None:
-        """Forget what was summed of a viewpoint that failed."""
+        """Discard the sums of a viewpoint that failed."""
         dropped = self._viewpoints.pop(viewpoint_id, None)
         if dropped is not None:
             for future in dropped.sums:
                 future.cancel()
 
     def maps(self, stack: FringeStack) -> tuple[dict[str, PhaseMap], float] | None:
-        """Return the maps of a stack whose exposures all passed here, and when its last image came; None for other stacks.
+        """Return the maps of a stack that was decoded here, and the time of its last image; None for other stacks.
 
         Raises
         ------

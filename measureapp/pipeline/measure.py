@@ -1,4 +1,4 @@
-"""From fringe stacks, of a rig or of the disk, to the clouds of the views."""
+"""From fringe stacks, of a rig or stored, to the clouds of the views."""
 
 from __future__ import annotations
 
@@ -43,12 +43,12 @@ from measureapp.register.clouds.quality import judge
 from measureapp.register.joint.groundwork import Groundwork
 
 OnEvent = Callable[[Event], None]
-LAST_IMAGE_TO_CLOUD = "last image to cloud"  # storing goes on meanwhile and is not waited for
-LEAST_POINTS_SHARE, MOST_EPIPOLAR_PX = 0.3, 0.3  # of the phases; beside them a view is looked at for mistakes
+LAST_IMAGE_TO_CLOUD = "last image to cloud"  # without the time for storing, which runs in parallel
+LEAST_POINTS_SHARE, MOST_EPIPOLAR_PX = 0.3, 0.3  # points per decoded pixel, epipolar error; beyond them a view is diagnosed
 
 
 class _Processing:
-    """The sink of a scan: decodes while images come, stores every stack for good and makes a cloud of it where there is a calibration."""
+    """Sink of a scan: decodes while images are taken, stores every stack and, with a calibration, computes its cloud."""
 
     def __init__(
         self,
@@ -68,17 +68,17 @@ class _Processing:
         self._memory = BufferPool()
 
     def exposure_taken(self, taken: ExposureTaken) -> None:
-        """Decode it on another thread."""
+        """Decode the exposure in the background."""
         if self._live is not None:
             self._live.exposure_taken(taken)
 
     def drop(self, viewpoint_id: str) -> None:
-        """Forget what was decoded of a viewpoint that failed."""
+        """Discard a viewpoint that failed."""
         if self._live is not None:
             self._live.drop(viewpoint_id)
 
     def store(self, stack: FringeStack) -> None:
-        """Keep the raw images, and process them meanwhile; returns when both are done. A stack that cannot be kept gives no view."""
+        """Store the raw images and process them in parallel; a stack that cannot be stored yields no view."""
         with ThreadPoolExecutor(1, "storing") as pool:
             storing = pool.submit(self._store, stack)
             try:
@@ -93,14 +93,14 @@ class _Processing:
             self._project.frames.store(stack)
 
     def process(self, stack: FringeStack, progress: Progress) -> None:
-        """Make a cloud of a stack; a view without points is told, not passed on."""
+        """Compute the cloud of a stack; a view without points is reported by an event."""
         if self._calibration is None or self._rectifier is None:
             return
         with self._watch.stage("clouds"):
             try:
                 decoded = None if self._live is None else self._live.maps(stack)
                 maps, last_image_s = decoded or (None, 0.0)
-                view = cloud_of_view(stack, self._calibration, progress, self._rectifier, maps, self._memory, self._settings)
+                view = compute_cloud(stack, self._calibration, progress, self._rectifier, maps, self._memory, self._settings)
             except (DecodeError, ReconstructError) as error:
                 self._on_event(ViewpointFailed(stack.viewpoint_id, str(error)))
                 return
@@ -122,18 +122,17 @@ def scan(
     bracket_s: float | None = None,
     groundwork: Groundwork | None = None,
 ) -> tuple[ViewResult, ...]:
-    """Run the project's plan on the rig and process every stack as it comes; stored viewpoints are not taken again.
+    """Run the project's plan on the rig and process every stack as it is taken; stored viewpoints are not taken again.
 
-    With ``groundwork``, every view is prepared for stitching and registered with the earlier ones while the scan goes on.
-
-    Without a calibration the images are stored and no view comes back. With ``bracket_s``, the time for the images of one viewpoint,
-    a probe at the first viewpoint chooses the exposures, unless some viewpoints are stored already.
+    With ``groundwork``, every view is registered with the earlier ones during the scan. Without a calibration the images are stored
+    and no views are returned. With ``bracket_s``, the time budget per viewpoint, the exposures are chosen by a probe at the first
+    viewpoint, unless some viewpoints are stored already.
 
     Raises
     ------
     CalibrationError
-        The calibration is of other cameras than the rig's, or of cameras that are set otherwise; or it is too old, or was made at another
-        temperature, and the rig's rules refuse such ones.
+        The calibration is of other cameras or other lens settings; or it has expired, or was made at another temperature, and the
+        rig's rules refuse that.
     PlanError
         A viewpoint is out of reach; nothing was moved.
     StorageError
@@ -155,19 +154,17 @@ def scan(
         images = pattern_images(plan.patterns, rig.projector.width_px, rig.projector.height_px)
         rig.place_on_table("part")
         if bracket_s is not None and not stored:
-            plan = _with_chosen_exposures(rig, project, plan, bracket_s, on_event)
+            plan = _choose_exposures(rig, project, plan, bracket_s, on_event)
         with watch.stage("scan with storing and clouds"):
             Engine(rig, sink).run(plan, images, on_event, progress, stored)
     return tuple(sink.views[viewpoint.id] for viewpoint in plan if viewpoint.id in sink.views)
 
 
-def _with_chosen_exposures(rig: Rig, project: ProjectFolder, plan: ScanPlan, bracket_s: float, on_event: OnEvent) -> ScanPlan:
-    """Let a probe at the first viewpoint choose the exposures, and keep the plan with them."""
+def _choose_exposures(rig: Rig, project: ProjectFolder, plan: ScanPlan, bracket_s: float, on_event: OnEvent) -> ScanPlan:
+    """Choose the exposures by a probe at the first viewpoint, and store the plan with them."""
     planned = plan.bracket.exposures_us
-    limits = BracketLimits(bracket_s, longest_us=max(rig.description.exposures_us))
-    proposal = propose_bracket(
-        rig, plan.patterns, bracket_s, len(planned), plan.viewpoints[0], project.noise(), limits=limits, compare={"plan": planned}
-    )
+    limits = BracketLimits(bracket_s, len(planned), longest_us=max(rig.description.exposures_us))
+    proposal = propose_bracket(rig, plan.patterns, limits, plan.viewpoints[0], project.noise(), compare={"plan": planned})
     chosen = plan.model_copy(update={"bracket": proposal.bracket})
     project.save_plan(chosen)
     planned_share = proposal.compared["plan"].decodable_share
@@ -175,21 +172,23 @@ def _with_chosen_exposures(rig: Rig, project: ProjectFolder, plan: ScanPlan, bra
     return chosen
 
 
-def clouds_from_disk(
+def compute_clouds(
     project: ProjectFolder, calibration: RigCalibration, on_event: OnEvent, progress: Progress, watch: Stopwatch
 ) -> tuple[ViewResult, ...]:
-    """Make the clouds of all stored viewpoints. Raises InputError where no images are stored."""
+    """Compute the clouds of all stored viewpoints. Raises InputError when no images are stored."""
     sink = _Processing(project, calibration, on_event, watch, decode_settings_of(project))
     stored = project.stored_viewpoints()
     if not stored:
-        raise InputError(f"{project.path} holds no images of the part.", "Scan the part first, or put the project's folder `stacks` back.")
+        raise InputError(
+            f"{project.path} contains no images of the part.", "Scan the part first, or restore the project's folder `stacks`."
+        )
     for index, viewpoint_id in enumerate(stored):
         part = PartOf(progress, index / len(stored), (index + 1) / len(stored), f"{viewpoint_id}: ")
         sink.process(project.frames.load(viewpoint_id), part)
     return tuple(sink.views.values())
 
 
-def cloud_of_view(
+def compute_cloud(
     stack: FringeStack,
     calibration: RigCalibration,
     progress: Progress,
@@ -198,19 +197,19 @@ def cloud_of_view(
     memory: BufferPool | None = None,
     settings: DecodeSettings | None = None,
 ) -> ViewResult:
-    """Decode (where ``maps`` were not decoded already), match, triangulate and judge one viewpoint, all in ``memory``.
+    """Decode (unless ``maps`` are given), match, triangulate and assess one viewpoint, with array buffers from ``memory``.
 
     Raises
     ------
     DecodeError, ReconstructError
     """
     if stack.readback is None:
-        raise ReconstructError(f"{stack.viewpoint_id} has no read-back of the axes.", "Only stacks taken by a rig can be placed.")
+        raise ReconstructError(f"{stack.viewpoint_id} has no axis read-back.", "Use a stack taken by a rig.")
     if maps is None:
         check_stack(stack)
         maps = decode(stack, settings, PartOf(progress, 0.0, 0.5), memory)
     result = reconstruct(maps, calibration.cameras, progress=PartOf(progress, 0.5, 1.0), rectifier=rectifier, memory=memory)
-    findings = diagnose(maps, calibration.cameras) if _looks_wrong(result, maps) else ()
+    findings = diagnose(maps, calibration.cameras) if _is_suspicious(result, maps) else ()
     for finding in findings:
         if finding.severity == "error":
             raise finding.error()
@@ -229,15 +228,15 @@ def cloud_of_view(
     )
 
 
-def _looks_wrong(result: Reconstruction, maps: Mapping[str, PhaseMap]) -> bool:
-    """Whether few phases became points, or another camera sees the points elsewhere: then it is worth to look for the reason."""
+def _is_suspicious(result: Reconstruction, maps: Mapping[str, PhaseMap]) -> bool:
+    """Whether few decoded pixels have points, or the epipolar errors are large: then the cause is diagnosed."""
     decoded = max(int(np.count_nonzero(phase_map.valid)) for phase_map in maps.values())
     off = max((max(pair.epipolar_px or 0.0, pair.across_px or 0.0) for pair in result.pairs), default=0.0)
     return len(result.cloud) < LEAST_POINTS_SHARE * decoded or off > MOST_EPIPOLAR_PX
 
 
 def decode_figures(phase_map: PhaseMap) -> dict[str, Any]:
-    """Return the figures of decoding one camera, as `decode` prints them."""
+    """Return the decoding figures of one camera, as printed by `decode`."""
     valid = phase_map.valid
     return {
         "valid_ratio": {"exposures": list(phase_map.valid_ratio_exposures), "composite": phase_map.valid_ratio_composite},
@@ -249,19 +248,19 @@ def decode_figures(phase_map: PhaseMap) -> dict[str, Any]:
 
 
 def _completeness(maps: Mapping[str, PhaseMap], pixels: np.typing.NDArray[Any]) -> float:
-    """Points over the pixels of the reference camera that see projected light."""
+    """Return the number of points relative to the illuminated pixels of the reference camera."""
     unlit = (PixelState.SHADOW, PixelState.WEAK_MODULATION)
     lit = int(np.count_nonzero(~np.isin(next(iter(maps.values())).state, unlit)))
     return min(1.0, len(pixels) / lit) if lit else 0.0
 
 
 def check_space(project: ProjectFolder, rig: RigDescription, plan: ScanPlan) -> None:
-    """Refuse a plan whose missing images do not fit on the disk; the project need not be made yet. Raises StorageError."""
+    """Check that the missing images fit on the disk; the project need not exist yet. Raises StorageError."""
     missing = len(plan) - len(project.stored_viewpoints())
     project.frames.require_space(stack_bytes(rig, plan) * missing)
 
 
 def stack_bytes(rig: RigDescription, plan: ScanPlan) -> int:
-    """Return how much disk the images of one viewpoint take."""
+    """Return the size of the images of one viewpoint."""
     images = plan.patterns.count * len(plan.bracket.exposures_us)
     return sum(camera.width_px * camera.height_px * (1 if camera.bit_depth == 8 else 2) * images for camera in rig.cameras)

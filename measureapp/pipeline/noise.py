@@ -1,10 +1,10 @@
-"""The noise of a rig's cameras, measured by the rig itself, and what it is good for."""
+"""Measurement of the camera noise by the rig, and its use in decoding."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from measureapp.acquire.capture import PLAIN_LIGHT, SHOW_TIMEOUT_S, checked_grab, move_to, set_exposure
+from measureapp.acquire.capture import PLAIN_LIGHT, SHOW_TIMEOUT_S, grab_checked, move_to, set_exposure
 from measureapp.arrays import ImageArray
 from measureapp.data.plan import Viewpoint
 from measureapp.devices.rig import Rig
@@ -14,28 +14,28 @@ from measureapp.fringe.settings import DecodeSettings
 from measureapp.progress import NoProgress, Progress
 from measureapp.project.folder import ProjectFolder
 
-LEVELS = (1.0, 0.7, 0.5, 0.35, 0.2, 0.1, 0.05)  # of the longest exposure that is not mostly saturated
-LIT, LEAST_LIT = 0.02, 0.001  # of saturation, and of the pixels
+LEVELS = (1.0, 0.7, 0.5, 0.35, 0.2, 0.1, 0.05)  # relative to the longest exposure that is not mostly saturated
+LIT, LEAST_LIT = 0.02, 0.001  # least grey level of a lit pixel relative to saturation; least fraction of lit pixels
 MOST_SATURATED, DIMMER, TRIES = 0.5, 2, 8
 
 
 def measure_noise(
     rig: Rig, viewpoint: Viewpoint | None = None, repeats: int = 2, progress: Progress | None = None
 ) -> dict[str, NoiseEstimate]:
-    """Take plain images at several exposures and estimate the noise of every camera from them.
+    """Estimate the noise of every camera from images in uniform light at several exposures (photon transfer).
 
-    Whatever is in sight serves as long as it stands still: its light and dark areas give more brightnesses. The
-    exposures start where at most half of the lit pixels of a camera are saturated.
+    Any stationary scene can be used; its bright and dark areas provide further grey levels. The longest exposure is one at which at
+    most half of the lit pixels of a camera are saturated.
 
     Parameters
     ----------
-    viewpoint : where to look from; None for where the axes stand
+    viewpoint : where to take the images; None: at the present position
     repeats : images of every exposure
 
     Raises
     ------
     CalibrationError
-        A camera sees nothing, or only saturated pixels; names it.
+        The images of a camera are dark, or saturated at any exposure; names the camera.
     DeviceError
         From the rig.
     """
@@ -46,51 +46,51 @@ def measure_noise(
     estimates = {}
     for number, name in enumerate(rig.cameras):
         progress.report(number, len(rig.cameras), f"noise of camera {name}")
-        estimates[name] = _of_camera(rig, name, repeats)
+        estimates[name] = _measure_camera(rig, name, repeats)
     progress.report(1, 1, "noise measured")
     return estimates
 
 
 def decode_settings_of(project: ProjectFolder) -> DecodeSettings:
-    """Return how images of a project are decoded: with the noise of its cameras, where that was measured. Raises InputError."""
+    """Return the decode settings of a project, with the measured noise of its cameras. Raises InputError."""
     return DecodeSettings(camera_noise=project.noise())
 
 
-def noise_words(project: ProjectFolder) -> dict[str, str]:
-    """Return of every camera of a project with which noise its images are decoded, and whether that was measured. Raises InputError."""
+def describe_noise(project: ProjectFolder) -> dict[str, str]:
+    """Describe the noise model of every camera of a project, and whether it was measured. Raises InputError."""
     settings = decode_settings_of(project)
     words = {}
     for camera in project.rig().cameras:
         model = settings.noise_of(camera.name)
-        origin = "measured" if camera.name in settings.camera_noise else "assumed"
-        words[camera.name] = f"{origin}: full well {model.full_well_e:.0f} e, read noise {model.read_noise_e:.1f} e"
+        source = "measured" if camera.name in settings.camera_noise else "assumed"
+        words[camera.name] = f"{source}: full well {model.full_well_e:.0f} e, read noise {model.read_noise_e:.1f} e"
     return words
 
 
-def _of_camera(rig: Rig, name: str, repeats: int) -> NoiseEstimate:
+def _measure_camera(rig: Rig, name: str, repeats: int) -> NoiseEstimate:
     saturation = rig.description.camera(name).saturation
     longest_us = _longest_us(rig, name, saturation)
     exposures = sorted({max(1, round(longest_us * level)) for level in LEVELS}, reverse=True)
-    return estimate_noise([_repeated(rig, name, exposure, repeats) for exposure in exposures], saturation, name)
+    return estimate_noise([_grab_repeatedly(rig, name, exposure, repeats) for exposure in exposures], saturation, name)
 
 
-def _repeated(rig: Rig, name: str, exposure_us: int, repeats: int) -> ImageArray:
+def _grab_repeatedly(rig: Rig, name: str, exposure_us: int, repeats: int) -> ImageArray:
     camera = rig.cameras[name]
     set_exposure({name: camera}, exposure_us)
-    return np.stack([checked_grab(camera, exposure_us, PLAIN_LIGHT) for _ in range(repeats)])
+    return np.stack([grab_checked(camera, exposure_us, PLAIN_LIGHT) for _ in range(repeats)])
 
 
 def _longest_us(rig: Rig, name: str, saturation: int) -> int:
     exposure = max(rig.description.exposures_us)
     for _ in range(TRIES):
-        pixels = _repeated(rig, name, exposure, 1)
+        pixels = _grab_repeatedly(rig, name, exposure, 1)
         lit = int((pixels > LIT * saturation).sum())
         if lit < LEAST_LIT * pixels.size:
             raise CalibrationError(
-                f"Camera {name!r} sees nothing lit at {exposure} µs.",
-                "Move the rig to where its cameras see a still surface (--plan), and check the projector.",
+                f"The image of camera {name!r} is dark at {exposure} µs.",
+                "Point the cameras at a stationary surface (--plan), and check the projector.",
             )
         if (pixels >= saturation).sum() <= MOST_SATURATED * lit:
             return exposure
         exposure = max(1, exposure // DIMMER)
-    raise CalibrationError(f"Camera {name!r} is saturated even at {exposure} µs.", "Dim the light, or close the aperture.")
+    raise CalibrationError(f"Camera {name!r} is saturated even at {exposure} µs.", "Reduce the light, or close the aperture.")

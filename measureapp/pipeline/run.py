@@ -23,7 +23,7 @@ from measureapp.fringe.patterns.draw import check_determines_phase
 from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.calibrate import calibrate_from_views
 from measureapp.pipeline.documents import outcome_document, write_reports
-from measureapp.pipeline.measure import check_space, clouds_from_disk, scan
+from measureapp.pipeline.measure import check_space, compute_clouds, scan
 from measureapp.pipeline.validity import check_before_scan, check_stored_images
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.calibration_views import calibration_viewpoints
@@ -38,24 +38,24 @@ OnEvent = Callable[[Event], None]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Outcome:
-    """What a run gave: the nouns, the JSON document and the files."""
+    """Result of a run: measurement, JSON document and files."""
 
     measurement: Measurement
     document: dict[str, Any]
     files: dict[str, Path]
-    filters: FilterChain | None = None  # applied to the stitched cloud, as the project keeps them
+    filters: FilterChain | None = None  # of the stitched cloud, as stored in the project
 
 
 @dataclass(frozen=True, slots=True)
 class ScanRequest:
-    """Which plan to run on which rig into which project."""
+    """Plan, rig and project of a scan."""
 
     plan: ScanPlan
     rig: RigDescription
     folder: Path
-    resume: bool = False  # keep the viewpoints that are stored already
-    calibrated: Path | None = None  # another project whose calibration a new one takes over
-    bracket_s: float | None = None  # time for the images of a viewpoint, in which a probe chooses the exposures; None: as planned
+    resume: bool = False  # keep stored viewpoints
+    calibrated: Path | None = None  # another project whose calibration is copied into a new one
+    bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: exposures of the plan
 
 
 def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigSolution:
@@ -85,7 +85,7 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
 
     Returns
     -------
-    outcome : None where the project has no calibration: then the images are stored, and `process` can use them later
+    outcome : None if the project has no calibration; the images are stored, and `process` can use them later
 
     Raises
     ------
@@ -107,10 +107,10 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
             if calibration is not None:
                 check_before_scan(rig, calibration)
             project = ProjectFolder.create(request.folder, project.settings)
-            held.enter_context(project.claimed())
+            held.enter_context(project.lock())
             if calibration is not None and project.calibration() is None:
                 project.save_calibration(calibration, calibrated.rig_uncertainty())
-                project.take_noise_over(calibrated)
+                project.copy_noise_from(calibrated)
             project.save_plan(request.plan)
             views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch, request.bracket_s, groundwork)
         finally:
@@ -118,38 +118,38 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
         if calibration is None:
             return None
         measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, groundwork)
-        return finished(project, measurement, watch)
+        return finish(project, measurement, watch)
 
 
 def _project_of(request: ScanRequest) -> ProjectFolder:
-    """Open the project, or say what it will be; nothing is written before all is checked."""
+    """Open the project, or prepare a new one without writing anything."""
     if not (request.folder / "project.json").exists():
         return ProjectFolder(request.folder, ProjectSettings(name=request.plan.name, part=request.plan.name, rig=request.rig))
     project = ProjectFolder.open(request.folder)
     if project.stored_viewpoints() and not request.resume:
         raise InputError(
-            f"{request.folder} holds images already.", "Use --resume to take only what is missing, or scan into a new project."
+            f"{request.folder} contains images already.", "Use --resume to take only the missing viewpoints, or scan into a new project."
         )
     return project
 
 
 def _calibrated_for(request: ScanRequest, project: ProjectFolder) -> ProjectFolder:
-    """Return the project whose calibration to use: its own, or where it has none, that of another project if that is asked for."""
+    """Return the project whose calibration is used: the project itself or, if it has none, the requested one."""
     if project.calibration() is not None or request.calibrated is None:
         return project
     other = ProjectFolder.open(request.calibrated)
-    other.needed_calibration()
+    other.require_calibration()
     return other
 
 
 def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Outcome:
-    """Recompute everything from the stored images: the calibration (where its images are stored), clouds, part, dimensions, report."""
+    """Recompute everything from the stored images: calibration (if its images are stored), clouds, stitching, dimensions, report."""
     watch = Stopwatch()
-    with project.claimed():
+    with project.lock():
         calibration = _calibration_of(project, on_event, PartOf(progress, 0.0, 0.2), watch)
         check_stored_images(project, calibration)
-        views = clouds_from_disk(project, calibration, on_event, PartOf(progress, 0.2, 0.7), watch)
-        return finished(project, assemble(project, calibration, views, on_event, PartOf(progress, 0.7, 1.0), watch), watch)
+        views = compute_clouds(project, calibration, on_event, PartOf(progress, 0.2, 0.7), watch)
+        return finish(project, assemble(project, calibration, views, on_event, PartOf(progress, 0.7, 1.0), watch), watch)
 
 
 def process(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Measurement:
@@ -167,7 +167,7 @@ def _calibration_of(project: ProjectFolder, on_event: OnEvent, progress: Progres
     return calibration
 
 
-def finished(project: ProjectFolder, measurement: Measurement, watch: Stopwatch) -> Outcome:
+def finish(project: ProjectFolder, measurement: Measurement, watch: Stopwatch) -> Outcome:
     """Write the reports and the JSON document of a measurement."""
     with watch.stage("report"):
         files = {"project": project.path, **write_reports(project, measurement)}

@@ -1,4 +1,4 @@
-"""May this calibration serve these images? Asked before a scan moves anything, and of every scan afterwards."""
+"""Validity of a calibration, checked before and after every scan."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from statistics import median
 
-from measureapp.acquire.capture import conditions_now
+from measureapp.acquire.capture import read_conditions
 from measureapp.calibrate.cameras.drift import camera_drift
 from measureapp.calibrate.cameras.validity import check_fits, shortfalls
 from measureapp.data.calibration import RigCalibration
@@ -22,41 +22,41 @@ from measureapp.project.folder import ProjectFolder
 
 
 def check_before_scan(rig: Rig, calibration: RigCalibration) -> Validity:
-    """Ask the connected devices whether the calibration is theirs, and whether it still holds by its age and temperature.
+    """Check that the calibration belongs to the connected devices and is valid by age and temperature.
 
     Raises
     ------
     CalibrationError
-        It is of other cameras or of cameras set otherwise; or it no longer holds and the rig's rules refuse such a calibration.
+        It is of other cameras or other lens settings; or it is no longer valid and the rig's rules refuse such a calibration.
     """
-    conditions = conditions_now(rig)
+    conditions = read_conditions(rig)
     sizes = {name: (camera.width_px, camera.height_px) for name, camera in rig.cameras.items()}
     check_fits(calibration.cameras, conditions.serials, sizes, conditions.lenses)
-    return _aged(calibration, rig.description, conditions)
+    return _check_age(calibration, rig.description, conditions)
 
 
 def check_stored_images(project: ProjectFolder, calibration: RigCalibration) -> None:
-    """Refuse a calibration of other cameras than those that took the project's images. Raises CalibrationError as `check_before_scan`."""
+    """Check that the calibration belongs to the cameras of the project's images. Raises CalibrationError as `check_before_scan`."""
     for conditions in _recorded(project):
         check_fits(calibration.cameras, conditions.serials, {}, conditions.lenses)
-        _aged(calibration, project.rig(), conditions)
+        _check_age(calibration, project.rig(), conditions)
 
 
 def validity_of(project: ProjectFolder, calibration: RigCalibration, views: Sequence[ViewResult]) -> Validity:
-    """Judge the calibration for the images of a scan, and keep the judgement in its history."""
+    """Evaluate the validity of the calibration for the images of a scan, and append the result to its history."""
     recorded = _recorded(project)
     drift = camera_drift([view.shift for view in views if view.shift is not None], calibration.cameras)
     warm = [conditions.temperature_c for conditions in recorded if conditions.temperature_c is not None]
     temperature = median(warm) if warm else None
     at = max((conditions.taken_at for conditions in recorded), default="")
-    warnings = _aged(calibration, project.rig(), Conditions(at, temperature)).warnings if recorded else ()
+    warnings = _check_age(calibration, project.rig(), Conditions(at, temperature)).warnings if recorded else ()
     if recorded:
-        project.record_check(_line(at, calibration, drift, temperature))
+        project.record_check(_check_record(at, calibration, drift, temperature))
     return Validity(warnings, drift, temperature)
 
 
 def known_validity(project: ProjectFolder, calibration: RigCalibration, measured: Validity | None) -> Validity:
-    """Return what is known of the calibration when a project is opened: from its measurement, and a check with the board after it."""
+    """Return the validity of the calibration of an opened project, from its measurement and later board checks."""
     lines = [line for line in project.calibration_history() if line.calibration == calibration_id(calibration)]
     found = measured or Validity()
     if lines and lines[-1].kind == "board check" and lines[-1].standing != "good":
@@ -64,7 +64,7 @@ def known_validity(project: ProjectFolder, calibration: RigCalibration, measured
     return found
 
 
-def _line(at: str, calibration: RigCalibration, drift: Drift, temperature_c: float | None) -> CheckRecord:
+def _check_record(at: str, calibration: RigCalibration, drift: Drift, temperature_c: float | None) -> CheckRecord:
     line = CheckRecord(at, "scan", calibration_id(calibration), drift.standing, drift.sentence, temperature_c=temperature_c)
     if drift.standing == "unknown":
         return line
@@ -75,13 +75,11 @@ def _recorded(project: ProjectFolder) -> list[Conditions]:
     return [one for id_ in project.stored_viewpoints() if (one := project.frames.conditions(id_)) is not None]
 
 
-def _aged(calibration: RigCalibration, rig: RigDescription, conditions: Conditions) -> Validity:
+def _check_age(calibration: RigCalibration, rig: RigDescription, conditions: Conditions) -> Validity:
     rules = rig.calibration_rules
     now = datetime.fromisoformat(conditions.taken_at)
     now = now if now.tzinfo else now.replace(tzinfo=UTC)
     warnings = shortfalls(calibration.provenance, now, conditions.temperature_c, rules, rig.standoff_mm)
     if warnings and rules.when_exceeded == "refuse":
-        raise CalibrationError(
-            " ".join(warnings), "Calibrate again; or let the rig's calibration_rules warn instead of refusing (when_exceeded)."
-        )
+        raise CalibrationError(" ".join(warnings), 'Calibrate again, or set when_exceeded = "warn" in the rig\'s calibration_rules.')
     return Validity(warnings, None, conditions.temperature_c)

@@ -1,4 +1,4 @@
-"""The first call of every compiled kernel, made early: it takes many seconds once per installation, and a moment after that."""
+"""Warm-up of the compiled kernels: compilation takes many seconds once per installation, loading from the cache little."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ HEIGHT_PX, WIDTH_PX, FOCAL_PX, BLUR_PX = 72, 320, 500.0, 0.7
 WALL_MM, STEP_MM = 200.0, 40.0
 SHIFT_PX = round(FOCAL_PX * STEP_MM / WALL_MM)
 FIRST_COLUMN = 300
-FULL_TABLE = 3 * CHUNK  # as many voxels as make the table grow
+FULL_TABLE = 3 * CHUNK  # number of voxels that makes the table grow
 CAMERAS = ("first", "second", "third")
 THREE_STEPS = PatternSet(
     name="warm-up", projector_px=1024, groups=(PhaseShiftGroup(pitch_px=32, steps=3), PhaseShiftGroup(pitch_px=33, steps=3))
@@ -36,11 +36,11 @@ GRAY_PATTERNS = PatternSet(name="warm-up", projector_px=1024, groups=(PhaseShift
 
 
 def warm_up(progress: Progress | None = None) -> None:
-    """Decode, reconstruct and stitch a small wall, so that all kernels of these stages are compiled and kept on disk.
+    """Decode, reconstruct and stitch a small wall, so that all kernels of these stages are compiled and cached on disk.
 
     Parameters
     ----------
-    progress : told after each stage; where it can be cancelled. What is compiled by then stays compiled
+    progress : reported and cancellable after each stage; kernels compiled by then stay cached
     """
     progress = progress or NoProgress()
     steps = (
@@ -71,14 +71,14 @@ def warm_up(progress: Progress | None = None) -> None:
     begin(5)
     _cloud(maps, CAMERAS[:2], PartOf(progress, 5 / len(steps), 6 / len(steps)))
     begin(6)
-    stays = RigidTransform.identity("part", "camera")
-    stitch([cloud, cloud], [stays, stays])
+    pose = RigidTransform.identity("part", "camera")
+    stitch([cloud, cloud], [pose, pose])
     VoxelSums(1).add(np.arange(FULL_TABLE), np.zeros((FULL_TABLE, 1)))
     progress.report(1, 1, "compiled")
 
 
 def _stack(patterns: PatternSet, dtype: type[np.unsignedinteger]) -> FringeStack:
-    """Return what three cameras side by side see of a wall parallel to their images: the patterns, a little further on in each."""
+    """Return the images of three cameras side by side of a wall parallel to their image planes: shifted patterns."""
     shown = pattern_images(patterns, patterns.projector_px, HEIGHT_PX).astype(dtype) // 2 + 20
     images = {}
     for number, camera in enumerate(CAMERAS):
@@ -88,7 +88,7 @@ def _stack(patterns: PatternSet, dtype: type[np.unsignedinteger]) -> FringeStack
 
 
 def _stream(stack: FringeStack) -> None:
-    """Decode a stack as if its images came one by one, with the guard against blooming."""
+    """Decode a stack exposure by exposure, with the blooming guard."""
     decoder = StreamingDecoder(stack.patterns, stack.exposures_us, stack.saturation, DecodeSettings(blooming_radius_px=1))
     for camera, images in stack.images.items():
         decoder.add(camera, 0, images[0])

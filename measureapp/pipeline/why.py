@@ -1,4 +1,4 @@
-"""Why a view has holes: computed again from its images whenever somebody asks, and told for a pixel, a box or the whole view."""
+"""Explanation of holes in a view, computed from its images, for a pixel, a region or the whole view."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from measureapp.reconstruct.settings import ReconstructSettings
 from measureapp.reconstruct.why import POINT, HoleReason, line_of, shares_of_region, shares_of_view, why
 
 SEEN_BY_ANOTHER = "seen by another"
-NO_HOLES = (POINT, SEEN_BY_ANOTHER)  # the surface of such a pixel is measured
+NO_HOLES = (POINT, SEEN_BY_ANOTHER)  # states of pixels whose surface is measured
 
 
 def _word(state: PixelState | PointState) -> str:
@@ -33,12 +33,12 @@ def _word(state: PixelState | PointState) -> str:
 
 OF_DECODING = tuple(_word(state) for state in PixelState if state != PixelState.VALID)
 OF_RECONSTRUCTION = tuple(_word(state) for state in PointState if state not in (PointState.VALID, PointState.NO_PHASE))
-REASONS = (POINT, *OF_DECODING, *OF_RECONSTRUCTION)  # a code of `ExplainedView.codes` is a place in here
+REASONS = (POINT, *OF_DECODING, *OF_RECONSTRUCTION)  # indexed by `ExplainedView.codes`
 
 
 @dataclass(frozen=True, slots=True)
 class Number:
-    """A value that decided about a pixel, beside its limits; None where there is no such limit."""
+    """A quantity that decided about a pixel, with its limits; None: no such limit."""
 
     what: str
     value: float
@@ -49,7 +49,7 @@ class Number:
 
 @dataclass(frozen=True, slots=True)
 class PixelAnswer:
-    """What became of one pixel."""
+    """Explanation of one pixel."""
 
     camera: str
     row: int
@@ -60,18 +60,18 @@ class PixelAnswer:
 
 @dataclass(frozen=True, slots=True)
 class RegionAnswer:
-    """What became of the pixels of a box, its end not included."""
+    """Explanation of the pixels of a region, its end not included."""
 
     camera: str
     box: tuple[int, int, int, int]  # row, column, row, column
     pixels: int
-    shares: Mapping[str, float]  # of every reason that occurs, the largest first; they sum to 1
-    example: PixelAnswer | None  # a pixel of the most frequent loss; None where nothing is lost
+    shares: Mapping[str, float]  # fraction of every reason that occurs, the largest first; of sum 1
+    example: PixelAnswer | None  # a pixel of the most frequent loss; None without losses
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ExplainedView:
-    """A view as it was decoded and reconstructed, to ask about."""
+    """A decoded and reconstructed view, with explanations of its pixels."""
 
     viewpoint_id: str
     exposures_us: tuple[int, ...]  # from long to short
@@ -83,32 +83,32 @@ class ExplainedView:
 
     @property
     def cameras(self) -> tuple[str, ...]:
-        """The cameras that can be asked about, the reference camera first."""
+        """Cameras with explanations, the reference camera first."""
         return tuple(self.made.fates)
 
     def shares(self) -> dict[str, dict[str, float]]:
-        """Return the share of every reason for every camera; those of a camera sum to 1."""
+        """Return the fraction of pixels of every reason, by camera; those of a camera sum to 1."""
         return shares_of_view(self.phase_maps, self.made)
 
     def pixel(self, camera: str, row: int, column: int) -> PixelAnswer:
-        """Say what became of a pixel. Raises ReconstructError where the view has no such camera or pixel."""
+        """Explain a pixel. Raises ReconstructError when the view has no such camera or pixel."""
         found = why(self.phase_maps, self.made, camera, row, column, self.reconstruct_settings)
         numbers = self._numbers(self.phase_maps[camera], row, column)
         return PixelAnswer(camera, row, column, found, numbers + (self._of_point(camera, row, column) if found.stage == POINT else ()))
 
     def region(self, camera: str, box: tuple[int, int, int, int]) -> RegionAnswer:
-        """Say what became of the pixels of a box (row, column, row, column), its end not included.
+        """Explain the pixels of a region (row, column, row, column), its end not included.
 
         Raises
         ------
         ReconstructError
-            No such camera, or a box that is empty or reaches beyond its image.
+            No such camera, or a region that is empty or extends beyond its image.
         """
         codes = self.codes(camera)
         top, left, bottom, right = box
         if not (0 <= top < bottom <= codes.shape[0] and 0 <= left < right <= codes.shape[1]):
             raise ReconstructError(
-                f"The region {top},{left},{bottom},{right} does not lie in the images of camera {camera!r}.",
+                f"The region {top},{left},{bottom},{right} is not inside the images of camera {camera!r}.",
                 f"Give ROW,COLUMN,ROW,COLUMN of two corners within {codes.shape[0]} rows and {codes.shape[1]} columns.",
             )
         shares = shares_of_region(self.phase_maps, self.made, camera, box)
@@ -117,12 +117,12 @@ class ExplainedView:
         return RegionAnswer(camera, box, (bottom - top) * (right - left), shares, example)
 
     def example(self, camera: str, reason: str) -> tuple[int, int]:
-        """Return row and column of a pixel with this reason, which must occur: the one in the middle of all, in reading order."""
+        """Return row and column of a pixel with this reason, which must occur: the median one in reading order."""
         codes = self.codes(camera)
         return _middle(codes, REASONS.index(reason), (0, 0, codes.shape[0], codes.shape[1]))
 
     def codes(self, camera: str) -> IntArray:
-        """Return what became of every pixel, (H, W) uint8, as a place in `REASONS`. Raises ReconstructError for another camera."""
+        """Return the state of every pixel, (H, W) uint8, as an index of `REASONS`. Raises ReconstructError for another camera."""
         if camera not in self.made.fates:
             raise ReconstructError(f"The view has no camera {camera!r}.", "Name one of: " + ", ".join(self.cameras) + ".")
         of_phase, of_point = _tables()
@@ -130,7 +130,7 @@ class ExplainedView:
         return np.where(fate == PointState.NO_PHASE, of_phase[self.phase_maps[camera].state], of_point[fate])
 
     def _of_point(self, camera: str, row: int, column: int) -> tuple[Number, ...]:
-        """Return how certain the point of a pixel is; a point stands in the image of the first of its cameras."""
+        """Return the uncertainty of the point of a pixel; a point belongs to the image of the first of its cameras."""
         cloud, bit = self.made.cloud, 1 << self.calibrated.index(camera)
         (places,) = np.nonzero((cloud.pixel == (row, column)).all(axis=1) & (cloud.cameras & (2 * bit - 1) == bit))
         if len(places) == 0:
@@ -139,7 +139,7 @@ class ExplainedView:
         return (Number("point σ", sigma, "mm", most=self.reconstruct_settings.max_sigma_mm), Number("cameras", float(seen), ""))
 
     def _numbers(self, phase_map: PhaseMap, row: int, column: int) -> tuple[Number, ...]:
-        """Return what decoding found, beside the limits it used."""
+        """Return the quantities of decoding, with their limits."""
         settings = self.decode_settings
         numbers = [Number("grey level", float(phase_map.grey[row, column]), "")]
         taken = int(phase_map.exposure_index[row, column])
@@ -147,15 +147,15 @@ class ExplainedView:
             numbers.append(Number("exposure", float(self.exposures_us[taken]), "µs"))
         least = settings.min_modulation_grey(phase_map.saturation)
         modulation, has_phase = float(phase_map.modulation[row, column]), phase_map.state[row, column] == PixelState.VALID
-        asked = None if has_phase and modulation < least else least  # faint pixels may have made up for it by many exposures
-        numbers.append(Number("modulation", modulation, "grey levels", least=asked))
+        limit = None if has_phase and modulation < least else least  # several exposures can compensate for a weak modulation
+        numbers.append(Number("modulation", modulation, "grey levels", least=limit))
         for seen in (phase_map, phase_map.across):
             if seen is not None and seen.state[row, column] == PixelState.VALID:
                 numbers += self._of_phase(seen, row, column, "" if seen is phase_map else " across")
         return tuple(numbers)
 
     def _of_phase(self, phase_map: PhaseMap, row: int, column: int, which: str) -> tuple[Number, ...]:
-        """Return what the fringes of one direction tell."""
+        """Return the quantities of the fringes of one direction."""
         return (
             Number("phase noise" + which, float(phase_map.sigma_rad[row, column]), "rad", most=self.decode_settings.max_sigma_rad),
             Number("signal to noise" + which, float(phase_map.snr[row, column]), ""),
@@ -169,9 +169,9 @@ def explain_stack(
     decode_settings: DecodeSettings | None = None,
     progress: Progress | None = None,
 ) -> ExplainedView:
-    """Decode and reconstruct recorded images, and keep what became of every pixel.
+    """Decode and reconstruct recorded images, and keep the state of every pixel.
 
-    Images of a single camera are triangulated with the projector where it is calibrated; else only their decoding is explained.
+    Images of a single camera are triangulated with the projector if it is calibrated; otherwise only their decoding is explained.
 
     Parameters
     ----------
@@ -180,7 +180,7 @@ def explain_stack(
     Raises
     ------
     DecodeError, ReconstructError
-        The images do not determine the phase, or are of other cameras than calibrated.
+        The images do not determine the phase, or are of other cameras than the calibration.
     CalibrationError
         Images of several cameras without a calibration.
     """
@@ -190,21 +190,19 @@ def explain_stack(
     if len(maps) == 1:
         made = looked_at_alone(next(iter(maps.values())), cameras)
     elif cameras is None:
-        raise CalibrationError(
-            f"The images of {' and '.join(maps)} need the calibration of these cameras to be matched.", "Name their cameras.json."
-        )
+        raise CalibrationError(f"The calibration of {' and '.join(maps)} is needed to match their images.", "Name their cameras.json.")
     else:
         made = reconstruct(maps, cameras, None, PartOf(progress, 0.5, 1.0))
     return ExplainedView(stack.viewpoint_id, stack.exposures_us, maps, made, names, settings)
 
 
 def explain_view(project: ProjectFolder, viewpoint_id: str, progress: Progress | None = None) -> ExplainedView:
-    """Compute a stored view of a project again, as it was measured.
+    """Recompute a stored view of a project.
 
     Raises
     ------
     InputError
-        The images of no such view are stored.
+        No images of this view are stored.
     CalibrationError
         The project is not calibrated.
     DecodeError, ReconstructError, StorageError
@@ -213,17 +211,17 @@ def explain_view(project: ProjectFolder, viewpoint_id: str, progress: Progress |
     stored = project.stored_viewpoints()
     if viewpoint_id not in stored:
         hint = f"Name one of: {', '.join(stored)}." if stored else "Scan the part first: measureapp scan."
-        raise InputError(f"{project.path} holds no images of a view {viewpoint_id!r}.", hint)
+        raise InputError(f"{project.path} contains no images of view {viewpoint_id!r}.", hint)
     calibration = project.calibration()
     if calibration is None:
         raise CalibrationError(
-            f"{project.path} has no calibration, so its images cannot become points.", "Calibrate first: measureapp process PROJECT."
+            f"{project.path} has no calibration, which is needed for points.", "Calibrate first: measureapp process PROJECT."
         )
     return explain_stack(project.frames.load(viewpoint_id), calibration.cameras, decode_settings_of(project), progress)
 
 
 def _tables() -> tuple[IntArray, IntArray]:
-    """Return the places in `REASONS` of every PixelState and every PointState."""
+    """Return the indices in `REASONS` of every PixelState and every PointState."""
     of_phase = np.array([REASONS.index(POINT if state == PixelState.VALID else _word(state)) for state in PixelState], np.uint8)
     of_point = np.zeros(len(PointState), np.uint8)
     for state in PointState:
@@ -233,7 +231,7 @@ def _tables() -> tuple[IntArray, IntArray]:
 
 
 def _middle(codes: IntArray, code: int, box: tuple[int, int, int, int]) -> tuple[int, int]:
-    """Return the pixel of this code in the box that lies in the middle of them in reading order."""
+    """Return the median pixel, in reading order, of those with this code in the region."""
     top, left, bottom, right = box
     rows, columns = np.nonzero(codes[top:bottom, left:right] == code)
     place = len(rows) // 2

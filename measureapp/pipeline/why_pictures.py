@@ -1,4 +1,4 @@
-"""Pictures of what became of every pixel: reasons, exposures and signal to noise as colours, with a legend."""
+"""False-colour pictures of the pixel states: reasons, exposures and signal-to-noise ratio, with a legend."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ KINDS: tuple[Kind, ...] = ("reasons", "exposure", "snr")
 Colour = tuple[int, int, int]  # red, green, blue
 
 # After Okabe & Ito and Tol: stages differ in hue (light: blue and yellow, match: red, clean: green and violet), reasons of a stage in
-# lightness, so that neighbours stay apart for the colour-blind too. None: the grey image is seen as it is.
+# lightness, which colour-blind people can distinguish as well. None: the grey image is shown.
 REASON_COLOURS: dict[str, Colour | None] = {
     "point": None,
     "saturated": (240, 228, 66),
@@ -43,10 +43,10 @@ REASON_COLOURS: dict[str, Colour | None] = {
     "seen by another": (110, 170, 172),
     "rim": (205, 235, 139),
 }
-# from long (blue) to short (yellow), ever lighter; in between they are interpolated
+# from long (blue) to short (yellow), increasing in lightness; interpolated in between
 EXPOSURE_ENDS: tuple[Colour, ...] = ((44, 90, 168), (90, 140, 190), (150, 170, 160), (205, 185, 110), (254, 232, 56))
-BEHIND = 0.45  # how bright the grey image stays where there is nothing to tell
-THROUGH = 0.55  # how much of the grey image is seen through the colours of exposures and of surfaces that another camera has
+BEHIND = 0.45  # brightness of the grey image where there is no colour
+THROUGH = 0.55  # weight of the grey image under the colours of exposures and of surfaces measured by another camera
 SNR_STEPS = 256
 SNR_TOP_PERCENT = 99.0
 LINE_PX, MARGIN_PX = 28, 12
@@ -54,7 +54,7 @@ LINE_PX, MARGIN_PX = 28, 12
 
 @dataclass(frozen=True, slots=True)
 class LegendEntry:
-    """What a colour means."""
+    """Meaning of a colour."""
 
     words: str
     colour: Colour
@@ -63,21 +63,21 @@ class LegendEntry:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Picture:
-    """A coloured picture of one camera, and what its colours mean."""
+    """A false-colour picture of one camera with its legend."""
 
     pixels: ImageArray  # (H, W, 3) uint8, red green blue
     legend: tuple[LegendEntry, ...]
 
 
 def grey_picture(phase_map: PhaseMap) -> ImageArray:
-    """Return the camera's image without fringes, (H, W) uint8, dark places lifted."""
+    """Return the camera's image without fringes, (H, W) uint8, with dark areas brightened."""
     grey = phase_map.grey.astype(np.float32)
     top = max(1.0, float(np.percentile(grey[::4, ::4], 99.5)))
     return np.asarray(np.sqrt(np.clip(grey / top, 0.0, 1.0)) * 255.0).astype(np.uint8)
 
 
 def picture(view: ExplainedView, camera: str, kind: Kind) -> Picture:
-    """Colour the image of a camera by reason, exposure taken or signal to noise. Raises ReconstructError for another camera."""
+    """Colour the image of a camera by reason, exposure or signal-to-noise ratio. Raises ReconstructError for another camera."""
     codes = view.codes(camera)
     phase_map = view.phase_maps[camera]
     grey = np.repeat(grey_picture(phase_map)[..., None], 3, axis=2)
@@ -87,12 +87,12 @@ def picture(view: ExplainedView, camera: str, kind: Kind) -> Picture:
 
 
 def share_words(share: float) -> str:
-    """Return a share in per cent; one that would round to nothing says so."""
+    """Format a fraction in per cent; a positive one is never shown as zero."""
     return "< 0.01 %" if 0 < share < 0.00005 else f"{share * 100:.2f} %"
 
 
 def with_legends(pictures: dict[str, Picture]) -> ImageArray:
-    """Lay the pictures of several cameras beside one another, each with its name and legend below, (H, W, 3) uint8."""
+    """Compose the pictures of several cameras side by side, each with its name and legend below, (H, W, 3) uint8."""
     tallest = max(one.pixels.shape[0] for one in pictures.values())
     lines = 1 + max(len(one.legend) for one in pictures.values())
     panels = []
@@ -147,13 +147,13 @@ def _signal(phase_map: PhaseMap, behind: ImageArray) -> Picture:
 
 
 def signal_colours() -> ImageArray:
-    """Return the colours of signal to noise, (256, 3) uint8, from low to high; their lightness grows evenly."""
+    """Return the colour scale of the signal-to-noise ratio, (256, 3) uint8, from low to high, perceptually uniform."""
     ramp = cv2.applyColorMap(np.arange(SNR_STEPS, dtype=np.uint8)[:, None], cv2.COLORMAP_VIRIDIS)
     return np.asarray(ramp[:, 0, ::-1])
 
 
 def _through(colours: ImageArray, grey: ImageArray) -> ImageArray:
-    """Darken colours where the grey image is dark, so that the part is seen through them."""
+    """Modulate colours by the grey image, so that the part stays visible."""
     return np.asarray(colours * (1.0 - THROUGH + THROUGH / 255.0 * grey)).astype(np.uint8)
 
 
@@ -163,7 +163,7 @@ def _plain(colour: FloatArray | ImageArray) -> Colour:
 
 
 def _write_legend(panel: ImageArray, name: str, legend: tuple[LegendEntry, ...], top: int, scale: float) -> None:
-    """Write camera and colours under a picture, in place."""
+    """Draw camera name and legend below a picture, in place."""
     thickness = max(1, round(scale))
     line, margin, box = LINE_PX * scale, round(MARGIN_PX * scale), round(18 * scale)
     font, size = cv2.FONT_HERSHEY_SIMPLEX, 0.55 * scale
@@ -181,7 +181,7 @@ def write_picture(path: Path, pixels: ImageArray) -> None:
     made, encoded = cv2.imencode(".png", pixels[..., ::-1])
     if not made:
         raise StorageError(
-            f"{path} cannot be written: {pixels.shape[1]} × {pixels.shape[0]} px is too large for PNG.", "Draw one camera at a time."
+            f"{path} cannot be written: {pixels.shape[1]} × {pixels.shape[0]} px is too large for PNG.", "Draw one camera only: --camera."
         )
     with replacing(path) as temporary:
         temporary.write_bytes(encoded.tobytes())

@@ -1,1 +1,1 @@
-"""Where to look from."""
+"""Planning of viewpoints for scans and calibrations."""

@@ -1,4 +1,4 @@
-"""Whether a rig can go where a plan sends it; checked for the whole plan before anything moves."""
+"""Axis limits and reach, checked for a whole plan before anything moves."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from measureapp.data.rig import RigDescription
 from measureapp.errors import PlanError
 
 
-def obstacles(viewpoint: Viewpoint, rig: RigDescription) -> tuple[str, ...]:
-    """Say in words what keeps the rig from going to ``viewpoint``; empty when nothing does."""
+def limit_violations(viewpoint: Viewpoint, rig: RigDescription) -> tuple[str, ...]:
+    """Describe the axis limits and the reach that ``viewpoint`` violates; empty if it is reachable."""
     reasons = []
     low, high = rig.guide.limits_mm
     if not low <= viewpoint.guide_mm <= high:
@@ -27,14 +27,14 @@ def obstacles(viewpoint: Viewpoint, rig: RigDescription) -> tuple[str, ...]:
 
 
 def check_reach(viewpoints: Iterable[Viewpoint], rig: RigDescription) -> None:
-    """Refuse a plan that leaves the axes' limits.
+    """Refuse a plan that exceeds the rig's limits.
 
     Raises
     ------
     PlanError
-        Naming every viewpoint and axis concerned.
+        Naming the viewpoints and axes.
     """
-    problems = [f"{viewpoint.id}: {reason}" for viewpoint in viewpoints for reason in obstacles(viewpoint, rig)]
+    problems = [f"{viewpoint.id}: {reason}" for viewpoint in viewpoints for reason in limit_violations(viewpoint, rig)]
     if problems:
         shown = "; ".join(problems[:5]) + (f"; and {len(problems) - 5} more" if len(problems) > 5 else "")
-        raise PlanError(f"The plan leaves the limits of {rig.name}: {shown}.", "Change these viewpoints; nothing was moved.")
+        raise PlanError(f"The plan exceeds the limits of {rig.name}: {shown}.", "Change these viewpoints; nothing was moved.")

@@ -1,4 +1,4 @@
-"""Where to look from: viewpoints around a part on the table, from the rig as drawn."""
+"""Planning of viewpoints around a part on the table, from the nominal rig."""
 
 from __future__ import annotations
 
@@ -9,83 +9,83 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import FloatArray
-from measureapp.data.pattern_sets import DEFAULT_NAME, made_for
+from measureapp.data.pattern_sets import DEFAULT_NAME, make_pattern_sets
 from measureapp.data.plan import FlangePose, ScanPlan, Viewpoint
 from measureapp.data.rig import RigDescription
 from measureapp.errors import PlanError
 from measureapp.geometry.transform import RigidTransform
-from measureapp.planning.reach import obstacles
+from measureapp.planning.reach import limit_violations
 
 RINGS_DEG = ((0.0, 32.0), (8.0, 62.0), (-8.0, 47.0))  # azimuth and elevation, in the order in which they are added
-RING_SHARES = {1: (1.0,), 2: (0.6, 0.4), 3: (0.4, 0.25, 0.35)}  # walls want more views than tops
-FIELD_RADIUS_MM = 140.0  # half the shared field's smaller side, from the paper's rig
+RING_SHARES = {1: (1.0,), 2: (0.6, 0.4), 3: (0.4, 0.25, 0.35)}  # walls need more viewpoints than tops
+FIELD_RADIUS_MM = 140.0  # half the smaller side of the common field of view of the reference rig
 ELEVATION_STEP_DEG = 2.0
-LEAST_TARGET_MM = 55.0  # above the table; from there the calibration board on its stand is in sight as well
+LEAST_TARGET_MM = 55.0  # above the table, so that the calibration board on its stand is visible as well
 
 
 @dataclass(frozen=True, slots=True)
-class Gaze:
-    """How the head looks at a target: from where, how far away and turned by how much about its own axis."""
+class LookAt:
+    """Pose of the head relative to its target: azimuth, elevation, distance, and roll about the optical axis."""
 
-    azimuth_deg: float  # 0: from the robot's side; grows counter-clockwise seen from above
+    azimuth_deg: float  # 0: from the robot's side; counter-clockwise positive seen from above
     elevation_deg: float  # above the table's plane
     distance_mm: float
     roll_deg: float = 0.0
 
 
-def guide_from_head(target_mm: FloatArray, gaze: Gaze) -> RigidTransform:
-    """Return the head's pose that looks at ``target_mm`` (3,) in the guide frame, its x axis level before the roll."""
-    azimuth, elevation = np.deg2rad([gaze.azimuth_deg, gaze.elevation_deg])
+def guide_from_head(target_mm: FloatArray, look_at: LookAt) -> RigidTransform:
+    """Return the pose of the head aimed at ``target_mm`` (3,) in the guide frame, its x axis level before the roll."""
+    azimuth, elevation = np.deg2rad([look_at.azimuth_deg, look_at.elevation_deg])
     outward = np.array([-np.cos(elevation) * np.cos(azimuth), -np.cos(elevation) * np.sin(azimuth), np.sin(elevation)])
     forward = -outward
     right = np.cross(forward, [0.0, 0.0, 1.0])
     right /= np.linalg.norm(right)
     level = np.column_stack([right, np.cross(forward, right), forward])
-    rotation = level @ Rotation.from_euler("z", gaze.roll_deg, degrees=True).as_matrix()
-    return RigidTransform.from_parts(rotation, np.asarray(target_mm) + gaze.distance_mm * outward, "guide", "head")
+    rotation = level @ Rotation.from_euler("z", look_at.roll_deg, degrees=True).as_matrix()
+    return RigidTransform.from_parts(rotation, np.asarray(target_mm) + look_at.distance_mm * outward, "guide", "head")
 
 
 def viewpoint_looking_at(
-    rig: RigDescription, name: str, target_mm: FloatArray, gaze: Gaze, *, guide_mm: float = 0.0, table_deg: float = 0.0
+    rig: RigDescription, name: str, target_mm: FloatArray, look_at: LookAt, *, guide_mm: float = 0.0, table_deg: float = 0.0
 ) -> Viewpoint:
-    """Return the viewpoint whose head looks at ``target_mm`` (guide frame) with the slide at ``guide_mm``."""
+    """Return the viewpoint whose head is aimed at ``target_mm`` (guide frame) with the guide at ``guide_mm``."""
     base_from_guide = RigidTransform.from_parts(np.eye(3), [0.0, -guide_mm, 0.0], "base", "guide")
     head_from_flange = rig.flange_from_head.transform("flange", "head").inverse()
-    base_from_flange = base_from_guide @ guide_from_head(target_mm, gaze) @ head_from_flange
+    base_from_flange = base_from_guide @ guide_from_head(target_mm, look_at) @ head_from_flange
     return Viewpoint(id=name, flange=FlangePose.of(base_from_flange), guide_mm=guide_mm, table_deg=table_deg)
 
 
 def plan_around_part(
     rig: RigDescription, name: str, *, radius_mm: float, height_mm: float, count: int, patterns: str = DEFAULT_NAME
 ) -> ScanPlan:
-    """Plan ``count`` viewpoints in rings around a part that stands on the table's centre.
+    """Plan ``count`` viewpoints in rings around a part in the centre of the table.
 
-    A ring is one station of the robot: between its views only the table turns, and the robot comes to it once. Its error
-    is then the same in all views of the ring, so that they lie to each other as well as the table turns, and stitching can tell
-    it from their common surface; drawn anew for every view it could not (decision 11).
+    A ring is one station of the robot: between its viewpoints only the table turns, and the robot approaches it once. Its pose error
+    is then common to all views of the ring: their relative poses are as accurate as the table, and stitching can estimate the error
+    from overlapping surfaces, which independent errors of every view would not allow (decision 11).
 
     Parameters
     ----------
-    rig : the rig as drawn
+    rig : nominal description
     name : of the plan
-    radius_mm, height_mm : of the cylinder about the table's axis that holds the part
-    count : how many viewpoints, at least 1
-    patterns : name of a pattern set, made for the rig's projector
+    radius_mm, height_mm : of the enclosing cylinder of the part about the table's axis
+    count : number of viewpoints, at least 1
+    patterns : name of a predefined pattern set
 
     Raises
     ------
     PlanError
-        ``count`` is below 1, there is no such pattern set, or a place cannot be reached at any elevation.
+        ``count`` is below 1, there is no such pattern set, or a viewpoint cannot be reached at any elevation.
     """
     if count < 1:
-        raise PlanError(f"{count} viewpoints measure nothing.", "Ask for at least 1.")
-    sets = made_for(rig.projector.width_px, rig.projector.height_px)
+        raise PlanError(f"{count} viewpoints were requested.", "Request at least 1.")
+    sets = make_pattern_sets(rig.projector.width_px, rig.projector.height_px)
     if patterns not in sets:
         raise PlanError(f"There is no pattern set {patterns!r}.", f"Choose one of {', '.join(sets)}.")
     rings = 1 if count < 5 else 2 if count < 16 else 3
     heights = _target_heights(height_mm)
     places = [
-        (ring, heights[index % len(heights)], _wrapped(360.0 * (index + ring / rings) / share))
+        (ring, heights[index % len(heights)], _wrap(360.0 * (index + ring / rings) / share))
         for ring, share in enumerate(_shares(count, rings))
         for index in range(share)
     ]
@@ -97,7 +97,7 @@ def plan_around_part(
 
 
 def _shares(count: int, rings: int) -> list[int]:
-    """Cut ``count`` views into rings by `RING_SHARES`; what rounding leaves goes to the first."""
+    """Distribute ``count`` viewpoints over the rings by `RING_SHARES`; the rounding remainder goes to the first ring."""
     others = [round(count * share) for share in RING_SHARES[rings][1:]]
     return [count - sum(others), *others]
 
@@ -108,7 +108,7 @@ def _target_heights(height_mm: float) -> list[float]:
 
 
 def _target(rig: RigDescription, radius_mm: float, height_mm: float, azimuth_deg: float) -> FloatArray:
-    """A part wider than the field is aimed at nearer to the sensor, where its wall stands."""
+    """Return the target in the guide frame; for a part wider than the field of view it is on the near wall."""
     centre = np.array(rig.table.centre_in_guide_mm)
     azimuth = np.deg2rad(azimuth_deg)
     towards_head = np.array([-np.cos(azimuth), -np.sin(azimuth), 0.0])
@@ -118,17 +118,19 @@ def _target(rig: RigDescription, radius_mm: float, height_mm: float, azimuth_deg
 def _reachable(
     rig: RigDescription, name: str, target_mm: FloatArray, azimuth_deg: float, elevation_deg: float, table_deg: float
 ) -> Viewpoint:
-    """The viewpoint nearest to the wanted elevation that the rig can reach."""
+    """Return the reachable viewpoint nearest to the wanted elevation."""
     for offset in np.arange(0.0, 40.0, ELEVATION_STEP_DEG):
         for sign in (-1.0, 1.0):
-            gaze = Gaze(azimuth_deg, elevation_deg + sign * offset, rig.standoff_mm)
-            guide_mm = -gaze.distance_mm * np.sin(np.deg2rad(azimuth_deg)) * np.cos(np.deg2rad(gaze.elevation_deg))
-            candidate = viewpoint_looking_at(rig, name, target_mm, gaze, guide_mm=round(float(guide_mm), 1), table_deg=table_deg)
-            if not obstacles(candidate, rig):
+            look_at = LookAt(azimuth_deg, elevation_deg + sign * offset, rig.standoff_mm)
+            guide_mm = -look_at.distance_mm * np.sin(np.deg2rad(azimuth_deg)) * np.cos(np.deg2rad(look_at.elevation_deg))
+            candidate = viewpoint_looking_at(rig, name, target_mm, look_at, guide_mm=round(float(guide_mm), 1), table_deg=table_deg)
+            if not limit_violations(candidate, rig):
                 return candidate
-    raise PlanError(f"{rig.name} cannot look at this part from {elevation_deg:.0f}° or near it.", "Give a plan of your own for this part.")
+    raise PlanError(
+        f"{rig.name} cannot reach a viewpoint of this part at or near an elevation of {elevation_deg:.0f}°.", "Write a plan for this part."
+    )
 
 
-def _wrapped(angle_deg: float) -> float:
-    """The same direction in −180…180°, so that the table never turns further than it must."""
+def _wrap(angle_deg: float) -> float:
+    """Wrap an angle to −180…180°, which keeps the travel of the table short."""
     return round((angle_deg + 180.0) % 360.0 - 180.0, 3)

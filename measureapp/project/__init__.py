@@ -1,1 +1,1 @@
-"""Everything on disk."""
+"""Project folders and file formats."""

@@ -1,4 +1,4 @@
-"""Writing a file so that it is either whole or not there: beside, fsync, replace, fsync the folder."""
+"""Atomic file writing: temporary file, fsync, replace, fsync of the folder."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ NOT_ALLOWED = (errno.EACCES, errno.EPERM, errno.EROFS)
 
 @contextmanager
 def replacing(path: Path) -> Iterator[Path]:
-    """Give a temporary path beside ``path``; it takes the place of ``path`` only when the body succeeds.
+    """Provide a temporary path next to ``path`` that replaces it only if the body succeeds.
 
     Raises
     ------
@@ -37,18 +37,18 @@ def replacing(path: Path) -> Iterator[Path]:
         hint = "Check the permissions" if error.errno in NOT_ALLOWED else "Free some space"
         raise StorageError(f"{path} cannot be written: {error.strerror or error}.", f"{hint}, or choose another folder.") from error
     finally:
-        with suppress(OSError):  # what went wrong before says more than that nothing can be removed
+        with suppress(OSError):  # must not hide the original error
             temporary.unlink(missing_ok=True)
 
 
 def write_text(path: Path, text: str) -> None:
-    """Write ``text`` as UTF-8, whole or not at all."""
+    """Write ``text`` as UTF-8, atomically."""
     with replacing(path) as temporary:
         temporary.write_text(text, encoding="utf-8")
 
 
 def write_json(path: Path, document: Mapping[str, Any]) -> None:
-    """Write ``document`` as indented JSON, whole or not at all."""
+    """Write ``document`` as indented JSON, atomically."""
     write_text(path, json.dumps(document, indent=2, allow_nan=False) + "\n")
 
 

@@ -1,4 +1,4 @@
-"""What differs between two stored documents that should say the same."""
+"""Comparison of two JSON documents that should be identical."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ NOT_COMPARED = ("created", "folder", "arguments", "files")  # when and where, no
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """One value that is not the same to the last bit; None where it is missing."""
+    """One value that is not identical in both documents; None if missing."""
 
     place: str  # such as cameras.left.matrix[0][2]
     stored: Any
     again: Any
 
 
-def compared(stored: Any, again: Any) -> tuple[tuple[Difference, ...], int]:
-    """Return every difference of two JSON documents and how many values were compared; dates and places of files do not count."""
+def compare_documents(stored: Any, again: Any) -> tuple[tuple[Difference, ...], int]:
+    """Return all differences of two JSON documents and the number of values compared; dates and file locations are ignored."""
     first, second = dict(_values(stored, "")), dict(_values(again, ""))
     places = list(dict.fromkeys((*first, *second)))
     found = tuple(

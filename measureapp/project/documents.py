@@ -1,4 +1,4 @@
-"""Nouns as JSON documents, and back."""
+"""Conversion of value types to JSON documents and back."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def readback_from(document: Mapping[str, Any]) -> AxisReadback:
 
 
 def conditions_document(conditions: Conditions | None) -> dict[str, Any] | None:
-    """Return the conditions of images as JSON; None where they were not recorded."""
+    """Return the conditions of images as JSON; None if they were not recorded."""
     return None if conditions is None else asdict(conditions)
 
 
@@ -59,9 +59,9 @@ def conditions_from(document: Mapping[str, Any] | None) -> Conditions | None:
 
 
 def calibration_id(calibration: RigCalibration) -> str:
-    """Return twelve characters that name a calibration: of the images it was made from and their day, else of all its numbers.
+    """Return the id of a calibration, twelve characters: hash of its provenance, or of all its numbers if it has no inputs.
 
-    Solved again from the same images it keeps its name.
+    A calibration solved again from the same images keeps its id.
     """
     provenance = calibration.provenance
     named = asdict(provenance) if provenance.inputs else rig_calibration_document(calibration)
@@ -69,12 +69,12 @@ def calibration_id(calibration: RigCalibration) -> str:
 
 
 def digest(document: Mapping[str, Any]) -> str:
-    """Return the SHA-256 of a JSON document, whatever the order of its fields."""
+    """Return the SHA-256 of a JSON document, independent of the order of its fields."""
     return hashlib.sha256(json.dumps(document, sort_keys=True).encode()).hexdigest()
 
 
 def rig_calibration_document(calibration: RigCalibration) -> dict[str, Any]:
-    """Return everything but the cameras, which have a file of their own, as JSON."""
+    """Return a rig calibration without its cameras, which have their own file, as JSON."""
     return {
         "schema_version": 1,
         "hand_eye": link_document(calibration.hand_eye),
@@ -119,7 +119,7 @@ def axis_from(document: Mapping[str, Any]) -> RotationAxis:
 
 
 def placement_document(placement: ViewPlacement) -> dict[str, Any]:
-    """Return where a view came to lie as JSON."""
+    """Return the placement of a view as JSON."""
     return _plain(placement)
 
 
@@ -130,12 +130,12 @@ def placement_from(document: Mapping[str, Any]) -> ViewPlacement:
 
 
 def ring_document(ring: RingClosure | None) -> dict[str, Any] | None:
-    """Return how well pairs close around the part as JSON."""
+    """Return the loop closure error as JSON."""
     return None if ring is None else _plain(ring)
 
 
 def ring_from(document: Mapping[str, Any] | None) -> RingClosure | None:
-    """Return the closure of a document."""
+    """Return the loop closure error of a document."""
     return None if document is None else RingClosure(**{**document, "viewpoints": tuple(document["viewpoints"])})
 
 
@@ -164,10 +164,10 @@ def inspection_from(document: Mapping[str, Any]) -> Inspection:
 
 
 def validity_from(document: Mapping[str, Any]) -> Validity:
-    """Return what a document says about the validity of a calibration; an empty one says nothing."""
-    drift = document.get("drift")
-    told = None if drift is None else Drift(**{**drift, "cameras": tuple(drift["cameras"])})
-    return Validity(tuple(document.get("warnings", ())), told, document.get("temperature_c"))
+    """Return the validity of a calibration from a document; all fields are optional."""
+    entry = document.get("drift")
+    drift = None if entry is None else Drift(**{**entry, "cameras": tuple(entry["cameras"])})
+    return Validity(tuple(document.get("warnings", ())), drift, document.get("temperature_c"))
 
 
 def _feature_from(document: Mapping[str, Any]) -> Feature:
@@ -182,7 +182,7 @@ def _dimension_from(document: Mapping[str, Any]) -> Dimension:
 
 
 def _plain(noun: Any) -> dict[str, Any]:
-    """The fields of a frozen dataclass with transforms and arrays as JSON."""
+    """Return the fields of a dataclass, with transforms and arrays, as JSON."""
     return {entry.name: _plain_value(getattr(noun, entry.name)) for entry in fields(noun)}
 
 

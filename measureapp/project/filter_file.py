@@ -1,4 +1,4 @@
-"""The filters of the stitched cloud on disk, beside it: which they are and how many of them each point passed."""
+"""Storage of the filter chain of the stitched cloud: the filters, and how many of them each point passed."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ SCHEMA_VERSION = 1
 
 
 def save_filters(folder: Path, chain: FilterChain, stitched: StitchedCloud) -> None:
-    """Keep the filters of ``stitched`` and what they leave of it in ``folder``; raises StorageError where that cannot be written."""
-    forget_filters(folder)
+    """Store the filters of ``stitched`` and the filtered cloud in ``folder``; raises StorageError when they cannot be written."""
+    delete_filters(folder)
     if not chain.filters:
         return
     write_cloud(folder / FILTERED, stitched.where(chain.stays))
@@ -32,22 +32,22 @@ def save_filters(folder: Path, chain: FilterChain, stitched: StitchedCloud) -> N
         np.savez_compressed(file, schema_version=SCHEMA_VERSION, filters=filters, passed=chain.passed, cloud=_checksum(stitched))
 
 
-def forget_filters(folder: Path) -> None:
-    """Take the filters away, and the cloud that they left; raises StorageError where they cannot be removed."""
+def delete_filters(folder: Path) -> None:
+    """Delete the filters and the filtered cloud; raises StorageError when they cannot be deleted."""
     try:
-        for name in (FILTERS, FILTERED):  # without the first the second is a file like any other
+        for name in (FILTERS, FILTERED):  # in this order: without the filters the cloud is ignored
             (folder / name).unlink(missing_ok=True)
     except OSError as error:
         raise StorageError(f"{folder} cannot be written: {error.strerror or error}.", "Check the permissions of the project.") from error
 
 
 def load_filters(folder: Path, stitched: StitchedCloud) -> FilterChain | None:
-    """Return the filters that were kept of ``stitched``, None where there are none.
+    """Load the filters of ``stitched``; None if there are none.
 
     Raises
     ------
     StorageError
-        The file is damaged, of another format, or of another cloud.
+        The file is damaged, has another format, or belongs to another cloud.
     """
     kept = _read(folder / FILTERS)
     if kept is None:
@@ -58,8 +58,8 @@ def load_filters(folder: Path, stitched: StitchedCloud) -> FilterChain | None:
     return chain
 
 
-def filter_again(folder: Path, stitched: StitchedCloud, progress: Progress) -> None:
-    """Apply the filters that were kept of a former cloud to ``stitched``; they are forgotten where they leave nothing or cannot be read."""
+def reapply_filters(folder: Path, stitched: StitchedCloud, progress: Progress) -> None:
+    """Apply the stored filters of an earlier cloud to ``stitched``; they are deleted if no point passes or they cannot be read."""
     try:
         kept = _read(folder / FILTERS)
         chain = FilterChain.none(0) if kept is None else FilterChain.of(kept[0].filters, stitched.points_mm, progress)
@@ -69,7 +69,7 @@ def filter_again(folder: Path, stitched: StitchedCloud, progress: Progress) -> N
 
 
 def _read(path: Path) -> tuple[FilterChain, int] | None:
-    """Return what a file says: the filters, and the checksum of their cloud."""
+    """Read the filters and the checksum of their cloud."""
     if not path.exists():
         return None
     try:
@@ -83,10 +83,10 @@ def _read(path: Path) -> tuple[FilterChain, int] | None:
     return FilterChain(filters, passed), cloud
 
 
-def _unusable(path: Path, why: str) -> StorageError:
-    return StorageError(f"{path} {why}: the stitched cloud is shown unfiltered.", "Filter it again on the page Clouds.")
+def _unusable(path: Path, problem: str) -> StorageError:
+    return StorageError(f"{path} {problem}: the stitched cloud is shown unfiltered.", "Filter it again on the page Clouds.")
 
 
 def _checksum(stitched: StitchedCloud) -> int:
-    """Return what tells clouds apart, the same for a cloud and its file, which has single precision."""
+    """Return a checksum of the points in single precision, which is the same for a cloud and its file."""
     return zlib.crc32(np.ascontiguousarray(stitched.points_mm, np.float32).tobytes())

@@ -1,14 +1,14 @@
-"""The project folder: everything about one measured part, self-contained.
+"""The project folder: all data of one measured part, self-contained.
 
-project.json        what is measured, on which rig, with which board
-plan.json           the scan plan
+project.json        part, rig and calibration board
+plan.json           scan plan
 calibration/        views/ (images of the board and read-backs), cameras.json, rig.json, rig_uncertainty.npz,
-                    noise.json (of the cameras, where it was measured), former/, checks/, history.jsonl
+                    noise.json (measured camera noise), former/, checks/, history.jsonl
 stacks/             raw fringe images: permanent
-inspection/         program.toml and the nominal it names, in mm; former/: nominals before it
-view_choices.json   views used or refused by hand
+inspection/         program.toml and its nominal, in mm; former/: replaced nominals
+view_choices.json   views accepted or refused by hand
 results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`; filters.npz, filtered_cloud.ply
-report/             documents
+report/             reports
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ from measureapp.project import filter_file, results
 from measureapp.project.atomic import replacing, write_text
 from measureapp.project.calibration import board_views, store
 from measureapp.project.calibration.store import RIG_UNCERTAINTY
-from measureapp.project.claim import claimed
+from measureapp.project.folder_lock import lock_folder
 from measureapp.project.frame_store import FrameStore
 from measureapp.project.geometry.files import write_mesh
 from measureapp.project.geometry.step_files import STEP_KINDS
@@ -58,7 +58,7 @@ VIEW_CHOICES = "view_choices.json"
 
 
 class ProjectSettings(Model):
-    """What a project measures, fixed when it is created."""
+    """Settings of a project, fixed when it is created."""
 
     schema_version: Literal[1] = 1
     name: str
@@ -77,12 +77,12 @@ class ProjectFolder:
 
     @classmethod
     def create(cls, path: Path, settings: ProjectSettings) -> ProjectFolder:
-        """Make a new project in ``path``, or continue the one there when its settings are the same.
+        """Create a project in ``path``, or open the existing one if its settings are the same.
 
         Raises
         ------
         InputError
-            The folder holds something else.
+            The folder contains something else.
         StorageError
             It cannot be written.
         """
@@ -90,7 +90,7 @@ class ProjectFolder:
         if (path / "project.json").exists():
             found = cls.open(path)
             if found.settings != settings:
-                raise InputError(f"{path} holds another project ({found.name}).", "Choose another folder, or delete that one first.")
+                raise InputError(f"{path} contains another project ({found.name}).", "Choose another folder, or delete that one first.")
             return found
         if path.exists() and (not path.is_dir() or any(path.iterdir())):
             raise InputError(f"{path} is not an empty folder.", "Choose a new or an empty folder for the project.")
@@ -102,20 +102,20 @@ class ProjectFolder:
         """Open the project in ``path``. Raises InputError when there is none, StorageError when it is damaged."""
         path = Path(path)
         if not (path / "project.json").is_file():
-            raise InputError(f"{path} is not a MeasureApp project.", "Name a folder with a project.json in it.")
+            raise InputError(f"{path} is not a MeasureApp project.", "Name a folder that contains a project.json.")
         return cls(path, _read_model(path / "project.json", ProjectSettings))
 
     @property
     def name(self) -> str:
-        """The project's name."""
+        """Name of the project."""
         return self.settings.name
 
-    def claimed(self) -> AbstractContextManager[None]:
-        """Hold the project while it is changed. Raises StorageError where another window or command does so, or it is read-only."""
-        return claimed(self.path)
+    def lock(self) -> AbstractContextManager[None]:
+        """Lock the project for changes. Raises StorageError when another window or command has locked it, or it is read-only."""
+        return lock_folder(self.path)
 
     def rig(self) -> RigDescription:
-        """Return the rig the project was made for."""
+        """Return the rig of the project."""
         return self.settings.rig
 
     def plan(self) -> ScanPlan | None:
@@ -124,32 +124,31 @@ class ProjectFolder:
         return _read_model(path, ScanPlan) if path.exists() else None
 
     def save_plan(self, plan: ScanPlan) -> None:
-        """Keep the scan plan. Raises InputError when images of another plan are stored already."""
-        if self.frames.stored() and self.plan() != plan:
-            raise InputError(f"{self.path} holds images of another plan.", "Measure into a new project.")
+        """Store the scan plan. Raises InputError when images of another plan are stored already."""
+        if self.frames.list_stored() and self.plan() != plan:
+            raise InputError(f"{self.path} contains images of another plan.", "Scan into a new project.")
         write_text(self.path / "plan.json", plan.model_dump_json(indent=2))
 
     def stored_viewpoints(self) -> tuple[str, ...]:
-        """Return the ids of the viewpoints whose images lie complete on disk."""
-        return self.frames.stored()
+        """Return the ids of the viewpoints whose images are stored completely."""
+        return self.frames.list_stored()
 
     def save_board_view(self, view: BoardView) -> None:
-        """Keep the images of one sighting of the board."""
+        """Store the images of one view of the board."""
         board_views.save(self.path / "calibration" / "views", view)
 
     def verify(self) -> tuple[tuple[str, ...], dict[str, tuple[str, ...]]]:
-        """Compare every stored byte with its checksum; return the ids of all viewpoints and, by id, what is wrong in words."""
-        views = self.path / "calibration" / "views"
-        checked = (*self.frames.stored(), *board_views.stored(views))
-        damaged = {viewpoint: problems for viewpoint in self.frames.stored() if (problems := self.frames.damaged(viewpoint))}
-        return checked, damaged | board_views.damaged(views)
+        """Compare all stored images with their checksums; return the ids of all viewpoints and, by id, the problems in words."""
+        views, stored = self.path / "calibration" / "views", self.frames.list_stored()
+        damaged = {viewpoint: problems for viewpoint in stored if (problems := self.frames.find_damage(viewpoint))}
+        return (*stored, *board_views.list_stored(views)), damaged | board_views.find_damage(views)
 
     def board_views(self) -> tuple[BoardView, ...]:
-        """Return every stored sighting of the board, as they were taken."""
+        """Load all stored views of the board, in the order of acquisition."""
         return board_views.load_all(self.path / "calibration" / "views")
 
     def save_calibration(self, calibration: RigCalibration, uncertainty: RigUncertainty | None = None) -> None:
-        """Keep the calibration of the rig, and what it leaves open where that is known; a former one is set aside."""
+        """Store the calibration of the rig and, if known, its uncertainty; a former one is archived."""
         folder = self.path / "calibration"
         store.save(folder, calibration)
         if uncertainty is not None:
@@ -158,44 +157,44 @@ class ProjectFolder:
             write_rig_uncertainty(folder / RIG_UNCERTAINTY, uncertainty)
 
     def calibration(self) -> RigCalibration | None:
-        """Return the calibration of the rig, if there is one. Raises StorageError when it is damaged or was changed."""
+        """Return the calibration of the rig, if there is one. Raises StorageError when it is damaged or was modified."""
         return store.load(self.path / "calibration")
 
-    def needed_calibration(self) -> RigCalibration:
+    def require_calibration(self) -> RigCalibration:
         """Return the calibration of the rig. Raises CalibrationError when there is none, StorageError when it is damaged."""
         calibration = self.calibration()
         if calibration is None:
-            raise CalibrationError(f"{self.path} has no calibration.", "Calibrate the rig into it first.")
+            raise CalibrationError(f"{self.path} has no calibration.", "Calibrate the rig into this project first.")
         return calibration
 
     def record_check(self, line: CheckRecord) -> None:
-        """Add what a scan or a check said about the calibration to its history."""
+        """Append the result of a scan or a check to the history of the calibration."""
         store.record(self.path / "calibration", line)
 
     def calibration_history(self) -> tuple[CheckRecord, ...]:
-        """Return what scans and checks said about this and former calibrations, oldest first."""
+        """Return the results of scans and checks for this and former calibrations, oldest first."""
         return store.history(self.path / "calibration")
 
     def save_check_view(self, check: str, view: BoardView) -> None:
-        """Keep the images of one sighting of the board of a check called ``check``."""
+        """Store the images of one view of the board of the check named ``check``."""
         board_views.save(self.path / "calibration" / "checks" / check, view)
 
     def rig_uncertainty(self) -> RigUncertainty | None:
-        """Return what the calibration leaves open, where it was kept. Raises StorageError when it is damaged."""
+        """Return the uncertainty of the calibration, if it is stored. Raises StorageError when it is damaged."""
         from measureapp.project.calibration.rig_uncertainty_file import read_rig_uncertainty
 
         calibration, path = self.calibration(), self.path / "calibration" / RIG_UNCERTAINTY
         return read_rig_uncertainty(path, calibration) if calibration is not None and path.exists() else None
 
     def save_noise(self, estimates: Mapping[str, NoiseEstimate]) -> None:
-        """Keep the measured noise of the cameras, with which images are decoded from then on.
+        """Store the measured noise of the cameras; images are decoded with it from then on.
 
         Raises
         ------
         InputError
             The rig has no such camera.
         CalibrationError
-            The images of a camera did not fit the model of noise; names it.
+            The images of a camera did not fit the noise model; names the camera.
         StorageError
             It cannot be written.
         """
@@ -208,18 +207,19 @@ class ProjectFolder:
         poor = [f"{name}: {estimate.verdict}" for name, estimate in estimates.items() if not estimate.accepted]
         if poor:
             raise CalibrationError(
-                f"The noise of {'; '.join(poor)}.", "Let the cameras see a still surface with bright and dark areas, and measure again."
+                f"The noise model does not fit: {'; '.join(poor)}.",
+                "Point the cameras at a stationary surface with bright and dark areas, and measure again.",
             )
         write_noise(self._noise_file, estimates)
 
     def noise(self) -> dict[str, CameraNoise]:
-        """Return the noise of the cameras that was measured. Raises InputError when the file is damaged."""
+        """Return the measured noise of the cameras. Raises InputError when the file is damaged."""
         from measureapp.project.fringes.noise_file import read_noise
 
         return read_noise(self._noise_file) if self._noise_file.exists() else {}
 
-    def take_noise_over(self, other: ProjectFolder) -> None:
-        """Keep what another project knows of the noise of the same cameras, if anything. Raises StorageError."""
+    def copy_noise_from(self, other: ProjectFolder) -> None:
+        """Copy the camera noise of another project with the same cameras, if it has any. Raises StorageError."""
         if other._noise_file.exists():
             with replacing(self._noise_file) as temporary:
                 shutil.copyfile(other._noise_file, temporary)
@@ -229,7 +229,7 @@ class ProjectFolder:
         return self.path / "calibration" / "noise.json"
 
     def save_inspection(self, program: Path | None, nominal: Path | None) -> None:
-        """Copy the inspection program and the nominal into the project, which then needs nothing outside."""
+        """Copy the inspection program and the nominal into the project."""
         folder = self.path / "inspection"
         folder.mkdir(parents=True, exist_ok=True)
         if program is not None:
@@ -238,96 +238,93 @@ class ProjectFolder:
             shutil.copyfile(nominal, folder / f"{NOMINAL}{nominal.suffix.lower()}")
 
     def program_text(self, *, has_nominal: bool) -> str:
-        """Return the inspection program as it is written; where there is none one without features. Raises StorageError."""
+        """Return the text of the inspection program, or an empty program if there is none. Raises StorageError."""
         if self.program is None:
             return f'name = {json.dumps(self.settings.part)}\nalignment = "{"best-fit" if has_nominal else "none"}"\n'
         try:
             return self.program.read_text(encoding="utf-8")
         except (OSError, UnicodeDecodeError) as error:
-            raise StorageError(f"{self.program} cannot be read: {error}.", "Restore it from a backup, or write it anew.") from error
+            raise StorageError(f"{self.program} cannot be read: {error}.", "Restore it from a backup, or write a new one.") from error
 
     def save_program(self, text: str) -> None:
-        """Keep another inspection program. Raises StorageError."""
+        """Store another inspection program. Raises StorageError."""
         write_text(self.path / "inspection" / PROGRAM, text)
 
-    def save_drawing(self, drawing: Path, nominal: Mesh) -> None:
-        """Keep another drawing, read from the file ``drawing`` already; a mesh is kept in millimetres, STEP states its unit itself.
-
-        The one before is set aside.
-        """
+    def save_nominal(self, source: Path, nominal: Mesh) -> None:
+        """Store another nominal, read from the file ``source``: a mesh in millimetres, STEP as it is; the former one is archived."""
         folder = self.path / "inspection"
         if self.nominal is not None:
-            with replacing(folder / FORMER / f"{len(self.former_drawings()) + 1:04d}{self.nominal.suffix}") as temporary:
+            with replacing(folder / FORMER / f"{len(self.former_nominals()) + 1:04d}{self.nominal.suffix}") as temporary:
                 shutil.copyfile(self.nominal, temporary)
-        kept = folder / (f"{NOMINAL}{drawing.suffix.lower()}" if drawing.suffix.lower() in STEP_KINDS else f"{NOMINAL}.stl")
+        kept = folder / (f"{NOMINAL}{source.suffix.lower()}" if source.suffix.lower() in STEP_KINDS else f"{NOMINAL}.stl")
         if kept.suffix == ".stl":
             write_mesh(kept, nominal)
         else:
             with replacing(kept) as temporary:
-                shutil.copyfile(drawing, temporary)
+                shutil.copyfile(source, temporary)
         for other in set(folder.glob(f"{NOMINAL}.*")) - {kept}:
             other.unlink()
 
-    def former_drawings(self) -> tuple[Path, ...]:
-        """Return the drawings that were set aside, oldest first."""
+    def former_nominals(self) -> tuple[Path, ...]:
+        """Return the archived nominals, oldest first."""
         return tuple(sorted((self.path / "inspection" / FORMER).glob("[0-9]*")))
 
     @property
     def program(self) -> Path | None:
-        """The inspection program, if there is one."""
+        """File of the inspection program, if there is one."""
         path = self.path / "inspection" / PROGRAM
         return path if path.exists() else None
 
     @property
     def nominal(self) -> Path | None:
-        """The nominal's mesh file, if there is one."""
+        """File of the nominal, if there is one."""
         return next(iter(sorted((self.path / "inspection").glob(f"{NOMINAL}.*"))), None)
 
     def view_choices(self) -> ViewChoices:
-        """Return which views are used or refused by hand. Raises StorageError when the file is damaged."""
+        """Return the views accepted or refused by hand. Raises StorageError when the file is damaged."""
         path = self.path / VIEW_CHOICES
         return _read_model(path, ViewChoices) if path.exists() else ViewChoices()
 
     def save_view_choices(self, choices: ViewChoices) -> None:
-        """Keep which views are used or refused by hand. Raises StorageError."""
+        """Store the views accepted or refused by hand. Raises StorageError."""
         write_text(self.path / VIEW_CHOICES, choices.model_dump_json(indent=2))
 
     @property
     def results(self) -> Path:
-        """The folder of what was computed."""
+        """Folder of the results."""
         return self.path / "results"
 
     def save_measurement(self, measurement: Measurement, progress: Progress = NoProgress()) -> None:  # noqa: B008 - stateless
-        """Keep everything a measurement gave, and apply the filters of the cloud before to its stitched one."""
+        """Store a measurement, and apply the stored filters to its stitched cloud."""
         results.save(self.results, measurement)
-        filter_file.filter_again(self.results, measurement.stitched, progress)
+        filter_file.reapply_filters(self.results, measurement.stitched, progress)
 
-    def save_inspected(self, measurement: Measurement) -> None:
-        """Keep a measurement of which only the inspection is another."""
+    def update_inspection(self, measurement: Measurement) -> None:
+        """Store a measurement of which only the inspection has changed."""
         results.save_document(self.results, measurement)
 
     def filters(self, stitched: StitchedCloud) -> FilterChain | None:
-        """Return the filters of the stitched cloud, if there are any. Raises StorageError when they are damaged or of another cloud."""
+        """Load the filters of the stitched cloud, if any. Raises StorageError when they are damaged or belong to another cloud."""
         return filter_file.load_filters(self.results, stitched)
 
     def measurement(self) -> Measurement | None:
-        """Return the last measurement, if there is one. Raises StorageError when it is damaged."""
+        """Load the last measurement, if there is one. Raises StorageError when it is damaged."""
         calibration = self.calibration()
         return None if calibration is None else results.load(self.results, calibration)
 
     @property
     def report_pdf(self) -> Path:
-        """Where the PDF report lies, once written."""
+        """File of the PDF report."""
         return self.path / "report" / "report.pdf"
 
     @property
     def report_csv(self) -> Path:
-        """Where the table of dimensions lies, once written."""
+        """File of the table of dimensions."""
         return self.path / "report" / "report.csv"
 
     @property
     def report_json(self) -> Path:
-        """Where the report's JSON lies, once written."""
+        """File of the report's JSON."""
         return self.path / "report" / "report.json"
 
 
@@ -335,7 +332,7 @@ def _read_json(path: Path) -> Any:
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
-        raise StorageError(f"{path} cannot be read: {error}.", "Restore the file from a backup, or make a new project.") from error
+        raise StorageError(f"{path} cannot be read: {error}.", "Restore the file from a backup, or create a new project.") from error
 
 
 def _read_model(path: Path, kind: type[ModelT]) -> ModelT:
@@ -349,5 +346,5 @@ def _read_model(path: Path, kind: type[ModelT]) -> ModelT:
         return kind.model_validate(document)
     except ValidationError as error:
         raise StorageError(
-            f"{path}: {first_problem(error, 'the file')}.", "Restore the file from a backup, or make a new project."
+            f"{path}: {first_problem(error, 'the file')}.", "Restore the file from a backup, or create a new project."
         ) from error

@@ -1,7 +1,7 @@
-"""Raw fringe images and read-backs on disk: permanent, checksummed, written once.
+"""Storage of raw fringe images and read-backs: permanent, checksummed, written once.
 
-One folder per viewpoint: an uncompressed ``.npy`` per camera (the fastest durable form that was measured) and
-``stack.json``, written last, so that a viewpoint without it was never finished.
+One folder per viewpoint: an uncompressed ``.npy`` per camera (the fastest durable format measured) and ``stack.json``, written
+last, so that its absence marks an incomplete viewpoint.
 """
 
 from __future__ import annotations
@@ -23,22 +23,22 @@ from measureapp.errors import StorageError
 from measureapp.project.atomic import replacing, write_json
 from measureapp.project.documents import conditions_document, conditions_from, readback_document, readback_from
 
-RESERVE_BYTES = 500_000_000  # room for what is computed from the images
+RESERVE_BYTES = 500_000_000  # for results computed from the images
 DESCRIPTION = "stack.json"
 
 
 class FrameStore:
-    """The stacks of one project."""
+    """The fringe stacks of one project."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = Path(folder)
 
-    def stored(self) -> tuple[str, ...]:
-        """Return the ids of the viewpoints that lie complete on disk, sorted."""
+    def list_stored(self) -> tuple[str, ...]:
+        """Return the ids of the completely stored viewpoints, sorted."""
         return tuple(sorted(path.parent.name for path in self._folder.glob(f"*/{DESCRIPTION}")))
 
     def require_space(self, needed_bytes: int) -> None:
-        """Refuse before anything moves or is written. Raises StorageError when less than ``needed_bytes`` and a reserve are free."""
+        """Check the free disk space. Raises StorageError when less than ``needed_bytes`` and a reserve are free."""
         place = self._folder.absolute()
         existing = next(folder for folder in (place, *place.parents) if folder.is_dir())
         free = shutil.disk_usage(existing).free
@@ -49,9 +49,11 @@ class FrameStore:
             )
 
     def store(self, stack: FringeStack) -> None:
-        """Write ``stack`` durably; raises StorageError and leaves nothing half-written."""
+        """Write ``stack`` durably and atomically; raises StorageError."""
         if stack.readback is None:
-            raise StorageError(f"The stack of {stack.viewpoint_id} has no read-back.", "Only stacks taken by a rig belong into a project.")
+            raise StorageError(
+                f"The stack of {stack.viewpoint_id} has no axis read-back.", "Store only stacks taken by a rig in a project."
+            )
         folder = self._folder / stack.viewpoint_id
         checksums = {}
         for camera, images in stack.images.items():
@@ -73,7 +75,7 @@ class FrameStore:
         write_json(folder / DESCRIPTION, document)
 
     def load(self, viewpoint_id: str) -> FringeStack:
-        """Return a stored stack, its images mapped from disk. Raises StorageError naming the damaged file."""
+        """Load a stack, its images memory-mapped. Raises StorageError naming the damaged file."""
         folder = self._folder / viewpoint_id
         document = self._document(folder)
         try:
@@ -92,23 +94,23 @@ class FrameStore:
             raise StorageError(f"{folder / DESCRIPTION} does not describe a stack: {error}.", "Take this viewpoint again.") from error
 
     def conditions(self, viewpoint_id: str) -> Conditions | None:
-        """Return under which conditions a stored stack was taken, without its images; None where that was not recorded."""
+        """Return the conditions of a stored stack without loading its images; None if they were not recorded."""
         return conditions_from(self._document(self._folder / viewpoint_id).get("conditions"))
 
     def approach(self, viewpoint_id: str) -> str | None:
-        """Return by which approach of the robot a stored stack was taken, without its images; None where that was not recorded."""
+        """Return the id of the robot's approach of a stored stack without loading its images; None if it was not recorded."""
         approach: str | None = self._document(self._folder / viewpoint_id).get("approach")
         return approach
 
-    def damaged(self, viewpoint_id: str) -> tuple[str, ...]:
-        """Compare every stored byte of a viewpoint with its checksum; return what is wrong, in words."""
+    def find_damage(self, viewpoint_id: str) -> tuple[str, ...]:
+        """Compare all stored images of a viewpoint with their checksums; return the problems, in words."""
         folder = self._folder / viewpoint_id
         try:
             checksums = dict(self._document(folder)["checksums"])
         except StorageError as error:
             return (error.message.rstrip("."),)
         except (KeyError, TypeError, ValueError):
-            return (f"{folder / DESCRIPTION} names no checksums",)
+            return (f"{folder / DESCRIPTION} has no checksums",)
         problems = []
         for name, expected in checksums.items():
             path = folder / name
@@ -121,7 +123,7 @@ class FrameStore:
                 problems.append(error.message.rstrip("."))
                 continue
             if found != expected:
-                problems.append(f"{path} differs from what was stored")
+                problems.append(f"{path} differs from its stored checksum")
         return tuple(problems)
 
     def _document(self, folder: Path) -> Mapping[str, Any]:
@@ -138,7 +140,7 @@ def checksum(array: np.typing.NDArray[Any]) -> str:
 
 
 def read_only_map(path: Path) -> Any:
-    """Map a ``.npy`` from disk. Raises StorageError when it is damaged or missing."""
+    """Memory-map a ``.npy``. Raises StorageError when it is damaged or missing."""
     try:
         return read_only(np.load(path, mmap_mode="r", allow_pickle=False))
     except (OSError, ValueError, EOFError) as error:

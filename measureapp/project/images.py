@@ -1,4 +1,4 @@
-"""Reading grey images: PNG, TIFF, BMP (and JPEG), 8 or 16 bit."""
+"""Reading of greyscale images: PNG, TIFF, BMP (and JPEG), 8 or 16 bit."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from measureapp.arrays import ImageArray
 from measureapp.errors import InputError
 
 PNG_START, PNG_END = b"\x89PNG\r\n\x1a\n", b"IEND\xaeB`\x82"
-FORMATS = "Give an undamaged PNG, TIFF or BMP of 8 or 16 bit."
+FORMATS = "Use an undamaged PNG, TIFF or BMP of 8 or 16 bit."
 
 
 def read_image(path: Path) -> ImageArray:
@@ -20,7 +20,7 @@ def read_image(path: Path) -> ImageArray:
     Raises
     ------
     InputError
-        The file is missing, is cut off, is no image, or has another kind of pixels; the message names it.
+        The file is missing, truncated, not an image, or has an unsupported pixel type; the message names it.
     """
     path = Path(path)
     try:
@@ -28,7 +28,7 @@ def read_image(path: Path) -> ImageArray:
     except OSError as error:
         raise InputError(f"Image {path} cannot be read: {error.strerror or error}.", "Check the path in the manifest.") from error
     if data.startswith(PNG_START) and PNG_END not in data[-64:]:
-        raise InputError(f"Image {path} is cut off: its end is missing.", "Copy or record it again.")
+        raise InputError(f"Image {path} is truncated: its end is missing.", "Copy or record it again.")
     try:
         image = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_GRAYSCALE | cv2.IMREAD_ANYDEPTH) if data else None
     except cv2.error as error:

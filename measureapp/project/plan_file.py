@@ -1,4 +1,4 @@
-"""Scan plans given as files."""
+"""Files of scan plans."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from measureapp.project.text_document import read_toml_or_json
 
 
 def read_plan(path: Path) -> ScanPlan:
-    """Read a plan from JSON or TOML. Raises InputError naming the file and the field that is wrong."""
+    """Read a plan from JSON or TOML. Raises InputError naming the file and the invalid field."""
     document = read_toml_or_json(Path(path), "a scan plan", "Give a scan plan as JSON or TOML.")
     try:
         return ScanPlan.model_validate(document)

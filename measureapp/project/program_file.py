@@ -1,4 +1,4 @@
-"""Inspection programs and their nominals on disk."""
+"""Files of inspection programs and their nominals."""
 
 from __future__ import annotations
 
@@ -18,36 +18,35 @@ from measureapp.project.text_document import read_toml
 
 
 def read_program(path: Path) -> InspectionProgram:
-    """Read PROGRAM.toml.
+    """Read an inspection program from TOML.
 
     Raises
     ------
     InputError
-        The file cannot be read, is not TOML (the line is named), or holds a value or key that is not allowed
-        (the place is named).
+        The file cannot be read, is not TOML (names the line), or contains an invalid value or key (names the entry).
     """
     path = Path(path)
-    return _validated(read_toml(path, "Give an inspection program in TOML."), str(path))
+    return _validate(read_toml(path, "Give an inspection program in TOML."), str(path))
 
 
-def program_from(text: str) -> InspectionProgram:
-    """Return the program that a text in TOML is; raises InputError as `read_program`."""
+def parse_program(text: str) -> InspectionProgram:
+    """Parse an inspection program in TOML; raises InputError as `read_program`."""
     try:
         document = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"The inspection program is not valid TOML: {error}.", "Correct the line named.") from error
-    return _validated(document, "The inspection program")
+    return _validate(document, "The inspection program")
 
 
-def _validated(document: dict[str, Any], where: str) -> InspectionProgram:
+def _validate(document: dict[str, Any], where: str) -> InspectionProgram:
     try:
         return InspectionProgram.model_validate(document)
     except ValidationError as error:
         raise InputError(f"{where}: {_first_problem(error, document)}.", "Correct this entry of the inspection program.") from error
 
 
-def with_alignment(program: InspectionProgram, words: str) -> InspectionProgram:
-    """Return ``program`` with another alignment, given in one word like `best-fit` or `datums:A,B,C`. Raises InputError."""
+def replace_alignment(program: InspectionProgram, words: str) -> InspectionProgram:
+    """Replace the alignment of ``program`` by one in the short form, such as `best-fit` or `datums:A,B,C`. Raises InputError."""
     document = {**program.model_dump(exclude_unset=True), "alignment": words}
     try:
         return InspectionProgram.model_validate(document)
@@ -56,22 +55,22 @@ def with_alignment(program: InspectionProgram, words: str) -> InspectionProgram:
 
 
 def read_program_nominal(path: Path, program: InspectionProgram) -> Mesh | None:
-    """Read the nominal mesh that the program at ``path`` names; None when it names none. Raises InputError."""
+    """Read the nominal mesh of the program at ``path``; None if it has none. Raises InputError."""
     if program.nominal is None:
         return None
     nominal = Path(path).parent / program.nominal
     if not nominal.is_file():
-        raise InputError(f"{nominal}, the nominal named in {path}, does not exist.", "Put the mesh there or correct `nominal`.")
+        raise InputError(f"{nominal}, the nominal named in {path}, does not exist.", "Copy the mesh there, or correct `nominal`.")
     return read_mesh(nominal, unit=program.nominal_unit)
 
 
 def _first_problem(error: ValidationError, document: dict[str, object]) -> str:
-    """Place and message of the first problem, with the name of the entry it lies in."""
+    """Return place and message of the first validation error, with the name of its entry."""
     problem = error.errors()[0]
     place = list(problem["loc"])
     entry = _at(document, place[:2])
     if isinstance(entry, dict) and len(place) > 2 and place[2] == entry.get("shape"):
-        del place[2]  # the shape by which pydantic told the kind of feature
+        del place[2]  # the discriminator that pydantic inserts
     named = f" ({entry['name']!r})" if isinstance(entry, dict) and isinstance(entry.get("name"), str) else ""
     where = ".".join(str(part) for part in place)
     if problem["type"] == "extra_forbidden":

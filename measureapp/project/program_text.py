@@ -1,4 +1,4 @@
-"""Changing an inspection program as text, so that what people wrote around an entry stays as it is."""
+"""Editing of inspection programs as text, which preserves comments and layout."""
 
 from __future__ import annotations
 
@@ -8,59 +8,59 @@ import tomllib
 from collections.abc import Mapping, Sequence
 
 from measureapp.errors import InputError
-from measureapp.project.program_file import program_from
+from measureapp.project.program_file import parse_program
 
-HEAD = re.compile(r"^(?=\[\[(?:features|dimensions)\]\])", re.MULTILINE)  # where an entry of one of the lists begins
+HEAD = re.compile(r"^(?=\[\[(?:features|dimensions)\]\])", re.MULTILINE)  # start of an entry of one of the lists
 Value = str | float | Sequence[str] | Sequence[float] | Mapping[str, "Value"]
 
 
-def entry(kind: str, values: Mapping[str, Value]) -> str:
-    """Return the lines of one entry.
+def format_entry(kind: str, values: Mapping[str, Value]) -> str:
+    """Format one entry as TOML.
 
-    >>> print(entry("features", {"name": "top", "grow": {"seed_mm": (1.0, 2.0, 0.5)}}))
+    >>> print(format_entry("features", {"name": "top", "grow": {"seed_mm": (1.0, 2.0, 0.5)}}))
     [[features]]
     name = "top"
     grow = { seed_mm = [1.0, 2.0, 0.5] }
     <BLANKLINE>
     """
-    return "\n".join((f"[[{kind}]]", *(f"{name} = {_written(value)}" for name, value in values.items()), ""))
+    return "\n".join((f"[[{kind}]]", *(f"{name} = {_format_value(value)}" for name, value in values.items()), ""))
 
 
-def with_entry(text: str, lines: str) -> str:
-    """Return the program with one more entry at its end; raises InputError where it does not fit the others."""
+def add_entry(text: str, lines: str) -> str:
+    """Append an entry to the program; raises InputError when it conflicts with the others."""
     changed = f"{text.rstrip()}\n\n{lines}"
-    program_from(changed)
+    parse_program(changed)
     return changed
 
 
-def without_entry(text: str, name: str) -> str:
-    """Return the program without the feature or dimension of this name.
+def remove_entry(text: str, name: str) -> str:
+    """Remove the feature or dimension of this name from the program.
 
     Raises
     ------
     InputError
-        There is none, or others rest on it; then the first of these is named.
+        There is none, or other entries use it; names the first of them.
     """
     parts = HEAD.split(text)
     kept = [part for part in parts if not (part.startswith("[[") and name in _names(part))]
     if len(kept) == len(parts):
         raise InputError(f"The inspection program has no entry {name!r}.", "Choose one of its features or dimensions.")
     changed = "".join(kept)
-    program_from(changed)
+    parse_program(changed)
     return changed
 
 
 def _names(part: str) -> list[str]:
-    """Return the name of the entry that a part of the text is."""
+    """Return the names of the entries in a part of the text."""
     entries = next(iter(tomllib.loads(part).values()))
     return [one.get("name") for one in entries]
 
 
-def _written(value: Value) -> str:
+def _format_value(value: Value) -> str:
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False)
     if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{name} = {_written(one)}" for name, one in value.items()) + " }"
+        return "{ " + ", ".join(f"{name} = {_format_value(one)}" for name, one in value.items()) + " }"
     if isinstance(value, Sequence):
-        return "[" + ", ".join(_written(one) for one in value) + "]"
+        return "[" + ", ".join(_format_value(one) for one in value) + "]"
     return repr(float(value))

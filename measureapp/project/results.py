@@ -1,4 +1,4 @@
-"""What was computed, on disk: clouds, mesh and one document; recomputed by `process` at any time."""
+"""Files of results: clouds, mesh and one document; `process` can recompute them at any time."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ DOCUMENT, STITCHED, MESH = "measurement.json", "stitched_cloud.ply", "mesh.ply"
 
 
 def cloud_path(folder: Path, viewpoint_id: str) -> Path:
-    """Return where the cloud of one view lies."""
+    """Return the file of the cloud of one view."""
     return folder / "clouds" / f"{viewpoint_id}.ply"
 
 
 def save(folder: Path, measurement: Measurement) -> None:
-    """Write a measurement; the document last, so that without it there is none."""
+    """Write a measurement; the document last, so that its absence marks incomplete results."""
     (folder / DOCUMENT).unlink(missing_ok=True)
     for view in measurement.views:
         write_cloud(cloud_path(folder, view.viewpoint_id), view.cloud)
@@ -50,7 +50,7 @@ def save(folder: Path, measurement: Measurement) -> None:
 
 
 def save_document(folder: Path, measurement: Measurement) -> None:
-    """Write all of a measurement but its clouds and mesh, which are there already."""
+    """Write a measurement without its clouds and mesh."""
     document = {
         "schema_version": 1,
         **{name: getattr(measurement, name) for name in ("project", "part", "rig", "measured_at", "settings", "timings_s")},
@@ -65,7 +65,7 @@ def save_document(folder: Path, measurement: Measurement) -> None:
 
 
 def load(folder: Path, calibration: RigCalibration) -> Measurement | None:
-    """Return the stored measurement, or None when there is none. Raises StorageError when it is damaged."""
+    """Load the stored measurement; None if there is none. Raises StorageError when it is damaged."""
     path = folder / DOCUMENT
     if not path.exists():
         return None
@@ -88,9 +88,7 @@ def load(folder: Path, calibration: RigCalibration) -> Measurement | None:
         )
     except (OSError, ValueError, KeyError, TypeError, InputError) as error:
         reason = error.message if isinstance(error, InputError) else f"{error}."
-        raise StorageError(
-            f"The results in {folder} cannot be read: {reason}", "Compute them again: measureapp process PROJECT."
-        ) from error
+        raise StorageError(f"The results in {folder} cannot be read: {reason}", "Recompute them: measureapp process PROJECT.") from error
 
 
 def _view_document(view: ViewResult) -> dict[str, Any]:

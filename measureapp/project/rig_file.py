@@ -1,4 +1,4 @@
-"""Rig descriptions: a TOML file, or the name of one that comes with the program."""
+"""Files of rig descriptions: TOML, or the name of one shipped with the program."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from measureapp.resources import resource
 
 
 def read_rig(name_or_path: str | Path) -> RigDescription:
-    """Return the rig called so in `resources/rigs`, or described by a TOML file.
+    """Read the rig description of this name in `resources/rigs`, or a TOML file.
 
     Raises
     ------
     InputError
-        Naming the file and the field that is wrong.
+        Naming the file and the invalid field.
     """
     path = Path(name_or_path)
     if not path.suffix:

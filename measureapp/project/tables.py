@@ -1,4 +1,4 @@
-"""Tables that come in from outside: poses, guide positions, corners and table angles as comma-separated values."""
+"""CSV tables of poses, guide positions, corners and table angles."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ GUIDE_COLUMNS = ("name", "position_mm")
 CORNER_COLUMNS = ("position", "corner", "x_mm", "y_mm", "z_mm")
 ANGLE_COLUMNS = ("position", "angle_deg")
 UNIT_TOLERANCE = 1e-3
-METRES_BELOW = 5.0  # a robot or a board less than 5 mm away in every pose was written in metres
+METRES_BELOW = 5.0  # positions that are all below 5 mm are in metres
 Value = TypeVar("Value")
 
 
@@ -32,7 +32,7 @@ class CornerTable:
     """Corners at several table positions."""
 
     corners_mm: FloatArray  # (n, m, 3)
-    angles_rad: FloatArray | None  # (n,), where the table gives them
+    angles_rad: FloatArray | None  # (n,), if the file has them
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +57,7 @@ class _Row:
     def index(self, column: str) -> int:
         value = self.number(column)
         if value != int(value) or value < 0:
-            raise self.error(f"{column} is {self.cells[column].strip()!r}, not a whole number from 0")
+            raise self.error(f"{column} is {self.cells[column].strip()!r}, not a whole number of at least 0")
         return int(value)
 
 
@@ -72,8 +72,8 @@ def read_poses(path: Path, to_frame: str, from_frame: str) -> dict[str, RigidTra
     Raises
     ------
     InputError
-        The file cannot be read, a column is missing or unknown, a value is not a number, a quaternion has not length 1,
-        or a name comes twice; the message names file and line.
+        The file cannot be read, a column is missing or unknown, a value is not a number, a quaternion is not normalised, or a
+        name occurs twice; the message names file and line.
     """
 
     def pose(row: _Row) -> RigidTransform:
@@ -87,12 +87,12 @@ def read_poses(path: Path, to_frame: str, from_frame: str) -> dict[str, RigidTra
         shift = [row.number(column) for column in ("x_mm", "y_mm", "z_mm")]
         return RigidTransform.from_quaternion(quaternion / length, shift, to_frame, from_frame)
 
-    named = _by_name(_rows(path, POSE_COLUMNS), pose)
+    named = _by_name(_read_rows(path, POSE_COLUMNS), pose)
     return {name: named[name] for name in sorted(named, key=natural_order)}
 
 
 def write_poses(path: Path, poses: Mapping[str, RigidTransform]) -> None:
-    """Write poses so that `read_poses` gives them back, whole or not at all."""
+    """Write poses in the format of `read_poses`, atomically."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(POSE_COLUMNS)
@@ -102,44 +102,44 @@ def write_poses(path: Path, poses: Mapping[str, RigidTransform]) -> None:
 
 
 def require_millimetres(path: Path, poses: Mapping[str, RigidTransform]) -> None:
-    """Refuse poses whose positions all lie within 5 mm of the origin: they were written in metres. Raises InputError."""
+    """Refuse poses whose positions are all within 5 mm of the origin: they are in metres. Raises InputError."""
     distances = [float(np.linalg.norm(pose.translation_mm)) for pose in poses.values()]
     if distances and 0 < max(distances) < METRES_BELOW:
         raise InputError(
-            f"{path}: no position is further than {max(distances):.3g} mm from the origin.", "The positions seem to be in metres: give mm."
+            f"{path}: no position is further than {max(distances):.3g} mm from the origin.", "Convert the positions from metres to mm."
         )
 
 
 def read_guide(path: Path) -> dict[str, float]:
     """Read ``name,position_mm``. Raises InputError naming file and line."""
-    return _by_name(_rows(path, GUIDE_COLUMNS), lambda row: row.number("position_mm"))
+    return _by_name(_read_rows(path, GUIDE_COLUMNS), lambda row: row.number("position_mm"))
 
 
 def read_angles(path: Path) -> dict[int, float]:
     """Read ``position,angle_deg`` as position → radians, sorted by position. Raises InputError naming file and line."""
     angles: dict[int, float] = {}
-    for row in _rows(path, ANGLE_COLUMNS):
+    for row in _read_rows(path, ANGLE_COLUMNS):
         position = row.index("position")
         if position in angles:
-            raise row.error(f"position {position} comes twice")
+            raise row.error(f"position {position} occurs twice")
         angles[position] = math.radians(row.number("angle_deg"))
     return dict(sorted(angles.items()))
 
 
 def read_corners(path: Path) -> CornerTable:
-    """Read ``position,corner,x_mm,y_mm,z_mm[,angle_deg]``; corners not seen at every position are left out.
+    """Read ``position,corner,x_mm,y_mm,z_mm[,angle_deg]``; corners missing at some position are dropped.
 
     Raises
     ------
     InputError
-        As for the other tables; or no corner was seen at every position, or a position has two angles.
+        As for the other tables; or no corner is common to all positions, or a position has two angles.
     """
     points: dict[int, dict[int, list[float]]] = {}
     angles: dict[int, float] = {}
-    for row in _rows(path, CORNER_COLUMNS, ("angle_deg",)):
+    for row in _read_rows(path, CORNER_COLUMNS, ("angle_deg",)):
         position, corner = row.index("position"), row.index("corner")
         if corner in points.setdefault(position, {}):
-            raise row.error(f"corner {corner} comes twice at position {position}")
+            raise row.error(f"corner {corner} occurs twice at position {position}")
         points[position][corner] = [row.number(column) for column in ("x_mm", "y_mm", "z_mm")]
         if row.cells.get("angle_deg", "").strip():
             angle = math.radians(row.number("angle_deg"))
@@ -148,16 +148,16 @@ def read_corners(path: Path) -> CornerTable:
     order = sorted(points)
     shared = sorted(set.intersection(*(set(points[position]) for position in order)))
     if not shared:
-        raise InputError(f"{path}: no corner was seen at every position.", "Number the corners the same way at all positions.")
+        raise InputError(f"{path}: no corner is common to all positions.", "Number the corners the same way at all positions.")
     if angles and len(angles) != len(order):
         raise InputError(
-            f"{path}: only {len(angles)} of {len(order)} positions have an angle.", "Give the angle of every position, or none."
+            f"{path}: only {len(angles)} of {len(order)} positions have an angle.", "Give the angles of all positions, or none."
         )
     corners = np.array([[points[position][corner] for corner in shared] for position in order])
     return CornerTable(corners, np.array([angles[position] for position in order]) if angles else None)
 
 
-def _rows(path: Path, columns: Sequence[str], optional: Sequence[str] = ()) -> list[_Row]:
+def _read_rows(path: Path, columns: Sequence[str], optional: Sequence[str] = ()) -> list[_Row]:
     path = Path(path)
     try:
         text = path.read_text(encoding="utf-8-sig")
@@ -179,18 +179,18 @@ def _rows(path: Path, columns: Sequence[str], optional: Sequence[str] = ()) -> l
             raise InputError(f"{path}, line {reader.line_num}: {len(cells)} values under {len(header)} columns.", "Correct this line.")
         rows.append(_Row(path, reader.line_num, dict(zip(header, cells, strict=True))))
     if not rows:
-        raise InputError(f"{path} has no lines of values.", "Its first line names the columns: " + ",".join(columns) + ".")
+        raise InputError(f"{path} has no rows of values.", "Add rows below the header " + ",".join(columns) + ".")
     return rows
 
 
 def _check_header(path: Path, header: Sequence[str], columns: Sequence[str], optional: Sequence[str]) -> None:
-    wanted = "The first line must be " + ",".join(columns) + "".join(f"[,{name}]" for name in optional) + "."
+    wanted = "Write the header " + ",".join(columns) + "".join(f"[,{name}]" for name in optional) + "."
     missing = [name for name in columns if name not in header]
     if missing:
         raise InputError(f"{path}, line 1: the column {missing[0]!r} is missing.", wanted)
     foreign = [name for name in header if name not in (*columns, *optional)]
     if foreign or len(set(header)) != len(header):
-        raise InputError(f"{path}, line 1: the column {(foreign or header)[0]!r} is unknown or comes twice.", wanted)
+        raise InputError(f"{path}, line 1: the column {(foreign or header)[0]!r} is unknown or occurs twice.", wanted)
 
 
 def _by_name(rows: Sequence[_Row], value: Callable[[_Row], Value]) -> dict[str, Value]:
@@ -198,6 +198,6 @@ def _by_name(rows: Sequence[_Row], value: Callable[[_Row], Value]) -> dict[str, 
     for row in rows:
         name = row.cells["name"].strip()
         if not name or name in named:
-            raise row.error(f"the name {name!r} is empty or comes twice")
+            raise row.error(f"the name {name!r} is empty or occurs twice")
         named[name] = value(row)
     return named

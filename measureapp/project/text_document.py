@@ -1,4 +1,4 @@
-"""Documents that people write: TOML, or JSON."""
+"""Reading of TOML and JSON documents."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from measureapp.errors import InputError
 
 
 def read_toml(path: Path, remedy: str) -> dict[str, Any]:
-    """Return what a TOML file holds.
+    """Read a TOML file.
 
     Parameters
     ----------
-    remedy : what to give instead of a file that cannot be read
+    remedy : hint for a file that cannot be read
 
     Raises
     ------
     InputError
-        The file cannot be read, is no text, or is not TOML; then the line is named.
+        The file cannot be read, is not text, or is not TOML (names the line).
     """
     try:
         return tomllib.loads(path.read_text(encoding="utf-8"))
@@ -33,17 +33,17 @@ def read_toml(path: Path, remedy: str) -> dict[str, Any]:
 
 
 def read_toml_or_json(path: Path, what: str, remedy: str) -> Any:
-    """Return what a file holds that is TOML by its ending, and JSON else.
+    """Read a TOML file, by its extension, or a JSON file.
 
     Parameters
     ----------
-    what : what it should be, with its article
-    remedy : what to give instead
+    what : expected content, with its article
+    remedy : hint for a file that cannot be read
 
     Raises
     ------
     InputError
-        The file cannot be read, or is not what its ending says.
+        The file cannot be read, or is not in the format of its extension.
     """
     try:
         text = path.read_text(encoding="utf-8")

@@ -1,1 +1,1 @@
-"""The virtual rig: a world with hidden truth, its optics, sensors and axes. Measuring rooms never import it."""
+"""Simulation of the virtual rig: a world with hidden ground truth, its optics, sensors and axes. Measuring packages never import it."""

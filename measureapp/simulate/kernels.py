@@ -1,7 +1,7 @@
 """Compiled loops over pixels.
 
-Every kernel works on the items ``start … stop`` (pixels, rows or blocks of pixels) and releases the interpreter, so
-that bands of them run on threads (`in_bands`).
+Every kernel processes the items ``start … stop`` (pixels, rows or blocks of pixels) and releases the interpreter lock, so that
+bands run in parallel threads (`in_bands`).
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from measureapp.arrays import BoolArray, FloatArray, ImageArray, IntArray
 PROCESSORS = os.cpu_count() or 1
 UNDISTORT_STEPS = 30
 UNDISTORT_TOLERANCE = 1e-11  # on the plane z = 1
-NOT_LIT = -1e6  # projector column of a point its light does not reach
+NOT_LIT = -1e6  # projector column of a point in shadow
 NO_HIT = 0xFFFFFFFF
-SUPERSAMPLES = 7  # squared: samples of a pixel that straddles an edge of the board's print
+SUPERSAMPLES = 7  # per axis, of a pixel on an edge of the printed pattern
 
 
 def in_bands(kernel: Callable[..., None], start: int, stop: int, *arguments: Any) -> None:
@@ -35,7 +35,7 @@ def in_bands(kernel: Callable[..., None], start: int, stop: int, *arguments: Any
 
 @njit(cache=True)
 def _distorted(x, y, d):  # type: ignore[no-untyped-def]
-    """Brown-Conrady with k1 k2 p1 p2 k3."""
+    """Brown-Conrady distortion with k1 k2 p1 p2 k3."""
     r2 = x * x + y * y
     radial = 1.0 + r2 * (d[0] + r2 * (d[1] + r2 * d[4]))
     return (
@@ -77,7 +77,7 @@ def pixel_rays(start: int, stop: int, box: IntArray, k: FloatArray, d: FloatArra
 
 @njit(cache=True)
 def _reflected(normal, to_light, to_eye, material, standoff_mm):  # type: ignore[no-untyped-def]
-    """Light sent to the eye per unit of irradiance on a facing surface at standoff: Lambert plus a Blinn-Phong lobe."""
+    """Radiance towards the camera, relative to a facing white surface at standoff: Lambert plus a Blinn-Phong lobe."""
     distance = np.sqrt(to_light[0] ** 2 + to_light[1] ** 2 + to_light[2] ** 2)
     cosine = (normal[0] * to_light[0] + normal[1] * to_light[1] + normal[2] * to_light[2]) / distance
     if cosine <= 0.0:
@@ -123,9 +123,9 @@ def light_surface(
     out: FloatArray,
     shadow_rays: FloatArray,
 ) -> None:
-    """Meet every ray with the plane of its triangle and work out what the light there does.
+    """Intersect every ray with the plane of its triangle and compute the illumination there.
 
-    ``out`` (n, 4) float32 gets projector column and row, reflected light and albedo; ``shadow_rays`` (n, 6) float32
+    ``out`` (n, 4) float32 receives projector column and row, reflected light and albedo; ``shadow_rays`` (n, 6) float32
     lead from the surface to the projector, with its distance as their length.
     """
     for i in range(start, stop):
@@ -168,7 +168,7 @@ def light_surface(
 
 @njit(cache=True, nogil=True)
 def darken_shadows(start: int, stop: int, hidden: BoolArray, out: FloatArray) -> None:
-    """Mark in ``out`` (n, 4) what the projector does not reach."""
+    """Mark the pixels in shadow in ``out`` (n, 4)."""
     for i in range(start, stop):
         if hidden[i]:
             out[i, 0] = NOT_LIT
@@ -176,13 +176,13 @@ def darken_shadows(start: int, stop: int, hidden: BoolArray, out: FloatArray) ->
 
 @njit(cache=True)
 def _bow(x, y, bow):  # type: ignore[no-untyped-def]
-    """Height of a bowed board; ``bow`` = height at the centre, centre x, centre y, radius where it is flat."""
+    """Height of a bowed board; ``bow`` = height at the centre, centre x, centre y, radius of zero height."""
     return bow[0] * (1.0 - ((x - bow[1]) ** 2 + (y - bow[2]) ** 2) / (bow[3] * bow[3]))
 
 
 @njit(cache=True)
 def _on_board(x, y, pose, bow):  # type: ignore[no-untyped-def]
-    """Board coordinates seen at normalised image coordinates; ``pose`` is board_from_camera."""
+    """Intersect the ray of normalised image coordinates with the board; ``pose`` is board_from_camera."""
     dx = pose[0, 0] * x + pose[0, 1] * y + pose[0, 2]
     dy = pose[1, 0] * x + pose[1, 1] * y + pose[1, 2]
     dz = pose[2, 0] * x + pose[2, 1] * y + pose[2, 2]
@@ -196,7 +196,7 @@ def _on_board(x, y, pose, bow):  # type: ignore[no-untyped-def]
 
 @njit(cache=True)
 def _paint(x, y, layout, cells, colours):  # type: ignore[no-untyped-def]
-    """Albedo of the board at a place; 0 beyond its white margin.
+    """Albedo of the board at a point; 0 beyond its white margin.
 
     ``layout`` = size of a circle (0: there are squares), square or spacing, columns, rows, side of a marker (0: none);
     ``cells`` (rows + 1, columns + 1, n, n) are the markers in the squares, see `marker_cells`.
@@ -216,7 +216,7 @@ def _paint(x, y, layout, cells, colours):  # type: ignore[no-untyped-def]
 
 @njit(cache=True)
 def _paint_circles(x, y, layout, colours):  # type: ignore[no-untyped-def]
-    """Dark circles at ((2j + i mod 2), i) times the spacing."""
+    """Albedo of an asymmetric circle grid: dark circles at ((2j + i mod 2), i) times the spacing."""
     unit = layout[1]
     last_x, last_y = 2.0 * layout[2] - 1.0, layout[3] - 1.0
     if x < -2.0 * unit or y < -2.0 * unit or x > (last_x + 2.0) * unit or y > (last_y + 2.0) * unit:
@@ -232,7 +232,7 @@ def _paint_circles(x, y, layout, colours):  # type: ignore[no-untyped-def]
 
 @njit(cache=True)
 def _paint_marked(x, y, i, j, layout, cells, colours):  # type: ignore[no-untyped-def]
-    """A square without a marker is black; a marker stands in the middle of a white one."""
+    """Albedo of a ChArUco square: black without a marker; a marker is centred in a white square."""
     size = cells.shape[2]
     if cells[j + 1, i + 1, 0, 0] == 2:
         return colours[1]
@@ -263,10 +263,10 @@ def light_board(
     bow: FloatArray,
     out: FloatArray,
 ) -> None:
-    """Fill ``out`` (H, W, 4) inside ``box``, see `pixel_rays`, as `light_surface` does.
+    """Compute the illumination of the board inside ``box`` (see `pixel_rays`) into ``out`` (H, W, 4), as `light_surface`.
 
-    The pattern is averaged over each pixel's footprint on the board, taken as a parallelogram without distortion; no two
-    samples lie in one line along its sides, so that edges along pixel rows come out as smooth as any.
+    The printed pattern is averaged over each pixel's footprint on the board, a parallelogram without distortion; the sample positions
+    are sheared so that edges along pixel rows are antialiased as well.
     """
     for row in range(start, stop):
         for column in range(box[2], box[3]):
@@ -307,10 +307,10 @@ def light_board(
 def expose(
     start: int, stop: int, light: FloatArray, pattern: FloatArray, lamp: float, ambient: float, scale: float, floor: float, out: FloatArray
 ) -> None:
-    """Mean image (n,) float32 as a share of full scale for ``light`` (n, 4) as `light_surface` leaves it.
+    """Mean image (n,) float32 relative to full scale for the illumination ``light`` (n, 4) of `light_surface`.
 
-    ``pattern`` (h, w) is sampled bilinearly where the projector's light falls; ``lamp`` lights everything from the
-    projector's place, ``ambient`` from all around.
+    ``pattern`` (h, w) is sampled bilinearly; ``lamp`` illuminates everything from the projector's position, ``ambient`` from all
+    directions.
     """
     height, width = pattern.shape
     for i in range(start, stop):
@@ -336,8 +336,8 @@ def expose(
 
 
 @njit(cache=True)
-def _scrambled(x):  # type: ignore[no-untyped-def]
-    """Sixty-four random bits from a counter (splitmix64: G. L. Steele et al., OOPSLA 2014)."""
+def _splitmix(x):  # type: ignore[no-untyped-def]
+    """64 random bits from a counter (splitmix64: G. L. Steele et al., OOPSLA 2014)."""
     x = (x ^ (x >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
     x = (x ^ (x >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
     return x ^ (x >> np.uint64(31))
@@ -347,15 +347,15 @@ def _scrambled(x):  # type: ignore[no-untyped-def]
 def quantise(
     start: int, stop: int, mean: FloatArray, full_scale: int, variance: FloatArray, key: int, normal: FloatArray, out: ImageArray
 ) -> None:
-    """Turn a mean image (n,) into grey levels with noise, in blocks of four pixels.
+    """Add noise to a mean image (n,) and quantise it, in blocks of four pixels.
 
-    ``variance`` = (of a dark pixel, added per grey level); ``normal`` holds 65536 quantiles of the standard normal
-    distribution, drawn from by a counter so that the image depends on ``key`` alone, not on threads.
+    ``variance`` = (of a dark pixel, increase per grey level); ``normal`` contains 65536 quantiles of the standard normal
+    distribution, indexed by a counter-based generator so that the image depends on ``key`` alone, not on threads.
     """
     golden = np.uint64(0x9E3779B97F4A7C15)
-    origin = _scrambled(np.uint64(key) * golden)
+    origin = _splitmix(np.uint64(key) * golden)
     for block in range(start, stop):
-        bits = _scrambled(origin + np.uint64(block + 1) * golden)
+        bits = _splitmix(origin + np.uint64(block + 1) * golden)
         first = 4 * block
         for i in range(first, min(first + 4, out.shape[0])):
             level = mean[i] * full_scale

@@ -1,4 +1,4 @@
-"""The true errors of the axes, of the kind real ones have: repeatable fields plus a little noise at every move."""
+"""Error models of the axes: repeatable error fields plus random scatter at every move."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from measureapp.data.rig import GuideDescription, RobotDescription, TableDescrip
 from measureapp.geometry.transform import RigidTransform, rotation_about
 
 WAVES = 10
-POSITION_WAVELENGTH_MM = 1800.0  # of the robot's error field: it changes little within one viewpoint's neighbourhood
-TURN_WAVELENGTH = 4.0  # in units of the tool's axes: half a turn moves them by 2
+POSITION_WAVELENGTH_MM = 1800.0  # of the robot's error field, which varies little around one viewpoint
+TURN_WAVELENGTH = 4.0  # in units of the tool's unit axes, which change by 2 in half a turn
 FIELD_SAMPLES = 4000
 GUIDE_TILT_RAD = np.deg2rad(0.15)
 GUIDE_SCALE_ERROR = 2e-4
@@ -23,7 +23,7 @@ ARCSEC = np.deg2rad(1.0 / 3600.0)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RobotErrors:
-    """A smooth, repeatable error of the flange as a function of the commanded pose, and scatter at every move.
+    """Robot errors: a smooth, repeatable error of the flange as a function of the commanded pose, and scatter at every move.
 
     Each of the six components is a sum of plane waves over position and tool axes (random Fourier features),
     scaled so that its rms over the reach is the robot's absolute accuracy.
@@ -40,14 +40,14 @@ class RobotErrors:
         return self.amplitudes * _waves(_pose_vector(base_from_flange)[None], self.wave_vectors, self.phases)[0]
 
     def true_pose(self, commanded: RigidTransform, rng: np.random.Generator) -> RigidTransform:
-        """Return where the flange comes to stand."""
+        """Return the true pose of the flange after a move."""
         scale = np.repeat([self.repeatability_mm, self.repeatability_rad], 3) / np.sqrt(3.0)
         error = self.field(commanded) + scale * rng.standard_normal(6)
         return commanded @ RigidTransform.from_vector(error[3:], error[:3], "flange", "flange")
 
 
 def draw_robot_errors(robot: RobotDescription, rng: np.random.Generator) -> RobotErrors:
-    """Draw one robot of the kind described; its absolute accuracy is the rms length of the error over the reach."""
+    """Draw the errors of a robot of this type; its absolute accuracy is the rms length of the error over the reach."""
     tau = 2.0 * np.pi
     wave_vectors = rng.normal(size=(6, WAVES, 9)) * np.repeat([tau / POSITION_WAVELENGTH_MM, tau / TURN_WAVELENGTH], [3, 6])
     phases = rng.uniform(0.0, tau, (6, WAVES))
@@ -69,7 +69,7 @@ def _pose_vector(pose: RigidTransform) -> FloatArray:
 
 
 def _poses_in_reach(robot: RobotDescription, rng: np.random.Generator) -> FloatArray:
-    """Pose vectors (N, 9) in front of the robot, the tool pointing away from it and down."""
+    """Random pose vectors (N, 9) in front of the robot, the tool pointing away from it and down."""
     distance = rng.uniform(robot.min_reach_mm, robot.max_reach_mm, FIELD_SAMPLES)
     direction = rng.normal(size=(FIELD_SAMPLES, 3)) + np.array([1.0, 0.0, 0.3])
     position = robot.shoulder_mm + distance[:, None] * direction / np.linalg.norm(direction, axis=1, keepdims=True)
@@ -86,29 +86,29 @@ def _waves(poses: FloatArray, wave_vectors: FloatArray, phases: FloatArray) -> F
 
 @dataclass(frozen=True, slots=True, eq=False)
 class GuideErrors:
-    """The guide's true direction and scale, a wavy rail, and scatter at every move."""
+    """Guide errors: true direction and scale, straightness, and scatter at every move."""
 
     direction: FloatArray  # (3,), unit, in the base frame
     scale: float
-    wave_mm: FloatArray  # (2, 3): amplitude across, per harmonic of the stroke
+    wave_mm: FloatArray  # (2, 3): transverse amplitude per harmonic of the stroke
     wave_phase: FloatArray  # (2, 3)
     stroke_mm: float
     repeatability_mm: float
 
     def straightness_mm(self, position_mm: float) -> FloatArray:
-        """Return how far the rail is off a straight line, (3,)."""
+        """Return the straightness error of the rail, (3,)."""
         turns = 2.0 * np.pi * np.arange(1, self.wave_mm.shape[1] + 1) * position_mm / self.stroke_mm
         across = (self.wave_mm * (np.sin(turns + self.wave_phase) - np.sin(self.wave_phase))).sum(axis=1)
         return np.array([across[0], 0.0, across[1]])
 
     def guide_from_base(self, commanded_mm: float, rng: np.random.Generator) -> RigidTransform:
-        """Return where the robot's base comes to stand."""
+        """Return the true pose of the robot base after a move."""
         reached = commanded_mm * self.scale + 0.5 * self.repeatability_mm * rng.standard_normal()
         return RigidTransform.from_parts(np.eye(3), self.direction * reached + self.straightness_mm(commanded_mm), "guide", "base")
 
 
 def draw_guide_errors(guide: GuideDescription, rng: np.random.Generator) -> GuideErrors:
-    """Draw one guide: direction off by 0.1…0.2°, scale by up to 2e-4, rail wavy by some micrometres."""
+    """Draw the errors of a guide: direction 0.1…0.2°, scale up to 2e-4, straightness of some micrometres."""
     azimuth = rng.uniform(0.0, 2.0 * np.pi)
     off = GUIDE_TILT_RAD * rng.uniform(0.7, 1.3)
     direction = np.array([np.cos(azimuth) * np.sin(off), np.cos(off), np.sin(azimuth) * np.sin(off)])
@@ -120,7 +120,7 @@ def draw_guide_errors(guide: GuideDescription, rng: np.random.Generator) -> Guid
 
 @dataclass(frozen=True, slots=True, eq=False)
 class TableErrors:
-    """Indexing error as harmonics of the turn, none at zero, and scatter at every move."""
+    """Table errors: indexing error as harmonics of the angle, zero at 0°, and scatter at every move."""
 
     harmonics: tuple[int, ...]
     sine_rad: FloatArray
@@ -133,12 +133,12 @@ class TableErrors:
         return float(self.sine_rad @ np.sin(turns) + self.cosine_rad @ (np.cos(turns) - 1.0))
 
     def true_angle_rad(self, commanded_rad: float, rng: np.random.Generator) -> float:
-        """Return the angle that is reached; the repeatability of the data sheet is taken as two standard deviations."""
+        """Return the true angle after a move; the repeatability of the data sheet is taken as two standard deviations."""
         return commanded_rad + self.indexing_rad(commanded_rad) + 0.5 * self.repeatability_rad * float(rng.standard_normal())
 
 
 def draw_table_errors(table: TableDescription, rng: np.random.Generator, harmonics: Sequence[int] = (1, 2, 5)) -> TableErrors:
-    """Draw one table whose indexing error spans its stated accuracy (greatest minus smallest)."""
+    """Draw the errors of a table whose indexing error has the stated accuracy as its range (maximum minus minimum)."""
     sine, cosine = rng.normal(size=(2, len(harmonics))) / np.array(harmonics)
     drawn = TableErrors(tuple(harmonics), sine, cosine, table.repeatability_arcsec * ARCSEC)
     turn = [drawn.indexing_rad(angle) for angle in np.linspace(0.0, 2.0 * np.pi, 721)]
@@ -146,15 +146,15 @@ def draw_table_errors(table: TableDescription, rng: np.random.Generator, harmoni
     return TableErrors(drawn.harmonics, read_only(sine * scale), read_only(cosine * scale), drawn.repeatability_rad)
 
 
-def displaced(transform: RigidTransform, rng: np.random.Generator, *, shift_mm: float, turn_deg: float) -> RigidTransform:
-    """Return ``transform`` with its from-frame shifted and turned by normal errors of these rms lengths."""
+def perturb(transform: RigidTransform, rng: np.random.Generator, *, shift_mm: float, turn_deg: float) -> RigidTransform:
+    """Perturb ``transform`` by normally distributed translation and rotation of its from-frame with these rms magnitudes."""
     shift = rng.normal(size=3) * shift_mm / np.sqrt(3.0)
     turn = rng.normal(size=3) * np.deg2rad(turn_deg) / np.sqrt(3.0)
     return transform @ RigidTransform.from_vector(turn, shift, transform.from_frame, transform.from_frame)
 
 
-def tilted_axis(tilt_deg: float, rng: np.random.Generator) -> FloatArray:
-    """Return a unit vector off +z by about ``tilt_deg``."""
+def draw_axis(tilt_deg: float, rng: np.random.Generator) -> FloatArray:
+    """Draw a unit vector at about ``tilt_deg`` from +z."""
     azimuth = rng.uniform(0.0, 2.0 * np.pi)
     tilt = np.deg2rad(tilt_deg) * rng.uniform(0.7, 1.3)
     return rotation_about([np.cos(azimuth), np.sin(azimuth), 0.0], tilt) @ np.array([0.0, 0.0, 1.0])

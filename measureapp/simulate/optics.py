@@ -1,4 +1,4 @@
-"""The renderer: one ray per camera pixel and one back to the projector, kept until something moves."""
+"""Ray-casting renderer: one ray per camera pixel and one shadow ray to the projector."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ PIXELS_AT_ONCE = 2**19
 SHADOW_OFFSET_MM = 0.02
 FLOOR = 0.004  # black level, share of full scale
 WHITE, BLACK = 0.85, 0.06  # albedo of the board's print
-MARGIN_PX, MARGIN_SHARE = 3.0, 0.005  # round the box of pixels that can see a thing
+MARGIN_PX, MARGIN_SHARE = 3.0, 0.005  # around the image box of an object
 OUTLINE_SAMPLES = 9
-PIXEL_BLUR_PX = sqrt(1.0 / 12.0)  # standard deviation of a pixel's own width
+PIXEL_BLUR_PX = sqrt(1.0 / 12.0)  # standard deviation of the uniform distribution over a pixel
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Lights:
-    """The projector as light source in a scene."""
+class ProjectorLight:
+    """The projector as the light source of a scene."""
 
     pinhole: PinholeCamera
     scene_from_projector: RigidTransform
@@ -38,19 +38,19 @@ class Lights:
 
     @property
     def position(self) -> FloatArray:
-        """Where the light comes from, (3,)."""
+        """Position of the light source, (3,)."""
         return np.array(self.scene_from_projector.translation_mm)
 
     @property
     def from_scene(self) -> FloatArray:
-        """Scene to projector, (4, 4)."""
+        """Transform from scene to projector, (4, 4)."""
         return np.array(self.scene_from_projector.inverse().matrix)
 
 
 class Surface:
-    """A part ready to be looked at; its scene is the nominal frame.
+    """A part ready for ray casting; its scene is the nominal frame.
 
-    It is looked at in the middle of every pixel, so that what a pixel's width does to the image remains to be added (``width_px``).
+    Rays go through the pixel centres, so the blur by the pixel width remains to be applied (``width_px``).
     """
 
     width_px = PIXEL_BLUR_PX
@@ -65,8 +65,8 @@ class Surface:
         self._bounds = part.mesh.vertices_mm.min(axis=0), part.mesh.vertices_mm.max(axis=0)
         self._scene, self._tensor = _ray_scene(part)
 
-    def lit(self, camera: PinholeCamera, scene_from_camera: RigidTransform, lights: Lights, out: FloatArray) -> None:
-        """Fill ``out`` (H, W, 4): projector column and row (NOT_LIT in shadow), reflected light, albedo; zero off the part."""
+    def illuminate(self, camera: PinholeCamera, scene_from_camera: RigidTransform, light: ProjectorLight, out: FloatArray) -> None:
+        """Compute the light map ``out`` (H, W, 4): projector column and row (NOT_LIT in shadow), reflected light, albedo; else 0."""
         out[:] = 0.0
         low, high = self._bounds
         outline = np.stack(np.meshgrid(*np.linspace(low, high, OUTLINE_SAMPLES).T), axis=-1).reshape(-1, 3)
@@ -78,12 +78,12 @@ class Surface:
         for first in range(box[0], box[1], rows_at_once):
             stripe = np.array([first, min(first + rows_at_once, box[1]), box[2], box[3]])
             rays = np.empty(((stripe[1] - stripe[0]) * (stripe[3] - stripe[2]), 6), np.float32)
-            light = np.empty((len(rays), 4), np.float32)
-            kernels.in_bands(kernels.pixel_rays, 0, len(rays), stripe, *lens(camera), pose, rays)
-            self._light(rays, self._triangles(rays), lights, light)
-            out[stripe[0] : stripe[1], stripe[2] : stripe[3]] = light.reshape(stripe[1] - stripe[0], -1, 4)
+            light_map = np.empty((len(rays), 4), np.float32)
+            kernels.in_bands(kernels.pixel_rays, 0, len(rays), stripe, *lens_parameters(camera), pose, rays)
+            self._illuminate_rays(rays, self._triangles(rays), light, light_map)
+            out[stripe[0] : stripe[1], stripe[2] : stripe[3]] = light_map.reshape(stripe[1] - stripe[0], -1, 4)
 
-    def _light(self, rays: FloatArray, triangles: IntArray, lights: Lights, out: FloatArray) -> None:
+    def _illuminate_rays(self, rays: FloatArray, triangles: IntArray, light: ProjectorLight, out: FloatArray) -> None:
         shadow_rays = np.empty_like(rays)
         kernels.in_bands(
             kernels.light_surface,
@@ -95,10 +95,10 @@ class Surface:
             self._normals,
             self._material,
             self._materials,
-            lights.position,
-            lights.from_scene,
-            *lens(lights.pinhole),
-            lights.standoff_mm,
+            light.position,
+            light.from_scene,
+            *lens_parameters(light.pinhole),
+            light.standoff_mm,
             SHADOW_OFFSET_MM,
             out,
             shadow_rays,
@@ -122,25 +122,25 @@ def _ray_scene(part: Part) -> tuple[Any, Callable[[FloatArray], Any]]:
 
 
 class PrintedBoard:
-    """A board on a slightly bowed plate; its scene is the board frame. Its print is averaged over every pixel already."""
+    """A board on a slightly bowed plate; its scene is the board frame. The printed pattern is averaged over the pixels already."""
 
     width_px = 0.0
 
     def __init__(self, board: BoardDescription, bow_mm: float) -> None:
         self._board = board
-        self._layout, self._cells = _print_of(board)
+        self._layout, self._cells = _print_layout(board)
         middle = board.middle_mm[:2]
         self._bow = np.array([-bow_mm, *middle, float(np.linalg.norm(middle))])  # the printed side faces -z
 
     def corners_mm(self) -> FloatArray:
-        """The true marks (N, 3), bow included."""
+        """The true marks (N, 3) of the bowed board."""
         corners = self._board.corners_mm.copy()
         height, x, y, radius = self._bow
         corners[:, 2] = height * (1.0 - ((corners[:, 0] - x) ** 2 + (corners[:, 1] - y) ** 2) / radius**2)
         return corners
 
-    def lit(self, camera: PinholeCamera, scene_from_camera: RigidTransform, lights: Lights, out: FloatArray) -> None:
-        """Fill ``out`` as `Surface.lit` does; the board shadows nothing."""
+    def illuminate(self, camera: PinholeCamera, scene_from_camera: RigidTransform, light: ProjectorLight, out: FloatArray) -> None:
+        """Compute the light map ``out`` as `Surface.illuminate` does; the board casts no shadows."""
         out[:] = 0.0
         margin, (right, bottom) = 2 * self._layout[1], self._board.flat_corners_mm[:, :2].max(axis=0)
         x = np.linspace(-margin, right + margin, OUTLINE_SAMPLES)
@@ -154,12 +154,12 @@ class PrintedBoard:
             box[0],
             box[1],
             box,
-            *lens(camera),
+            *lens_parameters(camera),
             np.array(scene_from_camera.matrix),
-            lights.position,
-            lights.from_scene,
-            *lens(lights.pinhole),
-            lights.standoff_mm,
+            light.position,
+            light.from_scene,
+            *lens_parameters(light.pinhole),
+            light.standoff_mm,
             self._layout,
             self._cells,
             np.array([WHITE, BLACK]),
@@ -168,8 +168,8 @@ class PrintedBoard:
         )
 
 
-def _print_of(board: BoardDescription) -> tuple[FloatArray, ImageArray]:
-    """Layout and cells of a board's print, as `kernels.light_board` takes them."""
+def _print_layout(board: BoardDescription) -> tuple[FloatArray, ImageArray]:
+    """Return layout and marker cells of the printed pattern for `kernels.light_board`."""
     none = np.zeros((1, 1, 1, 1), np.uint8)
     if isinstance(board, CirclesDescription):
         return np.array([board.diameter_mm, board.spacing_mm, board.columns, board.rows, 0.0], float), none
@@ -181,7 +181,7 @@ def _print_of(board: BoardDescription) -> tuple[FloatArray, ImageArray]:
 
 
 def image_box(camera: PinholeCamera, camera_from_scene: RigidTransform, outline_mm: FloatArray) -> IntArray | None:
-    """Return first row, end row, first and end column of the image part that holds ``outline_mm`` (N, 3); None when it is out of sight."""
+    """Return first row, end row, first and end column of the image box of ``outline_mm`` (N, 3); None when it is not visible."""
     points = camera_from_scene.apply(outline_mm)
     if points[:, 2].min() <= 0.0:
         whole = np.array([0, camera.height_px, 0, camera.width_px])
@@ -193,7 +193,7 @@ def image_box(camera: PinholeCamera, camera_from_scene: RigidTransform, outline_
     return np.array([low[1], high[1], low[0], high[0]], np.int64) if np.all(low < high) else None
 
 
-def lens(pinhole: PinholeCamera) -> tuple[FloatArray, FloatArray]:
+def lens_parameters(pinhole: PinholeCamera) -> tuple[FloatArray, FloatArray]:
     """Return (fx, fy, cx, cy) and (k1, k2, p1, p2, k3) for the kernels."""
     m = pinhole.matrix
     coefficients = np.zeros(5)
@@ -201,31 +201,31 @@ def lens(pinhole: PinholeCamera) -> tuple[FloatArray, FloatArray]:
     return np.array([m[0, 0], m[1, 1], m[0, 2], m[1, 2]]), coefficients
 
 
-def projected(images: ImageArray | FloatArray, settings: LightSettings) -> FloatArray:
-    """Return what a projector makes of images (n, h, w) of levels 0…255 (or floats 0…1): light 0…1 (n, h, w) float32, blurred."""
+def project_images(images: ImageArray | FloatArray, settings: LightSettings) -> FloatArray:
+    """Apply response, black level and defocus of the projector to images (n, h, w), levels 0…255 or floats 0…1; light 0…1, float32."""
     levels = images.astype(np.float32) / (255.0 if images.dtype == np.uint8 else 1.0)
     light = settings.black + (1.0 - settings.black) * levels**settings.gamma
-    return np.stack([_blurred(image, settings.defocus_px) for image in light.astype(np.float32)])
+    return np.stack([_blur(image, settings.defocus_px) for image in light.astype(np.float32)])
 
 
-def exposed(light: FloatArray, pattern: FloatArray | None, exposure_us: int, settings: LightSettings, width_px: float = 0.0) -> FloatArray:
-    """Return the mean image (H, W) float32 as a share of full scale, from the light map of `Surface.lit`.
+def expose(light: FloatArray, pattern: FloatArray | None, exposure_us: int, settings: LightSettings, width_px: float = 0.0) -> FloatArray:
+    """Compute the mean image (H, W) float32, relative to full scale, from the light map of `Surface.illuminate`.
 
     Parameters
     ----------
     light : (H, W, 4) float32
-    pattern : (h, w) light of the projector; None for the head lamp, which lights beyond the projector's field
-    width_px : standard deviation of what a pixel collects over its width, where ``light`` is of its middle alone
+    pattern : (h, w) light of the projector; None for the head lamp, which illuminates beyond the projector's field
+    width_px : standard deviation of the pixel aperture if ``light`` is sampled at pixel centres
     """
     mean = np.empty(light.shape[:2], np.float32)
     scale = exposure_us / settings.reference_exposure_us
     shown = np.zeros((2, 2), np.float32) if pattern is None else pattern * np.float32(settings.projector)
     lamp = settings.lamp if pattern is None else 0.0
     kernels.in_bands(kernels.expose, 0, mean.size, light.reshape(-1, 4), shown, lamp, settings.ambient, scale, FLOOR, mean.reshape(-1))
-    return _blurred(mean, hypot(settings.lens_blur_px, width_px))
+    return _blur(mean, hypot(settings.lens_blur_px, width_px))
 
 
-def _blurred(image: FloatArray, sigma_px: float) -> FloatArray:
+def _blur(image: FloatArray, sigma_px: float) -> FloatArray:
     if sigma_px == 0.0:
         return image
     size = 2 * max(1, round(3.0 * sigma_px)) + 1 if sigma_px > 0.6 else 3

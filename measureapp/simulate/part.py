@@ -1,4 +1,4 @@
-"""A part: its surface, what it is made of and its nominal dimensions."""
+"""Simulated parts: surface, materials and nominal dimensions."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from measureapp.data.mesh import Mesh
 
 @dataclass(frozen=True, slots=True)
 class Material:
-    """How a surface reflects: a matt share and a Blinn-Phong lobe [1]_.
+    """Reflection model: Lambertian albedo plus a Blinn-Phong lobe [1]_.
 
     References
     ----------
@@ -35,7 +35,7 @@ POLISHED = Material("polished steel", 0.25, gloss=6.0, sharpness=25.0)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Part:
-    """A part as drawn and made: frame `nominal`, z up, origin at the centre of the underside."""
+    """A part manufactured exactly to its nominal: frame `nominal`, z up, origin at the centre of the underside."""
 
     name: str
     mesh: Mesh
@@ -49,7 +49,7 @@ class Part:
 
     @property
     def radius_mm(self) -> float:
-        """Radius of the upright cylinder about the z axis that holds the part."""
+        """Radius of the enclosing cylinder about the z axis."""
         return float(np.linalg.norm(self.mesh.vertices_mm[:, :2], axis=1).max())
 
     @property

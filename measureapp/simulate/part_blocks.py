@@ -1,4 +1,4 @@
-"""Parts made of blocks: the cross-shaped gypsum polyhedron and the flat."""
+"""Sample parts made of blocks: the cross-shaped gypsum polyhedron and the flat."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def flat() -> Part:
 
 
 def _surface(x: FloatArray, y: FloatArray, z: FloatArray, solid: BoolArray) -> Mesh:
-    """The outer sides of the solid cells of a rectangular grid."""
+    """Return the boundary faces of the solid cells of a rectangular grid."""
     sides = []
     for cell in np.argwhere(solid):
         for step, corners in _SIDES.items():
@@ -47,8 +47,8 @@ def _surface(x: FloatArray, y: FloatArray, z: FloatArray, solid: BoolArray) -> M
     quads = np.array(sides)  # (Q, 4, 3) grid indices
     used, index = np.unique(quads.reshape(-1, 3), axis=0, return_inverse=True)
     vertices = np.column_stack([x[used[:, 0]], y[used[:, 1]], z[used[:, 2]]])
-    return Mesh(vertices, _halved(index.reshape(-1, 4)), "nominal")
+    return Mesh(vertices, _split_quads(index.reshape(-1, 4)), "nominal")
 
 
-def _halved(quads: IntArray) -> IntArray:
+def _split_quads(quads: IntArray) -> IntArray:
     return np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])

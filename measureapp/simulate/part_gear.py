@@ -1,4 +1,4 @@
-"""The metal gear with a shiny centre."""
+"""Sample part: the metal gear with a polished centre."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from measureapp.simulate.solids import Soup, arc, circle, polyline
 
 TEETH = 24
 TIP_RADIUS_MM, ROOT_RADIUS_MM, TOP_MM = 80.0, 70.0, 30.0
-TIP_HALF_RAD, FOOT_HALF_RAD = radians(2.0), radians(4.75)  # half a tooth as seen from the axis
+TIP_HALF_RAD, FOOT_HALF_RAD = radians(2.0), radians(4.75)  # half a tooth, as an angle at the axis
 BOSS_RADIUS_MM, BOSS_TOP_MM, BORE_RADIUS_MM = 35.0, 36.0, 20.0
 SHINY_RADIUS_MM = 45.0
 FLANK_STEP_MM = 1.0
@@ -31,7 +31,7 @@ def gear() -> Part:
     soup.wall(boss, TOP_MM, BOSS_TOP_MM)
     soup.face([boss, bore], BOSS_TOP_MM, up=True)
     soup.wall(bore[::-1], 0.0, BOSS_TOP_MM)
-    mesh = Mesh(*soup.indexed(), "nominal")
+    mesh = Mesh(*soup.merge(), "nominal")
     centres = mesh.vertices_mm[mesh.triangles].mean(axis=1)
     polished = (np.hypot(centres[:, 0], centres[:, 1]) < SHINY_RADIUS_MM) & (centres[:, 2] > 0.0)
     dimensions = {

@@ -1,4 +1,4 @@
-"""The parametric impeller."""
+"""Sample part: the impeller."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def impeller() -> Part:
     """Return the impeller: back plate, hub with bore and seven curved blades.
 
     Blade k's mid-line is an arc of radius 110 about a centre at distance 90 and polar angle γ = 360°·k/7. Of the two
-    arcs that run from the hub to r = 130 it is the counter-clockwise one: at radius ρ it lies at the polar angle
+    arcs from the hub to r = 130 it is the counter-clockwise one: at radius ρ its polar angle is
     γ + acos((ρ² + 90² − 110²) / (2·90·ρ)). The flanks are the concentric arcs 2.5 mm to both sides; the outer ends are
     cut by the cylinder r = 130, the inner ends by the hub.
     """
@@ -41,7 +41,7 @@ def impeller() -> Part:
     soup.wall(hub, BLADE_TOP_MM, HUB_TOP_MM)
     soup.face([hub, bore], HUB_TOP_MM, up=True)
     soup.wall(bore[::-1], 0.0, HUB_TOP_MM)
-    mesh = Mesh(*soup.indexed(), "nominal")
+    mesh = Mesh(*soup.merge(), "nominal")
     return Part("impeller", mesh, (ALUMINIUM,), np.zeros(len(mesh.triangles), np.uint8), _dimensions())
 
 

@@ -1,4 +1,4 @@
-"""The sphere plate: five spheres on pillars, for acceptance tests."""
+"""Sample part: the sphere plate, five spheres on pillars, for acceptance tests."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from measureapp.simulate.solids import Soup, circle, polyline
 PLATE_MM = (240.0, 180.0, 10.0)
 SPHERE_RADIUS_MM, SPHERE_HEIGHT_MM, PILLAR_RADIUS_MM = 20.0, 28.0, 10.0
 CENTRES_MM = ((-80.0, -55.0), (80.0, -55.0), (0.0, 0.0), (-80.0, 55.0), (80.0, 55.0))
-FORM_ERROR_MM = 0.004  # facets lie within this of the sphere, to both sides
+FORM_ERROR_MM = 0.004  # greatest distance of the facets from the sphere, to both sides
 BORDER_STEP_MM = 5.0
 
 
@@ -35,7 +35,7 @@ def sphere_plate() -> Part:
     for centre in CENTRES_MM:
         soup.wall(pillar + centre, top, joint_mm)
         soup.add(ball + np.array([*centre, SPHERE_HEIGHT_MM]))
-    mesh = Mesh(*soup.indexed(), "nominal")
+    mesh = Mesh(*soup.merge(), "nominal")
     return Part("sphere_plate", mesh, (MATT_GREY,), np.zeros(len(mesh.triangles), np.uint8), _dimensions())
 
 
@@ -49,8 +49,8 @@ def _dimensions() -> dict[str, float]:
 def _ball(foot: FloatArray) -> FloatArray:
     """The sphere above its circle ``foot`` (n, 2), as triangles (T, 3, 3) about its centre.
 
-    Its corners lie outside the sphere by as much as the middles of its facets lie inside, so that a sphere fitted
-    to the facets has the true radius. The hull of points on a convex surface is their Delaunay triangulation.
+    Its corners are outside the sphere by as much as the centres of its facets are inside, so that a sphere fitted to the
+    facets has the true radius. The convex hull of points on a sphere is their Delaunay triangulation.
     """
     outer = SPHERE_RADIUS_MM + FORM_ERROR_MM
     step_rad = sqrt(2.0 * 2.0 * FORM_ERROR_MM / SPHERE_RADIUS_MM) * sqrt(2.0)

@@ -1,4 +1,4 @@
-"""The sample parts by name, any other part by file; run as a program, writes their nominal STL files."""
+"""Sample parts by name, other parts by file; run as a program, writes the nominal STL files of the sample parts."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ SAMPLES: dict[str, Callable[[], Part]] = {
 
 
 def make_part(name_or_path: str, unit: LengthUnit = LengthUnit.MM) -> Part:
-    """Return a sample part by its name, or the part in an STL, PLY or OBJ file whose lengths are in ``unit``.
+    """Make a sample part by name, or read a part from an STL, PLY or OBJ file with lengths in ``unit``.
 
     Raises
     ------
     InputError
-        Neither a sample part nor a mesh file that can be read.
+        Neither a sample part nor a readable mesh file.
     """
     if name_or_path in SAMPLES:
         return SAMPLES[name_or_path]()

@@ -1,4 +1,4 @@
-"""The camera chip: shot noise, read noise, saturation, quantisation."""
+"""Image sensor: shot noise, read noise, saturation, quantisation."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ TABLE_SIZE = 65536
 
 
 class SensorSettings(Model):
-    """An MT9P031-class chip."""
+    """Settings of an MT9P031-class sensor."""
 
     full_well_e: float = Field(default=6000.0, gt=0, description="electrons at full scale")
     read_noise_e: float = Field(default=7.0, ge=0)
     noise: bool = Field(default=True, description="False: the mean image is quantised as it is")
 
     def variance(self, full_scale: int) -> tuple[float, float]:
-        """Return the variance of a dark pixel in grey levels squared, and what each grey level adds; without quantisation."""
+        """Return the noise variance of a dark pixel in grey levels squared and its increase per grey level, without quantisation."""
         if not self.noise:
             return 0.0, 0.0
         electrons_per_level = self.full_well_e / full_scale
@@ -29,13 +29,13 @@ class SensorSettings(Model):
 
 
 def read_out(mean: FloatArray, bit_depth: int, settings: SensorSettings, key: int) -> ImageArray:
-    """Return the image a chip gives for a mean image as a share of full scale.
+    """Simulate the read-out of a mean image, given relative to full scale.
 
     Parameters
     ----------
     mean : (H, W) float32
     bit_depth : 8 gives uint8, more gives uint16
-    key : the same key gives the same noise
+    key : seed of the noise
     """
     from measureapp.simulate.kernels import in_bands, quantise
 

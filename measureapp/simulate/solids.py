@@ -1,4 +1,4 @@
-"""Closed surfaces put together from walls and flat faces whose borders share their corners."""
+"""Closed triangle surfaces composed of walls and flat faces with shared border vertices."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from scipy.spatial import Delaunay
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 
 CHORD_ERROR_MM = 0.00005  # sagitta of the chords of round walls
-MEAN_SAGITTA = 2 / 3  # by which a chord lies inside its arc on average
+MEAN_SAGITTA = 2 / 3  # mean distance of a chord from its arc, relative to the sagitta
 MERGE_DECIMALS = 6  # corners closer than a nanometre are one corner
 
 
 def segments(radius_mm: float, angle_rad: float, chord_error_mm: float = CHORD_ERROR_MM) -> int:
-    """Return how many equal chords keep an arc's sagitta within ``chord_error_mm``."""
+    """Return the number of equal chords that keeps the sagitta of an arc within ``chord_error_mm``."""
     step = 4.0 * asin(sqrt(chord_error_mm / (2.0 * radius_mm)))
     return max(1, ceil(abs(angle_rad) / step))
 
 
 def arc(radius_mm: float, start_rad: float, end_rad: float, centre: tuple[float, float] = (0.0, 0.0), count: int = 0) -> FloatArray:
-    """Return the corners (n + 1, 2) of an arc of ``count`` chords, or as many as the chord error asks for, both ends included.
+    """Return the corners (n + 1, 2) of an arc of ``count`` chords (0: from the chord error), both ends included.
 
-    The chords lie on the arc on average, their corners outside, so that a circle fitted to the wall has the radius.
+    The chords are on the arc on average, their corners outside, so that a circle fitted to the wall has the true radius.
     """
     angles = np.linspace(start_rad, end_rad, (count or segments(radius_mm, end_rad - start_rad)) + 1)
     sagitta_mm = radius_mm * (1.0 - np.cos((angles[1] - angles[0]) / 2.0))
@@ -38,7 +38,7 @@ def circle(radius_mm: float, centre: tuple[float, float] = (0.0, 0.0)) -> FloatA
 
 
 def polyline(corners: FloatArray, step_mm: float) -> FloatArray:
-    """Return points along straight pieces between ``corners`` (n, 2), none further apart than ``step_mm``."""
+    """Sample the straight segments between ``corners`` (n, 2) with spacings of at most ``step_mm``."""
     pieces = [corners[:1]]
     for start, end in pairwise(corners):
         count = max(1, ceil(float(np.linalg.norm(end - start)) / step_mm))
@@ -48,7 +48,7 @@ def polyline(corners: FloatArray, step_mm: float) -> FloatArray:
 
 @dataclass
 class Soup:
-    """Triangles as they are added; `indexed` merges what touches."""
+    """Triangle soup; `merge` joins coincident vertices."""
 
     pieces: list[FloatArray] = field(default_factory=list)  # each (n, 3, 3)
 
@@ -57,7 +57,7 @@ class Soup:
         self.pieces.append(triangles)
 
     def wall(self, outline: FloatArray, low_mm: float, high_mm: float, *, closed: bool = True) -> None:
-        """Add an upright wall over ``outline`` (n, 2); outside lies to the right of its direction."""
+        """Add a vertical wall over ``outline`` (n, 2); outside is to the right of its direction."""
         ends = np.roll(outline, -1, axis=0) if closed else outline[1:]
         starts = outline if closed else outline[:-1]
         a, b = _at_height(starts, low_mm), _at_height(ends, low_mm)
@@ -65,28 +65,28 @@ class Soup:
         self.add(np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)]))
 
     def face(self, outlines: list[FloatArray], height_mm: float, *, up: bool) -> None:
-        """Add a level face inside the outer outline and outside all other ``outlines``, in any direction of turning."""
-        flat = filled(outlines)
+        """Add a horizontal face inside the outer outline and outside all other ``outlines``, whatever their orientation."""
+        flat = triangulate(outlines)
         order = [0, 1, 2] if up else [0, 2, 1]
         self.add(_at_height(flat.reshape(-1, 2), height_mm).reshape(-1, 3, 3)[:, order])
 
-    def indexed(self) -> tuple[FloatArray, IntArray]:
-        """Return vertices (V, 3) and triangles (T, 3) with shared corners."""
+    def merge(self) -> tuple[FloatArray, IntArray]:
+        """Merge coincident corners; return vertices (V, 3) and triangles (T, 3)."""
         corners = np.concatenate(self.pieces).reshape(-1, 3)
         _, first, index = np.unique(np.round(corners, MERGE_DECIMALS) + 0.0, axis=0, return_index=True, return_inverse=True)
         return corners[first], index.reshape(-1, 3).astype(np.int32)
 
 
-def filled(outlines: list[FloatArray]) -> FloatArray:
-    """Triangulate the plane between ``outlines``, each (n, 2): counter-clockwise triangles (T, 3, 2).
+def triangulate(outlines: list[FloatArray]) -> FloatArray:
+    """Triangulate the plane region between ``outlines``, each (n, 2): counter-clockwise triangles (T, 3, 2).
 
-    A Delaunay triangulation keeps every border piece that is short against its distance to other borders; the
-    outlines of the sample parts are sampled so, and a piece that got lost is a programming error.
+    A Delaunay triangulation contains every border edge that is short compared with its distance to other borders; the outlines of
+    the sample parts are sampled accordingly, so a missing edge is a programming error.
 
     Raises
     ------
     ValueError
-        A piece of an outline is not an edge of the triangulation.
+        An edge of an outline is not an edge of the triangulation.
     """
     points = np.concatenate(outlines)
     triangles = Delaunay(points, qhull_options="Qbb Qc Qz Q12 Qt").simplices
@@ -104,7 +104,7 @@ def filled(outlines: list[FloatArray]) -> FloatArray:
 
 
 def _inside(points: FloatArray, outlines: list[FloatArray]) -> BoolArray:
-    """Even-odd rule: an odd number of border crossings on the way out along +x."""
+    """Point-in-polygon test by the even-odd rule, along +x."""
     crossings = np.zeros(len(points), int)
     for outline in outlines:
         for start, end in zip(outline, np.roll(outline, -1, axis=0), strict=True):

@@ -1,4 +1,4 @@
-"""What the simulated rig really is: drawn once from a seed, hidden from all measuring code."""
+"""Ground truth of the simulated rig: drawn once from a seed, hidden from all measuring code."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ from measureapp.simulate.kinematics import (
     GuideErrors,
     RobotErrors,
     TableErrors,
-    displaced,
+    draw_axis,
     draw_guide_errors,
     draw_robot_errors,
     draw_table_errors,
-    tilted_axis,
+    perturb,
 )
 from measureapp.simulate.options import RigErrors
 
@@ -45,12 +45,12 @@ CENTRE_SPREAD = 0.01  # of the width
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Truth:
-    """The hidden values, in the nouns of the calibrations that look for them; frame `part` is `table` at table angle 0."""
+    """True values of everything that calibrations estimate; frame `part` is `table` at table angle 0."""
 
     calibration: RigCalibration
     projector: PinholeCamera
     camera_from_projector: RigidTransform
-    table_from_nominal: RigidTransform  # how the part stands on the table
+    table_from_nominal: RigidTransform  # pose of the part on the table
     table_from_board: RigidTransform
     robot: RobotErrors | None  # None: a perfect axis
     guide: GuideErrors | None
@@ -58,10 +58,10 @@ class Truth:
 
 
 def draw_truth(rig: RigDescription, board: BoardDescription, errors: RigErrors, seed: int) -> Truth:
-    """Draw a rig as it might have been built from ``rig``; the same seed gives the same rig at every camera resolution."""
+    """Draw the true rig for a nominal ``rig``; the same seed gives the same rig at every camera resolution."""
     generators = [np.random.default_rng([seed, subject]) for subject in range(9)]
     heads = {
-        camera.name: displaced(
+        camera.name: perturb(
             camera.head_from_camera.transform("head", camera.name), rng, shift_mm=errors.camera_shift_mm, turn_deg=errors.camera_turn_deg
         )
         for camera, rng in zip(rig.cameras, generators[0].spawn(len(rig.cameras)), strict=True)
@@ -71,13 +71,13 @@ def draw_truth(rig: RigDescription, board: BoardDescription, errors: RigErrors, 
     cameras = {
         camera.name: _camera(camera, camera_from_head @ heads[camera.name], rng) for camera, rng in zip(rig.cameras, lenses, strict=True)
     }
-    flange_from_head = displaced(
+    flange_from_head = perturb(
         rig.flange_from_head.transform("flange", "head"),
         generators[2],
         shift_mm=errors.hand_eye_shift_mm,
         turn_deg=errors.hand_eye_turn_deg,
     )
-    head_from_projector = displaced(
+    head_from_projector = perturb(
         rig.projector.head_from_projector.transform("head", "projector"),
         generators[3],
         shift_mm=errors.camera_shift_mm,
@@ -97,7 +97,7 @@ def draw_truth(rig: RigDescription, board: BoardDescription, errors: RigErrors, 
         calibration=calibration,
         projector=_projector(rig.projector, generators[3]),
         camera_from_projector=camera_from_head @ head_from_projector,
-        table_from_nominal=_standing(table_from_guide.apply(top), generators[6]),
+        table_from_nominal=_place_part(table_from_guide.apply(top), generators[6]),
         table_from_board=table_from_guide @ _board_on_stand(top, board, generators[7]),
         robot=draw_robot_errors(rig.robot, generators[8]) if errors.axes else None,
         guide=guide,
@@ -105,8 +105,8 @@ def draw_truth(rig: RigDescription, board: BoardDescription, errors: RigErrors, 
     )
 
 
-def knocked(truth: Truth, camera: str, turn_rad: FloatArray) -> Truth:
-    """Return the rig after one camera was turned about its own centre by a rotation vector in its own frame, all else at its place."""
+def knock_camera(truth: Truth, camera: str, turn_rad: FloatArray) -> Truth:
+    """Rotate one camera about its own centre by a rotation vector in its own frame; everything else stays in place."""
     head, hand_eye = truth.calibration.cameras, truth.calibration.hand_eye
     if camera != head.reference:
         one = head.cameras[camera]
@@ -151,20 +151,20 @@ def _pinhole(width_px: int, height_px: int, focal_px: float, lens: FloatArray, r
 
 
 def _table_axis(rig: RigDescription, errors: RigErrors, rng: np.random.Generator) -> tuple[RotationAxis, FloatArray]:
-    """The axis in the guide frame, and the centre of the table's top on it."""
+    """Draw the axis in the guide frame, and the centre of the table's top on it."""
     top = np.array(rig.table.centre_in_guide_mm) + errors.table_shift_mm / np.sqrt(3.0) * rng.standard_normal(3)
-    return RotationAxis(top, tilted_axis(errors.table_tilt_deg, rng), "guide"), top
+    return RotationAxis(top, draw_axis(errors.table_tilt_deg, rng), "guide"), top
 
 
-def _standing(top_in_table_mm: FloatArray, rng: np.random.Generator) -> RigidTransform:
-    """The part on the table's top, a little off centre and turned."""
+def _place_part(top_in_table_mm: FloatArray, rng: np.random.Generator) -> RigidTransform:
+    """Draw the pose of the part on the table, slightly off centre and rotated."""
     turn = np.deg2rad(rng.uniform(-10.0, 10.0))
     shift = [*rng.uniform(-3.0, 3.0, 2), 0.0]
     return RigidTransform.from_parts(rotation_about([0, 0, 1], turn), top_in_table_mm + shift, "table", "nominal")
 
 
 def _board_on_stand(top_mm: FloatArray, board: BoardDescription, rng: np.random.Generator) -> RigidTransform:
-    """guide_from_board: printed side up and towards the robot, rows running down."""
+    """Draw guide_from_board: printed side up and towards the robot, rows running down."""
     tilt = np.deg2rad(BOARD_TILT_DEG + rng.uniform(-3.0, 3.0))
     turn = rotation_about([0, 0, 1], np.deg2rad(rng.uniform(-5.0, 5.0)))
     x, y = np.array([0.0, -1.0, 0.0]), np.array([-np.cos(tilt), 0.0, -np.sin(tilt)])

@@ -1,4 +1,4 @@
-"""The simulated world: the rig as it really is, where its axes really stand, and what its cameras see."""
+"""The simulated world: true rig, true axis positions, and the images of its cameras."""
 
 from __future__ import annotations
 
@@ -13,33 +13,33 @@ from measureapp.data.fringe import AxisReadback
 from measureapp.data.mesh import Mesh
 from measureapp.data.rig import RigDescription
 from measureapp.geometry.transform import RigidTransform, rotation_about
-from measureapp.simulate.optics import Lights, PrintedBoard, Surface, exposed, projected
+from measureapp.simulate.optics import PrintedBoard, ProjectorLight, Surface, expose, project_images
 from measureapp.simulate.options import WorldOptions
 from measureapp.simulate.part import Part
 from measureapp.simulate.sensor import read_out
-from measureapp.simulate.truth import Truth, draw_truth, knocked
+from measureapp.simulate.truth import Truth, draw_truth, knock_camera
 
 PAPER_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
-Held = Literal["empty", "board", "part"]
+TableContent = Literal["empty", "board", "part"]
 PLAIN_LIGHT = -1
 DARK = -2
 HOME_MM = (450.0, 0.0, 600.0)
 POSE_STEP_MM, GUIDE_STEP_MM, TABLE_STEP_RAD = 1e-4, 1e-4, float(np.deg2rad(1e-5))  # resolution of the displays
 QUATERNION_DIGITS = 9
-SELF_HEATING_K = 14.0  # of a camera that runs since an hour
+SELF_HEATING_K = 14.0  # of a camera in thermal equilibrium
 
 
 class World:
-    """Holds all truth; devices of the virtual rig command it and read back what real controllers would say.
+    """Contains the ground truth; the devices of the virtual rig command it and read it back like real controllers.
 
-    Commands and read-backs are nominal; the true places carry the errors drawn from the seed. A command that
-    repeats the last one moves nothing, as on real controllers. All methods may be called from any thread.
+    Commands and read-backs are nominal; the true positions include the errors drawn from the seed. A command that repeats the last
+    one moves nothing, as on real controllers. All methods may be called from any thread.
 
     Parameters
     ----------
-    description : the rig as drawn
-    part : what lies on the table while `table_holds` is "part"
-    seed : draws the rig's errors and all noise
+    description : nominal rig
+    part : on the table while `table_holds` is "part"
+    seed : of the rig's errors and all noise
     board : the calibration board
     options : light, sensor and errors
     """
@@ -58,14 +58,14 @@ class World:
         self.options = options or WorldOptions()
         self._truth = draw_truth(description, board, self.options.errors, seed)
         for camera, turn_deg in self.options.knocked_deg.items():
-            self._truth = knocked(self._truth, camera, np.deg2rad(turn_deg))
+            self._truth = knock_camera(self._truth, camera, np.deg2rad(turn_deg))
         self._lock = threading.RLock()
         self._moves = np.random.default_rng([seed, 101])
         self._noise_key = int(np.random.default_rng([seed, 102]).integers(2**31)) << 31
         self._images = 0
         self._printed = PrintedBoard(board, self.options.board_bow_mm)
         self._surface: Surface | None = None
-        self._table_holds: Held = "empty"
+        self._table_holds: TableContent = "empty"
         self._patterns: FloatArray = np.zeros((0, 2, 2), np.float32)
         self._shown = DARK
         self._state = 0
@@ -75,15 +75,13 @@ class World:
         self._guide_from_base = self._slide_reached(0.0)
         self._table_rad = self._angle_reached(0.0)
 
-    # what is on the table
-
     @property
-    def table_holds(self) -> Held:
-        """What lies on the table."""
+    def table_holds(self) -> TableContent:
+        """The object on the table."""
         return self._table_holds
 
     @table_holds.setter
-    def table_holds(self, thing: Held) -> None:
+    def table_holds(self, thing: TableContent) -> None:
         with self._lock:
             self._table_holds = thing
             self._state += 1
@@ -91,11 +89,11 @@ class World:
     # axes
 
     def readback(self) -> AxisReadback:
-        """Return what the controllers say: the commands, rounded to their displays."""
+        """Return the read-back of the controllers: the commands, rounded to their display resolution."""
         with self._lock:
             goal = self._commanded
             return AxisReadback(
-                _displayed(goal.base_from_flange),
+                _round_to_display(goal.base_from_flange),
                 round(goal.guide_mm / GUIDE_STEP_MM) * GUIDE_STEP_MM,
                 round(goal.table_rad / TABLE_STEP_RAD) * TABLE_STEP_RAD,
             )
@@ -105,23 +103,23 @@ class World:
         with self._lock:
             if not np.array_equal(base_from_flange.matrix, self._commanded.base_from_flange.matrix):
                 self._base_from_flange = self._flange_reached(base_from_flange)
-                self._moved(AxisReadback(base_from_flange, self._commanded.guide_mm, self._commanded.table_rad))
+                self._set_commanded(AxisReadback(base_from_flange, self._commanded.guide_mm, self._commanded.table_rad))
 
     def move_guide(self, position_mm: float) -> None:
         """Bring the slide to a commanded position."""
         with self._lock:
             if position_mm != self._commanded.guide_mm:
                 self._guide_from_base = self._slide_reached(position_mm)
-                self._moved(AxisReadback(self._commanded.base_from_flange, position_mm, self._commanded.table_rad))
+                self._set_commanded(AxisReadback(self._commanded.base_from_flange, position_mm, self._commanded.table_rad))
 
     def turn_table(self, angle_rad: float) -> None:
         """Bring the table to a commanded angle."""
         with self._lock:
             if angle_rad != self._commanded.table_rad:
                 self._table_rad = self._angle_reached(angle_rad)
-                self._moved(AxisReadback(self._commanded.base_from_flange, self._commanded.guide_mm, angle_rad))
+                self._set_commanded(AxisReadback(self._commanded.base_from_flange, self._commanded.guide_mm, angle_rad))
 
-    def _moved(self, commanded: AxisReadback) -> None:
+    def _set_commanded(self, commanded: AxisReadback) -> None:
         self._commanded = commanded
         self._state += 1
 
@@ -139,9 +137,9 @@ class World:
     # light
 
     def load_patterns(self, images: ImageArray | FloatArray) -> None:
-        """Give the projector its images (n, h, w): uint8, or floats 0…1 for an ideal projector."""
+        """Load the projector's images (n, h, w): uint8, or floats 0…1 for an ideal projector."""
         with self._lock:
-            self._patterns = projected(images, self.options.light)
+            self._patterns = project_images(images, self.options.light)
             self._shown = DARK
 
     def show(self, index: int) -> None:
@@ -151,30 +149,30 @@ class World:
 
     @property
     def shown(self) -> int:
-        """What is shown."""
+        """Index of the pattern shown, PLAIN_LIGHT or DARK."""
         return self._shown
 
     # warmth
 
     def housing_c(self) -> float:
-        """Return how warm the cameras' housings are."""
+        """Return the temperature of the camera housings."""
         return self.options.temperature_c + SELF_HEATING_K
 
     # images
 
     def image(self, camera: str, exposure_us: int) -> ImageArray:
-        """Return what ``camera`` sees now, with noise."""
+        """Return the image of ``camera`` now, with noise."""
         with self._lock:
             mean = self.mean_image(camera, exposure_us)
             self._images += 1
             return read_out(mean, self.description.camera(camera).bit_depth, self.options.sensor, self._noise_key + self._images)
 
     def mean_image(self, camera: str, exposure_us: int) -> FloatArray:
-        """Return what ``camera`` sees now on average, (H, W) float32 as a share of full scale, not yet limited to it."""
+        """Return the noise-free image of ``camera`` now, (H, W) float32 relative to full scale, without saturation."""
         with self._lock:
             light = self._light_map(camera)
             seen = PrintedBoard if self._table_holds == "board" else Surface
-            return exposed(light, self._pattern(), exposure_us, self.options.light, seen.width_px)
+            return expose(light, self._pattern(), exposure_us, self.options.light, seen.width_px)
 
     def _pattern(self) -> FloatArray | None:
         if self._shown == DARK:
@@ -197,44 +195,45 @@ class World:
             return
         calibration = self._truth.calibration.cameras.cameras[camera]
         scene_from_reference = self.scene_from_camera()
-        lights = Lights(self._truth.projector, scene_from_reference @ self._truth.camera_from_projector, self.description.standoff_mm)
+        scene_from_projector = scene_from_reference @ self._truth.camera_from_projector
+        projector = ProjectorLight(self._truth.projector, scene_from_projector, self.description.standoff_mm)
         seen: Surface | PrintedBoard = self._printed if self._table_holds == "board" else self._part_surface()
-        seen.lit(calibration.pinhole, scene_from_reference @ calibration.reference_from_camera, lights, light)
+        seen.illuminate(calibration.pinhole, scene_from_reference @ calibration.reference_from_camera, projector, light)
 
     def _part_surface(self) -> Surface:
         if self._surface is None:
             self._surface = Surface(self.part)
         return self._surface
 
-    # truth: for demonstrations and tests only
+    # ground truth: for demonstrations and tests only
 
     def truth(self) -> Truth:
-        """Return the hidden values."""
+        """Return the ground truth."""
         return self._truth
 
     def true_surface(self, frame: str = "table") -> Mesh:
-        """Return the part's surface at table angle 0 in the true table frame (of which the part frame is the turning copy)."""
+        """Return the part's surface at table angle 0 in the true table frame, which is then also the part frame."""
         mesh = self.part.mesh.seen_from(self._truth.table_from_nominal)
         return mesh.seen_from(RigidTransform.identity(frame, "table"))
 
     def true_light(self, camera: str) -> FloatArray:
-        """Return what the light of the projector does in every pixel of ``camera`` now, (H, W, 4) float32.
+        """Return the light map of ``camera`` now, (H, W, 4) float32.
 
-        Projector column (far below 0 in shadow) and row, reflected light per unit of irradiance, albedo; zero off the part.
+        Projector column (far below 0 in shadow) and row, reflected light per unit of irradiance, albedo; zero outside the object.
         """
         with self._lock:
             return self._light_map(camera).copy()
 
     def true_board_corners_mm(self) -> FloatArray:
-        """Return the board's true corners (N, 3) in frame `board`, its bow included."""
+        """Return the true corners (N, 3) of the bowed board in frame `board`."""
         return self._printed.corners_mm()
 
     def guide_from_camera(self) -> RigidTransform:
-        """Return where the reference camera truly stands now."""
+        """Return the true pose of the reference camera now."""
         return self._guide_from_base @ self._base_from_flange @ self._truth.calibration.hand_eye.flange_from_camera
 
     def scene_from_camera(self) -> RigidTransform:
-        """Return where the reference camera truly stands now, seen from the thing on the table (frame `nominal` or `board`)."""
+        """Return the true pose of the reference camera in the frame of the object on the table (`nominal` or `board`)."""
         part_from_table = RigidTransform.from_parts(rotation_about([0, 0, 1], -self._table_rad), np.zeros(3), "table", "table")
         thing = self._truth.table_from_board if self._table_holds == "board" else self._truth.table_from_nominal
         return thing.inverse() @ part_from_table @ self._truth.calibration.table_from_guide @ self.guide_from_camera()
@@ -245,7 +244,7 @@ def _home() -> RigidTransform:
     return RigidTransform.from_parts(np.column_stack([right, np.cross(forward, right), forward]), HOME_MM, "base", "flange")
 
 
-def _displayed(pose: RigidTransform) -> RigidTransform:
+def _round_to_display(pose: RigidTransform) -> RigidTransform:
     quaternion = np.round(pose.quaternion_wxyz, QUATERNION_DIGITS)
     position = np.round(pose.translation_mm / POSE_STEP_MM) * POSE_STEP_MM
     return RigidTransform.from_quaternion(quaternion, position, pose.to_frame, pose.from_frame)

@@ -1,4 +1,4 @@
-"""The robot, guide and table of the virtual rig; limits are checked before anything moves."""
+"""Robot, guide and table of the virtual rig; limits are checked before anything moves."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ GUIDE_MM_PER_S = 300.0
 TABLE_RAD_PER_S = 0.5
 SETTLING_S = 0.3
 NO_MOVE = 1e-9
-INSIDE = 1e-6  # mm or degrees that rounding may lie beyond a limit
+INSIDE = 1e-6  # rounding tolerance of the limits, in mm or degrees
 GO_BACK = "Choose a goal inside the limits; nothing was moved."
 
 
 class VirtualRobot:
-    """The robot; its errors are the world's."""
+    """The robot of the world."""
 
     def __init__(self, world: World, clock: Clock) -> None:
         self.name = world.description.robot.model
@@ -48,13 +48,13 @@ class VirtualRobot:
         reach = float(np.linalg.norm(goal.translation_mm - np.array(robot.shoulder_mm)))
         if not robot.min_reach_mm - INSIDE <= reach <= robot.max_reach_mm + INSIDE:
             raise LimitError(
-                f"{self.name} cannot bring its flange {reach:.0f} mm from its shoulder ({robot.min_reach_mm:g}…{robot.max_reach_mm:g} mm).",
+                f"{self.name}: a flange position {reach:.0f} mm from the shoulder is outside {robot.min_reach_mm:g}…{robot.max_reach_mm:g} mm.",
                 GO_BACK,
             )
 
 
 class VirtualGuide:
-    """The slide that carries the robot."""
+    """The linear guide of the world."""
 
     def __init__(self, world: World, clock: Clock) -> None:
         self.name = world.description.guide.model
@@ -70,7 +70,7 @@ class VirtualGuide:
         """Move and wait until settled. Raises LimitError before moving, DeviceTimeout while moving."""
         low, high = self.limits_mm
         if not low - INSIDE <= goal_mm <= high + INSIDE:
-            raise LimitError(f"{self.name} cannot go to {goal_mm:g} mm ({low:g}…{high:g} mm).", GO_BACK)
+            raise LimitError(f"{self.name}: the position {goal_mm:g} mm is outside {low:g}…{high:g} mm.", GO_BACK)
         self._stopping.wait(self.name, _with_settling(abs(goal_mm - self.position_mm()) / GUIDE_MM_PER_S), timeout_s)
         self._world.move_guide(float(goal_mm))
 
@@ -80,7 +80,7 @@ class VirtualGuide:
 
 
 class VirtualTable:
-    """The rotary table."""
+    """The rotary table of the world."""
 
     def __init__(self, world: World, clock: Clock) -> None:
         self.name = world.description.table.model
@@ -98,7 +98,7 @@ class VirtualTable:
         low, high = self.limits_rad
         if not low - INSIDE <= goal_rad <= high + INSIDE:
             limits = f"{np.degrees(low):g}…{np.degrees(high):g}°"
-            raise LimitError(f"{self.name} cannot turn to {np.degrees(goal_rad):g}° ({limits}).", GO_BACK)
+            raise LimitError(f"{self.name}: the angle {np.degrees(goal_rad):g}° is outside {limits}.", GO_BACK)
         self._stopping.wait(self.name, _with_settling(abs(goal_rad - self.angle_rad()) / TABLE_RAD_PER_S), timeout_s)
         self._world.turn_table(float(goal_rad))
 

@@ -1,4 +1,4 @@
-"""Connects the virtual rig: all its devices share one world."""
+"""Driver of the virtual rig: all its devices share one world."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from measureapp.data.rig import RigDescription
 from measureapp.devices.rig import Rig
 from measureapp.errors import DeviceError
 from measureapp.simulate.parts import make_part
-from measureapp.simulate.world import Held, World
+from measureapp.simulate.world import TableContent, World
 
 from .axes import VirtualGuide, VirtualRobot, VirtualTable
 from .head import VirtualCamera, VirtualProjector
@@ -28,7 +28,7 @@ def connect(description: RigDescription, settings: Mapping[str, object]) -> Rig:
     Raises
     ------
     DeviceError
-        A setting is wrong; names it.
+        A setting is invalid; names it.
     InputError
         The part cannot be read.
     """
@@ -46,13 +46,13 @@ def connect(description: RigDescription, settings: Mapping[str, object]) -> Rig:
 
 
 def rig_of(world: World, clock: Clock | None = None) -> Rig:
-    """Connect to a world that exists already; without a clock nothing ever waits."""
+    """Connect to an existing world; without a clock nothing waits."""
     time = clock or ScaledClock(0.0)
 
     def place_on_table(thing: str) -> None:
         if thing not in THINGS:
-            raise DeviceError(f"The virtual rig has no {thing!r} to put on the table.", f"Ask for one of: {', '.join(THINGS)}.")
-        world.table_holds = cast(Held, thing)
+            raise DeviceError(f"The virtual rig has no {thing!r} to put on the table.", f"Request one of: {', '.join(THINGS)}.")
+        world.table_holds = cast(TableContent, thing)
 
     return Rig(
         description=world.description,

@@ -1,4 +1,4 @@
-"""The cameras and the projector of the virtual rig."""
+"""Cameras and projector of the virtual rig."""
 
 from __future__ import annotations
 
@@ -33,10 +33,10 @@ class VirtualCamera:
         self._frames = 0
 
     def set_exposure_us(self, exposure_us: int) -> None:
-        """Ask for an exposure. Raises LimitError when the camera cannot do it."""
+        """Set the exposure. Raises LimitError when the camera does not support it."""
         low, high = EXPOSURE_LIMITS_US
         if not low <= exposure_us <= high:
-            raise LimitError(f"Camera {self.name} cannot expose for {exposure_us} µs.", f"Choose {low}…{high} µs.")
+            raise LimitError(f"Camera {self.name} does not support an exposure of {exposure_us} µs.", f"Choose {low}…{high} µs.")
         self._exposure_us = int(exposure_us)
 
     def exposure_us(self) -> int:
@@ -51,11 +51,11 @@ class VirtualCamera:
         return GrabbedImage(pixels, self._frames, self._exposure_us, self.serial, self._world.shown)
 
     def temperature_c(self) -> float | None:
-        """Read the temperature of the housing back, to the tenth of a degree of its thermometer."""
+        """Read the temperature of the housing, with a resolution of 0.1 °C."""
         return round(self._world.housing_c(), 1)
 
     def lens(self) -> LensSetting:
-        """Read back how the lens is set: a lens that is set by hand tells nothing."""
+        """Read the lens setting back: empty, for a manual lens."""
         return LensSetting()
 
     def stop(self) -> None:
@@ -64,7 +64,7 @@ class VirtualCamera:
 
 
 class VirtualProjector:
-    """The projector of the world; plain light comes from the head lamp."""
+    """The projector of the world; uniform light comes from the head lamp."""
 
     def __init__(self, world: World, clock: Clock) -> None:
         self.name = world.description.projector.name
@@ -75,28 +75,28 @@ class VirtualProjector:
         self._count = 0
 
     def load(self, images: ImageArray) -> None:
-        """Take a sequence (count, height, width) of uint8 images. Raises DeviceError for a wrong size."""
+        """Load a sequence (count, height, width) of uint8 images. Raises DeviceError for a wrong size."""
         images = np.asarray(images)
         if images.ndim != 3 or images.shape[1:] != (self.height_px, self.width_px) or images.dtype != np.uint8:
             raise DeviceError(
-                f"{self.name} cannot show images of shape {images.shape} and type {images.dtype}.",
+                f"{self.name} does not support images of shape {images.shape} and type {images.dtype}.",
                 f"Give 8-bit images of {self.width_px} × {self.height_px} px.",
             )
         self._world.load_patterns(images)
         self._count = len(images)
 
     def show(self, index: int, *, timeout_s: float) -> None:
-        """Show image ``index`` of the sequence, or -1 for uniform grey light, and wait until it stands."""
+        """Show image ``index`` of the sequence, or -1 for uniform grey light, and wait until it is stable."""
         if not PLAIN_LIGHT <= index < self._count:
-            raise DeviceError(f"{self.name} holds {self._count} images and cannot show image {index}.", "Load the pattern set first.")
+            raise DeviceError(f"{self.name} has {self._count} images and cannot show image {index}.", "Load the pattern set first.")
         self._stopping.wait(self.name, SWITCHING_S, timeout_s)
         self._world.show(index)
 
     def shown(self) -> int:
-        """Read back what is shown: an index, -1 for plain light, -2 for dark."""
+        """Read back the image shown: an index, -1 for uniform light, -2 for dark."""
         return self._world.shown
 
     def stop(self) -> None:
-        """Go dark now, from any thread."""
+        """Switch the light off now, from any thread."""
         self._stopping.stop()
         self._world.show(DARK)

@@ -12,11 +12,11 @@ from measureapp.simulate.world import PAPER_BOARD
 
 
 class VirtualRigSettings(Model):
-    """What the virtual rig measures and how fast its time runs."""
+    """Settings of the virtual rig: part, seed, time scale, board and world."""
 
     part: str = Field(default="gypsum", description="impeller, gypsum, gear, sphere_plate, flat, or a mesh file (STL, PLY, OBJ)")
-    unit: LengthUnit = Field(default=LengthUnit.MM, description="of the mesh file's lengths: mm, inch, m, cm or um")
-    seed: int = Field(default=1, ge=0, description="draws the hidden errors and all noise")
-    time_scale: float = Field(default=0.0, ge=0, description="1: moves and exposures last as long as on the real rig; 0: no waiting")
+    unit: LengthUnit = Field(default=LengthUnit.MM, description="unit of a mesh file: mm, inch, m, cm or um")
+    seed: int = Field(default=1, ge=0, description="seed of the hidden errors and all noise")
+    time_scale: float = Field(default=0.0, ge=0, description="1: moves and exposures take as long as on a real rig; 0: no waiting")
     board: AnyBoard = PAPER_BOARD
     world: WorldOptions = WorldOptions()

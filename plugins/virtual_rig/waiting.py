@@ -1,4 +1,4 @@
-"""Simulated time, and stopping from any thread."""
+"""Simulated time, and cancellation from any thread."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class Clock(Protocol):
 
 
 class ScaledClock:
-    """Waits the rig's seconds times a scale; a scale of 0 never waits."""
+    """Waits for the rig's time multiplied by a scale; with scale 0 never waits."""
 
     def __init__(self, scale: float) -> None:
         self._scale = scale
@@ -29,7 +29,7 @@ class ScaledClock:
 
 
 class Stopping:
-    """Cancels the call that is waiting while `stop` is called; a later call starts afresh."""
+    """Cancels calls that are waiting when `stop` is called; later calls are not affected."""
 
     def __init__(self, clock: Clock) -> None:
         self._clock = clock
@@ -48,9 +48,9 @@ class Stopping:
         Raises
         ------
         DeviceTimeout
-            It would last longer than ``timeout_s``; that long was waited.
+            It would take longer than ``timeout_s``; raised after that time.
         Cancelled
-            `stop` was called meanwhile.
+            `stop` was called while waiting.
         """
         stopped = threading.Event()
         with self._lock:
@@ -63,6 +63,4 @@ class Stopping:
         if stopped.is_set():
             raise Cancelled
         if seconds > timeout_s:
-            raise DeviceTimeout(
-                f"{device} did not finish within {timeout_s:g} s.", "Check what holds it up, then try again with a longer time limit."
-            )
+            raise DeviceTimeout(f"{device} did not finish within {timeout_s:g} s.", "Check the device for obstructions, then try again.")

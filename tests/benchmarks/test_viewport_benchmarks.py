@@ -20,7 +20,7 @@ from ui.look.look import Look
 from ui.viewport.cloud_view import CloudView
 from ui.viewport.frame_budget import FRAME_S, LEAST_POINTS
 from ui.viewport.layers import CloudLayer
-from ui.viewport.shuffled import ShuffledCloud, shuffled
+from ui.viewport.shuffled_cloud import ShuffledCloud, shuffle
 
 LEARNING_FRAMES, FRAMES = 8, 40
 LEAST_FRAMES_PER_S, LEAST_COVERED = 10.0, 0.9
@@ -33,7 +33,7 @@ def wavy_ball(count: int) -> ShuffledCloud:
     points = rng.normal(size=(count, 3)).astype(np.float32)
     points *= (100.0 / np.linalg.norm(points, axis=1))[:, None]
     points *= 1.0 + 0.05 * np.sin(points[:, :1] / 8.0)
-    return shuffled([CloudLayer(points, np.abs(points * 2).astype(np.uint8))])
+    return shuffle([CloudLayer(points, np.abs(points * 2).astype(np.uint8))])
 
 
 @pytest.mark.timeout(600)

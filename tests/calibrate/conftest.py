@@ -15,7 +15,7 @@ from measureapp.data.board import CheckerboardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, LinearGuide, RotationAxis
 from measureapp.data.fringe import AxisReadback
 from measureapp.geometry.pinhole import PinholeCamera
-from measureapp.geometry.transform import RigidTransform, orthonormalised, rotation_about
+from measureapp.geometry.transform import RigidTransform, orthonormalise, rotation_about
 from tests.calibration_session.shown_board import Shown
 
 WIDTH, HEIGHT, FOCAL = 1296, 972, 2045.0
@@ -109,7 +109,7 @@ class TrueRig:
         flange = readback.base_from_flange
         if robot_error is not None:
             changed = flange.matrix @ moved(np.eye(4), robot_error)
-            flange = RigidTransform(orthonormalised(changed), "base", "flange")
+            flange = RigidTransform(orthonormalise(changed), "base", "flange")
         guide_from_camera = self.guide.guide_from_base(readback.guide_mm) @ flange @ self.flange_from_camera
         return guide_from_camera.inverse() @ self.axis.turned(readback.table_rad) @ self.guide_from_board
 

@@ -11,7 +11,7 @@ from measureapp.arrays import FloatArray, ImageArray, read_only
 from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, rotation_about
-from measureapp.simulate.optics import Lights, PrintedBoard, exposed
+from measureapp.simulate.optics import PrintedBoard, ProjectorLight, expose
 from measureapp.simulate.options import LightSettings
 from measureapp.simulate.sensor import SensorSettings, read_out
 
@@ -73,8 +73,8 @@ def photographed(
     lamp = RigidTransform.from_parts(np.eye(3), np.array([-60.0, 0, 0]), "camera", "projector")
     board_from_camera = camera_from_board.inverse()
     light = np.empty((camera.height_px, camera.width_px, 4), np.float32)
-    PrintedBoard(board, 0.0).lit(camera, board_from_camera, Lights(camera, board_from_camera @ lamp, 550.0), light)
-    return read_only(read_out(exposed(light, None, exposure_us, LightSettings()), 8, SensorSettings(noise=noise), key))
+    PrintedBoard(board, 0.0).illuminate(camera, board_from_camera, ProjectorLight(camera, board_from_camera @ lamp, 550.0), light)
+    return read_only(read_out(expose(light, None, exposure_us, LightSettings()), 8, SensorSettings(noise=noise), key))
 
 
 def middle_of(image: ImageArray, marks_px: FloatArray) -> ImageArray:

@@ -19,7 +19,7 @@ from measureapp.calibration_session.session import CalibrationSession
 from measureapp.data.calibration import HandEye
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError, InputError, StorageError
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.pipeline.again import collected_again, is_collected
 from measureapp.progress import NoProgress
 from tests.calibration_session.shown_board import SIGMA_PX
@@ -47,7 +47,7 @@ def show(shown, session, rig, simulate, readbacks, generator, moved_board=None):
         error = errors.setdefault(readback.base_from_flange.matrix.tobytes(), generator.normal(size=6) * sigma)
         seen = rig.camera_from_board(readback, error)
         if moved_board is not None and number == len(readbacks) - 1:
-            seen = RigidTransform(orthonormalised(moved(seen.matrix, np.array(moved_board))), "camera", "board")
+            seen = RigidTransform(orthonormalise(moved(seen.matrix, np.array(moved_board))), "camera", "board")
         shown.add(session, simulate.corners(rig.head, rig.board, seen, SIGMA_PX, generator), readback)
 
 

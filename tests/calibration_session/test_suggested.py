@@ -10,7 +10,7 @@ from measureapp.calibrate.guidance.next_view import gain_of
 from measureapp.calibrate.kinds.table import KINDS
 from measureapp.calibration_session.session import CalibrationSession
 from measureapp.calibration_session.suggestion import LEAST_GAIN, NEAR_MM, NEAR_RAD, suggest_viewpoint
-from measureapp.planning.reach import obstacles
+from measureapp.planning.reach import limit_violations
 from tests.calibrate.paper_rig import BOARD, RIG, Cell, corners_of, planned
 from tests.calibration_session.shown_board import Shown
 
@@ -56,7 +56,7 @@ def test_the_suggested_viewpoint_can_be_reached_is_new_and_teaches_what_it_promi
     solution = session.solve().camera_solution
     found = suggest_viewpoint(session.draft, RIG, "more01")
     assert found.viewpoint.id == "more01"
-    assert obstacles(found.viewpoint, RIG) == ()
+    assert limit_violations(found.viewpoint, RIG) == ()
     place = seen_from(found.viewpoint, cell)  # with the true rig, which is not the drawn one
     assert gain_of(solution, place, solution.calibration.names) > LEAST_GAIN
     aparts = [place.inverse() @ known for known in solution.boards.values()]

@@ -14,7 +14,7 @@ from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.geometry.transform import RigidTransform, rotation_about
 from measureapp.project.fringes.pattern_files import manifest_skeleton
 from measureapp.project.rig_file import read_rig
-from measureapp.simulate.optics import Lights, PrintedBoard, exposed, projected
+from measureapp.simulate.optics import PrintedBoard, ProjectorLight, expose, project_images
 from measureapp.simulate.options import LightSettings, RigErrors
 from measureapp.simulate.sensor import SensorSettings, read_out
 from measureapp.simulate.truth import Truth, draw_truth
@@ -51,20 +51,20 @@ def board_poses(truth: Truth, count: int, generator: np.random.Generator) -> lis
 
 def write_stacks(folder: Path, truth: Truth, poses: list[RigidTransform], cameras: tuple[str, ...] = ("left", "right")) -> list[Path]:
     """Write one folder of images with its MANIFEST.toml per pose; return the manifests."""
-    shown = projected(pattern_images(PATTERNS, RIG.projector.width_px, RIG.projector.height_px), LightSettings())
+    shown = project_images(pattern_images(PATTERNS, RIG.projector.width_px, RIG.projector.height_px), LightSettings())
     printed = PrintedBoard(PAPER_BOARD, 0.0)
     manifests = []
     for number, pose in enumerate(poses):
         place = folder / f"position{number:02d}"
-        lights = Lights(truth.projector, pose.inverse() @ truth.camera_from_projector, RIG.standoff_mm)
+        lights = ProjectorLight(truth.projector, pose.inverse() @ truth.camera_from_projector, RIG.standoff_mm)
         for name in cameras:
             camera = truth.calibration.cameras.cameras[name]
             light = np.empty((camera.pinhole.height_px, camera.pinhole.width_px, 4), np.float32)
-            printed.lit(camera.pinhole, pose.inverse() @ camera.reference_from_camera, lights, light)
+            printed.illuminate(camera.pinhole, pose.inverse() @ camera.reference_from_camera, lights, light)
             images = place / name / str(EXPOSURE_US)
             images.mkdir(parents=True)
             for pattern, lit in enumerate(shown):
-                seen = read_out(exposed(light, lit, EXPOSURE_US, LightSettings()), 8, SensorSettings(), 1000 * number + pattern + len(name))
+                seen = read_out(expose(light, lit, EXPOSURE_US, LightSettings()), 8, SensorSettings(), 1000 * number + pattern + len(name))
                 cv2.imwrite(str(images / f"{pattern:03d}.png"), seen)
         manifests.append(place / "MANIFEST.toml")
         manifests[-1].write_text(manifest_skeleton(PATTERNS, cameras, (EXPOSURE_US,)))

@@ -85,4 +85,4 @@ def test_a_calibration_that_was_changed_by_hand_is_refused(copy: Path, capsys: p
     path.unlink()
     path.write_text(json.dumps(cameras), encoding="utf-8")
     code, document, _ = answer(capsys, "calibrate", "check", "--project", copy)
-    assert code == 2 and "was changed after it was stored" in document["error"]["message"]
+    assert code == 2 and "was modified after it was stored" in document["error"]["message"]

@@ -9,7 +9,7 @@ import pytest
 from recorded import recorded
 
 from measureapp.cli import main
-from measureapp.project.claim import claimed
+from measureapp.project.folder_lock import lock_folder
 from tests.calibrate.virtual_board import CHECKER, shot
 
 BOARD = ("--board", "14x11", "--square-mm", "15")
@@ -103,7 +103,7 @@ def test_bad_input_is_refused_in_one_sentence(capsys, images, tmp_path, argument
 def test_a_session_that_another_window_holds_is_refused_and_stays(capsys, images, tmp_path):
     session = ("cameras", "--session", tmp_path / "session")
     assert run(capsys, *session, "--images", f"left={images}/view[01].png", *BOARD)[0] == 0
-    with claimed(tmp_path / "session"):
+    with lock_folder(tmp_path / "session"):
         code, answer = run(capsys, *session, "--remove", "01")
     assert code == 2
     assert "another window or command" in answer["error"]["message"]

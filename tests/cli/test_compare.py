@@ -118,7 +118,7 @@ def test_sections_bands_and_the_coloured_nominal_are_written(cloud: Path, tmp_pa
     [
         (("--section", "q=3"), "is not a section"),
         (("--section", "z=500"), "meets neither"),
-        (("--section", "z=20", "--section-file", "s.xls"), "no ending that says"),
+        (("--section", "z=20", "--section-file", "s.xls"), "Sections cannot be written"),
         (("--map", "m.stl"), "does not end in .ply"),
         (("--align", "cyclic:one"), "must be 2 to 1000"),
         (("--tolerance", "0.1", "-0.1"), "is empty"),

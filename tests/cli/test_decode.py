@@ -42,7 +42,7 @@ def test_sixteen_bit_images_give_the_same_phase(tmp_path: Path, capsys: pytest.C
     [
         ("shift_sign = -1", "shift_sign = 2", "shift_sign"),
         ("projector_px = 1024", "projector_px = 1100", "beat of the pitches"),
-        ("projector_px = 1024", "projektor_px = 1024", "projektor_px: is not known here"),
+        ("projector_px = 1024", "projektor_px = 1024", "projektor_px: is not a known field"),
         ("projector_px = 1024", "projector_px = ", "is not valid TOML"),
         ("pitch_px = 33", "pitch_px = 32", "beat|repeats|single pitch|not determine"),
         ("pitch_px = 33", "periods = 32\npitch_px = 33", "either pitch_px or periods"),
@@ -72,7 +72,7 @@ def test_images_that_are_damaged_or_do_not_fit_each_other_are_refused_by_name(tm
     image = tmp_path / "left" / "1000_2.png"
     whole = image.read_bytes()
     for damage, expected in (
-        (whole[: len(whole) // 2], "cut off"),
+        (whole[: len(whole) // 2], "truncated"),
         (b"no image", "not a readable image"),
         (b"", "not a readable image"),
         (cv2.imencode(".png", np.zeros((40, 255), np.uint8))[1].tobytes(), "255 × 40 px"),
@@ -111,4 +111,4 @@ def test_the_guard_against_blooming_is_chosen_from_the_images_or_refused_in_word
     assert json.loads(capsys.readouterr().out)["settings"]["blooming_radius_px"] == 0
     for wrong in ("17", "-1", "far"):
         assert main([*asked, wrong]) != 0
-        assert "no radius" in json.loads(capsys.readouterr().out)["error"]["message"]
+        assert "not a radius" in json.loads(capsys.readouterr().out)["error"]["message"]

@@ -53,7 +53,7 @@ def test_people_read_points_dimensions_truth_and_where_the_report_is(finished_as
     assert said.startswith("gypsum: ") and "from 6 of 6 views" in said
     assert [line.split()[1] for line in said.splitlines() if line.startswith("  ✓")] == ["a", "b", "c", "d"]
     assert f"rms {demo.document['truth_deviation']['rms']:.3f} mm" in said
-    assert f"by the axes alone: rms {demo.document['truth_deviation']['kinematic_only']['rms']:.3f} mm" in said
+    assert f"kinematic positions: rms {demo.document['truth_deviation']['kinematic_only']['rms']:.3f} mm" in said
     assert said.endswith("report.pdf\n")
 
 

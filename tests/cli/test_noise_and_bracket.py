@@ -62,7 +62,7 @@ def test_dark_images_give_the_black_level_of_a_twelve_bit_camera(tmp_path: Path,
     flats = write_flats(tmp_path / "flats", camera, bits=12)
     dark = write_flats(tmp_path / "dark", camera, (0.0,), bits=12)
     common = ("noise", "--images", f"one={flats}", "--out", tmp_path / "noise.json")
-    assert "have 16 bit" in refused_with(capsys, *common)
+    assert "need a saturation level" in refused_with(capsys, *common)
     assert "black level" in refused_with(capsys, *common, "--saturation", 4095)
     found = answer(capsys, *common, "--saturation", 4095, "--dark", f"one={dark}")["cameras"]["one"]
     assert found["noise"]["black_grey"] == pytest.approx(64, abs=0.1)
@@ -100,7 +100,7 @@ def test_recorded_fringes_tell_the_noise_where_there_are_no_flats(tmp_path: Path
     out = ("--out", tmp_path / "none.json")
     assert "one of --images, --rig and --fringes" in refused_with(capsys, "noise", *out)
     assert "one of --images, --rig and --fringes" in refused_with(capsys, "noise", "--fringes", manifest, "--rig", "paper", *out)
-    assert "belong to --images" in refused_with(capsys, "noise", "--fringes", manifest, "--saturation", 255, *out)
+    assert "need --images" in refused_with(capsys, "noise", "--fringes", manifest, "--saturation", 255, *out)
     assert not (tmp_path / "none.json").exists()
 
 
@@ -111,7 +111,7 @@ def test_flats_that_cannot_be_used_are_refused(tmp_path: Path, capsys: pytest.Ca
     assert "camera left twice" in refused_with(capsys, "noise", "--images", f"left={flats}", "--images", f"left={flats}", *out)
     assert "No file matches" in refused_with(capsys, "noise", "--images", f"left={tmp_path}/none*.png", *out)
     (tmp_path / "flats" / "2_1.png").unlink()
-    assert "2_0.png has no other image of its brightness" in refused_with(capsys, "noise", "--images", f"left={flats}", *out)
+    assert "2_0.png is the only image of its brightness" in refused_with(capsys, "noise", "--images", f"left={flats}", *out)
     cv2.imwrite(str(tmp_path / "flats" / "2_1.png"), np.zeros((5, 5), np.uint8))
     assert "2_1.png differs from" in refused_with(capsys, "noise", "--images", f"left={flats}", *out)
     assert not (tmp_path / "noise.json").exists()

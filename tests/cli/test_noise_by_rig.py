@@ -87,8 +87,8 @@ def test_noise_that_cannot_be_measured_or_kept_is_refused(rig: Path, plan: Path,
     out = ("--out", tmp_path / "noise.json")
     assert "one of --images, --rig and --fringes" in refused_with(capsys, "noise", *out)
     assert "one of --images, --rig and --fringes" in refused_with(capsys, "noise", "--rig", rig, "--images", "left=*.png", *out)
-    assert "no place to go" in refused_with(capsys, "noise", "--rig", rig)
-    assert "where a rig looks from" in refused_with(capsys, "noise", "--images", "left=*.png", "--plan", plan, *out)
+    assert "no destination" in refused_with(capsys, "noise", "--rig", rig)
+    assert "--plan needs --rig" in refused_with(capsys, "noise", "--images", "left=*.png", "--plan", plan, *out)
     assert "--dark and --saturation" in refused_with(capsys, "noise", "--rig", rig, "--saturation", 255, *out)
     assert "not a MeasureApp project" in refused_with(capsys, "noise", "--rig", rig, "--project", tmp_path)
     assert not (tmp_path / "noise.json").exists()
@@ -102,7 +102,7 @@ def test_noise_is_kept_of_cameras_alone_that_the_rig_has_and_that_fit_the_model(
     sound = estimate_noise([pair.astype(np.uint8) for pair in flats], 255, "left")
     with pytest.raises(InputError, match="has no camera middle"):
         project.save_noise({"left": sound, "middle": sound})
-    with pytest.raises(CalibrationError, match="The noise of left: sound"):
+    with pytest.raises(CalibrationError, match="does not fit: left: sound"):
         project.save_noise({"left": replace(sound, accepted=False)})
     assert project.noise() == {}
     project.save_noise({"left": sound})

@@ -43,7 +43,7 @@ def test_a_check_says_range_guard_band_noise_and_order_errors(capsys: pytest.Cap
     assert quieter["directions"]["vertical"]["order_error_probability"] == pytest.approx(1e-4, rel=0.5)
     assert main(["patterns", "check", "three-wide"]) == 0
     said = capsys.readouterr().out
-    assert "guard band" in said and "wrong orders" in said and "σ of the result" in said
+    assert "guard band" in said and "wrong fringe orders" in said and "σ of the result" in said
 
 
 def test_an_export_holds_the_images_their_list_and_a_manifest(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -38,4 +38,4 @@ def test_a_part_without_program_has_points_and_no_dimensions(processed: None, de
     assert main(["process", str(demo.folder)]) == 0
     said = capsys.readouterr().out
     assert said.startswith("gypsum: ")
-    assert said.endswith("No inspection program: no dimensions.\n")
+    assert said.endswith("The project has no inspection program.\n")

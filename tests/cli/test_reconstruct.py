@@ -92,7 +92,7 @@ def test_images_that_are_all_white_or_all_black_are_told_from_a_wrong_calibratio
         cv2.imwrite(str(file), np.full((40, 256), grey, np.uint8))
     write_cameras(tmp_path / "cameras.json", flat_cameras())
     assert main(["decode", str(manifest), "--out", str(tmp_path / "maps")]) == 0
-    assert f"no phase at all: {reason} in 100%" in capsys.readouterr().out
+    assert f"no pixel has a phase: {reason} in 100%" in capsys.readouterr().out
     said = ["reconstruct", str(manifest), "--cameras", str(tmp_path / "cameras.json"), "--out", str(tmp_path / "cloud.ply"), "--json"]
     assert main(said) == 2
     error = json.loads(capsys.readouterr().out)["error"]

@@ -79,7 +79,7 @@ def test_a_scan_without_calibration_keeps_its_images_and_one_that_is_resumed_tak
 
     assert main(["verify", str(project)]) == 0
     capsys.readouterr()
-    refused(capsys, "holds images already", "--resume", "scan", plan, "--rig", rig, "--project", project)
+    refused(capsys, "contains images already", "--resume", "scan", plan, "--rig", rig, "--project", project)
 
 
 def refused(capsys: pytest.CaptureFixture[str], message: str, hint: str, *arguments: object) -> None:

@@ -46,7 +46,7 @@ def flip(path: Path, place: int) -> None:
 def test_a_project_as_it_was_stored_is_whole(project: Path, capsys) -> None:
     assert verified(capsys, project) == (0, {"checked": ["view01", "view02", "board01"], "damaged": {}})
     assert main(["verify", str(project)]) == 0
-    assert capsys.readouterr().out == "3 viewpoints checked: all as stored.\n"
+    assert capsys.readouterr().out == "3 viewpoints checked: no damage.\n"
 
 
 @pytest.mark.parametrize("place", [-1, 200, 1000])
@@ -55,7 +55,7 @@ def test_one_flipped_bit_of_a_fringe_image_is_found(place: int, project: Path, c
     code, document = verified(capsys, project)
     assert code == 1
     assert list(document["damaged"]) == ["view02"]
-    assert "right.npy differs from what was stored" in document["damaged"]["view02"][0]
+    assert "right.npy differs from its stored checksum" in document["damaged"]["view02"][0]
     assert main(["verify", str(project)]) == 1
     assert "1 files damaged" in capsys.readouterr().out
 
@@ -84,7 +84,7 @@ def test_a_changed_image_of_the_board_is_found(project: Path, capsys) -> None:
     cv2.imwrite(str(path), pixels)
     code, document = verified(capsys, project)
     assert code == 1
-    assert "left.png differs from what was stored" in document["damaged"]["board01"][0]
+    assert "left.png differs from its stored checksum" in document["damaged"]["board01"][0]
 
 
 def test_an_image_of_the_board_cut_in_half_is_found(project: Path, capsys) -> None:
@@ -92,7 +92,7 @@ def test_an_image_of_the_board_cut_in_half_is_found(project: Path, capsys) -> No
     path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
     code, document = verified(capsys, project)
     assert code == 1
-    assert "left.png is cut off" in document["damaged"]["board01"][0]
+    assert "left.png is truncated" in document["damaged"]["board01"][0]
 
 
 @pytest.mark.parametrize("content", ["", "[]", "{}", '{"cameras": ["left"], "viewpoint_id": "x", "readback": 3}'])

@@ -101,15 +101,15 @@ def test_maps_are_written_with_the_colours_of_their_legend(holes: list[str], tmp
     ("options", "words"),
     [
         (["--pixel", "40,0"], "no pixel in row 40"),
-        (["--pixel", "3"], "--pixel 3 is not a place"),
-        (["--region", "1,2,3,x"], "--region 1,2,3,x is not a box"),
-        (["--region", "0,0,99,9"], "does not lie in the images"),
+        (["--pixel", "3"], "--pixel 3 is not a pixel"),
+        (["--region", "1,2,3,x"], "--region 1,2,3,x is not a region"),
+        (["--region", "0,0,99,9"], "is not inside the images"),
         (["--pixel", "1,2", "--region", "1,2,3,4"], "exclude each other"),
         (["--camera", "front"], "no camera 'front'"),
         (["--view", "view01"], "is not a project"),
         (["--map", "reasons.jpg"], "cannot be drawn"),
         (["--map", "colours=a.png"], "cannot be drawn"),
-        (["--rule", "brightest"], "--rule brightest is not known"),
+        (["--rule", "brightest"], "--rule brightest is unknown"),
     ],
 )
 def test_what_cannot_be_answered_is_refused_in_words(

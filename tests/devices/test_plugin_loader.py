@@ -129,7 +129,7 @@ def test_the_second_plugin_of_one_id_is_refused_by_name(tmp_path: Path) -> None:
 
 def test_an_unknown_plugin_is_refused_with_those_there_are(tmp_path: Path) -> None:
     plugin(tmp_path, "cam")
-    with pytest.raises(PluginError, match=r"no driver plugin robot_x \(found: cam\)"):
+    with pytest.raises(PluginError, match=r"no driver plugin robot_x \(available: cam\)"):
         load_plugin(tmp_path, "robot_x")
 
 

@@ -83,7 +83,7 @@ def test_a_set_with_both_directions_gives_columns_and_rows() -> None:
         ),
     )
     column, row = ramp(80, 300), np.linspace(5, 760, 80)[:, None] + 0.02 * np.arange(300)[None, :]
-    images = np.concatenate([images_of(at, both.along(way)[0]) for at, way in ((column, "vertical"), (row, "horizontal"))], axis=1)
+    images = np.concatenate([images_of(at, both.subset(way)[0]) for at, way in ((column, "vertical"), (row, "horizontal"))], axis=1)
     found = decode(stack_of(images, both))["left"]
     assert found.across is not None and found.direction == "vertical" and found.across.direction == "horizontal"
     for decoded, truth in ((found, column), (found.across, row)):

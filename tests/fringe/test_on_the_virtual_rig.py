@@ -9,7 +9,7 @@ from measureapp.data.fringe import PatternSet
 from measureapp.data.pattern_sets import DEFAULT_PATTERNS, PAPER_PATTERNS
 from measureapp.fringe.decode import decode
 from measureapp.fringe.settings import DecodeSettings
-from measureapp.pattern_trial import Scene, capture, judge, try_out
+from measureapp.pattern_trial import Scene, capture, evaluate, run_trial
 
 MOST_WRONG_PAPER, MOST_WRONG_OURS = 5e-4, 1e-5
 LEAST_DECODED = 0.99
@@ -24,13 +24,13 @@ THOROUGH = tuple(
 
 @pytest.mark.parametrize("rule", ["paper", "combined"])
 def test_wrong_orders_of_the_papers_patterns_are_rare_on_shiny_and_dark_metal(rule: str) -> None:
-    found = try_out(FAST, PAPER_PATTERNS, rule)
+    found = run_trial(FAST, PAPER_PATTERNS, rule)
     assert found.wrong_share <= MOST_WRONG_PAPER
     assert found.decoded_share >= LEAST_DECODED
 
 
 def test_the_default_patterns_leave_no_wrong_order_on_shiny_and_dark_metal_and_halve_the_error() -> None:
-    ours, papers = try_out(FAST, DEFAULT_PATTERNS), try_out(FAST, PAPER_PATTERNS)
+    ours, papers = run_trial(FAST, DEFAULT_PATTERNS), run_trial(FAST, PAPER_PATTERNS)
     assert ours.wrong_share <= MOST_WRONG_OURS
     assert ours.decoded_share >= LEAST_DECODED
     assert ours.column_error_px < 0.55 * papers.column_error_px
@@ -44,12 +44,12 @@ def test_combined_exposures_lower_the_noise_and_lose_no_pixel_against_the_papers
     assert combined.valid.sum() >= 0.999 * paper.valid.sum()
     both = combined.valid & paper.valid
     assert np.median(combined.sigma_rad[both]) < 0.75 * np.median(paper.sigma_rad[both])
-    by_rule = [np.median(np.abs(judge(world, each).error_px)) for each in (combined, paper)]
+    by_rule = [np.median(np.abs(evaluate(world, each).error_px)) for each in (combined, paper)]
     assert by_rule[0] < 0.75 * by_rule[1]
 
 
 def test_the_predicted_noise_of_the_column_is_that_of_the_images() -> None:
-    found = judge(world := Scene("gypsum").world(), decode(capture(world, DEFAULT_PATTERNS))["left"])
+    found = evaluate(world := Scene("gypsum").world(), decode(capture(world, DEFAULT_PATTERNS))["left"])
     assert 1.4826 * np.median(np.abs(found.error_px / found.sigma_px)) == pytest.approx(1.0, abs=0.06)
 
 
@@ -64,7 +64,7 @@ def test_the_predicted_noise_of_the_column_is_that_of_the_images() -> None:
     ids=["paper's patterns and rule", "paper's patterns, all exposures", "ours"],
 )
 def test_wrong_orders_stay_rare_over_parts_seeds_views_and_light(patterns: PatternSet, rule: str, most_wrong: float) -> None:
-    found = try_out(THOROUGH, patterns, rule)
+    found = run_trial(THOROUGH, patterns, rule)
     assert found.valid_px > 1_000_000
     assert found.wrong_share <= most_wrong
     assert found.decoded_share >= LEAST_DECODED

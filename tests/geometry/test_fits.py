@@ -229,7 +229,7 @@ def test_the_minimum_zone_is_narrower_than_that_of_least_squares_and_its_certifi
     sample = Sample(shape, 3.0, 100.0, noise_mm=0.02, count=count, seed=4)
     zone, least = fit_minimum_zone(shape, sample.points), fit(shape, sample.points)
     assert zone.feature.form_error_mm < least.form_error_mm
-    assert zone.imbalance < 1e-7 and zone.shares.sum() == pytest.approx(1) and (zone.shares > 0).all()
+    assert zone.imbalance < 1e-7 and zone.multipliers.sum() == pytest.approx(1) and (zone.multipliers > 0).all()
     if shape == "circle":
         return  # its zone lies within a plane, and has its own test
     signed = distances_mm(zone.feature, sample.points)

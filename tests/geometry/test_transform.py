@@ -27,7 +27,7 @@ def test_a_quaternion_round_trip_keeps_the_pose(rotation, translation):
 
 def test_a_chain_whose_frames_do_not_meet_is_refused():
     a_from_b = RigidTransform.identity("a", "b")
-    with pytest.raises(FrameMismatch, match="a_from_b cannot follow c_from_d"):
+    with pytest.raises(FrameMismatch, match="a_from_b cannot be multiplied by c_from_d"):
         a_from_b @ RigidTransform.identity("c", "d")
 
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from measureapp.data.inspection_program import InspectionProgram, indexed
+from measureapp.data.inspection_program import InspectionProgram, substitute_index
 from measureapp.errors import InputError
 from measureapp.project.program_file import read_program, read_program_nominal
 from measureapp.resources import resource
@@ -40,8 +40,8 @@ def test_a_program_survives_the_way_through_json() -> None:
 
 
 def test_copies_of_a_pattern_are_counted_in_a_ring() -> None:
-    assert indexed(("mid.{k}", "mid.{k+1}"), 7, 7) == ("mid.7", "mid.1")
-    assert indexed(("mid.{k+2}",), 6, 7) == ("mid.1",)
+    assert substitute_index(("mid.{k}", "mid.{k+1}"), 7, 7) == ("mid.7", "mid.1")
+    assert substitute_index(("mid.{k+2}",), 6, 7) == ("mid.1",)
 
 
 @pytest.mark.parametrize(
@@ -53,17 +53,17 @@ def test_copies_of_a_pattern_are_counted_in_a_ring() -> None:
         ('name = "p"\n' + FACE + "cut = { band = 3 }\n", r"features.0.cut.band \('f'\) is not a known key"),
         ('name = "p"\n' + FACE.replace('"plane"', '"cube"'), r"features.0 \('f'\): .*'cube'"),
         ('name = "p"\n' + FACE.replace('"plane"', '"sphere"'), "a sphere needs `radius_mm`"),
-        ('name = "p"\n' + FACE + FACE, "two features are called 'f'"),
+        ('name = "p"\n' + FACE + FACE, "two features have the name 'f'"),
         ('name = "p"\n' + FACE + "cut = { z_mm = [3, 1] }\n", "z_mm must run from the smaller"),
         ('name = "p"\n' + FACE.replace("point_mm = [0, 0, 0]\n", ""), "needs `point_mm`, or `grow` with a seed"),
         ('name = "p"\n' + FACE.replace("point_mm", "grow.seed_mm"), "a nominal needs `point_mm`"),
-        ('name = "p"\n' + FACE.replace('"plane"', '"surface_point"') + "grow = { seed_mm = [0, 0, 0] }\n", "does not `grow`"),
+        ('name = "p"\n' + FACE.replace('"plane"', '"surface_point"') + "grow = { seed_mm = [0, 0, 0] }\n", "`grow` does not apply"),
         (
             'name = "p"\n' + FACE + '[[dimensions]]\nname = "d"\nkind = "distance"\nfeatures = ["f", "g"]\nnominal = 1\n',
             "dimension 'd' needs feature 'g'",
         ),
         ('name = "p"\n' + FACE + '[[dimensions]]\nname = "d"\nkind = "distance"\nfeatures = ["f"]\nnominal = 1\n', "needs two features"),
-        ('name = "p"\n' + FACE + '[[features]]\nname = "m"\nshape = "midpoint"\nof = ["f", "x"]\n', "is made of 'x'"),
+        ('name = "p"\n' + FACE + '[[features]]\nname = "m"\nshape = "midpoint"\nof = ["f", "x"]\n', "is constructed from 'x'"),
     ],
 )
 def test_a_wrong_program_is_refused_with_file_and_place(text: str, complaint: str, tmp_path: Path) -> None:

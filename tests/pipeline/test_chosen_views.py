@@ -17,7 +17,7 @@ from measureapp.data.measurement import ViewResult
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import InputError
 from measureapp.geometry.transform import RigidTransform
-from measureapp.pipeline.chosen_views import REFUSED, check_choices, chosen, with_refused
+from measureapp.pipeline.chosen_views import REFUSED, add_refused, check_choices, select_views
 from measureapp.pipeline.restitch import restitch
 from measureapp.progress import NoProgress
 from measureapp.project.folder import ProjectFolder
@@ -34,13 +34,13 @@ VIEWS = (view("a"), view("b", accepted=False), view("c"))
 
 
 def test_figures_decide_unless_somebody_did() -> None:
-    assert [one.viewpoint_id for one in chosen(VIEWS, ViewChoices())] == ["a", "c"]
-    assert [one.viewpoint_id for one in chosen(VIEWS, ViewChoices(used=("b",), refused=("a",)))] == ["b", "c"]
+    assert [one.viewpoint_id for one in select_views(VIEWS, ViewChoices())] == ["a", "c"]
+    assert [one.viewpoint_id for one in select_views(VIEWS, ViewChoices(used=("b",), refused=("a",)))] == ["b", "c"]
 
 
 def test_a_refused_view_is_told_behind_those_that_points_refer_to() -> None:
     stitched = StitchedCloud(np.zeros((1, 3)), np.zeros((1, 3)), np.ones(1), np.ones(1), np.zeros(1, int), ())
-    told = with_refused(stitched, VIEWS, ViewChoices(refused=("c",)))
+    told = add_refused(stitched, VIEWS, ViewChoices(refused=("c",)))
     assert [(line.viewpoint_id, line.used, line.verdict) for line in told.placements] == [("c", False, REFUSED)]
 
 

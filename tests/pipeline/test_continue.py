@@ -59,7 +59,7 @@ def test_no_image_is_taken_twice_and_the_results_are_the_same(demo: Demo, copy: 
 
 def test_a_folder_with_another_demo_is_left_alone(demo: Demo, copy: Path) -> None:
     before = images(copy)
-    with pytest.raises(InputError, match="holds another project"):
+    with pytest.raises(InputError, match="contains another project"):
         run_demo(DemoRequest(copy, "gypsum", "quarter", 6, seed=2), lambda _: None, NoProgress())
     assert images(copy) == before
     assert (copy / "results" / "measurement.json").exists()

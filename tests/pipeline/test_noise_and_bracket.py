@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from measureapp.acquire.capture import checked_grab, move_to, set_exposure
+from measureapp.acquire.capture import grab_checked, move_to, set_exposure
 from measureapp.data.fringe import FringeStack, PatternSet, PhaseShiftGroup
 from measureapp.data.plan import Viewpoint
 from measureapp.devices.plugin_loader import load_plugin
@@ -17,7 +17,7 @@ from measureapp.fringe.exposures.bracket import BracketLimits
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.pipeline.bracket import probe_stack, propose_bracket
 from measureapp.pipeline.noise import measure_noise
-from measureapp.planning.viewpoints import Gaze, viewpoint_looking_at
+from measureapp.planning.viewpoints import LookAt, viewpoint_looking_at
 from measureapp.progress import NoProgress
 from measureapp.project.rig_file import read_rig
 
@@ -30,7 +30,7 @@ def rig_with(part: str, world: dict[str, object] | None = None) -> tuple[Rig, Vi
     rig: Rig = load_plugin(None, "virtual_rig").entry(description, {"part": part, "seed": 3, "world": world or {}})
     rig.place_on_table("part")
     target = np.add(description.table.centre_in_guide_mm, [0.0, 0.0, 30.0])
-    return rig, viewpoint_looking_at(description, "view", target, Gaze(10.0, 50.0, description.standoff_mm), guide_mm=0.0, table_deg=0.0)
+    return rig, viewpoint_looking_at(description, "view", target, LookAt(10.0, 50.0, description.standoff_mm), guide_mm=0.0, table_deg=0.0)
 
 
 def test_the_noise_of_the_virtual_cameras_is_found() -> None:
@@ -48,10 +48,10 @@ def test_the_noise_of_the_virtual_cameras_is_found() -> None:
 def test_a_rig_that_sees_nothing_says_so() -> None:
     rig, view = rig_with("gypsum")
     rig.place_on_table("empty")
-    with pytest.raises(CalibrationError, match=r"Camera 'left' sees nothing lit at \d+ µs"):
+    with pytest.raises(CalibrationError, match=r"The image of camera 'left' is dark at \d+ µs"):
         measure_noise(rig, view)
     with pytest.raises(DecodeError, match="No camera sees fringes"):
-        propose_bracket(rig, PATTERNS, 4.0, viewpoint=view)
+        propose_bracket(rig, PATTERNS, BracketLimits(4.0), view)
 
 
 def test_a_camera_saturated_at_every_exposure_is_named() -> None:
@@ -62,7 +62,7 @@ def test_a_camera_saturated_at_every_exposure_is_named() -> None:
 
 def test_the_bracket_a_rig_proposes_gives_what_it_promises() -> None:
     rig, view = rig_with("impeller")
-    found = propose_bracket(rig, PATTERNS, 4.8, 5, view)
+    found = propose_bracket(rig, PATTERNS, BracketLimits(4.8), view)
     assert found.figures.time_s <= 4.8
     assert set(found.compared) == {"paper", "rig"}
     for figures in (found.figures, found.compared["rig"]):
@@ -83,7 +83,7 @@ def taken(rig: Rig, view: Viewpoint, exposures: tuple[int, ...]) -> tuple[float,
         for pattern in range(PATTERNS.count):
             rig.projector.show(pattern, timeout_s=1.0)
             for name, camera in rig.cameras.items():
-                images[name].append(checked_grab(camera, exposure, pattern))
+                images[name].append(grab_checked(camera, exposure, pattern))
     stacks = {name: np.reshape(grabbed, (len(exposures), PATTERNS.count, *grabbed[0].shape)) for name, grabbed in images.items()}
     stack = FringeStack(view.id, PATTERNS, exposures, stacks, 255)
     check_stack(stack)
@@ -103,7 +103,7 @@ def lit_pixels(rig: Rig, name: str) -> np.ndarray:
     images = []
     for step in range(4):
         rig.projector.show(step, timeout_s=1.0)
-        images.append(checked_grab(camera, 100_000, step).astype(int))
+        images.append(grab_checked(camera, 100_000, step).astype(int))
     high, low = np.max(images, axis=0), np.min(images, axis=0)
     return np.asarray((high - low > 6) | (low >= 255))
 
@@ -111,7 +111,7 @@ def lit_pixels(rig: Rig, name: str) -> np.ndarray:
 def test_the_probe_takes_only_the_finest_pitch_at_two_exposures() -> None:
     rig, view = rig_with("flat")
     patterns = PATTERNS.model_copy(update={"groups": PATTERNS.groups[::-1]})
-    propose_bracket(rig, patterns, 4.8, 2, view, limits=BracketLimits(1.0, multiple_us=10_000))
+    propose_bracket(rig, patterns, BracketLimits(4.8, 2, multiple_us=10_000), view)
     stack = probe_stack(rig, patterns, NoProgress())
     assert stack.exposures_us == (100_000, 12_500)
     assert stack.patterns.pitches_px == (16,)

@@ -51,7 +51,7 @@ def scanned(folder: Path, rig: RigDescription, calibration: RigCalibration, on_e
 
 @pytest.fixture(scope="module")
 def calibration(demo: Demo) -> RigCalibration:
-    return demo.project.needed_calibration()
+    return demo.project.require_calibration()
 
 
 @pytest.fixture(scope="module")

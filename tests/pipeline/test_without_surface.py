@@ -10,7 +10,7 @@ import pytest
 from demo_fixture import Demo
 
 from measureapp.acquire.events import Event, SurfaceFailed
-from measureapp.cli.outcome import tell_failures
+from measureapp.cli.outcome import report_event
 from measureapp.pipeline.restitch import restitch
 from measureapp.progress import NoProgress
 from measureapp.project.folder import ProjectFolder
@@ -30,5 +30,5 @@ def test_points_and_dimensions_do_without_a_surface_and_it_is_told_why(
     stored = project.measurement()
     assert stored is not None and stored.mesh is None
     (told,) = (event for event in events if isinstance(event, SurfaceFailed))
-    tell_failures(told)
-    assert "There is no surface: The surface needs about" in capsys.readouterr().err
+    report_event(told)
+    assert "No surface: The surface needs about" in capsys.readouterr().err

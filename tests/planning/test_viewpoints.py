@@ -7,7 +7,7 @@ from measureapp.data.plan import FlangePose, Viewpoint
 from measureapp.errors import PlanError
 from measureapp.planning.calibration_views import PASSES, calibration_viewpoints
 from measureapp.planning.reach import check_reach
-from measureapp.planning.viewpoints import Gaze, guide_from_head, plan_around_part
+from measureapp.planning.viewpoints import LookAt, guide_from_head, plan_around_part
 from measureapp.project.rig_file import read_rig
 
 
@@ -18,7 +18,7 @@ def rig():
 
 def test_the_head_looks_at_its_target_with_its_image_upright():
     target = np.array([850.0, 20.0, 100.0])
-    pose = guide_from_head(target, Gaze(azimuth_deg=10.0, elevation_deg=40.0, distance_mm=550.0))
+    pose = guide_from_head(target, LookAt(azimuth_deg=10.0, elevation_deg=40.0, distance_mm=550.0))
     assert np.allclose(pose.inverse().apply(target[None])[0], [0, 0, 550])
     assert pose.rotation[2, 1] < 0  # image down is world down
     assert abs(pose.rotation[2, 0]) < 1e-12  # image right is level

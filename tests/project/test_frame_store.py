@@ -22,7 +22,7 @@ def test_a_stack_comes_back_as_it_was_stored(tmp_path, stack):
     store = FrameStore(tmp_path)
     store.store(stack)
     loaded = store.load("view01")
-    assert store.stored() == ("view01",)
+    assert store.list_stored() == ("view01",)
     assert np.array_equal(loaded.images["left"], stack.images["left"])
     assert loaded.patterns == stack.patterns
     assert loaded.exposures_us == stack.exposures_us
@@ -34,12 +34,12 @@ def test_a_stack_comes_back_as_it_was_stored(tmp_path, stack):
 def test_one_changed_byte_is_named(tmp_path, stack):
     store = FrameStore(tmp_path)
     store.store(stack)
-    assert store.damaged("view01") == ()
+    assert store.find_damage("view01") == ()
     path = tmp_path / "view01" / "left.npy"
     content = bytearray(path.read_bytes())
     content[-7] ^= 1
     path.write_bytes(content)
-    assert store.damaged("view01") == (f"{path} differs from what was stored",)
+    assert store.find_damage("view01") == (f"{path} differs from its stored checksum",)
 
 
 def test_a_file_cut_in_half_is_refused_with_its_name(tmp_path, stack):
@@ -49,14 +49,14 @@ def test_a_file_cut_in_half_is_refused_with_its_name(tmp_path, stack):
     path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
     with pytest.raises(StorageError, match=r"left\.npy cannot be read"):
         store.load("view01")
-    assert "left.npy" in store.damaged("view01")[0]
+    assert "left.npy" in store.find_damage("view01")[0]
 
 
 def test_a_stack_that_was_never_finished_does_not_count_as_stored(tmp_path, stack):
     store = FrameStore(tmp_path)
     store.store(stack)
     (tmp_path / "view01" / "stack.json").unlink()
-    assert store.stored() == ()
+    assert store.list_stored() == ()
 
 
 def test_too_little_disk_space_is_said_before_anything_is_written(tmp_path):

@@ -9,7 +9,7 @@ import pytest
 
 from measureapp.data.plan import Viewpoint
 from measureapp.data.rig import RigDescription
-from measureapp.planning.viewpoints import Gaze, viewpoint_looking_at
+from measureapp.planning.viewpoints import LookAt, viewpoint_looking_at
 from measureapp.project.rig_file import read_rig
 from measureapp.simulate.options import LightSettings, WorldOptions
 from measureapp.simulate.sensor import SensorSettings
@@ -37,7 +37,7 @@ def look_from() -> Callable[..., None]:
     ) -> None:
         rig = world.description
         target = np.add(rig.table.centre_in_guide_mm, [0.0, 0.0, height_mm])
-        gaze = Gaze(azimuth_deg, elevation_deg, rig.standoff_mm)
+        gaze = LookAt(azimuth_deg, elevation_deg, rig.standoff_mm)
         view: Viewpoint = viewpoint_looking_at(rig, "view", target, gaze, guide_mm=guide_mm, table_deg=table_deg)
         world.move_robot(view.flange.transform())
         world.move_guide(view.guide_mm)

@@ -7,13 +7,13 @@ import numpy as np
 
 from measureapp.data.board import CharucoDescription, CirclesDescription
 from measureapp.simulate.kernels import _paint
-from measureapp.simulate.optics import _print_of
+from measureapp.simulate.optics import _print_layout
 
 COLOURS = np.array([1.0, 0.5])
 
 
 def painted(board, x_mm, y_mm):
-    layout, cells = _print_of(board)
+    layout, cells = _print_layout(board)
     return np.array([[_paint(x, y, layout, cells, COLOURS) for x in x_mm] for y in y_mm])
 
 

@@ -56,7 +56,7 @@ def test_a_project_of_a_later_version_says_so(project):
 
 
 def test_a_project_whose_images_are_gone_cannot_be_computed_again_and_says_why(project):
-    with pytest.raises(InputError, match="holds no images of the part"):
+    with pytest.raises(InputError, match="contains no images of the part"):
         process_project(project, lambda _event: None, NoProgress())
 
 

@@ -333,25 +333,25 @@ def test_the_plan_page_says_what_the_patterns_promise_and_what_a_view_costs(fill
     page = filled.pages["plan"]
     filled.show_page("plan")
     groups = {group.heading: {name: plain(value) for name, value in group.rows} for group in page.properties.groups}
-    promised, cost = groups["What the patterns promise"], groups["Each view"]
-    assert promised["Range"] == "1088 px" and promised["Guard band"] == "64 px"
-    assert float(promised["σ of the column"].split()[0]) == pytest.approx(0.03, abs=0.01)
-    assert promised["Wrong orders"] == "None expected"
+    predicted, cost = groups["Predicted performance"], groups["Per viewpoint"]
+    assert predicted["Range"] == "1088 px" and predicted["Guard band"] == "64 px"
+    assert float(predicted["σ of the column"].split()[0]) == pytest.approx(0.03, abs=0.01)
+    assert predicted["Wrong fringe orders"] == "None expected"
     assert cost["Images"] == "60 × 3 cameras"
     # 12 images of 100, 80 and three times the 71 ms that an image takes at least
-    assert cost["Taking them"] == "4.7 s at least"
-    assert cost["On disk"] == "907 MB"
+    assert cost["Acquisition time"] == "At least 4.7 s"
+    assert cost["Disk space"] == "907 MB"
 
 
-def test_the_papers_patterns_promise_their_wrong_orders(rig):
+def test_the_wrong_orders_of_the_papers_patterns_are_predicted(rig):
     from measureapp.data.pattern_sets import PATTERN_SETS
-    from ui.pages.pattern_promise import odds, promise
+    from ui.pages.pattern_prediction import odds, predict
 
-    rows = dict(promise(PATTERN_SETS["paper"], 1024, 768)[0].rows)
-    assert rows["Wrong orders"].startswith("1 of ")
-    both = promise(PATTERN_SETS["paper-both"], 1024, 768)
+    rows = dict(predict(PATTERN_SETS["paper"], 1024, 768)[0].rows)
+    assert rows["Wrong fringe orders"].startswith("1 of ")
+    both = predict(PATTERN_SETS["paper-both"], 1024, 768)
     assert [group.heading.rpartition(", ")[2] for group in both] == ["vertical fringes", "horizontal fringes"]
-    assert "Cannot be used" in dict(promise(PATTERN_SETS["paper"], 4096, 768)[0].rows)
+    assert "Cannot be used" in dict(predict(PATTERN_SETS["paper"], 4096, 768)[0].rows)
     assert [plain(odds(value)) for value in (4.9e-4, 0.25, 1e-9, 0.0)] == [
         "1 of 2\u202f000 pixels".replace("\u202f", " "),
         "1 of 4 pixels",

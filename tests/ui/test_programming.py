@@ -14,7 +14,7 @@ from measureapp.pipeline.measure_again import measure_again
 from measureapp.progress import CallbackProgress, Cancelled
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.geometry.files import read_mesh
-from measureapp.project.program_file import program_from
+from measureapp.project.program_file import parse_program
 from ui.pages.inspection.grow_bar import ADD
 from ui.pages.inspection.inspection import REMOVE
 
@@ -44,7 +44,7 @@ def project(tmp_path, rig, measurement) -> ProjectFolder:
     made.save_calibration(measurement.calibration)
     made.save_program(PROGRAM)
     stitched = with_plate(measurement.stitched)
-    made.save_measurement(replace(measurement, stitched=stitched, inspection=inspect(stitched, program_from(PROGRAM))))
+    made.save_measurement(replace(measurement, stitched=stitched, inspection=inspect(stitched, parse_program(PROGRAM))))
     return made
 
 

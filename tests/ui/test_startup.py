@@ -67,9 +67,9 @@ def test_an_import_that_another_thread_disturbed_is_tried_again(monkeypatch):
             raise RuntimeError("dictionary changed size during iteration")
 
     monkeypatch.setattr(startup.importlib, "import_module", disturbed)
-    startup.imported("open3d")
+    startup.import_with_retry("open3d")
     assert calls == ["open3d"] * 3
     monkeypatch.setattr(startup, "IMPORT_TRIALS", 1)
     calls.clear()
     with pytest.raises(RuntimeError, match="changed size"):
-        startup.imported("open3d")
+        startup.import_with_retry("open3d")

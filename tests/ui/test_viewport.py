@@ -12,7 +12,7 @@ from ui.viewport.backend import choose_backend
 from ui.viewport.cloud_view import PREPARING, CloudView
 from ui.viewport.frame_budget import FRAME_S, FrameBudget
 from ui.viewport.layers import CloudLayer, Label, LineLayer, SurfaceLayer
-from ui.viewport.shuffled import LIGHT, shuffled
+from ui.viewport.shuffled_cloud import LIGHT, shuffle
 
 RED = (220, 20, 30)
 
@@ -151,7 +151,7 @@ def test_looking_closer_fills_the_picture_with_what_is_named_without_turning(vie
 
 def test_any_first_part_of_a_shuffled_cloud_stands_for_all_of_it_and_knows_where_its_points_come_from():
     layers = [block(60_000), CloudLayer(block(40_000).points_mm + np.array([100.0, 0, 0]), colouring.plain((0, 0, 255), 40_000))]
-    cloud = shuffled(layers)
+    cloud = shuffle(layers)
     parts = cloud.blocks()
     assert [part.start for part in parts] == [0, *(part.stop for part in parts[:-1])]
     assert parts[-1].stop == len(cloud) == 100_000
@@ -165,10 +165,10 @@ def test_any_first_part_of_a_shuffled_cloud_stands_for_all_of_it_and_knows_where
 
 def test_points_are_shaded_by_their_normals_but_what_was_not_measured_keeps_its_colour():
     normals = np.array([LIGHT, -LIGHT, np.cross(LIGHT, [0, 0, 1])])
-    lit = shuffled([CloudLayer(np.zeros((3, 3)), colouring.plain((200, 200, 200), 3), normals)])
+    lit = shuffle([CloudLayer(np.zeros((3, 3)), colouring.plain((200, 200, 200), 3), normals)])
     grey = {int(lit.order[place]): int(lit.colours[place, 0]) for place in range(3)}
     assert grey[0] > grey[1] > grey[2] > 60
-    unknown = shuffled([CloudLayer(np.zeros((3, 3)), np.tile(colouring.UNKNOWN, (3, 1)), normals)])
+    unknown = shuffle([CloudLayer(np.zeros((3, 3)), np.tile(colouring.UNKNOWN, (3, 1)), normals)])
     assert (unknown.colours == colouring.UNKNOWN).all()
 
 

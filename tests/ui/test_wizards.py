@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 from measureapp.data.board import CheckerboardDescription
 from measureapp.errors import StorageError
 from measureapp.project.calibration.camera_file import read_cameras
-from measureapp.project.claim import claimed
+from measureapp.project.folder_lock import lock_folder
 from measureapp.simulate.world import PAPER_BOARD
 from tests.ui.board_pictures import BOARD, FOCAL, HEIGHT, WIDTH, record
 from tests.ui.wizard_steps import PATIENCE_MS, read_folder, settle
@@ -122,14 +122,14 @@ def test_views_that_another_window_works_on_are_not_taken_over(qtbot, calibratio
     folder = wizard.collecting.collected.folder
     wizard.close()
     calibration_page.open_wizard("cameras")
-    with claimed(folder):
+    with lock_folder(folder):
         wizard.setup.resumeClicked.emit()
         qtbot.waitUntil(lambda: "another window" in wizard.footer.message.words.text(), timeout=PATIENCE_MS)
     assert wizard.step == SETUP
     wizard.setup.resumeClicked.emit()
     qtbot.waitUntil(lambda: wizard.step == COLLECT, timeout=PATIENCE_MS)
     settle(qtbot, wizard)
-    with pytest.raises(StorageError, match="another window"), claimed(folder):
+    with pytest.raises(StorageError, match="another window"), lock_folder(folder):
         pass
 
 
@@ -158,7 +158,7 @@ def test_the_arrow_keys_go_to_the_steps_that_were_reached(qtbot, wizard, recorde
     assert wizard.step == COLLECT
 
 
-@pytest.mark.parametrize("folder, said", [("nothing here", "There is no folder"), ("", "No images lie in")])
+@pytest.mark.parametrize("folder, said", [("nothing here", "There is no folder"), ("", "There are no images in")])
 def test_a_folder_without_images_is_refused_with_a_remedy(qtbot, wizard, tmp_path, folder, said):
     (tmp_path / "empty").mkdir()
     read_folder(qtbot, wizard, tmp_path / (folder or "empty"))

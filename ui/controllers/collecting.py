@@ -189,10 +189,10 @@ class CollectingController(QObject):
             self.told.emit(error.message, error.hint, "error")
 
     def _take_over(self, collected: CalibrationSession, rig: RigDescription | None, thumbnails: dict[tuple[str, str], QImage]) -> None:
-        from measureapp.project.claim import claimed
+        from measureapp.project.folder_lock import lock_folder
 
         self._forget()
-        self._held.enter_context(claimed(collected.folder))
+        self._held.enter_context(lock_folder(collected.folder))
         self.collected, self._rig, self._images = collected, rig, CollectedImages(thumbnails)
         self.begun.emit()
         self._after_change()

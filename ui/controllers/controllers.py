@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 class Controllers(QObject):
-    """What the user can do."""
+    """All controllers and their job queues."""
 
     def __init__(self, session: Session, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -61,11 +61,11 @@ class Controllers(QObject):
 
     @property
     def runners(self) -> tuple[JobRunner, ...]:
-        """All queues: what the user waits for, what runs beside it, pictures, views being explained, calibrations being solved."""
+        """All queues: foreground jobs, background jobs, drawing, explanation of views, solving of calibrations."""
         return self.jobs, self.background, self.drawing, self.explaining, self.solving
 
     def end(self, timeout_ms: int) -> bool:
-        """Ask everything to stop and wait for it; tells whether all threads have ended. A kernel that compiles cannot be stopped midway."""
+        """Cancel all jobs and wait for their threads; return whether all have ended. The compilation of a kernel cannot be interrupted."""
         for runner in self.runners:
             runner.queue.cancel_all()
         clock = QElapsedTimer()

@@ -1,4 +1,4 @@
-"""The demo: the whole job on the virtual rig."""
+"""The demo: complete measurement on the virtual rig."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class MeshQuestion:
-    """A mesh file, the longest side of its box as the file has it, and the unit in which it is a part of the rig's size."""
+    """A mesh file, the longest side of its bounding box in file units, and the likely unit."""
 
     path: Path
     span: float
@@ -31,7 +31,7 @@ class MeshQuestion:
 
 
 class DemoController(QObject):
-    """Runs the demo and shows it as it goes."""
+    """Runs the demo and shows its progress."""
 
     meshReady = Signal(object, object)  # Path, LengthUnit
     unitAsked = Signal(object)  # MeshQuestion
@@ -46,16 +46,16 @@ class DemoController(QObject):
 
     @Slot(object)
     def choose(self, settings: DemoSettings) -> None:
-        """Take other settings for the next run."""
+        """Set the settings of the next run."""
         self.settings = settings
 
     @Slot(object)
-    def look_at(self, path: Path) -> None:
-        """Look whether a mesh can be used as a part, and whether its unit has to be asked for."""
-        self._runner.run("Reading the mesh", lambda job: looked_at(path, job), self._judge)
+    def inspect_mesh(self, path: Path) -> None:
+        """Check whether a mesh can be used as a part, and whether its unit has to be requested."""
+        self._runner.run("Reading the mesh", lambda job: read_mesh_size(path, job), self._offer_mesh)
 
     @Slot(object)
-    def _judge(self, found: MeshQuestion) -> None:
+    def _offer_mesh(self, found: MeshQuestion) -> None:
         if found.likely is LengthUnit.MM:
             self.meshReady.emit(found.path, found.likely)
         else:
@@ -65,7 +65,7 @@ class DemoController(QObject):
     def run(self) -> None:
         """Calibrate the virtual rig, scan, stitch, measure and report."""
         if self._runner.queue.running is not None and not self._runner.queue.running.quiet:
-            self._session.tell(f"{self._session.busy_with} is still running.", "Wait for it, or cancel it first.", "warning")
+            self._session.tell(f"{self._session.busy_with} is still running.", "Wait until it has finished, or cancel it.", "warning")
             return
         settings = self.settings
         folder = next_demo_folder(self.folder or demo_folder(settings))
@@ -111,13 +111,13 @@ class DemoController(QObject):
         self._read_plan()
         self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
         inspection = outcome.measurement.inspection
-        proven = sum(1 for dimension in inspection.dimensions if dimension.verdict == "pass") if inspection else 0
-        summary = f" {proven} of {len(inspection.dimensions)} dimensions pass." if inspection else ""
+        passing = sum(1 for dimension in inspection.dimensions if dimension.verdict == "pass") if inspection else 0
+        summary = f" {passing} of {len(inspection.dimensions)} dimensions pass." if inspection else ""
         self._session.tell(f"The demo is complete.{summary}", "", "done")
 
 
-def looked_at(path: Path, job: Job) -> MeshQuestion:
-    """Return the size of a mesh; runs on a job's thread. Raises InputError where it cannot be used."""
+def read_mesh_size(path: Path, job: Job) -> MeshQuestion:
+    """Read the size of a mesh; runs on a job's thread. Raises InputError when it cannot be used."""
     from measureapp.simulate.part_file import mesh_span
 
     job.report(0, 1, path.name)

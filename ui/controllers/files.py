@@ -1,4 +1,4 @@
-"""Measuring a cloud or mesh from a file, without a project: by a drawing, or by an inspection program."""
+"""Inspection of a cloud or mesh from a file, without a project, against a nominal or by an inspection program."""
 
 from __future__ import annotations
 
@@ -27,17 +27,17 @@ PROGRAMS = (".toml",)
 
 @dataclass(frozen=True)
 class FilesToMeasure:
-    """A cloud or mesh, the drawing or program it is measured by, and the units of both, where they were told."""
+    """A cloud or mesh, its nominal or inspection program, and the units of both, if known."""
 
     cloud: Path
-    drawing: Path
+    reference: Path  # nominal or inspection program
     unit: LengthUnit | None = None
-    drawing_unit: LengthUnit | None = None
+    nominal_unit: LengthUnit | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class FileQuestion:
-    """Files of which a unit is asked for."""
+    """Files for which a unit is requested."""
 
     files: FilesToMeasure
     question: UnitQuestion
@@ -45,7 +45,7 @@ class FileQuestion:
 
 @dataclass(frozen=True, eq=False)
 class MeasuredFile:
-    """What measuring a file gave."""
+    """Result of the inspection of a file."""
 
     files: FilesToMeasure
     cloud: StitchedCloud
@@ -54,7 +54,7 @@ class MeasuredFile:
 
 
 class FilesController(QObject):
-    """Shows a measured file in place of the project; where it cannot be measured, the project stays."""
+    """Shows an inspected file in place of the project; on failure the project stays open."""
 
     measured = Signal()
     unitAsked = Signal(object)  # FileQuestion
@@ -65,11 +65,11 @@ class FilesController(QObject):
 
     @Slot(object)
     def measure(self, files: FilesToMeasure) -> None:
-        """Read the files, align, measure and compare."""
+        """Read the files, align, inspect and compare."""
         if self._session.busy_with:
-            self._session.tell(f"{self._session.busy_with} is still running.", "Wait for it, or cancel it first.", "warning")
+            self._session.tell(f"{self._session.busy_with} is still running.", "Wait until it has finished, or cancel it.", "warning")
             return
-        self._runner.run(f"Measuring {files.cloud.name}", lambda job: measured_file(files, job), self._show)
+        self._runner.run(f"Measuring {files.cloud.name}", lambda job: measure_file(files, job), self._show)
 
     @Slot(object)
     def _show(self, found: MeasuredFile | FileQuestion) -> None:
@@ -77,16 +77,16 @@ class FilesController(QObject):
             self.unitAsked.emit(found)
             return
         session, files = self._session, found.files
-        session.open_project(files.cloud.name, files.drawing.stem, None)
+        session.open_project(files.cloud.name, files.reference.stem, None)
         session.set_stitched(found.cloud)
         session.set_inspection(found.inspection)
         session.set_comparison(found.comparison)
-        session.tell(f"{files.cloud.name} is measured by {files.drawing.name}.", "", "done")
+        session.tell(f"{files.cloud.name} was inspected against {files.reference.name}.", "", "done")
         self.measured.emit()
 
 
-def measured_file(files: FilesToMeasure, job: Job) -> MeasuredFile | FileQuestion:
-    """Measure a file, or return the question for a unit; runs on a job's thread."""
+def measure_file(files: FilesToMeasure, job: Job) -> MeasuredFile | FileQuestion:
+    """Inspect a file, or return the question for a unit; runs on a job's thread."""
     from measureapp.inspection.dimensions import inspect
     from measureapp.inspection.settings import InspectionSettings
     from measureapp.progress import PartOf
@@ -94,32 +94,32 @@ def measured_file(files: FilesToMeasure, job: Job) -> MeasuredFile | FileQuestio
 
     job.report(0, 10, "Reading the files")
     cloud = _cloud(files, read_cloud_or_mesh(files.cloud, unit=files.unit or LengthUnit.MM))
-    program, nominal = _drawing(files)
+    program, nominal = _read_reference(files)
     try:
         inspection = inspect(cloud, program, nominal, InspectionSettings(), PartOf(job, 0.2, 0.7))
     except UnitQuestion as question:
-        if (files.unit if question.what == "points" else files.drawing_unit) is None:
+        if (files.unit if question.what == "points" else files.nominal_unit) is None:
             return FileQuestion(files, question)
-        raise InputError(question.message, "Choose the files of one part, or other units.") from question
+        raise InputError(question.message, "Choose files of the same part, or other units.") from question
     comparison = None if nominal is None else comparison_of(cloud, nominal, inspection.alignment, program, PartOf(job, 0.7, 1.0))
     return MeasuredFile(files, cloud, inspection, comparison)
 
 
-def _drawing(files: FilesToMeasure) -> tuple[InspectionProgram, Mesh | None]:
+def _read_reference(files: FilesToMeasure) -> tuple[InspectionProgram, Mesh | None]:
     from measureapp.data.inspection_program import InspectionProgram
     from measureapp.project.geometry.files import read_mesh
     from measureapp.project.program_file import read_program, read_program_nominal
 
-    if files.drawing.suffix.lower() not in PROGRAMS:
-        return InspectionProgram(name=files.drawing.stem), read_mesh(files.drawing, unit=files.drawing_unit or LengthUnit.MM)
-    program = read_program(files.drawing)
-    if files.drawing_unit is not None:
-        program = program.model_copy(update={"nominal_unit": files.drawing_unit})
-    return program, read_program_nominal(files.drawing, program)
+    if files.reference.suffix.lower() not in PROGRAMS:
+        return InspectionProgram(name=files.reference.stem), read_mesh(files.reference, unit=files.nominal_unit or LengthUnit.MM)
+    program = read_program(files.reference)
+    if files.nominal_unit is not None:
+        program = program.model_copy(update={"nominal_unit": files.nominal_unit})
+    return program, read_program_nominal(files.reference, program)
 
 
 def _cloud(files: FilesToMeasure, read: PlainPoints | Mesh) -> StitchedCloud:
-    """Return the points as a stitched cloud; a σ that the file does not say is 0, views that it does not tell are one with its name."""
+    """Return the points as a stitched cloud; without σ in the file it is 0, without views there is one named after the file."""
     import numpy as np
 
     from measureapp.data.cloud import StitchedCloud

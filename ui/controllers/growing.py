@@ -32,10 +32,10 @@ class GrownFeature:
     @property
     def entry(self) -> str:
         """The lines that measure it in an inspection program."""
-        from measureapp.project.program_text import entry
+        from measureapp.project.program_text import format_entry
 
         seed = tuple(round(value, 3) for value in self.seed_mm)
-        return entry("features", {"name": self.feature.name, "shape": self.feature.shape, "grow": {"seed_mm": seed}})
+        return format_entry("features", {"name": self.feature.name, "shape": self.feature.shape, "grow": {"seed_mm": seed}})
 
 
 class GrowingController(QObject):

@@ -1,4 +1,4 @@
-"""What every controller needs: run a job and tell how it ended."""
+"""Running of jobs for controllers, with reporting of their outcome."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ui.workers.rig_queue import RigQueue
 
 
 class JobRunner(QObject):
-    """Puts jobs into the queue and their outcome into the session."""
+    """Submits jobs to a queue and reports their outcome to the session."""
 
     progressed = Signal(float, str)
 
@@ -37,9 +37,9 @@ class JobRunner(QObject):
         on_cancelled: Callable[[], None] | None = None,
         quiet: bool = False,
     ) -> Job:
-        """Run ``work`` on a thread; the callables must be methods of QObjects, so that they run on the window's thread.
+        """Run ``work`` in a thread; the callables must be methods of QObjects, so that they run in the window's thread.
 
-        What is connected to the job that is returned may come too late for one that fails at once.
+        Connecting to the returned job may be too late if it fails immediately.
         """
         job = Job(title, work)
         job.quiet = quiet
@@ -61,7 +61,7 @@ class JobRunner(QObject):
 
     @Slot()
     def cancel(self) -> None:
-        """Stop what runs and what waits."""
+        """Cancel the running and all waiting jobs."""
         self.queue.cancel_all()
 
     def _on_started(self, job: Job) -> None:
@@ -77,4 +77,4 @@ class JobRunner(QObject):
         self._session.tell(error.message, error.hint, "error")
 
     def _on_cancelled(self) -> None:
-        self._session.tell("Cancelled.", "What was stored until then is kept.", "warning")
+        self._session.tell("Cancelled.", "Data stored so far is kept.", "warning")

@@ -75,16 +75,16 @@ class ProgrammingController(QObject):
     @Slot(str, str)
     def add(self, lines: str, name: str) -> None:
         """Add a feature or dimension to the program."""
-        from measureapp.project.program_text import with_entry
+        from measureapp.project.program_text import add_entry
 
-        self._change(lambda text: with_entry(text, lines), f"{name} is added to the inspection program.")
+        self._change(lambda text: add_entry(text, lines), f"{name} is added to the inspection program.")
 
     @Slot(str)
     def remove(self, name: str) -> None:
         """Take a feature or dimension out of the program."""
-        from measureapp.project.program_text import without_entry
+        from measureapp.project.program_text import remove_entry
 
-        self._change(lambda text: without_entry(text, name), f"{name} is taken out of the inspection program.")
+        self._change(lambda text: remove_entry(text, name), f"{name} is taken out of the inspection program.")
 
     def text(self) -> str:
         """Return the program of the open project. Raises StorageError where it cannot be read."""
@@ -97,9 +97,9 @@ class ProgrammingController(QObject):
 
     def replace(self, text: str) -> None:
         """Measure with another program. Raises InputError where that is none."""
-        from measureapp.project.program_file import program_from
+        from measureapp.project.program_file import parse_program
 
-        program_from(text)
+        parse_program(text)
         self._change(lambda _text: text, "The inspection program is changed.")
 
     @Slot()
@@ -163,26 +163,26 @@ def changed(folder: Path, measurement: Measurement, edit: Callable[[str], str], 
 
 def taken_back(folder: Path, measurement: Measurement, former: Former, job: Job) -> Outcome:
     """Return what measuring as before a change gives; runs on a job's thread."""
-    from measureapp.pipeline.measure_again import Drawing, measure_again
+    from measureapp.pipeline.measure_again import NominalFile, measure_again
     from measureapp.project.folder import ProjectFolder
 
-    drawing = None if former.drawing is None else Drawing(former.drawing)
-    return measure_again(ProjectFolder.open(folder), measurement, job, program=former.program, drawing=drawing)
+    drawing = None if former.drawing is None else NominalFile(former.drawing)
+    return measure_again(ProjectFolder.open(folder), measurement, job, program=former.program, nominal_file=drawing)
 
 
 def drawn(folder: Path, measurement: Measurement, path: Path, unit: LengthUnit, job: Job) -> Changed | Asked:
     """Return what measuring with another drawing gives, or the question for its unit; runs on a job's thread."""
-    from measureapp.pipeline.measure_again import Drawing, measure_again
+    from measureapp.pipeline.measure_again import NominalFile, measure_again
     from measureapp.project.folder import ProjectFolder
 
     project = ProjectFolder.open(folder)
     had_one, former = project.nominal is not None, project.program_text(has_nominal=True)
     try:
-        outcome = measure_again(project, measurement, job, drawing=Drawing(path, unit))
+        outcome = measure_again(project, measurement, job, nominal_file=NominalFile(path, unit))
     except UnitQuestion as question:
         if question.what == "nominal" and unit is LengthUnit.MM:
             return Asked(path, question)
         raise InputError(question.message, "Choose the drawing of this part, or export it in millimetres.") from question
     return Changed(
-        Former(former, project.former_drawings()[-1]) if had_one else None, outcome, f"The part is compared with {path.name} from now on."
+        Former(former, project.former_nominals()[-1]) if had_one else None, outcome, f"The part is compared with {path.name} from now on."
     )

@@ -1,4 +1,4 @@
-"""Opening projects and computing them again."""
+"""Opening and recomputing of projects."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ReadProject:
-    """What a project folder holds."""
+    """Contents of a project folder."""
 
     folder: Path
     name: str
@@ -39,12 +39,12 @@ class ReadProject:
     files: dict[str, Path]
     validity: Validity | None
     filters: FilterChain | None = None  # of the stitched cloud
-    damage: StorageError | None = None  # why the results there cannot be shown
-    lost: StorageError | None = None  # why the filters there cannot be applied
+    damage: StorageError | None = None  # error of the results, if they cannot be read
+    lost: StorageError | None = None  # error of the filters, if they cannot be read
 
 
 class ProjectController(QObject):
-    """Opens a project folder; computes a project again from its stored images."""
+    """Opens a project folder; recomputes a project from its stored images."""
 
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -59,12 +59,12 @@ class ProjectController(QObject):
 
     @Slot()
     def process(self) -> None:
-        """Compute the open project again, without scanning again."""
+        """Recompute the open project from its stored images."""
         folder = self._session.folder
         if folder is None:
             self._session.tell("No project is open.", "Open a project or run the demo first.", "warning")
             return
-        self._runner.run("Computing again", self._work(folder), self._recomputed, on_event=self._events.apply)
+        self._runner.run("Recomputing", self._work(folder), self._recomputed, on_event=self._events.apply)
 
     def _work(self, folder: Path) -> Any:
         events = self._events
@@ -91,18 +91,18 @@ class ProjectController(QObject):
         session.set_validity(read.validity)
         session.tell(f"{read.name} is open.", "", "done")
         if read.damage is not None:
-            session.tell(read.damage.message, "Press Compute again on the page Scan; nothing has to be scanned again.", "warning")
+            session.tell(read.damage.message, "Press Recompute on the page Scan; no new scan is needed.", "warning")
         if read.lost is not None:
             session.tell(read.lost.message, read.lost.hint, "warning")
 
     @Slot(object)
     def _recomputed(self, outcome: Outcome) -> None:
         self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
-        self._session.tell("Everything was computed again from the stored images.", "", "done")
+        self._session.tell("The project was recomputed from the stored images.", "", "done")
 
 
 def read_project(folder: Path, job: Job) -> ReadProject:
-    """Read all that a project folder holds; runs on a job's thread."""
+    """Read a project folder; runs on a job's thread."""
     job.report(0, 3, "Reading the project")
     from measureapp.pipeline.validity import known_validity
     from measureapp.project.folder import ProjectFolder
@@ -114,7 +114,7 @@ def read_project(folder: Path, job: Job) -> ReadProject:
     measurement, damage = None, None
     try:
         measurement = project.measurement()
-    except StorageError as error:  # results can be computed again, so the rest is opened
+    except StorageError as error:  # results can be recomputed, so the project is opened without them
         damage = error
     job.report(2, 3, "Reading clouds")
     filters, lost = None, None

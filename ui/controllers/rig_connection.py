@@ -1,4 +1,4 @@
-"""The rig that takes images of the board, and apart from it what a virtual rig hides: for the result page alone."""
+"""Connection of the rig for calibrations, and the ground truth of a virtual rig for the result page."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from measureapp.devices.rig import Rig
 
 VIRTUAL = "virtual_rig"
-PART = "flat"  # the quickest to make; it is never looked at
+PART = "flat"  # the quickest to make; it is not used
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,12 +25,12 @@ class RigConnection:
 
 
 def connect(description: RigDescription, board: BoardDescription) -> RigConnection:
-    """Connect the rig by its driver; on the virtual rig ``board`` lies on the table.
+    """Connect the rig through its driver; on the virtual rig ``board`` is on the table.
 
     Raises
     ------
     DeviceError
-        A device does not answer, or the rig's seed is no whole number.
+        A device does not answer, or the rig's seed is not a whole number.
     PluginError
         The driver cannot be loaded.
     """
@@ -48,14 +48,14 @@ def connect(description: RigDescription, board: BoardDescription) -> RigConnecti
 
 
 def truth_of(description: RigDescription, board: BoardDescription) -> RigCalibration | None:
-    """Return what the virtual rig of this description really is, its projector included; None for a real rig.
+    """Return the ground truth of a virtual rig, including its projector; None for a real rig.
 
-    It follows from the description and its seed, so a session that is taken up again has it before the rig is connected.
+    It depends only on the description and its seed, so it is available before the rig is connected.
 
     Raises
     ------
     DeviceError
-        The rig's seed is no whole number.
+        The rig's seed is not a whole number.
     """
     if description.driver != VIRTUAL:
         return None
@@ -71,5 +71,5 @@ def truth_of(description: RigDescription, board: BoardDescription) -> RigCalibra
 def _seed(description: RigDescription) -> int:
     seed = description.driver_settings.get("seed", 1)
     if not isinstance(seed, int):
-        raise DeviceError(f"The virtual rig has the seed {seed!r}.", "Give a whole number as `seed` of its driver_settings.")
+        raise DeviceError(f"The seed {seed!r} of the virtual rig is not a whole number.", "Correct `seed` in its driver_settings.")
     return seed

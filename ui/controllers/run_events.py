@@ -1,4 +1,4 @@
-"""Puts the events of a run into the session."""
+"""Transfer of run events to the session."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ if TYPE_CHECKING:
 
 
 class RunEvents(QObject):
-    """Translates events to changes of the session. `sink` is for the job's thread, `apply` for the window's."""
+    """Applies events of a run to the session. `sink` is for the job's thread, `apply` for the window's thread."""
 
     def __init__(self, session: Session, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._session = session
 
     def sink(self, job: Job) -> Callable[[Event], None]:
-        """Return what a run may call from its own thread: images go to the mailbox, the rest to the window's thread."""
+        """Return the event handler for the job's thread: images go to the mailbox, other events to the window's thread."""
         from measureapp.acquire.events import ImageTaken
 
         images = self._session.images
@@ -37,7 +37,7 @@ class RunEvents(QObject):
 
     @Slot(object)
     def apply(self, event: Event) -> None:
-        """Put one event into the session."""
+        """Apply one event to the session."""
         from measureapp.acquire import events as e
 
         session = self._session
@@ -53,7 +53,7 @@ class RunEvents(QObject):
                 session.set_viewpoint(event.viewpoint_id, "stored", f"{event.seconds:.1f} s")
             case e.ViewpointFailed():
                 session.set_viewpoint(event.viewpoint_id, "failed", event.reason)
-                session.tell(f"Viewpoint {event.viewpoint_id} gave nothing: {event.reason}", "The others go on.", "warning")
+                session.tell(f"Viewpoint {event.viewpoint_id} failed: {event.reason}", "The scan continues with the next one.", "warning")
             case e.CalibrationReady():
                 session.set_calibration(event.calibration)
                 session.tell("The rig is calibrated.")
@@ -62,11 +62,11 @@ class RunEvents(QObject):
             case e.StitchReady():
                 session.set_stitched(event.stitched)
             case e.SurfaceFailed():
-                session.tell(f"There is no surface: {event.reason}", event.remedy, "warning")
+                session.tell(f"No surface: {event.reason}", event.remedy, "warning")
             case e.InspectionReady():
                 session.set_inspection(event.inspection)
             case e.ValidityKnown():
-                self._judged(event)
+                self._report_validity(event)
             case e.RunEnded():
                 self._ended(event)
 
@@ -75,8 +75,8 @@ class RunEvents(QObject):
         if known is not None and known.status in {"waiting", "moving"}:
             self._session.set_viewpoint(event.viewpoint_id, "capturing")
 
-    def _judged(self, event: ValidityKnown) -> None:
-        """Tell age and temperature before the scan, and a camera that moved after it."""
+    def _report_validity(self, event: ValidityKnown) -> None:
+        """Report age and temperature before the scan, and camera drift after it."""
         self._session.set_validity(event.validity)
         drift = event.validity.drift
         if drift is None:

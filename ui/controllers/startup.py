@@ -1,4 +1,4 @@
-"""What happens in the background after the window stands: heavy imports, the rig, the drivers, the compiled kernels."""
+"""Background tasks after the window is shown: heavy imports, the rig, the drivers, compilation of kernels."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ DEFAULT_RIG = "paper"
 
 
 class StartupController(QObject):
-    """Loads what the window itself does not need."""
+    """Loads everything that is not needed to show the window."""
 
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -34,7 +34,7 @@ class StartupController(QObject):
 
     @Slot()
     def begin(self) -> None:
-        """Load the rig and the 3-D view, then what the first measurement needs."""
+        """Load the rig and the 3-D view, then prepare for the first measurement."""
         self._runner.run("Loading the rig", load_rig, self._show_rig, quiet=True)
         self._runner.run("Preparing the 3-D view", load_graphics, self._graphics_ready, on_stopped=self._graphics_failed, quiet=True)
         self._runner.run("Preparing the measurement", warm_up, self._warm, quiet=True)
@@ -50,7 +50,7 @@ class StartupController(QObject):
 
     @Slot()
     def _graphics_failed(self) -> None:
-        self._session.set_graphics("failed", "The 3-D view could not be loaded. Install the graphics libraries named in the help.")
+        self._session.set_graphics("failed", "The 3-D view could not be loaded. Install the graphics libraries listed in the help.")
 
     @Slot(object)
     def _warm(self, _nothing: object) -> None:
@@ -58,7 +58,7 @@ class StartupController(QObject):
 
 
 def load_rig(job: Job) -> tuple[RigDescription | None, tuple[DriverRow, ...]]:
-    """Read the rig that comes with the application, and list the drivers; runs on a job's thread."""
+    """Read the default rig and list the drivers; runs on a job's thread."""
     job.check()
     from measureapp.project.rig_file import read_rig
 
@@ -66,7 +66,7 @@ def load_rig(job: Job) -> tuple[RigDescription | None, tuple[DriverRow, ...]]:
 
 
 def list_drivers() -> tuple[DriverRow, ...]:
-    """Return every driver plugin, those that cannot be loaded with the reason."""
+    """List all driver plugins, with the reason for those that cannot be loaded."""
     from measureapp.devices.plugin_loader import examine
 
     return tuple(driver_row(found) for found in examine())
@@ -78,15 +78,15 @@ def driver_row(found: PluginRow) -> DriverRow:
 
 
 def load_graphics(job: Job) -> str:
-    """Import VTK, which takes a second; runs on a job's thread. Returns what is wrong, if anything."""
+    """Import VTK, which takes a second; runs on a job's thread. Returns the problem, if any."""
     job.check()
     from ui.viewport.backend import missing_graphics
 
     return missing_graphics()
 
 
-def imported(name: str) -> None:
-    """Import a module; open3d walks over the modules there are and fails where another thread imports meanwhile."""
+def import_with_retry(name: str) -> None:
+    """Import a module; open3d iterates over the loaded modules and fails if another thread imports at the same time."""
     for left in reversed(range(IMPORT_TRIALS)):
         try:
             importlib.import_module(name)
@@ -97,12 +97,12 @@ def imported(name: str) -> None:
 
 
 def warm_up(job: Job) -> None:
-    """Import what the first measurement needs and compile its kernels; runs on a job's thread."""
+    """Import the packages of the first measurement and compile its kernels; runs on a job's thread."""
     for done, name in enumerate(WARM_UP):
         job.report(IMPORTED_SHARE * done, len(WARM_UP), "Preparing the measurement")
         if importlib.util.find_spec(name) is None:
             raise MeasureError(f"The package {name} is missing.", "Run `python3 installer/bootstrap.py run` to repair the installation.")
-        imported(name)
+        import_with_retry(name)
     from measureapp.pipeline.warm_up import warm_up as compile_kernels
 
     compile_kernels(PartOf(job, IMPORTED_SHARE, 1.0, "Preparing the measurement: "))

@@ -1,4 +1,4 @@
-"""Images of a viewpoint that lies on disk."""
+"""Stored images of a viewpoint."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class StoredImagesController(QObject):
-    """Shows the first image of every camera as it was stored."""
+    """Shows the first stored image of every camera."""
 
     imagesReady = Signal(object)  # tuple of ImageTaken
 
@@ -40,7 +40,7 @@ class StoredImagesController(QObject):
 
 
 def first_images(folder: Path, viewpoint_id: str, _job: Job) -> tuple[ImageTaken, ...]:
-    """Return the first pattern at the longest exposure of every camera; empty where nothing is stored. Runs on a job's thread."""
+    """Read the first pattern at the longest exposure of every camera; empty if nothing is stored. Runs on a job's thread."""
     from measureapp.acquire.events import ImageTaken
     from measureapp.project.folder import ProjectFolder
 

@@ -1,1 +1,1 @@
-"""Theme, icons and wording: what every view looks and reads like."""
+"""Theme, icons and number formats of the user interface."""

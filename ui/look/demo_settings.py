@@ -1,4 +1,4 @@
-"""What the demo measures, as the user sets it."""
+"""Settings of the demo."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ Resolution = Literal["full", "half", "quarter"]
 
 @dataclass(frozen=True)
 class DemoSettings:
-    """What the demo measures, and how."""
+    """Settings of the demo: part, resolution, viewpoints, virtual rig, patterns."""
 
     part: str = "gypsum"  # a sample part, or a mesh file
     resolution: Resolution = "half"
     viewpoints: int = 8
     seed: int = 1  # of the virtual rig's hidden errors
-    patterns: str = RECOMMENDED  # by its name
-    unit: LengthUnit = LengthUnit.MM  # of the mesh file's lengths
+    patterns: str = RECOMMENDED  # name of the pattern set
+    unit: LengthUnit = LengthUnit.MM  # of a mesh file

@@ -1,4 +1,4 @@
-"""The current theme, which views watch to redraw themselves."""
+"""The current theme; widgets redraw on its signal."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ui.look.theme import Shade, Theme, apply
 
 
 class Look(QObject):
-    """Holds the theme and dresses the application in it."""
+    """Holds the theme and applies it to the application."""
 
     changed = Signal()
 
@@ -19,8 +19,8 @@ class Look(QObject):
         super().__init__(parent)
         self.theme = Theme.load(shade)
 
-    def wear(self) -> None:
-        """Dress the application in the current theme."""
+    def apply_theme(self) -> None:
+        """Apply the current theme to the application."""
         application = QApplication.instance()
         if isinstance(application, QApplication):
             apply(application, self.theme)
@@ -28,7 +28,7 @@ class Look(QObject):
     def set_shade(self, shade: Shade) -> None:
         """Change to the light or the dark theme."""
         self.theme = Theme.load(shade)
-        self.wear()
+        self.apply_theme()
         self.changed.emit()
 
     def icon(self, name: str, colour: str = "soft") -> QIcon:

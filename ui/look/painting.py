@@ -1,4 +1,4 @@
-"""Strokes that widgets which draw themselves have in common."""
+"""Painting helpers for custom-drawn widgets."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ LEFT = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
 
 
 def picture_painter(widget: QWidget, theme: Theme) -> QPainter:
-    """Return a painter for a picture in a widget: on a sunken ground, and clipped to its rounded corners."""
+    """Return a painter for a picture in a widget: with a sunken background, clipped to rounded corners."""
     painter = QPainter(widget)
     painter.setRenderHints(QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform)
     frame = QPainterPath()
@@ -23,7 +23,7 @@ def picture_painter(widget: QWidget, theme: Theme) -> QPainter:
 
 
 def set_letters(painter: QPainter, size_px: int, *, bold: bool = False) -> None:
-    """Write in this size from here on."""
+    """Set the font size of subsequent text."""
     font = painter.font()
     font.setPixelSize(size_px)
     font.setBold(bold)
@@ -31,6 +31,6 @@ def set_letters(painter: QPainter, size_px: int, *, bold: bool = False) -> None:
 
 
 def write_elided(painter: QPainter, box: QRectF, words: str, alignment: Qt.AlignmentFlag = LEFT) -> None:
-    """Write one line into a box; what does not fit ends in an ellipsis."""
+    """Draw one line of text in a box, elided if too long."""
     elided = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, int(box.width()))
     painter.drawText(box, alignment, elided)

@@ -1,4 +1,4 @@
-"""Where things lie by default."""
+"""Default folders."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ui.look.pattern_words import RECOMMENDED
 
 
 def demo_folder(settings: DemoSettings) -> Path:
-    """Return where the demo project with these settings is kept."""
+    """Return the folder of the demo project with these settings."""
     name = f"demo-{Path(settings.part).stem}-{settings.resolution}-{settings.viewpoints}-views-rig-{settings.seed}"
     if settings.patterns != RECOMMENDED:
         name += f"-{settings.patterns}"
@@ -20,7 +20,7 @@ def demo_folder(settings: DemoSettings) -> Path:
 
 
 def next_demo_folder(wanted: Path) -> Path:
-    """Return ``wanted`` when it is new or holds a demo that was not finished, which then goes on; else the next numbered folder."""
+    """Return ``wanted`` if it is new or contains an unfinished demo, which is continued; else the next numbered folder."""
     number, folder = 1, wanted
     while (folder / "report" / "report.pdf").exists():
         number += 1

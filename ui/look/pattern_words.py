@@ -1,4 +1,4 @@
-"""What the pattern sets are called, and one line about each; in words only, so that the window stands before they are computed."""
+"""Titles and descriptions of the pattern sets as plain text, so that the window needs no computation to show them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ RECOMMENDED = "three-close"
 
 
 class PatternWords(NamedTuple):
-    """A set's name for people, and what it consists of."""
+    """Title and one-line description of a pattern set."""
 
     title: str
     line: str
@@ -21,15 +21,15 @@ PATTERN_WORDS = {
     "paper": PatternWords("Paper: 32 and 33 px", "8 images: 4 steps at 32 and 33 px."),
     "three-close-3-step": PatternWords("Three close, 3 steps", f"9 images: 3 steps {CLOSE}."),
     "three-close-8-step": PatternWords("Three close, 8 steps", f"24 images: 8 steps {CLOSE}."),
-    "paper-8-step": PatternWords("Paper's pitches, 8 steps", "16 images: 8 steps at 32 and 33 px."),
+    "paper-8-step": PatternWords("32 and 33 px, 8 steps", "16 images: 8 steps at 32 and 33 px."),
     "three-wide": PatternWords("Three wide pitches", f"12 images: 4 steps {WIDE}."),
     "three-wide-8-step": PatternWords("Three wide, 8 steps", f"16 images: 8, 4 and 4 steps {WIDE}."),
     "three-wide-32": PatternWords("Three wide, from 32 px", "12 images: 4 steps at 32, 186.6 and 1088 px."),
-    "hierarchical": PatternWords("Each half of the last", "28 images: 4 steps, each pitch half of the one before, from 17 px."),
+    "hierarchical": PatternWords("Hierarchical", "28 images: 4 steps, pitches from 17 px, each twice the previous one."),
     "gray": PatternWords("Gray code", "10 images: 4 steps at 16 px."),
     "complementary-gray": PatternWords("Complementary Gray", "11 images: 4 steps at 16 px."),
     "complementary-gray-8-step": PatternWords("Complem. Gray, 8 steps", "15 images: 8 steps at 16 px."),
-    "three-close-both": PatternWords("Three close, both ways", f"24 images: 4 steps {CLOSE}{BOTH}."),
-    "paper-both": PatternWords("Paper, both ways", f"16 images: 4 steps at 32 and 33 px{BOTH}."),
-    "complementary-gray-both": PatternWords("Complem. Gray, both ways", f"22 images: 4 steps at 16 px{BOTH}."),
+    "three-close-both": PatternWords("Three close, orthogonal", f"24 images: 4 steps {CLOSE}{BOTH}."),
+    "paper-both": PatternWords("Paper, orthogonal", f"16 images: 4 steps at 32 and 33 px{BOTH}."),
+    "complementary-gray-both": PatternWords("Complem. Gray, orthogonal", f"22 images: 4 steps at 16 px{BOTH}."),
 }

@@ -23,7 +23,7 @@ FAMILIES = ["Inter", "Segoe UI Variable", "Segoe UI", "SF Pro Text", "Cantarell"
 
 @dataclass(frozen=True)
 class Theme:
-    """One shade of the tokens."""
+    """Colours and sizes of one shade."""
 
     shade: Shade
     colours: Mapping[str, str]
@@ -57,7 +57,7 @@ class Theme:
         return Template(style.read_text(encoding="utf-8")).substitute(self.colours, assets=style.parent.as_posix(), **sizes)
 
     def palette(self) -> QPalette:
-        """Return the colours for what the style sheet does not reach."""
+        """Return the palette for elements not covered by the style sheet."""
         roles = {
             QPalette.ColorRole.Window: "window",
             QPalette.ColorRole.Base: "surface",
@@ -80,7 +80,7 @@ class Theme:
 
 
 def font(size_px: int, *, bold: bool = False) -> QFont:
-    """Return the application's font, with figures of equal width."""
+    """Return the application's font with tabular figures."""
     made = QFont()
     made.setFamilies(FAMILIES)
     made.setPixelSize(size_px)
@@ -90,7 +90,7 @@ def font(size_px: int, *, bold: bool = False) -> QFont:
 
 
 def apply(application: QApplication, theme: Theme) -> None:
-    """Dress the whole application; one that wears the theme already is left as it is, for Qt would polish every widget again."""
+    """Apply the theme to the application unless it is active already, because Qt would polish every widget again."""
     style_sheet = theme.style_sheet()
     if application.styleSheet() == style_sheet:
         return
@@ -101,5 +101,5 @@ def apply(application: QApplication, theme: Theme) -> None:
 
 
 def preferred_shade(application: QApplication) -> Shade:
-    """Return the shade the desktop asks for."""
+    """Return the shade preferred by the desktop."""
     return "dark" if application.styleHints().colorScheme() == Qt.ColorScheme.Dark else "light"

@@ -1,4 +1,4 @@
-"""Numbers as people read them: with unit and sensible digits."""
+"""Formatting of numbers with unit and reasonable digits, and of labels."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def _number(value: float, digits: int, signed: bool) -> str:
 
 
 def quantity(value: float | None, unit: str, digits: int = 3, *, signed: bool = False) -> str:
-    """Return ``value`` with its unit, or a dash where there is none."""
+    """Format ``value`` with its unit; a dash if there is no value."""
     if value is None or not math.isfinite(value):
         return NOTHING
     gap = "" if unit in {"", "°", "″"} else "\u00a0"
@@ -27,27 +27,27 @@ def quantity(value: float | None, unit: str, digits: int = 3, *, signed: bool = 
 
 
 def millimetres(value: float | None, digits: int = 3, *, signed: bool = False) -> str:
-    """Return a length: ``0.012 mm``."""
+    """Format a length: ``0.012 mm``."""
     return quantity(value, "mm", digits, signed=signed)
 
 
 def percent(value: float | None, digits: int = 1, *, signed: bool = False) -> str:
-    """Return a share of one in per cent."""
+    """Format a fraction in per cent."""
     return NOTHING if value is None else quantity(100.0 * value, "%", digits, signed=signed)
 
 
 def counted(value: int) -> str:
-    """Return a count with its thousands apart."""
+    """Format a count with thousands separators."""
     return f"{value:,}".replace(",", "\u00a0" if value < 10_000 else THIN)
 
 
 def several(value: int, one: str, many: str = "") -> str:
-    """Return ``1 view`` or ``8 views``."""
+    """Format a count with its noun: ``1 view`` or ``8 views``."""
     return f"{counted(value)} {one if value == 1 else many or one + 's'}"
 
 
 def duration(seconds: float) -> str:
-    """Return a time that is left or was needed: ``45 s``, ``2 min 10 s``, ``1 h 05 min``."""
+    """Format a duration: ``45 s``, ``2 min 10 s``, ``1 h 05 min``."""
     whole = max(0, round(seconds))
     if whole < 60:
         return f"{whole} s"
@@ -57,12 +57,12 @@ def duration(seconds: float) -> str:
 
 
 def exposure(microseconds: int) -> str:
-    """Return an exposure time: ``80 ms``."""
+    """Format an exposure time: ``80 ms``."""
     return f"{microseconds / 1000:g}\u00a0ms" if microseconds >= 1000 else f"{microseconds}\u00a0µs"
 
 
 def storage(size_bytes: float) -> str:
-    """Return a size on disk: ``12.4 GB``."""
+    """Format a file size: ``12.4 GB``."""
     for unit in ("B", "kB", "MB", "GB"):
         if size_bytes < 1000:
             return quantity(size_bytes, unit, 0 if unit in {"B", "kB"} or size_bytes >= 100 else 1)
@@ -71,7 +71,7 @@ def storage(size_bytes: float) -> str:
 
 
 def when(iso: str, now: datetime | None = None) -> str:
-    """Return how long ago an ISO 8601 time was; an empty string when it says nothing."""
+    """Format how long ago an ISO 8601 time was; empty for an invalid time."""
     try:
         then = datetime.fromisoformat(iso)
     except ValueError:
@@ -87,7 +87,7 @@ def when(iso: str, now: datetime | None = None) -> str:
 
 
 def sentence(text: str) -> str:
-    """Return ``text`` beginning with a capital and ending with a stop."""
+    """Return ``text`` as a sentence, with a capital letter and a full stop."""
     text = text.strip()
     if not text:
         return ""
@@ -95,7 +95,7 @@ def sentence(text: str) -> str:
 
 
 def part_words(part: str) -> str:
-    """Return what a part is called: a sample by its name, a mesh file without its folder and ending."""
+    """Return the display name of a part: the name of a sample, or of a mesh file without folder and extension."""
     return sentence_case(PurePath(part).stem)
 
 

@@ -1,4 +1,4 @@
-"""What every workspace has: a title, one line that says how things stand, actions, and a body."""
+"""Base of all pages: title, status line, actions and body."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from ui.widgets.properties_panel import Properties
 
 
 class Page(QWidget):
-    """One workspace; it shows its empty state until there is something."""
+    """A page; it shows its empty state until it has content."""
 
     name: ClassVar[str] = ""
     word: ClassVar[str] = ""
-    wants_room: ClassVar[bool] = False  # on a small window the properties fold away
+    wants_room: ClassVar[bool] = False  # in a small window the properties are folded
     for_operator: ClassVar[bool] = False
     propertiesChanged = Signal(object)
-    propertiesAsked = Signal()  # they should be seen, even where the panel was folded
+    propertiesAsked = Signal()  # requests that a folded panel is opened
 
     def __init__(self, look: Look, session: Session, controllers: Controllers, empty: EmptyState) -> None:
         super().__init__()
@@ -65,10 +65,10 @@ class Page(QWidget):
         self.propertiesChanged.emit(properties)
 
     def act(self) -> None:
-        """Do what the button of the properties says."""
+        """Perform the action of the properties."""
 
     def decide(self) -> None:
-        """Decide what the second button of the properties says."""
+        """Perform the second action of the properties."""
 
     def close_page(self) -> None:
-        """Release what must not outlive the window."""
+        """Release resources that must not outlive the window."""

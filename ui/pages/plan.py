@@ -1,4 +1,4 @@
-"""Plan: from where the part is scanned."""
+"""Page Plan: viewpoints, patterns and exposures of the scan."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.wording import exposure, millimetres, quantity, sentence_case, several
 from ui.pages.page import Page
-from ui.pages.pattern_promise import cost, promise
+from ui.pages.pattern_prediction import cost, predict
 from ui.session import Session
 from ui.widgets.basic import card, row
 from ui.widgets.data_table import Cell, DataTable, number
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 EMPTY = (
     "No scan plan yet",
-    "A plan says from where, with which patterns and exposures the part is scanned. The demo plans its own viewpoints.",
+    "A plan defines the viewpoints, patterns and exposures of a scan. The demo makes its own plan.",
 )
 
 
@@ -50,7 +50,7 @@ class PlanPage(Page):
 
     def _show_busy(self) -> None:
         if self.session.busy_with and self.session.plan is None:
-            self.empty.say("Planning…", "The plan appears here as soon as it is made.", offer=False)
+            self.empty.say("Planning…", "The plan is being made.", offer=False)
         else:
             self.empty.say(*EMPTY)
 
@@ -58,7 +58,7 @@ class PlanPage(Page):
         plan, rig = self.session.plan, self.session.rig
         self.show_filled(plan is not None and rig is not None)
         if plan is None or rig is None:
-            self.state.setText("Nothing is planned.")
+            self.state.setText("No scan plan.")
             return
         images = plan.patterns.count * len(plan.bracket.exposures_us) * len(rig.cameras)
         self.state.setText(f"{sentence_case(plan.name)}: {several(len(plan), 'viewpoint')}, {several(images, 'image')} each.")
@@ -93,7 +93,7 @@ class PlanPage(Page):
 
 
 def viewpoint_properties(plan: ScanPlan, viewpoint: Viewpoint, rig: RigDescription) -> Properties:
-    """Return what there is to know about one viewpoint, and what the plan's patterns promise there."""
+    """Return the properties of one viewpoint, with the predicted performance of the patterns."""
     x, y, z = viewpoint.flange.position_mm
     pitches = ", ".join(f"{pitch:.4g} px" for pitch in plan.patterns.pitches_px)
     return Properties(
@@ -110,7 +110,7 @@ def viewpoint_properties(plan: ScanPlan, viewpoint: Viewpoint, rig: RigDescripti
             Group(
                 "Patterns", (("Set", sentence_case(plan.patterns.name)), ("Images", str(plan.patterns.count)), ("Fringe pitches", pitches))
             ),
-            *promise(plan.patterns, rig.projector.width_px, rig.projector.height_px),
+            *predict(plan.patterns, rig.projector.width_px, rig.projector.height_px),
             cost(plan, rig),
             Group("Exposures", tuple((f"No. {place + 1}", exposure(value)) for place, value in enumerate(plan.bracket.exposures_us))),
         ),
@@ -118,7 +118,7 @@ def viewpoint_properties(plan: ScanPlan, viewpoint: Viewpoint, rig: RigDescripti
 
 
 def station(rig: RigDescription, viewpoint: Viewpoint, status: str) -> Station:
-    """Return where the head stands seen from the part, by the nominal rig."""
+    """Return the position of the head relative to the part, from the nominal rig."""
     import numpy as np
 
     from measureapp.geometry.transform import rotation_about

@@ -1,4 +1,4 @@
-"""Rig: what is connected, drawn to scale, and the demo."""
+"""Page Rig: devices of the rig, a drawing to scale, and the demo."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ui.widgets.rig_drawing import RigDrawing
 from ui.widgets.unit_dialog import UnitDialog
 
 DEMO_WORDS = (
-    "Calibrates a virtual rig with hidden errors, scans the part, stitches the views, measures the dimensions and writes the report."
+    "Calibrates a virtual rig with hidden errors, scans the part, stitches the clouds, evaluates the dimensions and writes the report."
 )
 
 
@@ -30,14 +30,14 @@ class RigPage(Page):
     for_operator = True
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
-        empty = EmptyState(look, "rig", "Looking for the rig…", "The description of the rig is being read.", "Run the demo")
+        empty = EmptyState(look, "rig", "Loading the rig…", "The rig description is being read.", "Run the demo")
         super().__init__(look, session, controllers, empty)
         self.drawing = RigDrawing(look)
         self.devices = DataTable(look, ["Device", "Model", "Properties", "Driver"], stretch=2)
         self.form = DemoForm()
         self.unit_dialog: UnitDialog | None = None
         self.form.valueChanged.connect(controllers.demo.choose)
-        self.form.meshChosen.connect(controllers.demo.look_at)
+        self.form.meshChosen.connect(controllers.demo.inspect_mesh)
         controllers.demo.meshReady.connect(self.form.show_mesh)
         controllers.demo.unitAsked.connect(self._ask_unit)
         self.run_demo = Button("Run the demo", look, "run", "primary")
@@ -63,7 +63,7 @@ class RigPage(Page):
 
     @Slot(object)
     def _ask_unit(self, asked: MeshQuestion) -> None:
-        finding = f"{asked.path.name} spans {asked.span:.4g}"
+        finding = f"{asked.path.name} has a size of {asked.span:.4g}"
         dialog = self.unit_dialog = UnitDialog(self.look, "mesh", finding, asked.likely, asked.span, self)
         dialog.chosen.connect(lambda unit: self.form.show_mesh(asked.path, unit))
         dialog.finished.connect(dialog.deleteLater)
@@ -129,7 +129,7 @@ class RigPage(Page):
                     "Measuring head",
                     (
                         ("Reference camera", rig.reference),
-                        ("Distance to the part", millimetres(rig.standoff_mm, 0)),
+                        ("Standoff", millimetres(rig.standoff_mm, 0)),
                         ("Exposures", ", ".join(exposure(value) for value in rig.exposures_us)),
                     ),
                 ),
@@ -143,5 +143,5 @@ class RigPage(Page):
                 ),
                 *([Group("Drivers", drivers)] if drivers else []),
             ),
-            "Nominal values from data sheets. Calibration finds the true ones.",
+            "Nominal values from data sheets. Calibration determines the true values.",
         )

@@ -1,4 +1,4 @@
-"""Scan: the viewpoints as they go, the images, the growing cloud."""
+"""Page Scan: progress of the viewpoints, current images, clouds so far."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 LIVE_INTERVAL_MS = 33
 EMPTY = (
     "Nothing scanned yet",
-    "The scan moves the rig from viewpoint to viewpoint, projects fringes and takes images. The demo scans on the virtual rig.",
+    "A scan moves the rig from viewpoint to viewpoint, projects fringes and takes images. The demo uses the virtual rig.",
 )
 
 
@@ -52,7 +52,7 @@ class ScanPage(ViewportPage):
         layout.setStretch(1, 1)
         self.body.setLayout(layout)
         self.next_step = Button("See the clouds", look, "clouds", "primary")
-        self.again = Button("Compute again", look, "again", "normal", "Compute everything again from the stored images")
+        self.again = Button("Recompute", look, "again", "normal", "Recompute everything from the stored images")
         self.again.clicked.connect(controllers.project.process)
         self.action_row.addWidget(self.again)
         self.action_row.addWidget(self.next_step)
@@ -71,7 +71,7 @@ class ScanPage(ViewportPage):
         self._show()
 
     def _name_next_step(self) -> None:
-        """An operator goes on with the dimensions; the clouds are the engineer's."""
+        """Name the next step: the dimensions for an operator, the clouds for an engineer."""
         operator = self.session.role == "operator"
         self.next_step.setText("See the dimensions" if operator else "See the clouds")
         self.next_step.set_icon("inspection" if operator else "clouds")
@@ -96,7 +96,7 @@ class ScanPage(ViewportPage):
         self.next_step.setVisible(bool(self.session.views) and not self.session.busy_with)
         states = [state.status for state in points.values()]
         done, failed = states.count("processed"), states.count("failed")
-        words = f"{done} of {several(len(states), 'viewpoint')} processed" if states else "No viewpoint is scanned"
+        words = f"{done} of {several(len(states), 'viewpoint')} processed" if states else "No viewpoint scanned"
         self.state.setText(words + (f", {failed} failed." if failed else "."))
         decoded = {view.viewpoint_id: decoded_share(view) for view in self.session.views}
         self.tiles.show_tiles([Tile(state.id, state.status, state.note, decoded.get(state.id, "")) for state in points.values()])
@@ -119,7 +119,7 @@ class ScanPage(ViewportPage):
                 self._image_column.addWidget(self.images[camera.name])
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Show stored images where no image was seen yet."""
+        """Show stored images if no image has been shown yet."""
         super().showEvent(event)
         self._show_stored()
 
@@ -139,7 +139,7 @@ class ScanPage(ViewportPage):
                 self.images[event.camera].show_image(grey_image(event.pixels), f"{event.camera} · {exposure(event.exposure_us)}")
 
     def composer(self) -> Composer | None:
-        """Compose the clouds so far, placed by the axes, or after fine stitching when that is done."""
+        """Compose the clouds so far, in kinematic or, after stitching, in registered positions."""
         views, theme, placed_clouds = self.session.views, self.look.theme, self._placed
         placements = placements_of(self.session.stitched)
 
@@ -155,7 +155,7 @@ class ScanPage(ViewportPage):
 
 
 def decoded_share(view: ViewResult) -> str:
-    """Return how much of its images was decoded, from the camera with the least to the one with the most."""
+    """Return the decoded fraction of the images, from the lowest to the highest camera."""
     shares = sorted(float(figures["decoded_ratio"]) for figures in view.decode.values())
     if not shares:
         return ""

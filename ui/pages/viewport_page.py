@@ -1,4 +1,4 @@
-"""What pages with a 3-D view share: it starts when graphics are ready, and draws only while it is seen."""
+"""Base of pages with a 3-D view: started when graphics are ready, drawn only while visible."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ui.pages.page import Page
 from ui.session import Session
 from ui.viewport.cloud_view import CloudView
 from ui.viewport.layers import CloudLayer, SurfaceLayer
-from ui.viewport.shuffled import ShuffledCloud, shuffled
+from ui.viewport.shuffled_cloud import ShuffledCloud, shuffle
 from ui.widgets.basic import Button
 from ui.widgets.empty_state import EmptyState
 from ui.workers.job import Job
@@ -36,15 +36,15 @@ Composer = Callable[[Job], Picture]
 
 
 class ViewportPage(Page):
-    """A page whose largest thing is the 3-D view; a job composes the picture when the page is seen and something changed."""
+    """A page with a large 3-D view; a job composes the picture when the page is visible and something changed."""
 
     def __init__(self, look: Look, session: Session, controllers: Controllers, empty: EmptyState) -> None:
         super().__init__(look, session, controllers, empty)
         self.view = CloudView(look)
         self.is_composing = False
         self._stale = True
-        self.tool_buttons: tuple[Button, ...] = ()  # above the picture; icons alone where the page is narrow
-        self.side: QWidget | None = None  # beside the picture; gives way to it where the page is narrow
+        self.tool_buttons: tuple[Button, ...] = ()  # above the picture; icons only if the page is narrow
+        self.side: QWidget | None = None  # next to the picture; narrower if the page is narrow
         self.side_width = 0
         QShortcut(QKeySequence.StandardKey.Undo, self, self.undo_last, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
         QShortcut(Qt.Key.Key_Escape, self, self.end_clicking, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
@@ -53,18 +53,18 @@ class ViewportPage(Page):
         self._use_graphics()
 
     def composer(self) -> Composer | None:
-        """Return what composes the picture on a thread, out of nouns that never change; None where there is nothing to show."""
+        """Return the function that composes the picture in a thread from immutable data; None if there is nothing to show."""
         raise TypeError(f"{type(self).__name__} does not draw")
 
     def undo_last(self) -> None:
-        """Take back what was done last on this page, where there is something."""
+        """Undo the last action on this page, if there is one."""
 
     def end_clicking(self) -> None:
-        """Let clicks into the picture tell about points again."""
+        """End a special use of clicks; they select points again."""
 
     @Slot()
     def redraw(self) -> None:
-        """Draw again: now, or when the picture being composed is complete, or when the page is seen."""
+        """Draw again: now, when the picture being composed is complete, or when the page becomes visible."""
         self._stale = True
         if self.is_composing or not self.isVisible():
             return
@@ -96,7 +96,7 @@ class ViewportPage(Page):
             self.redraw()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave out the words of the tools where they have no room, and give the picture what it needs."""
+        """Reduce the tools to icons where there is too little room, and give the rest to the picture."""
         super().resizeEvent(event)
         if self.side is not None:
             self.side.setFixedWidth(max(LEAST_SIDE, min(self.side_width, self.width() - LEAST_PICTURE)))
@@ -115,6 +115,6 @@ class ViewportPage(Page):
 
 
 def _prepared(composer: Composer, job: Job) -> tuple[Picture, ShuffledCloud]:
-    """Compose the picture and bring its points into the order in which they are drawn; runs on a job's thread."""
+    """Compose the picture and shuffle its points into drawing order; runs in the thread of a job."""
     picture = composer(job)
-    return picture, shuffled(picture.clouds)
+    return picture, shuffle(picture.clouds)

@@ -1,1 +1,1 @@
-"""The 3-D view; the only room that imports VTK."""
+"""The 3-D view; the only package that imports VTK."""

@@ -1,4 +1,4 @@
-"""What the 3-D view draws, as VTK's actors: points, surfaces, lines and labels."""
+"""VTK actors of the 3-D view: points, surfaces, lines and labels."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ from ui.viewport.colouring import HATCH_SHADE, UNKNOWN
 from ui.viewport.layers import Label, LineLayer, SurfaceLayer
 
 LETTERS = Path("mpl-data") / "fonts" / "ttf" / "DejaVuSans.ttf"
-LETTERS_PX, FONT_FILE = 13, 4  # VTK_FONT_FILE, which Python is not told
+LETTERS_PX, FONT_FILE = 13, 4  # VTK_FONT_FILE, which the Python wrapping lacks
 HATCH_PERIOD_PX = 9.0
 IS_UNKNOWN = "all(lessThan(abs(vertexColorVSOutput.rgb - vec3({}, {}, {}) / 255.0), vec3(0.012)))".format(*UNKNOWN)
-HATCHED = (  # stripes of the screen, so that what was not measured is told apart at every distance
+HATCHED = (  # in screen space, so that unmeasured areas are recognisable at every distance
     "//VTK::Color::Impl\n"
     f"  if ({IS_UNKNOWN} && mod(gl_FragCoord.x + gl_FragCoord.y, {HATCH_PERIOD_PX}) < {HATCH_PERIOD_PX / 2})\n"
     f"  {{ ambientColor *= {HATCH_SHADE}; diffuseColor *= {HATCH_SHADE}; }}\n"
@@ -31,7 +31,7 @@ HATCHED = (  # stripes of the screen, so that what was not measured is told apar
 
 
 def points_actor(points: np.ndarray, colours: np.ndarray) -> vtkActor:
-    """Return points (N, 3) in their own colours, unlit; VTK holds on to both arrays.
+    """Return an actor of points (N, 3) with individual colours, unlit; VTK keeps references to both arrays.
 
     At scale factor 0 this mapper draws plain points and needs no cells, which saves eight bytes a point
     (VTK merge request 296).
@@ -49,7 +49,7 @@ def points_actor(points: np.ndarray, colours: np.ndarray) -> vtkActor:
 
 
 def surface_actor(layer: SurfaceLayer) -> vtkActor:
-    """Return a lit surface; vertices that were not measured are hatched."""
+    """Return an actor of a lit surface; unmeasured vertices are hatched."""
     data = _poly_data(np.asarray(layer.vertices_mm, np.float32))
     cells = vtkCellArray()
     cells.SetData(3, numpy_to_vtkIdTypeArray(np.ascontiguousarray(layer.triangles, np.int64).ravel(), deep=True))
@@ -67,7 +67,7 @@ def surface_actor(layer: SurfaceLayer) -> vtkActor:
 
 
 def _shaded(data: vtkPolyData, layer: SurfaceLayer) -> vtkPolyData:
-    """Return the surface with its normals; where it brings none they are computed and split at edges."""
+    """Return the surface with its normals; missing ones are computed and split at edges."""
     if layer.normals is not None:
         data.GetPointData().SetNormals(numpy_to_vtk(np.ascontiguousarray(layer.normals, np.float32), deep=True))
         return data
@@ -79,7 +79,7 @@ def _shaded(data: vtkPolyData, layer: SurfaceLayer) -> vtkPolyData:
 
 
 def line_actor(layer: LineLayer) -> vtkActor:
-    """Return polylines, a little in front of what they lie on."""
+    """Return an actor of polylines, drawn slightly in front of the surface below."""
     data = _poly_data(np.concatenate(layer.lines).astype(np.float32))
     lengths = [len(line) for line in layer.lines]
     cells = vtkCellArray()
@@ -99,7 +99,7 @@ def line_actor(layer: LineLayer) -> vtkActor:
 
 
 def label_actor(label: Label) -> vtkCaptionActor2D:
-    """Return words on a leader line; opaque, so that a picture drawn in parts is the same as one drawn at once."""
+    """Return an actor of a text on a leader line; opaque, so that progressive drawing gives the same picture."""
     actor = vtkCaptionActor2D()
     actor.SetCaption(label.text)
     actor.SetAttachmentPoint(*(float(value) for value in label.point_mm))
@@ -123,7 +123,7 @@ def label_actor(label: Label) -> vtkCaptionActor2D:
 
 
 def set_letters(text: vtkTextProperty) -> None:
-    """Choose letters as people know them; VTK's own are hard to read and lack many signs."""
+    """Set a readable font; VTK's default font lacks many characters."""
     letters = letters_file()
     if letters is None:
         text.SetFontFamilyToArial()
@@ -135,7 +135,7 @@ def set_letters(text: vtkTextProperty) -> None:
 
 @cache
 def letters_file() -> Path | None:
-    """Return the font file that Matplotlib brings, which comes with PyVista; None where it is not there."""
+    """Return the font file of Matplotlib, which PyVista installs; None if it is missing."""
     found = find_spec("matplotlib")
     path = None if found is None or found.origin is None else Path(found.origin).parent / LETTERS
     return path if path is not None and path.is_file() else None
@@ -143,7 +143,7 @@ def letters_file() -> Path | None:
 
 def _poly_data(points: np.ndarray) -> vtkPolyData:
     data, places = vtkPolyData(), vtkPoints()
-    places.SetData(numpy_to_vtk(np.ascontiguousarray(points)))  # VTK holds on to the array
+    places.SetData(numpy_to_vtk(np.ascontiguousarray(points)))  # VTK keeps a reference to the array
     data.SetPoints(places)
     return data
 

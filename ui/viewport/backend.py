@@ -1,4 +1,4 @@
-"""Which of the two backends draws the 3-D view, and whether one can."""
+"""Choice of the backend of the 3-D view, and a test of its availability."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ BackendName = Literal["native", "off-screen"]
 NATIVE_PLATFORMS = {"xcb", "windows", "cocoa"}
 OFF_SCREEN_CLASSES = ("vtkEGLRenderWindow", "vtkOSOpenGLRenderWindow")
 CHOICE = "MEASUREAPP_VIEWPORT"
-NO_GRAPHICS = "The 3-D view needs a graphics library that this computer does not have. See Help, Scan: “If the 3-D view stays empty”."
+NO_GRAPHICS = "The 3-D view needs a graphics library that is not installed. See Help, Scan: “If the 3-D view stays empty”."
 
 
 def choose_backend() -> BackendName:
-    """Return the native interactor where there is a display of this machine, the off-screen one elsewhere.
+    """Choose the native backend on a local display, the off-screen one otherwise.
 
-    The environment variable MEASUREAPP_VIEWPORT (``native`` or ``off-screen``) decides where it is set.
+    The environment variable MEASUREAPP_VIEWPORT (``native`` or ``off-screen``) takes precedence.
     """
     wanted = os.environ.get(CHOICE)
     if wanted in {"native", "off-screen"}:
@@ -31,7 +31,7 @@ def choose_backend() -> BackendName:
 
 
 def off_screen_window() -> vtkRenderWindow | None:
-    """Return a render window without a display, or None where no graphics library offers one."""
+    """Return a render window without a display; None if no graphics library provides one."""
     from vtkmodules import vtkRenderingOpenGL2
     from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
@@ -50,19 +50,19 @@ def off_screen_window() -> vtkRenderWindow | None:
 
 
 def missing_graphics() -> str:
-    """Import VTK and tell in a sentence what keeps the 3-D view from working; empty: nothing. Slow the first time."""
+    """Import VTK and describe the problem of the 3-D view, if any; empty: none. Slow the first time."""
     try:
         import ui.viewport.native
         import ui.viewport.off_screen  # noqa: F401
     except ImportError as error:
-        return f"The 3-D view needs a library that is missing ({error}). Run the installation again to repair it."
+        return f"The 3-D view needs a library that is missing ({error}). Run the installer again."
     if choose_backend() == "off-screen":
         return _try_off_screen()
     return ""
 
 
 def _try_off_screen() -> str:
-    """Draw one empty picture, which loads the graphics driver here and not while the user waits."""
+    """Render an empty picture, which loads the graphics driver in advance."""
     from vtkmodules.vtkRenderingCore import vtkRenderer
 
     window = off_screen_window()

@@ -1,4 +1,4 @@
-"""The one widget for 3-D: it exists at once, and draws as soon as VTK is loaded."""
+"""The 3-D widget; it shows a placeholder until VTK is loaded."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QLabel, QStackedLayout, QWidget
 from ui.look.look import Look
 from ui.viewport.backend import NO_GRAPHICS, choose_backend, off_screen_window
 from ui.viewport.layers import CloudLayer, Label, LineLayer, SurfaceLayer
-from ui.viewport.shuffled import ShuffledCloud, shuffled
+from ui.viewport.shuffled_cloud import ShuffledCloud, shuffle
 
 if TYPE_CHECKING:
     from ui.viewport.native import NativeView
@@ -29,17 +29,17 @@ TURNS = {
 }
 ZOOMS = {Qt.Key.Key_Plus: 1.25, Qt.Key.Key_Equal: 1.25, Qt.Key.Key_Minus: 0.8}
 PICKS = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
-KEYS = "Arrow keys turn, plus and minus zoom, Home shows everything, Enter picks the point in the middle."
+KEYS = "Arrow keys rotate, plus and minus zoom, Home shows everything, Enter picks the point in the centre."
 PREPARING = "Preparing 3-D view…"
 
 
 class CloudView(QWidget):
-    """Shows clouds, a surface, lines and labels; drag turns, Shift and drag moves, the wheel zooms, a click picks a point.
+    """Shows clouds, a surface, lines and labels; drag rotates, Shift and drag pans, the wheel zooms, a click picks a point.
 
-    With the keys: arrows turn, + and − zoom, Home shows everything, Enter picks the point in the middle.
+    Keys: arrows rotate, + and − zoom, Home shows everything, Enter picks the point in the centre.
     """
 
-    pointPicked = Signal(int, int)  # layer, place in the layer
+    pointPicked = Signal(int, int)  # layer, index in the layer
 
     def __init__(self, look: Look, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -48,7 +48,7 @@ class CloudView(QWidget):
         self._view: OffScreenView | NativeView | None = None
         self._allowed = False
         self._clouds: tuple[CloudLayer, ...] = ()
-        self._cloud = shuffled(())
+        self._cloud = shuffle(())
         self._surface: SurfaceLayer | None = None
         self._lines: tuple[LineLayer, ...] = ()
         self._labels: tuple[Label, ...] = ()
@@ -61,7 +61,7 @@ class CloudView(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setAccessibleName("3-D view")
         self.setAccessibleDescription(KEYS)
-        look.changed.connect(self._dress)
+        look.changed.connect(self._apply_theme)
 
     @property
     def is_live(self) -> bool:
@@ -69,19 +69,19 @@ class CloudView(QWidget):
         return self._view is not None
 
     def activate(self) -> None:
-        """Draw from now on; VTK must have been imported, or the window waits for it. Takes effect when the widget is seen."""
+        """Enable drawing, when the widget is visible; VTK should have been imported, or the window waits for it."""
         self._allowed = True
         if self.isVisible():
             self._create()
 
-    def explain(self, why: str) -> None:
-        """Say why there is no 3-D view."""
-        self._placeholder.setText(why)
+    def explain(self, problem: str) -> None:
+        """Show the reason for a missing 3-D view."""
+        self._placeholder.setText(problem)
 
     def set_clouds(self, layers: Sequence[CloudLayer], cloud: ShuffledCloud | None = None) -> None:
-        """Show these clouds; ``cloud`` is all of them shuffled, where that was made already, on a thread."""
+        """Show these clouds; ``cloud``: all of them, if they were shuffled already in a thread."""
         self._clouds = tuple(layers)
-        self._cloud = shuffled(self._clouds) if cloud is None else cloud
+        self._cloud = shuffle(self._clouds) if cloud is None else cloud
         if self._scene is not None:
             self._scene.set_cloud(self._cloud)
             self._refresh()
@@ -108,13 +108,13 @@ class CloudView(QWidget):
             self._refresh()
 
     def reset_camera(self) -> None:
-        """Look at everything again."""
+        """Show everything."""
         if self._scene is not None:
             self._scene.keep_framed = True
             self._refresh()
 
     def look_at(self, points_mm: np.ndarray) -> None:
-        """Come closer to these points (N, 3) without turning."""
+        """Move the camera to these points (N, 3) without rotation."""
         if self._scene is not None and len(points_mm):
             self._scene.look_at(np.asarray(points_mm, float))
             self._refresh()
@@ -124,7 +124,7 @@ class CloudView(QWidget):
         return QImage() if self._view is None else self._view.image()
 
     def close_view(self) -> None:
-        """Release the graphics memory; the widget shows its placeholder from then on."""
+        """Release the graphics memory and show the placeholder."""
         if self._view is not None:
             self._view.close_view()
             self._stack.removeWidget(self._view)
@@ -132,7 +132,7 @@ class CloudView(QWidget):
         self._view, self._scene, self._allowed = None, None, False
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Turn, zoom and pick without a mouse."""
+        """Rotate, zoom and pick by keyboard."""
         key, scene = Qt.Key(event.key()), self._scene
         if scene is None or not (key in TURNS or key in ZOOMS or key in PICKS or key == Qt.Key.Key_Home):
             super().keyPressEvent(event)
@@ -149,7 +149,7 @@ class CloudView(QWidget):
             self._refresh()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Create the 3-D view the first time it is seen."""
+        """Create the 3-D view when it is first visible."""
         super().showEvent(event)
         if self._allowed:
             self._create()
@@ -167,7 +167,7 @@ class CloudView(QWidget):
             return
         self._scene, self._view = scene, view
         view.clicked.connect(self._pick)
-        self._dress()
+        self._apply_theme()
         scene.set_cloud(self._cloud)
         scene.set_surface(self._surface)
         scene.set_lines(self._lines)
@@ -181,7 +181,7 @@ class CloudView(QWidget):
         if found is not None:
             self.pointPicked.emit(*found)
 
-    def _dress(self) -> None:
+    def _apply_theme(self) -> None:
         if self._scene is not None:
             theme = self._look.theme
             self._scene.set_background(_rgb(theme.colour("viewport_top")), _rgb(theme.colour("viewport_bottom")))

@@ -1,8 +1,8 @@
-"""How many points can be drawn in the time of one frame, learned from the frames drawn so far."""
+"""Number of points that can be drawn in the time of one frame, estimated from the frames drawn so far."""
 
 from __future__ import annotations
 
-FRAME_S = 0.075  # leaves a fourth of a tenth of a second for everything else
+FRAME_S = 0.075  # of 0.1 s; the rest is for everything else
 LEARNING = 0.4  # weight of the newest frame
 LEAST_POINTS = 10_000
 SOFTWARE_S_PER_POINT, HARDWARE_S_PER_POINT = 4e-7, 5e-9  # until the first frame is measured
@@ -10,7 +10,7 @@ SOFTWARE_NAMES = ("llvmpipe", "softpipe", "swr", "software", "swiftshader", "gdi
 
 
 class FrameBudget:
-    """Points per frame; begins with what the renderer lets expect."""
+    """Points per frame; the initial value depends on the renderer."""
 
     def __init__(self, capabilities: str = "") -> None:
         self.software = is_software(capabilities)
@@ -18,14 +18,14 @@ class FrameBudget:
 
     @property
     def points(self) -> int:
-        """Return how many points one frame may have."""
+        """Number of points allowed in one frame."""
         return max(LEAST_POINTS, int(FRAME_S / self._s_per_point))
 
     def observe(self, points: int, seconds: float) -> None:
-        """Learn from a frame that used its budget up, or its time.
+        """Update the estimate from a frame that used up its points or its time.
 
-        What a frame costs without points is shared out among its points, which settles at the right budget; a frame with
-        few points, the last one of a picture, would make points look dear.
+        The fixed cost of a frame is distributed over its points, which converges to the right budget; frames with few points, such as
+        the last one of a picture, are ignored because they would overestimate the cost per point.
         """
         used_up = points >= self.points / 2 or seconds > FRAME_S
         if used_up and points >= LEAST_POINTS / 2:
@@ -33,6 +33,6 @@ class FrameBudget:
 
 
 def is_software(capabilities: str) -> bool:
-    """Tell from what VTK reports of an initialised render window whether the processor draws; where it reports nothing, be careful."""
-    told = [line.lower() for line in capabilities.splitlines() if "renderer string" in line.lower()]
-    return not told or any(name in line for line in told for name in SOFTWARE_NAMES)
+    """Whether VTK's capability report of a render window names a software renderer; True if it names none."""
+    lines = [line.lower() for line in capabilities.splitlines() if "renderer string" in line.lower()]
+    return not lines or any(name in line for line in lines for name in SOFTWARE_NAMES)

@@ -1,4 +1,4 @@
-"""What can be shown in the 3-D view, without anything of VTK."""
+"""Contents of the 3-D view, independent of VTK."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ import numpy as np
 
 @dataclass(frozen=True, eq=False)
 class CloudLayer:
-    """Points with their colours."""
+    """A point cloud with colours."""
 
     points_mm: np.ndarray  # (N, 3)
     colours: np.ndarray  # (N, 3) uint8
     normals: np.ndarray | None = None  # (N, 3), for shading
-    to_read: bool = False  # the colours are read against a scale: shade them little
+    to_read: bool = False  # the colours belong to a scale, so they are shaded only slightly
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,7 +26,7 @@ class SurfaceLayer:
     colours: np.ndarray | None = None  # (V, 3) uint8
     colour: tuple[int, int, int] = (190, 198, 203)
     opacity: float = 1.0
-    normals: np.ndarray | None = None  # (V, 3); computed where there are none
+    normals: np.ndarray | None = None  # (V, 3); None: computed
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +40,7 @@ class LineLayer:
 
 @dataclass(frozen=True, eq=False)
 class Label:
-    """Words on a leader line."""
+    """A text on a leader line."""
 
     text: str
     point_mm: np.ndarray  # (3,)

@@ -1,4 +1,4 @@
-"""The backend of a real display: VTK draws into the window itself."""
+"""Native backend: VTK renders directly into the window."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ REST_MS = 200
 
 
 class NativeView(QWidget):
-    """Shows a scene by VTK's own window."""
+    """Shows a scene in VTK's own window."""
 
-    clicked = Signal(float, float)  # pixel of the picture, y from below
+    clicked = Signal(float, float)  # pixel of the picture, y from the bottom
 
     def __init__(self, scene: Scene, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -52,16 +52,16 @@ class NativeView(QWidget):
         self._more.timeout.connect(self._go_on)
 
     def refresh(self) -> None:
-        """Draw again at the next occasion."""
+        """Schedule a redraw."""
         self._interactor.update()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Keep everything in the picture until the user moves the camera."""
+        """Redraw at the new size."""
         super().resizeEvent(event)
         self.refresh()
 
     def image(self) -> QImage:
-        """Return the picture as it is now."""
+        """Return the present picture."""
         self._window.Render()
         while not self._scene.is_complete:
             self._go_on()
@@ -72,7 +72,7 @@ class NativeView(QWidget):
         return QImage(pixels.data, width, height, 3 * width, QImage.Format.Format_RGB888).copy()
 
     def close_view(self) -> None:
-        """Give the window back before Qt destroys it."""
+        """Release the window before Qt destroys it."""
         self._rest.stop()
         self._more.stop()
         self._window.RemoveAllObservers()
@@ -80,7 +80,7 @@ class NativeView(QWidget):
         self._interactor.Finalize()
 
     def _go_on(self) -> None:
-        """Add points to a picture that is not complete."""
+        """Add points to an incomplete picture."""
         if not self._scene.is_complete:
             self._adding = True
             self._window.Render()

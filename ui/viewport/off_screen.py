@@ -1,4 +1,4 @@
-"""The backend that renders to memory and paints the image; mouse and wheel are forwarded."""
+"""Off-screen backend: renders to memory and paints the image; mouse and wheel events are forwarded."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ BUTTONS = {Qt.MouseButton.LeftButton: "LeftButton", Qt.MouseButton.MiddleButton:
 
 
 class OffScreenView(QWidget):
-    """Shows a scene by an off-screen render window."""
+    """Shows a scene rendered off-screen."""
 
-    clicked = Signal(float, float)  # pixel of the picture, y from below
+    clicked = Signal(float, float)  # pixel of the picture, y from the bottom
 
     def __init__(self, scene: Scene, window: vtkRenderWindow, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self._scene, self._window, self._image, self._stale = scene, window, QImage(), True
-        window.Initialize()  # before that it cannot report who draws
+        window.Initialize()  # needed for the capability report
         scene.budget = FrameBudget(window.ReportCapabilities())
-        window.SetMultiSamples(0 if scene.budget.software else 4)  # four samples cost the processor a frame's time at every size
+        window.SetMultiSamples(0 if scene.budget.software else 4)  # multisampling by the processor is too slow at any size
         window.AddRenderer(scene.renderer)
         self._interactor = vtkGenericRenderWindowInteractor()
         self._interactor.SetRenderWindow(window)
@@ -51,19 +51,19 @@ class OffScreenView(QWidget):
         self._more.timeout.connect(self._go_on)
 
     def refresh(self) -> None:
-        """Draw again at the next occasion."""
+        """Schedule a redraw."""
         self._stale = True
         self.update()
 
     def image(self) -> QImage:
-        """Return the picture as it is now."""
+        """Return the present picture."""
         self._render()
         while not self._scene.is_complete:
             self._go_on()
         return self._image.copy()
 
     def close_view(self) -> None:
-        """Give the graphics memory back."""
+        """Release the graphics memory."""
         self._rest.stop()
         self._more.stop()
         self._interactor.RemoveAllObservers()
@@ -80,12 +80,12 @@ class OffScreenView(QWidget):
         self.refresh()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Begin to turn, move or zoom."""
+        """Start to rotate, pan or zoom."""
         self._pressed_at = event.position()
         self._forward(event, "PressEvent")
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """End what the mouse did."""
+        """End rotation, pan or zoom; a click picks."""
         self._forward(event, "ReleaseEvent")
         moved = (event.position() - self._pressed_at).manhattanLength()
         if event.button() == Qt.MouseButton.LeftButton and moved < CLICK_REACH_PX:
@@ -95,7 +95,7 @@ class OffScreenView(QWidget):
         self._rest.start()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Turn, move or zoom."""
+        """Rotate, pan or zoom."""
         moved = (event.position() - self._pressed_at).manhattanLength()
         if event.buttons() != Qt.MouseButton.NoButton and moved >= CLICK_REACH_PX:
             self._begin_move()
@@ -150,7 +150,7 @@ class OffScreenView(QWidget):
         self._stale = False
 
     def _go_on(self) -> None:
-        """Add points to a picture that is not complete."""
+        """Add points to an incomplete picture."""
         if not self._stale and not self._scene.is_complete:
             self._scene.go_on()
             self._draw(self._image.width(), self._image.height())
@@ -168,7 +168,7 @@ class OffScreenView(QWidget):
             self._more.start()
 
     def changeEvent(self, event: QEvent) -> None:
-        """Draw again when the theme changes."""
+        """Redraw when the theme changes."""
         if event.type() == QEvent.Type.PaletteChange:
             self.refresh()
         super().changeEvent(event)

@@ -1,25 +1,25 @@
-"""How large points have to be drawn so that few of them look like the part and not like dust."""
+"""Point size at which a subset of the points covers the part."""
 
 from __future__ import annotations
 
 import numpy as np
 
 LEAST_PX, MOST_PX = 2.0, 8.0
-HOLES = 0.02  # share of the part that may stay uncovered
+HOLES = 0.02  # fraction of the part that may remain uncovered
 SAMPLES_IN_CELL = 4.0
 
 
 def point_size_px(sample_px: np.ndarray, picture_px: tuple[int, int], points: int) -> float:
-    """Return the edge of the squares by which points cover what is seen of the part.
+    """Return the side of the squares with which points cover the visible part.
 
-    Squares of area s at n random places of an area A leave the share exp(-n s / A) uncovered; half of the points are
-    on the side that faces away. A is counted in cells that hold at least one point of a sample.
+    Squares of area s at n random positions in an area A leave the fraction exp(-n s / A) uncovered; half of the points are on the
+    side that faces away. A is measured in cells that contain at least one point of a sample.
 
     Parameters
     ----------
-    sample_px : (K, 2) places in the picture of a fair sample of all points; some may lie outside the picture
+    sample_px : (K, 2) positions in the picture of a random sample of all points; some may be outside
     picture_px : width and height
-    points : how many points are drawn, those outside the picture included
+    points : number of points drawn, including those outside the picture
     """
     inside = sample_px[np.all((sample_px >= 0) & (sample_px < picture_px), axis=1)]
     if not len(inside) or points <= 0:

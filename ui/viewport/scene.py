@@ -1,4 +1,4 @@
-"""The contents of the 3-D view: one renderer, its actors and its camera."""
+"""The 3-D scene: renderer, actors and camera."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkProp, vtkRenderer
 
 from ui.viewport.actors import label_actor, line_actor, points_actor, surface_actor
 from ui.viewport.frame_budget import FrameBudget
-from ui.viewport.label_places import label_places
+from ui.viewport.label_layout import place_labels
 from ui.viewport.layers import Label, LineLayer, SurfaceLayer
 from ui.viewport.point_size import point_size_px
-from ui.viewport.shuffled import ShuffledCloud, shuffled
+from ui.viewport.shuffled_cloud import ShuffledCloud, shuffle
 
 OPENING_DIRECTION = (-1.0, -1.1, 0.85)
 FRAMING_POINTS = 4_000
 FILLED_SHARE = 0.86  # of the picture's width or height, whichever is reached first
 CLOSEST_MM, ROOM = 15.0, 1.8
 PICK_REACH_PX = 5.0
-LABEL_PX = (7.6, 24)  # about as wide as a letter and as high as a label is drawn
+LABEL_PX = (7.6, 24)  # approximate width of a letter and height of a label
 PICK_CHUNK = 2_000_000
 
 
@@ -30,12 +30,12 @@ class Scene:
         self.renderer = vtkRenderer()
         self.renderer.GradientBackgroundOn()
         self.budget = FrameBudget()
-        self._cloud = shuffled(())
+        self._cloud = shuffle(())
         self._blocks: list[vtkActor] = []
-        self._ends = np.empty(0, np.int64)  # how many points there are up to the end of each block
+        self._ends = np.empty(0, np.int64)  # cumulative number of points at the end of each block
         self._bounds: tuple[np.ndarray, ...] = ()
-        self._drawn = 0  # blocks that the picture has
-        self._shown = slice(0, 0)  # blocks that the frame has
+        self._drawn = 0  # blocks drawn in the picture
+        self._shown = slice(0, 0)  # blocks of the present frame
         self._size_px = 1.0
         self._moving = False
         self._others: dict[str, list[vtkProp]] = {"surface": [], "lines": [], "labels": []}
@@ -44,12 +44,12 @@ class Scene:
         self.keep_framed = True  # until the user moves the camera
 
     def set_background(self, top: tuple[float, float, float], bottom: tuple[float, float, float]) -> None:
-        """Set the colours (0…1) behind everything."""
+        """Set the colours (0…1) of the background."""
         self.renderer.SetBackground(bottom)
         self.renderer.SetBackground2(top)
 
     def set_cloud(self, cloud: ShuffledCloud) -> None:
-        """Show these points instead of those shown."""
+        """Replace the points."""
         for block in self._blocks:
             self.renderer.RemoveActor(block)
         self._cloud, self._extent["clouds"] = cloud, cloud.points_mm[:FRAMING_POINTS].astype(float)
@@ -63,12 +63,12 @@ class Scene:
             self.renderer.AddActor(block)
 
     def set_moving(self, moving: bool) -> None:
-        """Draw only what one frame's time allows while the camera moves, everything when it rests."""
+        """Draw only the points of one frame while the camera moves, all points at rest."""
         self.keep_framed = self.keep_framed and not moving
         self._moving = moving
 
     def turn(self, right_deg: float, up_deg: float) -> None:
-        """Turn the part to the right and up, as the mouse does."""
+        """Rotate the part to the right and up, as with the mouse."""
         camera = self.renderer.GetActiveCamera()
         camera.Azimuth(-right_deg)
         camera.Elevation(-up_deg)
@@ -76,44 +76,44 @@ class Scene:
         self.keep_framed = False
 
     def approach(self, times: float) -> None:
-        """Come closer by a factor."""
+        """Zoom in by a factor."""
         self.renderer.GetActiveCamera().Dolly(times)
         self.keep_framed = False
 
     def begin_picture(self) -> None:
-        """Let the next frame erase what was drawn, and draw as many points as its time allows."""
+        """Start a new picture: the next frame clears it and draws as many points as its time allows."""
         self._set_preserved(False)
         self._drawn = 0
         if self.keep_framed:
             self.reset_camera()
         self._show_next(self.budget.points)
         self.renderer.ResetCameraClippingRange(self._all_bounds())
-        if not self._moving:  # while it moves, labels stay beside what they name
+        if not self._moving:  # during motion labels keep their offsets
             self._place_labels()
 
     def go_on(self) -> None:
-        """Let the next frame add points to the picture; see `is_complete`."""
+        """Continue the picture: the next frame adds points; see `is_complete`."""
         self._set_preserved(True)
         self._show_next(self.budget.points)
 
     @property
     def is_complete(self) -> bool:
-        """Whether nothing is left to be drawn; while the camera moves, one frame is all there is."""
+        """Whether everything is drawn; during motion one frame is sufficient."""
         return self._moving or self._drawn == len(self._blocks)
 
     @property
     def is_presentable(self) -> bool:
-        """Whether the picture covers the part as well as one drawn while turning; until then the last picture is better to look at."""
+        """Whether the picture covers the part as well as one drawn during motion; until then the former picture is shown."""
         return self.is_complete or self.picture_points * self._size_px**2 >= self.budget.points * self._moving_size_px() ** 2
 
     @property
     def frame_points(self) -> int:
-        """Return how many points the frame has."""
+        """Number of points of the present frame."""
         before = int(self._ends[self._shown.start - 1]) if self._shown.start else 0
         return self.picture_points - before
 
     def _show_next(self, budget: int) -> None:
-        """Make the next blocks visible, and what is no cloud in the first frame alone, whose depth stays; labels lie over everything."""
+        """Make the next blocks visible; surfaces and lines are drawn in the first frame only, whose depth buffer is kept."""
         first, start = self._drawn == 0, self.picture_points
         end = min(max(self._drawn + 1, int(np.searchsorted(self._ends, start + budget, side="right"))), len(self._blocks))
         for block in self._blocks[self._shown]:
@@ -126,11 +126,13 @@ class Scene:
             block.GetProperty().SetPointSize(self._size_px)
         for prop in (*self._others["surface"], *self._others["lines"]):
             prop.SetVisibility(first)
-        self.renderer.SetUseFXAA(self.budget.software and not self._blocks)  # it would smooth the same points again with every part
+        self.renderer.SetUseFXAA(
+            self.budget.software and not self._blocks
+        )  # with several frames it would smooth the same points repeatedly
 
     @property
     def picture_points(self) -> int:
-        """Return how many points the picture has, those of its earlier frames included."""
+        """Number of points of the picture, including its earlier frames."""
         return int(self._ends[self._drawn - 1]) if self._drawn else 0
 
     def _place_labels(self) -> None:
@@ -138,11 +140,11 @@ class Scene:
             return
         places = self._pixels(np.array([label.point_mm for label in self._labels], float))
         sizes = [(round(LABEL_PX[0] * (len(label.text) + 1)), LABEL_PX[1]) for label in self._labels]
-        for prop, (right, up) in zip(self._others["labels"], label_places(places, sizes, self.renderer.GetSize()), strict=True):
+        for prop, (right, up) in zip(self._others["labels"], place_labels(places, sizes, self.renderer.GetSize()), strict=True):
             prop.SetPosition(right, up)
 
     def _pixels(self, points_mm: np.ndarray) -> np.ndarray:
-        """Return where points (N, 3) in front of the camera lie in the picture; y counts from below."""
+        """Project points (N, 3) in front of the camera to the picture; y from the bottom."""
         matrix = self._projection()
         placed = points_mm @ matrix[:, :3].T + matrix[:, 3]
         return np.asarray((placed[:, :2] / placed[:, 3:] + 1.0) / 2.0 * self.renderer.GetSize())
@@ -151,7 +153,7 @@ class Scene:
         return self._covering_size_px(min(self.budget.points, len(self._cloud)))
 
     def _covering_size_px(self, points: int) -> float:
-        """Return the size at which so many points of the cloud cover what is seen of it."""
+        """Return the point size at which this number of points covers the visible part."""
         if not points:
             return 1.0
         return point_size_px(self._pixels(self._extent["clouds"]), self.renderer.GetSize(), points)
@@ -161,7 +163,7 @@ class Scene:
         self.renderer.SetPreserveDepthBuffer(preserved)
 
     def _all_bounds(self) -> list[float]:
-        """Return the box of everything, the points that are not drawn yet included: all frames of a picture share one depth."""
+        """Return the bounds of everything, including points not drawn yet, because all frames of a picture share one depth range."""
         boxes = [prop.GetBounds() for prop in (*self._others["surface"], *self._others["lines"])]
         corners = [*self._bounds, *(np.array(box[end::2]) for box in boxes for end in (0, 1))]
         if not corners:
@@ -170,23 +172,23 @@ class Scene:
         return [float(value) for pair in zip(low, high, strict=True) for value in pair]
 
     def set_surface(self, layer: SurfaceLayer | None) -> None:
-        """Show a surface instead of the one shown."""
+        """Replace the surface."""
         self._extent["surface"] = np.empty((0, 3)) if layer is None else _thinned(layer.vertices_mm)
         self._replace("surface", [] if layer is None or not len(layer.triangles) else [surface_actor(layer)])
 
     def set_lines(self, layers: Sequence[LineLayer]) -> None:
-        """Show these lines instead of those shown."""
+        """Replace the lines."""
         lines = [line for layer in layers for line in layer.lines]
         self._extent["lines"] = np.concatenate([np.empty((0, 3)), *(_thinned(line) for line in lines)])
         self._replace("lines", [line_actor(layer) for layer in layers if layer.lines])
 
     def set_labels(self, labels: Sequence[Label]) -> None:
-        """Show these labels instead of those shown."""
+        """Replace the labels."""
         self._labels = tuple(labels)
         self._replace("labels", [label_actor(label) for label in labels])
 
     def reset_camera(self) -> None:
-        """Look at everything from the front, a little from above."""
+        """Show everything from the front, slightly from above."""
         camera = self.renderer.GetActiveCamera()
         camera.SetFocalPoint(0.0, 0.0, 0.0)
         camera.SetPosition(OPENING_DIRECTION)
@@ -197,16 +199,16 @@ class Scene:
         self.renderer.ResetCameraClippingRange(bounds)
 
     def look_at(self, points_mm: np.ndarray) -> None:
-        """Come closer to these points (N, 3) without turning, no closer than `CLOSEST_MM` around them, with some room about them."""
+        """Move the camera to these points (N, 3) without rotation, with a margin of at least `CLOSEST_MM`."""
         self.keep_framed = False
         corners = np.stack(np.meshgrid(*[[-CLOSEST_MM, CLOSEST_MM]] * 3), axis=-1).reshape(-1, 3)
         middle = points_mm.mean(axis=0)
-        box = np.array(self._all_bounds()).reshape(3, 2)  # room beyond everything shown would only make it small
+        box = np.array(self._all_bounds()).reshape(3, 2)  # a margin beyond everything shown is useless
         roomy = np.clip(middle + ROOM * (points_mm - middle), box[:, 0], box[:, 1])
         self._fill_picture([points_mm, roomy, middle + corners])
 
     def pick(self, x_px: float, y_px: float) -> tuple[int, int] | None:
-        """Return layer and place in the layer of the foremost point near a pixel of the picture; y counts from below."""
+        """Return layer and index in the layer of the foremost point near a pixel of the picture; y from the bottom."""
         size = np.array(self.renderer.GetSize(), np.float32)
         if not len(self._cloud) or not size.all():
             return None
@@ -226,7 +228,7 @@ class Scene:
         return np.array([[matrix.GetElement(line, place) for place in range(4)] for line in range(4)])
 
     def _fill_picture(self, shown: Sequence[np.ndarray]) -> None:
-        """Move the camera so that these points fill the picture and lie in its middle."""
+        """Move the camera so that these points fill the picture, centred."""
         width, height = self.renderer.GetSize()
         if not shown or not width or not height:
             return
@@ -252,11 +254,11 @@ class Scene:
 
 
 def _thinned(points: np.ndarray) -> np.ndarray:
-    """Return some of the points, which stand for all where only their extent counts."""
+    """Subsample points of which only the extent matters."""
     return np.asarray(points[:: max(1, len(points) // FRAMING_POINTS)], float)
 
 
 def _between(across: np.ndarray, depth: np.ndarray, slope: float) -> tuple[float, float]:
-    """Return where the camera stands across, and how far away, so that all points lie within a cone of this slope."""
+    """Return lateral position and distance of the camera at which all points are within a cone of this slope."""
     high, low = float(np.max(across - slope * depth)), float(np.min(across + slope * depth))
     return (high + low) / 2.0, (high - low) / (2.0 * slope)

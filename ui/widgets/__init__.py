@@ -1,1 +1,1 @@
-"""Displays and value editors that know no hardware."""
+"""Displays and value editors, independent of hardware."""

@@ -1,4 +1,4 @@
-"""Horizontal bars with their names and values."""
+"""Horizontal bar chart."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Bar:
 
 
 class BarChart(QWidget):
-    """Compares a few lengths."""
+    """A bar chart of lengths."""
 
     def __init__(self, look: Look) -> None:
         super().__init__()
@@ -35,14 +35,14 @@ class BarChart(QWidget):
         look.changed.connect(self.update)
 
     def show_bars(self, bars: Sequence[Bar]) -> None:
-        """Draw these bars."""
+        """Show these bars."""
         self.bars = tuple(bars)
         self.setMinimumHeight(LINE * len(self.bars))
         self.setMaximumHeight(TALLEST_LINE * len(self.bars))
         self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw the bars to one scale."""
+        """Draw the bars to a common scale."""
         theme = self._look.theme
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

@@ -1,4 +1,4 @@
-"""The small parts everything is made of: labels with a role, buttons, cards."""
+"""Basic widgets and layouts: labels with a role, buttons, cards."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ButtonRole = Literal["normal", "primary", "quiet", "message"]
 
 
 def label(text: str = "", role: TextRole = "body", *, wrap: bool = False) -> QLabel:
-    """Return a label; ``wrap`` lets it run over several lines."""
+    """Return a label; ``wrap`` allows several lines."""
     made = QLabel(text)
     made.setProperty("role", role)
     made.setWordWrap(wrap)
@@ -26,7 +26,7 @@ def label(text: str = "", role: TextRole = "body", *, wrap: bool = False) -> QLa
 
 
 class ElidedLabel(QLabel):
-    """A label that takes the room there is, and ends in … where that is too little."""
+    """A label that is elided when there is too little space."""
 
     def __init__(self, text: str, role: TextRole) -> None:
         super().__init__(text)
@@ -35,13 +35,13 @@ class ElidedLabel(QLabel):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
 
     def set_words(self, words: str) -> None:
-        """Show other words."""
+        """Set the text."""
         self.words = words
         self.setToolTip(words)
         self._fit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Fit the words to the room."""
+        """Elide the text to the new width."""
         super().resizeEvent(event)
         self._fit()
 
@@ -59,19 +59,19 @@ class Button(QPushButton):
         self.setProperty("role", role)
         self.setToolTip(tip)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.setAutoDefault(False)  # Enter in a dialog is for the button that is made its default
+        self.setAutoDefault(False)  # Enter in a dialog triggers its default button only
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.setIconSize(QSize(20, 20))
         look.changed.connect(self._redraw)
         self._redraw()
 
     def set_compact(self, compact: bool) -> None:
-        """Show the icon alone where room is scarce; the words are then the tip."""
+        """Show the icon without text, with the text in the tooltip."""
         self.setText("" if compact else f"\u2009{self._words}")
         self.setToolTip(f"{self._words}: {self._tip[:1].lower()}{self._tip[1:]}" if compact else self._tip)
 
     def set_icon(self, name: str) -> None:
-        """Show another icon."""
+        """Set the icon."""
         self._icon = name
         self._redraw()
 
@@ -81,7 +81,7 @@ class Button(QPushButton):
 
 
 class Form(QFormLayout):
-    """Named editors under one another, every name beside the middle of its editor."""
+    """A form layout of labelled editors."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(*(() if parent is None else (parent,)))
@@ -90,14 +90,14 @@ class Form(QFormLayout):
         self.setVerticalSpacing(8)
 
     def add(self, name: str | QLabel, editor: QWidget) -> None:
-        """Add an editor; a label as its name can say something else later."""
+        """Add an editor; a label as its name can be changed later."""
         named = QLabel(name) if isinstance(name, str) else name
         named.setProperty("role", "field")
         self.addRow(named, editor)
 
 
 def card(*parts: QWidget | QLayout | int, margin: int = 16, spacing: int = 8) -> QFrame:
-    """Return a framed surface with its parts under one another; a number is empty space, 0 stretches."""
+    """Return a framed panel with its parts in a column; a number is a spacing, 0 a stretch."""
     frame = QFrame()
     frame.setObjectName("card")
     frame.setLayout(column(*parts, margin=margin, spacing=spacing))
@@ -105,14 +105,14 @@ def card(*parts: QWidget | QLayout | int, margin: int = 16, spacing: int = 8) ->
 
 
 def column(*parts: QWidget | QLayout | int, margin: int = 0, spacing: int = 8) -> QVBoxLayout:
-    """Return parts under one another."""
+    """Return a vertical layout of parts."""
     layout = QVBoxLayout()
     _fill(layout, parts, margin, spacing)
     return layout
 
 
 def row(*parts: QWidget | QLayout | int, margin: int = 0, spacing: int = 8) -> QHBoxLayout:
-    """Return parts beside one another."""
+    """Return a horizontal layout of parts."""
     layout = QHBoxLayout()
     _fill(layout, parts, margin, spacing)
     return layout

@@ -1,4 +1,4 @@
-"""Which calibration board is shown: kind, marks and sizes."""
+"""Editor of the calibration board: kind, marks and sizes."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class BoardForm(QWidget):
     """Edits a `BoardDescription`: value(), setValue(board), valueChanged, edited, problem()."""
 
     valueChanged = Signal(object)
-    edited = Signal()  # also while what is set is no board
+    edited = Signal()  # also while the settings are invalid
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -66,7 +66,7 @@ class BoardForm(QWidget):
             editor.valueChanged.connect(self._changed)
 
     def value(self) -> BoardDescription:
-        """Return the board. Raises ValueError where the sizes contradict each other; `problem` says how."""
+        """Return the board. Raises ValueError when the sizes contradict each other; see `problem`."""
         kind = self.kind.value()
         fields: dict[str, Any] = {"kind": kind, "columns": self.columns.value(), "rows": self.rows.value(), "bow_mm": self._bow}
         fields |= {name: self.lengths[name].value() for name in LENGTHS[kind]}
@@ -75,7 +75,7 @@ class BoardForm(QWidget):
         return MODELS[kind].model_validate(fields)
 
     def setValue(self, board: BoardDescription) -> None:
-        """Show another board."""
+        """Set the board."""
         values = board.model_dump()
         kind = next(name for name, model in MODELS.items() if isinstance(board, model))
         self._bow = board.bow_mm
@@ -94,7 +94,7 @@ class BoardForm(QWidget):
         self._changed()
 
     def problem(self) -> str:
-        """Return why what is set is no board; empty where it is one."""
+        """Return the problem of the settings; empty if they are valid."""
         try:
             self.value()
         except ValueError as error:

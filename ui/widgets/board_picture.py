@@ -1,4 +1,4 @@
-"""A camera image with what was found in it: corners, coverage, and where the board should appear next."""
+"""A camera image with overlays: detected corners, coverage, and the wanted next position of the board."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from ui.look.look import Look
 from ui.look.painting import picture_painter, set_letters, write_elided
 
 DOT_PX = 3.0
-HEAT = 0.35  # opacity of the cells that were covered
+HEAT = 0.35  # opacity of covered cells
 
 
 @dataclass(frozen=True, eq=False)
 class Overlay:
-    """What is drawn over an image, in its pixels."""
+    """Overlays of an image, in its pixels."""
 
     corners_px: np.ndarray | None = None  # (N, 2)
-    left_out_px: np.ndarray | None = None  # (M, 2), corners that the calibration left out
-    ghost_px: np.ndarray | None = None  # (K, 2), outline of the board as it should appear next
-    coverage: np.ndarray | None = None  # (rows, columns) how often each cell was covered
+    left_out_px: np.ndarray | None = None  # (M, 2), corners rejected by the calibration
+    ghost_px: np.ndarray | None = None  # (K, 2), outline of the wanted next position of the board
+    coverage: np.ndarray | None = None  # (rows, columns) number of corners in each cell
 
 
 class BoardPicture(QWidget):
-    """Shows one image as large as there is room, its overlay on top and words below."""
+    """Shows one image fitted to the widget, with overlays and a caption."""
 
     def __init__(self, look: Look) -> None:
         super().__init__()
@@ -45,17 +45,17 @@ class BoardPicture(QWidget):
         return self._image.isNull()
 
     def show_image(self, image: QImage, size_px: tuple[int, int], overlay: Overlay, caption: str) -> None:
-        """Show an image, which may be a thinned one of an original of ``size_px`` (width, height); the overlay is in the original's pixels."""
+        """Show an image, possibly a subsampled one of an original of ``size_px`` (width, height); overlays are in original pixels."""
         self._image, self._size, self.overlay, self.caption = image, QSize(*size_px), overlay, caption
         self.update()
 
     def clear(self, words: str) -> None:
-        """Show nothing but words."""
+        """Show a text instead of an image."""
         self._image, self._size, self.overlay, self.caption, self.empty_words = QImage(), QSize(), Overlay(), "", words
         self.update()
 
     def show_layers(self, names: Sequence[str]) -> None:
-        """Draw these of ``corners``, ``coverage`` and ``ghost``."""
+        """Choose the overlays: ``corners``, ``coverage`` and ``ghost``."""
         self.shown = frozenset(names)
         self.update()
 
@@ -87,7 +87,7 @@ class BoardPicture(QWidget):
         self._draw_caption(painter)
 
     def _draw_coverage(self, painter: QPainter, size: QSizeF, coverage: np.ndarray) -> None:
-        """Tint the cells that were seen; cells never seen stay clear."""
+        """Tint the covered cells."""
         rows, columns = coverage.shape
         most = max(1.0, float(coverage.max()))
         painter.setPen(Qt.PenStyle.NoPen)

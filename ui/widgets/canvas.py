@@ -1,4 +1,4 @@
-"""Drawings in millimetres: a painter that maps a rectangle of the world onto a rectangle of the widget."""
+"""Drawing in millimetres: mapping of a rectangle of the world to a rectangle of the widget."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ui.look.theme import Theme
 
 
 class Canvas:
-    """One view of a drawing; world x to the right, world y up."""
+    """One projection of a drawing; world x to the right, world y up."""
 
     def __init__(self, painter: QPainter, theme: Theme, area: QRectF, world: QRectF) -> None:
         self._painter, self.theme, self.area = painter, theme, area
@@ -19,21 +19,21 @@ class Canvas:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
 
     def at(self, x: float, y: float) -> QPointF:
-        """Return the place of a world point in the widget."""
+        """Map a world point to the widget."""
         return QPointF(
             self._middle.x() + (x - self._centre.x()) * self.scale,
             self._middle.y() - (y - self._centre.y()) * self.scale,
         )
 
     def pen(self, colour: str | QColor, width: float = 1.5, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> None:
-        """Draw outlines in this colour."""
+        """Set the outline colour, width and style."""
         pen = QPen(self.theme.colour(colour) if isinstance(colour, str) else colour, width, style)
         pen.setCapStyle(Qt.PenCapStyle.RoundCap)
         pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
         self._painter.setPen(pen)
 
     def fill(self, colour: str | QColor | None, opacity: float = 1.0) -> None:
-        """Fill shapes with this colour, or not at all."""
+        """Set the fill colour; None: no fill."""
         if colour is None:
             self._painter.setBrush(Qt.BrushStyle.NoBrush)
             return
@@ -58,7 +58,7 @@ class Canvas:
         self._painter.drawEllipse(self.at(x, y), radius_px, radius_px)
 
     def box(self, x0: float, y0: float, x1: float, y1: float) -> None:
-        """Draw a rectangle between two corners, a little rounded."""
+        """Draw a slightly rounded rectangle between two corners."""
         self._painter.drawRoundedRect(QRectF(self.at(x0, y0), self.at(x1, y1)).normalized(), 3, 3)
 
     def text(
@@ -74,7 +74,7 @@ class Canvas:
         centre: bool = True,
         clear: bool = False,
     ) -> None:
-        """Write words at a world point, moved by pixels; ``clear`` wipes away what lies behind them."""
+        """Draw text at a world point with an offset in pixels; ``clear`` fills its background."""
         set_letters(self._painter, self.theme.sizes["small"], bold=bold)
         self._painter.setPen(self.theme.colour(colour))
         place = self.at(x, y) + QPointF(dx, dy)
@@ -86,7 +86,7 @@ class Canvas:
         self._painter.drawText(box, side, words)
 
     def heading(self, words: str) -> None:
-        """Write the name of the view in its corner."""
+        """Draw the name of the projection in its corner."""
         set_letters(self._painter, self.theme.sizes["small"], bold=True)
         self._painter.setPen(self.theme.colour("soft"))
         self._painter.drawText(QPointF(self.area.left(), self.area.top() - 8), words)

@@ -1,4 +1,4 @@
-"""A small rounded sign with an icon and a few words."""
+"""A small rounded status indicator with icon and text."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ui.look.look import Look
 
 
 class Chip(QFrame):
-    """Tells one state at a glance; the colour of its icon is never the only sign."""
+    """Shows one state by text and icon colour."""
 
     def __init__(self, look: Look, icon: str, text: str = "") -> None:
         super().__init__()
@@ -26,11 +26,11 @@ class Chip(QFrame):
         self._redraw()
 
     def text(self) -> str:
-        """Return the words."""
+        """Return the text."""
         return self._text.text()
 
     def show_state(self, text: str, colour: str = "soft", tip: str = "") -> None:
-        """Show words, and the icon in a colour of the theme."""
+        """Set text, icon colour and tooltip."""
         self._text.setText(text)
         self._colour = colour
         self.setToolTip(tip)

@@ -1,4 +1,4 @@
-"""A legend one can read: a bar of colours with numbers."""
+"""Legend of a colour scale."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ WIDTH = 304
 
 
 class ColourScale(QWidget):
-    """Shows what the colours between two values mean."""
+    """Shows a colour scale with its limits and name."""
 
     def __init__(self, look: Look) -> None:
         super().__init__()
@@ -26,12 +26,12 @@ class ColourScale(QWidget):
         self.setMinimumWidth(152)
         self.setMaximumWidth(WIDTH)
         kept = self.sizePolicy()
-        kept.setRetainSizeWhenHidden(True)  # the row above the picture keeps its height
+        kept.setRetainSizeWhenHidden(True)  # keeps the height of the row above the picture
         self.setSizePolicy(kept)
         look.changed.connect(self.update)
 
     def sizeHint(self) -> QSize:
-        """Return the size at which numbers and name are well apart."""
+        """Return a size with sufficient space for numbers and name."""
         return QSize(WIDTH, 40)
 
     def show_scale(self, name: str, colours: np.ndarray, low: float, high: float) -> None:

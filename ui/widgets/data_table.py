@@ -1,4 +1,4 @@
-"""Tables of results: text left, numbers right, verdicts with sign, word and colour."""
+"""Tables of results: text left, numbers right, verdicts with icon, text and colour."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ class SignDelegate(QStyledItemDelegate):
         self._look = look
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
-        """Keep the focus rectangle away; leave space for the sign."""
+        """Hide the focus rectangle; reserve space for the sign."""
         super().initStyleOption(option, index)
         option.state &= ~QStyle.StateFlag.State_HasFocus
         if index.data(SIGN_ROLE):
@@ -127,7 +127,7 @@ class SignDelegate(QStyledItemDelegate):
 
 
 class DataTable(QTableView):
-    """A quiet table; one row can be selected."""
+    """A read-only table with single-row selection."""
 
     rowSelected = Signal(int)
     cellClicked = Signal(int, int)
@@ -154,23 +154,23 @@ class DataTable(QTableView):
         look.changed.connect(self.viewport().update)
 
     def set_rows(self, rows: Sequence[Sequence[Cell]]) -> None:
-        """Show these rows; the selection stays on the same row."""
+        """Show these rows; the selected row is kept."""
         chosen = self.currentIndex().row()
         self._model.set_rows(rows)
         if 0 <= chosen < len(rows):
             self.selectRow(chosen)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Let the space bar do what a click on the first cell of the row does."""
+        """Treat the space bar like a click on the first cell of the row."""
         if event.key() == Qt.Key.Key_Space and self.currentIndex().isValid():
             self.cellClicked.emit(self.currentIndex().row(), 0)
         else:
             super().keyPressEvent(event)
 
     def texts(self) -> list[list[str]]:
-        """Return what the rows say."""
+        """Return the texts of all rows."""
         return [[cell.text for cell in cells] for cells in self._model.rows]
 
     def fitted_height(self) -> int:
-        """Return the height at which all rows are seen."""
+        """Return the height at which all rows are visible."""
         return ROW_HEIGHT * (1 + self._model.rowCount()) + 4

@@ -1,4 +1,4 @@
-"""A table whose rows open: what a row is made of lies below it."""
+"""A table with expandable rows."""
 
 from __future__ import annotations
 
@@ -17,25 +17,25 @@ INDENT = 20
 
 @dataclass(frozen=True)
 class Branch:
-    """One row, and one line of words for each thing below it."""
+    """One row with its child rows, one line of text each."""
 
     cells: tuple[Cell, ...]
     leaves: tuple[str, ...] = ()
 
 
 class RowDelegate(SignDelegate):
-    """Gives rows and leaves the height of a table's rows."""
+    """Gives rows and children the height of table rows."""
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
-        """Return the width that the text needs and the height of a row."""
+        """Return the width of the text and the height of a row."""
         return QSize(super().sizeHint(option, index).width(), ROW_HEIGHT)
 
 
 class DataTree(QTreeView):
-    """A quiet table with rows that open; one row or leaf can be selected."""
+    """A read-only table with expandable rows; one row or child can be selected."""
 
-    rowSelected = Signal(int, int)  # row, leaf below it; -1: the row itself
-    heightChanged = Signal()  # a row was opened or closed
+    rowSelected = Signal(int, int)  # row, child; -1: the row itself
+    heightChanged = Signal()  # a row was expanded or collapsed
 
     def __init__(self, look: Look, headers: Sequence[str], *, numeric: Sequence[int] = (), stretch: int = 0) -> None:
         super().__init__()
@@ -59,11 +59,11 @@ class DataTree(QTreeView):
         header.setSectionResizeMode(stretch, QHeaderView.ResizeMode.Stretch)
         self.selectionModel().currentRowChanged.connect(lambda now, _before: self.rowSelected.emit(*self._place(now)))
         for moved in (self.expanded, self.collapsed):
-            moved.connect(self._tell_height)
+            moved.connect(self._emit_height_changed)
         look.changed.connect(self.viewport().update)
 
     def set_branches(self, branches: Sequence[Branch]) -> None:
-        """Show these rows; selection and open rows stay where they are."""
+        """Show these rows; selection and expanded rows are kept."""
         chosen = self.selected()
         opened = {row for row in range(self._items.rowCount()) if self.isExpanded(self._items.index(row, 0))}
         self._branches = tuple(branches)
@@ -80,7 +80,7 @@ class DataTree(QTreeView):
             self.select(*chosen)
 
     def select(self, row: int, leaf: int = -1) -> None:
-        """Select a row, or a leaf below it."""
+        """Select a row, or one of its children."""
         index = self._items.index(row, 0)
         leaf = min(leaf, self._items.rowCount(index) - 1)
         if leaf >= 0:
@@ -88,23 +88,23 @@ class DataTree(QTreeView):
         self.setCurrentIndex(index if leaf < 0 else self._items.index(leaf, 0, index))
 
     def selected(self) -> tuple[int, int]:
-        """Return the selected row and the leaf below it; -1 where there is none."""
+        """Return the selected row and child; -1: none."""
         return self._place(self.currentIndex())
 
     def texts(self) -> list[list[str]]:
-        """Return what the rows say."""
+        """Return the texts of all rows."""
         return [[cell.text for cell in branch.cells] for branch in self._branches]
 
     def leaves(self, row: int) -> tuple[str, ...]:
-        """Return what lies below a row."""
+        """Return the children of a row."""
         return self._branches[row].leaves
 
     def fitted_height(self) -> int:
-        """Return the height at which everything that is open is seen."""
+        """Return the height at which all expanded rows are visible."""
         opened = sum(len(branch.leaves) for row, branch in enumerate(self._branches) if self.isExpanded(self._items.index(row, 0)))
         return ROW_HEIGHT * (1 + len(self._branches) + opened) + 4
 
-    def _tell_height(self, _index: QModelIndex) -> None:
+    def _emit_height_changed(self, _index: QModelIndex) -> None:
         self.heightChanged.emit()
 
     def _label_columns(self) -> None:

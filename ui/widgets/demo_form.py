@@ -1,4 +1,4 @@
-"""What the demo measures and how: part, resolution, viewpoints, patterns, seed."""
+"""Editor of the demo settings: part, resolution, viewpoints, patterns, seed."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ OTHER_VIEWPOINTS = 8
 
 
 class DemoForm(QWidget):
-    """Edits `DemoSettings`: value(), setValue(settings), valueChanged. A mesh is looked at first, then `show_mesh` takes it."""
+    """Edits `DemoSettings`: value(), setValue(settings), valueChanged. A chosen mesh is checked first, then set by `show_mesh`."""
 
     valueChanged = Signal(object)
     meshChosen = Signal(object)  # Path
@@ -33,7 +33,7 @@ class DemoForm(QWidget):
         for name, words in PARTS.items():
             self._part.addItem(words, name)
         self._part.addItem(OWN_MESH, "")
-        self._part.setToolTip("A sample part, or a closed mesh of your own; its unit is asked for where it is not plainly millimetres")
+        self._part.setToolTip("A sample part, or your own closed mesh; its unit is requested unless it is clearly millimetres")
         self._chosen = 0
         self._units: dict[str, LengthUnit] = {}  # of mesh files
         self._resolution = Segments({"quarter": "Quarter", "half": "Half", "full": "Full"})
@@ -48,7 +48,7 @@ class DemoForm(QWidget):
             spin.lineEdit().setTextMargins(6, 0, 0, 0)
         self._viewpoints.setRange(3, 60)
         self._seed.setRange(1, 9999)
-        self._seed.setToolTip("Another seed is another rig: other hidden errors of robot, guide, table and lenses")
+        self._seed.setToolTip("The seed determines the hidden errors of robot, guide, table and lenses")
         form = Form(self)
         for words, editor in (
             ("Part", self._part),
@@ -68,7 +68,7 @@ class DemoForm(QWidget):
         self._seed.valueChanged.connect(self._tell)
 
     def value(self) -> DemoSettings:
-        """Return what is set."""
+        """Return the settings."""
         resolution = cast(Resolution, self._resolution.value())
         patterns = self._patterns.currentData()
         part = self._part.currentData()
@@ -76,7 +76,7 @@ class DemoForm(QWidget):
         return DemoSettings(part, resolution, self._viewpoints.value(), self._seed.value(), patterns, unit)
 
     def setValue(self, settings: DemoSettings) -> None:
-        """Show other settings."""
+        """Set the settings."""
         self._show_part(settings.part, settings.unit)
         self._resolution.setValue(settings.resolution)
         self._viewpoints.setValue(settings.viewpoints)
@@ -85,13 +85,13 @@ class DemoForm(QWidget):
         self._say_patterns()
 
     def show_mesh(self, path: Path, unit: LengthUnit) -> None:
-        """Take a mesh file whose lengths are in this unit."""
+        """Choose a mesh file with lengths in this unit."""
         self._show_part(str(path), unit)
         self._suggest_viewpoints()
         self._tell()
 
     def _show_part(self, part: str, unit: LengthUnit) -> None:
-        """Choose a part; a mesh file becomes an entry of its own."""
+        """Choose a part; a mesh file is added as an entry."""
         if self._part.findData(part) < 0:
             self._part.insertItem(self._part.count() - 1, "", part)
         if part not in PARTS:

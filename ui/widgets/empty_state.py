@@ -1,4 +1,4 @@
-"""What a page shows while it has nothing: a picture, a sentence and one button."""
+"""Empty state of a page: an icon, a sentence and one button."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ui.widgets.basic import Button, column, label, row
 
 
 class EmptyState(QWidget):
-    """Says what is missing and offers the one thing to do about it."""
+    """States what is missing and offers an action."""
 
     triggered = Signal()
 
@@ -31,11 +31,11 @@ class EmptyState(QWidget):
         self._redraw()
 
     def add_quiet(self, button: Button) -> None:
-        """Offer one more action beside the filled one."""
+        """Add a secondary action."""
         self._buttons.insertWidget(2, button)
 
     def say(self, heading: str, text: str, *, offer: bool = True) -> None:
-        """Change the words; without ``offer`` there is nothing to do but wait."""
+        """Change the text; ``offer`` shows the button."""
         self.heading.setText(heading)
         self.text.setText(text)
         self.button.setVisible(offer)

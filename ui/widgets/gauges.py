@@ -1,4 +1,4 @@
-"""Small gauges: how much of something there is, and how much is wanted."""
+"""Gauges of quantities relative to their required values."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ LINE, BAR = 36, 6
 
 @dataclass(frozen=True)
 class Level:
-    """One gauge: name, share of what is wanted (1: enough), and the figure in words ("12 of 15")."""
+    """One gauge: name, fraction of the required value (1: sufficient), and the figure as text ("12 of 15")."""
 
     name: str
     share: float
@@ -25,12 +25,12 @@ class Level:
 
     @property
     def enough(self) -> bool:
-        """Whether there is as much as is wanted."""
+        """Whether the required value is reached."""
         return self.share >= 1.0
 
 
 class Gauges(QWidget):
-    """Draws gauges under one another; colour and sign tell which of them have enough."""
+    """Draws gauges in a column; colour and icon mark those that are sufficient."""
 
     def __init__(self, look: Look) -> None:
         super().__init__()
@@ -40,13 +40,13 @@ class Gauges(QWidget):
         look.changed.connect(self.update)
 
     def show_levels(self, levels: Sequence[Level]) -> None:
-        """Draw these gauges."""
+        """Show these gauges."""
         self.levels = tuple(levels)
         self.setFixedHeight(LINE * len(self.levels))
         self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw name, figure, bar and sign of every gauge."""
+        """Draw name, figure, bar and icon of every gauge."""
         theme = self._look.theme
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

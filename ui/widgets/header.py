@@ -1,4 +1,4 @@
-"""The bar at the top: what is open, how the rig is, who works."""
+"""The header bar: project, state of the rig, role."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ class HeaderBar(QFrame):
         self.setFixedHeight(look.theme.sizes["header"])
         self._look = look
         self.project, self.part = ElidedLabel("No project open", "heading"), ElidedLabel("", "small")
-        self.devices = Chip(look, "devices", "Looking for devices…")
+        self.devices = Chip(look, "devices", "Loading devices…")
         self.calibration = Chip(look, "calibration", "Not calibrated")
         self.disk = Chip(look, "disk")
         self.role = Segments({"operator": "Operator", "engineer": "Engineer"})
         self.role.setValue("engineer")
         self.open = Button("Open project…", look, "open", "quiet", "Open a project folder (Ctrl+O)")
         self.open.clicked.connect(self.openClicked)
-        self.file = Button("", look, "file", "quiet", "Measure a cloud or mesh from a file, by a drawing or a program")
+        self.file = Button("", look, "file", "quiet", "Inspect a cloud or mesh from a file, against a nominal or by a program")
         self.file.clicked.connect(self.fileClicked)
         self._shade = Button("", look, "dark", "quiet", "Change between the light and the dark theme")
         self._shade.clicked.connect(self._other_shade)
@@ -47,7 +47,7 @@ class HeaderBar(QFrame):
         self._redraw()
 
     def show_project(self, name: str, part: str) -> None:
-        """Show what is open."""
+        """Show project and part."""
         self.project.set_words(name or "No project open")
         self.part.set_words(part)
         self.part.setVisible(bool(part))

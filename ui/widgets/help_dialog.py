@@ -1,4 +1,4 @@
-"""Help pages in the user's words."""
+"""Display of the help pages."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ ABOVE_HEADING, BELOW, BELOW_ITEM = 16, 8, 4  # px
 
 
 class HelpDialog(QDialog):
-    """Shows one page; links lead to the others."""
+    """Shows one help page, with links to the others."""
 
     def __init__(self, look: Look, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -27,7 +27,7 @@ class HelpDialog(QDialog):
         self._look = look
 
     def show_page(self, name: str) -> None:
-        """Show the page of one workspace."""
+        """Show the help of one page."""
         try:
             text = resource(f"help/{name}.md").read_text(encoding="utf-8")
         except (InputError, OSError):
@@ -41,7 +41,7 @@ class HelpDialog(QDialog):
 
 
 def _space(document: QTextDocument) -> None:
-    """Set paragraphs apart, which Qt does not do for Markdown."""
+    """Add paragraph spacing, which Qt omits for Markdown."""
     block = document.begin()
     while block.isValid():
         cursor, form = QTextCursor(block), block.blockFormat()

@@ -1,4 +1,4 @@
-"""How deviations are distributed, in the colours of their scale, with the figures that sum them up."""
+"""Histogram of deviations in the colours of their scale."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ TICKS, TICK_GAP = 5, 12
 
 
 class Histogram(QWidget):
-    """Bars over a symmetrical scale; below them the scale itself, which is the legend of the picture."""
+    """A histogram over a symmetric scale, with the colour scale below as the legend of the picture."""
 
     def __init__(self, look: Look) -> None:
         super().__init__()
@@ -30,18 +30,18 @@ class Histogram(QWidget):
         look.changed.connect(self.update)
 
     def show_values(self, values_mm: np.ndarray, colours: np.ndarray, end_mm: float) -> None:
-        """Show these values from −end to +end; those beyond are counted in the outermost bars."""
+        """Show these values from −end to +end; values beyond are counted in the outermost bars."""
         self._colours, self.end_mm = colours, end_mm
         self.counts, _ = np.histogram(np.clip(values_mm, -end_mm, end_mm), BINS, (-end_mm, end_mm))
         self.update()
 
     def mark(self, limit_mm: float) -> None:
-        """Mark a tolerance to both sides, where it lies on the scale."""
+        """Mark a symmetric tolerance, if it is on the scale."""
         self.limit_mm = limit_mm
         self.update()
 
     def colour_at(self, share: float) -> QColor:
-        """Return the colour at a place (0…1) of the scale."""
+        """Return the colour at a position (0…1) of the scale."""
         supports = np.linspace(0.0, 1.0, len(self._colours))
         return QColor(*(int(np.interp(share, supports, self._colours[:, channel])) for channel in range(3)))
 
@@ -86,7 +86,7 @@ class Histogram(QWidget):
         painter.setPen(theme.colour("soft"))
         top = float(self.height() - NUMBERS_HEIGHT)
         widest = painter.fontMetrics().horizontalAdvance(millimetres(-self.end_mm, 3)) + TICK_GAP
-        step = 1 if TICKS * widest <= self.width() else TICKS // 2  # where there is little room, the ends and the middle alone
+        step = 1 if TICKS * widest <= self.width() else TICKS // 2  # in a narrow widget only the ends and the centre
         for tick in range(0, TICKS, step):
             share = tick / (TICKS - 1)
             words = millimetres(self.end_mm * (2 * share - 1), 3, signed=True)

@@ -1,4 +1,4 @@
-"""A camera image, scaled to its place."""
+"""A camera image scaled to its widget."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ MAX_SIDE = 640
 
 
 def grey_image(pixels: np.ndarray) -> QImage:
-    """Return an 8-bit picture of an image (H, W) of 8 or 16 bits, thinned to at most 640 px a side."""
+    """Convert an image (H, W) of 8 or 16 bits to 8 bits, subsampled to at most 640 px per side."""
     step = max(1, -(-max(pixels.shape) // MAX_SIDE))
     thin = pixels[::step, ::step]
     if thin.dtype != np.uint8:
@@ -24,7 +24,7 @@ def grey_image(pixels: np.ndarray) -> QImage:
 
 
 class ImageView(QWidget):
-    """Shows one image with its caption; an empty frame while there is none."""
+    """Shows one image with its caption, or an empty frame."""
 
     def __init__(self, look: Look, caption: str = "") -> None:
         super().__init__()
@@ -33,7 +33,7 @@ class ImageView(QWidget):
         look.changed.connect(self.update)
 
     def sizeHint(self) -> QSize:
-        """Return a small picture's size."""
+        """Return the default size."""
         return QSize(208, 156)
 
     @property

@@ -1,4 +1,4 @@
-"""The strip at the bottom: what runs, how long it still takes, what was said last."""
+"""The status strip: running job, remaining time, last message."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ SETTLED_S = 2.0
 
 
 class JobStrip(QFrame):
-    """Running job with progress, time left and Cancel; the last message with its remedy."""
+    """Running job with progress, remaining time and Cancel; the last message with its hint."""
 
     cancelClicked = Signal()
     messagesClicked = Signal()
@@ -60,7 +60,7 @@ class JobStrip(QFrame):
         return area
 
     def show_job(self, title: str) -> None:
-        """Show that a job runs; an empty title: none."""
+        """Show the running job; an empty title: none."""
         self._job.setVisible(bool(title))
         self.title.setText(title)
         self.note.setText("")
@@ -75,7 +75,7 @@ class JobStrip(QFrame):
             self._fit_message()
 
     def show_progress(self, share: float, note: str) -> None:
-        """Show how far the job is and how long it will take at this rate."""
+        """Show the progress of the job and the estimated remaining time."""
         self.bar.setValue(round(1000 * share))
         self.note.setText(note)
         self.note.setToolTip(note)
@@ -84,7 +84,7 @@ class JobStrip(QFrame):
             self.time_left.setText(f"{duration(elapsed * (1 - share) / share)} left")
 
     def show_message(self, text: str, hint: str, level: str) -> None:
-        """Show the last message with its remedy."""
+        """Show the last message with its hint."""
         self._level = level
         self.words = f"{text} {hint}".strip()
         self.message.setToolTip(f"{self.words}\nClick to see all messages.")
@@ -92,7 +92,7 @@ class JobStrip(QFrame):
         self._redraw()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Shorten the message to the space there is."""
+        """Elide the message to the new width."""
         super().resizeEvent(event)
         self._fit_message()
 

@@ -1,4 +1,4 @@
-"""All messages, newest first."""
+"""List of all messages, newest first."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from ui.widgets.data_table import ROW_HEIGHT, Cell, DataTable
 from ui.widgets.job_strip import LEVEL_ICONS
 
 
-class Told(Protocol):
-    """What a message has."""
+class MessageLike(Protocol):
+    """Interface of a message."""
 
     @property
     def text(self) -> str: ...  # noqa: D102
@@ -28,7 +28,7 @@ class Told(Protocol):
 
 
 class MessagesDialog(QDialog):
-    """A window beside the main window; it does not stop the work."""
+    """A modeless window with all messages."""
 
     def __init__(self, look: Look, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -41,7 +41,7 @@ class MessagesDialog(QDialog):
         self.table.verticalHeader().setMinimumSectionSize(ROW_HEIGHT)
         self.setLayout(column(label("Messages", "title"), self.table, margin=24, spacing=16))
 
-    def show_messages(self, messages: Iterable[Told]) -> None:
+    def show_messages(self, messages: Iterable[MessageLike]) -> None:
         """Show these messages, the newest at the top."""
         self.table.set_rows(
             [

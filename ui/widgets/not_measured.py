@@ -1,4 +1,4 @@
-"""The legend of what was not measured: grey with hatching, never a colour of a scale."""
+"""Legend of unmeasured areas: grey with hatching, never a colour of a scale."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ SWATCH = (24, 14)
 
 
 class HatchedSwatch(QWidget):
-    """A piece of the colour of what was not measured."""
+    """A colour sample of unmeasured areas."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -33,7 +33,7 @@ class HatchedSwatch(QWidget):
 
 
 class NotMeasuredLegend(QWidget):
-    """The swatch and what it stands for; hidden where there is nothing to say."""
+    """The colour sample with a text; hidden without text."""
 
     def __init__(self, look: Look) -> None:
         super().__init__()
@@ -44,6 +44,6 @@ class NotMeasuredLegend(QWidget):
         self.say("")
 
     def say(self, words: str) -> None:
-        """Show these words beside the swatch."""
+        """Set the text."""
         self.words.setText(words)
         self.setVisible(bool(words))

@@ -1,4 +1,4 @@
-"""A file or folder: typed, or chosen in a dialog."""
+"""Editor of a file or folder path."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class PathField(QWidget):
     valueChanged = Signal(object)
 
     def __init__(self, look: Look, title: str, placeholder: str, *, files: str = "") -> None:
-        """``title`` heads the dialog; ``files`` is its filter, such as "Tables (*.csv)"; without one folders are chosen."""
+        """``title``: of the dialog; ``files``: its filter, such as "Tables (*.csv)"; empty: choose folders."""
         super().__init__()
         self._title, self._files = title, files
         self.text = QLineEdit()
@@ -31,7 +31,7 @@ class PathField(QWidget):
         self.setLayout(layout)
 
     def value(self) -> Path | None:
-        """Return the path that is set."""
+        """Return the path; None if empty."""
         words = self.text.text().strip()
         return Path(words).expanduser() if words else None
 

@@ -1,4 +1,4 @@
-"""A picture in which one looks for pixels: the wheel enlarges, dragging moves, a click chooses."""
+"""A zoomable picture for choosing pixels: the wheel zooms, dragging pans, a click chooses."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from ui.look.look import Look
 from ui.look.painting import picture_painter
 
-LARGEST = 64.0  # screen pixels of one image pixel, about
+LARGEST = 64.0  # approximate greatest size of an image pixel in screen pixels
 STEP, CLICK_PX, SMOOTH_BELOW = 1.25, 4.0, 2.0
 ARROWS = {Qt.Key.Key_Up: (-1, 0), Qt.Key.Key_Down: (1, 0), Qt.Key.Key_Left: (0, -1), Qt.Key.Key_Right: (0, 1)}
 
 
 def coloured_image(pixels: np.ndarray) -> QImage:
-    """Return the picture of an array (H, W, 3) uint8, red green blue."""
+    """Convert an array (H, W, 3) uint8, red green blue, to a QImage."""
     pixels = np.ascontiguousarray(pixels)
     return QImage(pixels.data, pixels.shape[1], pixels.shape[0], pixels.strides[0], QImage.Format.Format_RGB888).copy()
 
 
 class PixelPicture(QWidget):
-    """Shows an image as large as there is room; the chosen pixel is marked."""
+    """Shows an image fitted to the widget, with the chosen pixel marked."""
 
     pixelChosen = Signal(int, int)  # row, column
 
@@ -37,7 +37,7 @@ class PixelPicture(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.CrossCursor)
-        self.setToolTip("Click a pixel to ask about it. The wheel enlarges, dragging moves, the arrow keys go on by one pixel.")
+        self.setToolTip("Click a pixel to explain it. The wheel zooms, dragging pans, the arrow keys move by one pixel.")
         look.changed.connect(self.update)
 
     @property
@@ -46,7 +46,7 @@ class PixelPicture(QWidget):
         return self._image.isNull()
 
     def show_image(self, image: QImage) -> None:
-        """Show an image; one of the same size keeps the part that is looked at."""
+        """Show an image; for the same size zoom and position are kept."""
         if image.size() != self._image.size():
             self._zoom, self._centre = 1.0, QPointF(image.width() / 2, image.height() / 2)
         self._image = image
@@ -58,7 +58,7 @@ class PixelPicture(QWidget):
         self.update()
 
     def choose(self, pixel: tuple[int, int] | None) -> None:
-        """Mark a pixel (row, column), and bring it into sight."""
+        """Mark a pixel (row, column), and scroll to it."""
         self.chosen = pixel
         if pixel is not None and not self.rect().adjusted(8, 8, -8, -8).contains(self.place_of(*pixel).toPoint()):
             self._centre = QPointF(pixel[1] + 0.5, pixel[0] + 0.5)
@@ -66,11 +66,11 @@ class PixelPicture(QWidget):
         self.update()
 
     def place_of(self, row: int, column: int) -> QPointF:
-        """Return where the centre of a pixel is drawn."""
+        """Return the position of the centre of a pixel in the widget."""
         return (QPointF(column + 0.5, row + 0.5) - self._centre) * self._scale() + QRectF(self.rect()).center()
 
     def pixel_at(self, place: QPointF) -> tuple[int, int] | None:
-        """Return the pixel (row, column) that is drawn there, or None beside the image."""
+        """Return the pixel (row, column) at a position of the widget; None outside the image."""
         if self.is_empty:
             return None
         at = self._centre + (place - QRectF(self.rect()).center()) / self._scale()
@@ -82,7 +82,7 @@ class PixelPicture(QWidget):
         return self._zoom * min(self.width() / width, self.height() / height)
 
     def _keep_inside(self) -> None:
-        """Keep the image filling the room it could fill."""
+        """Limit the pan so that the image fills the widget."""
         scale = self._scale()
         for size, room, set_to, now in (
             (self._image.width(), self.width(), self._centre.setX, self._centre.x()),
@@ -92,7 +92,7 @@ class PixelPicture(QWidget):
             set_to(min(max(now, half), size - half))
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Enlarge around the mouse."""
+        """Zoom around the mouse position."""
         if self.is_empty or not event.angleDelta().y():
             return
         middle = QRectF(self.rect()).center()
@@ -104,11 +104,11 @@ class PixelPicture(QWidget):
         self.update()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Begin a click, or to move the image."""
+        """Start a click or a pan."""
         self._pressed, self._dragged = event.position(), False
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Move the image."""
+        """Pan the image."""
         if self._pressed is None or self.is_empty:
             return
         moved = event.position() - self._pressed
@@ -120,7 +120,7 @@ class PixelPicture(QWidget):
             self.update()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Choose the pixel under the mouse, unless the image was moved."""
+        """Choose the pixel under the mouse, unless the image was panned."""
         pixel = None if self._dragged or self._pressed is None else self.pixel_at(event.position())
         self._pressed = None
         if pixel is not None:
@@ -128,7 +128,7 @@ class PixelPicture(QWidget):
             self.pixelChosen.emit(*pixel)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Go on by one pixel."""
+        """Move by one pixel."""
         step = ARROWS.get(Qt.Key(event.key()))
         if step is None or self.chosen is None:
             super().keyPressEvent(event)
@@ -139,7 +139,7 @@ class PixelPicture(QWidget):
         self.pixelChosen.emit(row, column)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw the image, and a ring around the chosen pixel."""
+        """Draw the image, and a circle around the chosen pixel."""
         painter = picture_painter(self, self._look.theme)
         if self.is_empty:
             return

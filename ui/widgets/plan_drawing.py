@@ -1,4 +1,4 @@
-"""The viewpoints of a plan around the part, from above and by height."""
+"""Drawing of the viewpoints around the part, in top view and by height."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Point = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Station:
-    """Where the measuring head stands seen from the part, and where it looks."""
+    """Position and viewing direction of the measuring head relative to the part."""
 
     id: str
     position_mm: Point
@@ -34,7 +34,7 @@ class Station:
 
 
 class PlanDrawing(QWidget):
-    """Shows stations as numbered dots; a click selects one."""
+    """Shows viewpoints as numbered dots; a click selects one."""
 
     stationClicked = Signal(int)
 
@@ -49,17 +49,17 @@ class PlanDrawing(QWidget):
         look.changed.connect(self.update)
 
     def show_stations(self, stations: Sequence[Station], table_mm: float) -> None:
-        """Draw these stations around a table of this diameter."""
+        """Show these viewpoints around a table of this diameter."""
         self._stations, self._table_mm = tuple(stations), table_mm
         self.update()
 
     def choose(self, place: int) -> None:
-        """Mark one station."""
+        """Mark one viewpoint."""
         self._chosen = place
         self.update()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Select the station under the mouse."""
+        """Select the viewpoint under the mouse."""
         where = event.position()
         count = len(self._stations)
         for place, (x, y) in enumerate(self._places):
@@ -68,7 +68,7 @@ class PlanDrawing(QWidget):
                 return
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw both views."""
+        """Draw both projections."""
         if not self._stations:
             return
         painter = QPainter(self)
@@ -80,7 +80,7 @@ class PlanDrawing(QWidget):
     def _from_above(self, painter: QPainter, area: QRectF) -> None:
         reach = max(self._table_mm / 2, *(hypot(s.position_mm[0], s.position_mm[1]) for s in self._stations)) * 1.06
         canvas = Canvas(painter, self._look.theme, area, QRectF(-reach, -reach, 2 * reach, 2 * reach))
-        canvas.heading("Head seen from the part, from above")
+        canvas.heading("Head relative to the part, top view")
         self._table(canvas)
         self._draw(canvas, [((s.position_mm[0], s.position_mm[1]), (s.direction[0], s.direction[1])) for s in self._stations])
 

@@ -1,4 +1,4 @@
-"""The panel on the right: the properties of what is selected."""
+"""Panel with the properties of the selection."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ui.widgets.basic import Button, clear, column, label, row
 
 @dataclass(frozen=True)
 class Group:
-    """A few properties under one heading."""
+    """Properties under one heading."""
 
     heading: str
     rows: tuple[tuple[str, str], ...]  # name and value; without a name, the value has the whole width
@@ -21,20 +21,20 @@ class Group:
 
 @dataclass(frozen=True)
 class Properties:
-    """What there is to know about one thing."""
+    """Properties of one object, with actions."""
 
     title: str
     groups: tuple[Group, ...] = ()
     note: str = ""
-    action: str = ""  # what one can do with it, on a button
-    decision: str = ""  # what one can decide about it, on a button above the rest
+    action: str = ""  # label of a button below the properties
+    decision: str = ""  # label of a button above the properties
 
 
 FOLDED_WIDTH = 48
 
 
 class PropertiesPanel(QFrame):
-    """Shows `Properties`; folds away to the edge."""
+    """Shows `Properties`; can be folded to the edge."""
 
     actionClicked = Signal()
     decisionClicked = Signal()
@@ -81,7 +81,7 @@ class PropertiesPanel(QFrame):
         self._button.set_icon("unfold" if fold else "fold")
 
     def show_properties(self, properties: Properties) -> None:
-        """Show the properties of one thing."""
+        """Show these properties."""
         self.shown = properties
         self.title.setText(properties.title)
         clear(self._rows)

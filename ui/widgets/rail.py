@@ -1,4 +1,4 @@
-"""The rail on the left: the workspaces in the order of the work."""
+"""Navigation rail: the pages in the order of the workflow."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ui.widgets.basic import column
 
 
 class Rail(QFrame):
-    """Icon above word; the workspace shown is marked."""
+    """A button with icon and label per page; the page shown is marked."""
 
     chosen = Signal(str)
 
@@ -28,7 +28,7 @@ class Rail(QFrame):
         self._redraw()
 
     def choose(self, name: str) -> None:
-        """Mark one workspace."""
+        """Mark one page."""
         self.buttons[name].setChecked(True)
         self._redraw()
 

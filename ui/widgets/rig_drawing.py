@@ -1,4 +1,4 @@
-"""A drawing of the rig from the side and from above, by its nominal data."""
+"""Drawing of the nominal rig in side view and top view."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ FLOOR = "faint"
 
 
 class RigDrawing(QWidget):
-    """Shows guide, robot with reach, measuring head with its cameras, and table, to scale."""
+    """Shows guide, robot with reach, measuring head and table, to scale."""
 
     def __init__(self, look: Look) -> None:
         super().__init__()
@@ -30,12 +30,12 @@ class RigDrawing(QWidget):
         look.changed.connect(self.update)
 
     def show_rig(self, rig: RigDescription | None) -> None:
-        """Draw this rig."""
+        """Show this rig."""
         self._rig = rig
         self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw both views."""
+        """Draw both projections."""
         if self._rig is None:
             return
         painter = QPainter(self)
@@ -51,7 +51,7 @@ class RigDrawing(QWidget):
         head = _head_side(rig)
         roof = max(head[1], shoulder[2]) + 300
         canvas = Canvas(painter, self._look.theme, area, QRectF(-330, floor - 60, x + radius + 420, roof - floor + 60))
-        canvas.heading("From the side")
+        canvas.heading("Side view")
         canvas.pen("line", 2)
         canvas.line((-330, floor), (x + radius + 60, floor))
         _table_side(canvas, x, z, radius, floor)
@@ -63,7 +63,7 @@ class RigDrawing(QWidget):
         radius, (low, high) = rig.table.diameter_mm / 2, rig.guide.limits_mm
         bottom, top = min(low, y - radius) - 150, max(high, y + radius) + 150
         canvas = Canvas(painter, self._look.theme, area, QRectF(-330, bottom, x + radius + 420, top - bottom))
-        canvas.heading("From above")
+        canvas.heading("Top view")
         stand = min(max(y, low), high)
         canvas.pen("accent", 1.2, Qt.PenStyle.DashLine)
         canvas.fill("accent", 0.05)

@@ -1,4 +1,4 @@
-"""A row of buttons of which one is chosen."""
+"""Segmented control: a row of buttons, one of which is chosen."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class Segments(QWidget):
     def __init__(
         self, options: dict[str, str], parent: QWidget | None = None, *, name: str = "", tips: Mapping[str, str] | None = None
     ) -> None:
-        """``name`` says what is chosen, for those who do not see it; ``tips`` say more about options."""
+        """``name``: accessible name of the choice; ``tips``: tooltips of options."""
         super().__init__(parent)
         self.setAccessibleName(name)
         layout = QHBoxLayout(self)
@@ -47,25 +47,25 @@ class Segments(QWidget):
         return next(name for name, made in self._buttons.items() if made.isChecked())
 
     def setValue(self, name: str) -> None:
-        """Choose an option by its name."""
+        """Choose an option by name."""
         if name != self.value():
             self._buttons[name].setChecked(True)
             self._keep_focus_on_chosen()
             self.valueChanged.emit(name)
 
     def set_available(self, name: str, available: bool) -> None:
-        """Offer an option or not."""
+        """Enable or disable an option."""
         self._buttons[name].setEnabled(available)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Never cut the words, however narrow the window; only now the look has given the buttons their letters."""
+        """Set minimum widths so that labels are never cut; the fonts are known only when the widget is shown."""
         for made in self._buttons.values():
             made.ensurePolished()
             made.setMinimumWidth(made.sizeHint().width())
         super().showEvent(event)
 
     def _keep_focus_on_chosen(self) -> None:
-        """Tab stops at the chosen option; the arrow keys go on from there."""
+        """Give the tab focus to the chosen option; the arrow keys move from there."""
         for made in self._buttons.values():
             made.setFocusPolicy(Qt.FocusPolicy.TabFocus if made.isChecked() else Qt.FocusPolicy.NoFocus)
 

@@ -28,7 +28,7 @@ class Step:
 
 
 class StepList(QWidget):
-    """Draws the steps; a click on one that was reached asks to go there, as do the arrow keys."""
+    """Draws the steps; a click on a step that was reached, or an arrow key, requests it."""
 
     stepClicked = Signal(int)
 
@@ -44,12 +44,12 @@ class StepList(QWidget):
         look.changed.connect(self.update)
 
     def show_steps(self, steps: Sequence[Step], current: int) -> None:
-        """Draw these steps; ``current`` is the one being looked at."""
+        """Draw these steps; ``current`` is the one shown."""
         self.steps, self.current = tuple(steps), current
         self.update()
 
     def words(self) -> list[str]:
-        """Return what every step says of itself."""
+        """Return the note or state of every step."""
         return [step.note or WORDS[step.state] for step in self.steps]
 
     def sizeHint(self) -> QSize:

@@ -1,4 +1,4 @@
-"""Observations as small images beside one another: figure, verdict by colour and sign, reason."""
+"""Strip of thumbnails of observations with figure, verdict and reason."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Thumbnail:
 
     id: str
     image: QImage
-    figure: str  # its residual, or what became of it
+    figure: str  # its residual or status
     verdict: str  # "pass", "fail", "not proven", "not measured"
     name: str
     reason: str = ""
@@ -30,7 +30,7 @@ class Thumbnail:
 
 
 class _Strip(QWidget):
-    """Draws the thumbnails; lies in the scroll area."""
+    """Draws the thumbnails inside the scroll area."""
 
     chosen = Signal(str)
 
@@ -44,15 +44,15 @@ class _Strip(QWidget):
         look.changed.connect(self.update)
 
     def sizeHint(self) -> QSize:
-        """Return the room of all thumbnails."""
+        """Return the size of all thumbnails."""
         return QSize(len(self.thumbnails) * (WIDTH + GAP), PICTURE + TEXT)
 
     def box(self, place: int) -> QRectF:
-        """Return where a thumbnail is drawn."""
+        """Return the rectangle of a thumbnail."""
         return QRectF(place * (WIDTH + GAP), 0, WIDTH, PICTURE + TEXT)
 
     def at(self, x: float) -> Thumbnail | None:
-        """Return the thumbnail at a place along the strip."""
+        """Return the thumbnail at a position along the strip."""
         place = int(x // (WIDTH + GAP))
         return self.thumbnails[place] if 0 <= place < len(self.thumbnails) and x % (WIDTH + GAP) <= WIDTH else None
 
@@ -73,7 +73,7 @@ class _Strip(QWidget):
         self.chosen.emit(ids[min(max(0, place), len(ids) - 1)])
 
     def event(self, event: QEvent) -> bool:
-        """Tell the reason of the thumbnail under the mouse."""
+        """Show the reason of the thumbnail under the mouse as a tooltip."""
         if isinstance(event, QHelpEvent):
             found = self.at(event.pos().x())
             QToolTip.showText(event.globalPos(), f"{found.name}: {found.reason or found.figure}" if found is not None else "", self)
@@ -81,7 +81,7 @@ class _Strip(QWidget):
         return super().event(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Draw the thumbnails in sight."""
+        """Draw the visible thumbnails."""
         painter = QPainter(self)
         painter.setRenderHints(QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform)
         for place, thumbnail in enumerate(self.thumbnails):
@@ -140,7 +140,7 @@ class ThumbnailStrip(QScrollArea):
 
     @property
     def thumbnails(self) -> tuple[Thumbnail, ...]:
-        """What is shown."""
+        """The thumbnails shown."""
         return self._strip.thumbnails
 
     @property
@@ -149,7 +149,7 @@ class ThumbnailStrip(QScrollArea):
         return self._strip.current
 
     def show_thumbnails(self, thumbnails: Sequence[Thumbnail]) -> None:
-        """Show these; while the newest is in sight, the strip follows new ones."""
+        """Show these thumbnails; if the newest is visible, the strip scrolls to new ones."""
         bar = self.horizontalScrollBar()
         follows = bar.value() >= bar.maximum() - WIDTH
         grown = len(thumbnails) > len(self._strip.thumbnails)
@@ -160,7 +160,7 @@ class ThumbnailStrip(QScrollArea):
             bar.setValue(bar.maximum())
 
     def choose(self, id_: str) -> None:
-        """Mark one thumbnail and bring it into sight."""
+        """Mark one thumbnail and scroll to it."""
         self._strip.current = id_
         for place, thumbnail in enumerate(self._strip.thumbnails):
             if thumbnail.id == id_:

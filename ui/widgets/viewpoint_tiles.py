@@ -1,4 +1,4 @@
-"""The viewpoints as tiles in scan order, each with its state."""
+"""Tiles of the viewpoints in scan order, with their states."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ class Tile:
     name: str
     status: str
     note: str = ""
-    figure: str = ""  # said in place of the state, which colour and sign tell
+    figure: str = ""  # shown instead of the state, which colour and icon indicate
 
 
 class ViewpointTiles(QWidget):
-    """Draws tiles in rows that fit the width; a click chooses one."""
+    """Draws tiles in rows of the available width; a click chooses one."""
 
     tileClicked = Signal(str)
 
@@ -55,11 +55,11 @@ class ViewpointTiles(QWidget):
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
-        self.setToolTip("Click a viewpoint to see its images")
+        self.setToolTip("Click a viewpoint to show its images")
         look.changed.connect(self.update)
 
     def show_tiles(self, tiles: Sequence[Tile]) -> None:
-        """Draw these tiles."""
+        """Show these tiles."""
         grown = len(tiles) != len(self.tiles)
         self.tiles = tuple(tiles)
         if grown:
@@ -67,11 +67,11 @@ class ViewpointTiles(QWidget):
         self.update()
 
     def words(self) -> list[str]:
-        """Return the state each tile tells."""
+        """Return the state of each tile."""
         return [WORDS[tile.status] for tile in self.tiles]
 
     def hasHeightForWidth(self) -> bool:
-        """The height follows from the width."""
+        """The height depends on the width."""
         return True
 
     def heightForWidth(self, width: int) -> int:
@@ -80,7 +80,7 @@ class ViewpointTiles(QWidget):
         return max(TILE_HEIGHT, rows * (TILE_HEIGHT + GAP) - GAP)
 
     def sizeHint(self) -> QSize:
-        """Return a size for one row of four."""
+        """Return the size of one row of four tiles."""
         width = max(self.width(), 4 * (TILE_WIDTH + GAP))
         return QSize(width, self.heightForWidth(width))
 
@@ -92,7 +92,7 @@ class ViewpointTiles(QWidget):
             self._draw(painter, self.box(place), tile)
 
     def box(self, place: int) -> QRectF:
-        """Return where a tile is drawn."""
+        """Return the rectangle of a tile."""
         columns = self._columns(self.width())
         width = (self.width() - GAP * (columns - 1)) / columns
         line, column = divmod(place, columns)

@@ -1,1 +1,1 @@
-"""The only threads."""
+"""Worker threads."""

@@ -1,4 +1,4 @@
-"""One long task on a thread of its own."""
+"""A long task in its own thread."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ _log = logging.getLogger(__name__)
 
 
 class Job(QThread):
-    """Runs ``work(job)`` on its own thread; exactly one of succeeded, failed, cancelled fires.
+    """Runs ``work(job)`` in its own thread; exactly one of succeeded, failed, cancelled is emitted.
 
-    The job is itself the `Progress` its work reports to; `emit_event` sends anything else to the window.
+    The job is the `Progress` of its work; `emit_event` sends other events to the window.
     """
 
-    progressed = Signal(float, str)  # share 0…1, note
-    happened = Signal(object)  # whatever the work tells by `emit_event`
+    progressed = Signal(float, str)  # fraction 0…1, note
+    happened = Signal(object)  # event of `emit_event`
     succeeded = Signal(object)
     failed = Signal(object)  # MeasureError
     cancelled = Signal()
@@ -40,7 +40,7 @@ class Job(QThread):
         self._last_report = 0.0
 
     def run(self) -> None:
-        """Do the work; called by the thread itself."""
+        """Execute the work; called in the thread."""
         try:
             self.check()
             result = self._work(self)
@@ -62,7 +62,7 @@ class Job(QThread):
             self.succeeded.emit(result)
 
     def report(self, done: float, total: float, note: str = "") -> None:
-        """Say how far the work is. Raises Cancelled when the user asked to stop."""
+        """Report progress. Raises Cancelled when the user has cancelled."""
         self.check()
         now = time.monotonic()
         if now - self._last_report < REPORT_INTERVAL_S and done < total:
@@ -71,22 +71,22 @@ class Job(QThread):
         self.progressed.emit(min(1.0, max(0.0, done / total)) if total > 0 else 0.0, note)
 
     def check(self) -> None:
-        """Raise Cancelled when the user asked to stop."""
+        """Raise Cancelled when the user has cancelled."""
         if self._stop.is_set():
             raise Cancelled
 
     def emit_event(self, event: object) -> None:
-        """Send something that became known to the window."""
+        """Send an event to the window."""
         self.happened.emit(event)
 
     def cancel(self) -> None:
-        """Ask the work to stop at its next report; may be called from any thread."""
+        """Cancel the work at its next report; may be called from any thread."""
         self._stop.set()
 
 
 def unexpected(error: BaseException, doing: str) -> MeasureError:
-    """Return an error of the program itself as a sentence."""
+    """Return an internal error as a message for the user."""
     return MeasureError(
-        f"{doing} stopped by an error in the program ({type(error).__name__}: {error}).",
-        f"Nothing that was stored is lost; try again. If it happens twice, send {LOG} in the folder MeasureApp of your home to support.",
+        f"{doing} stopped by an internal error ({type(error).__name__}: {error}).",
+        f"Stored data is not affected; try again. If it happens again, send {LOG} in the folder MeasureApp of your home to support.",
     )

@@ -1,4 +1,4 @@
-"""Jobs one after the other, so that never two of them move the rig."""
+"""Sequential queue of jobs, so that no two of them move the rig."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ui.workers.job import Job
 
 
 class RigQueue(QObject):
-    """Starts a job when the one before has ended, and keeps every job alive until its thread is gone."""
+    """Starts a job when the previous one has ended, and keeps every job alive until its thread has ended."""
 
     started = Signal(object)  # Job
     ended = Signal(object)  # Job
@@ -23,7 +23,7 @@ class RigQueue(QObject):
 
     @property
     def running(self) -> Job | None:
-        """The job that runs now."""
+        """The running job."""
         return self._running
 
     @property
@@ -32,21 +32,21 @@ class RigQueue(QObject):
         return self._running is not None or bool(self._waiting)
 
     def submit(self, job: Job) -> None:
-        """Run ``job`` as soon as those before it have ended."""
+        """Run ``job`` as soon as the previous ones have ended."""
         job.setParent(self)
         job.finished.connect(self._on_finished)
         self._waiting.append(job)
         self._start_next()
 
     def cancel_all(self) -> None:
-        """Ask the running job to stop; those waiting do nothing but say that they are cancelled."""
+        """Cancel the running job and all waiting ones."""
         for job in self._waiting:
             job.cancel()
         if self._running is not None:
             self._running.cancel()
 
     def wait(self, timeout_ms: int) -> bool:
-        """Wait for the running job's thread; tells whether it ended in time."""
+        """Wait for the running job's thread; return whether it ended in time."""
         return self._running is None or self._running.wait(timeout_ms)
 
     def _start_next(self) -> None:

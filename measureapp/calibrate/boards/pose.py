@@ -17,7 +17,7 @@ from measureapp.calibrate.sightings import Sighting, rms
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
 from measureapp.errors import CalibrationError
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 
 ASSUMED_SIGMA_PX = 0.1
 LEAST_SIGMA_PX = 0.02
@@ -82,7 +82,7 @@ def board_pose(
         lambda pose, step: np.asarray(moved(pose, step)),
         iterations=30,
     )
-    pose = RigidTransform(orthonormalised(minimum.state), "camera", "board")
+    pose = RigidTransform(orthonormalise(minimum.state), "camera", "board")
     residuals = np.concatenate([_residuals(minimum.state, *one) for one in seen])
     return BoardPose(pose, minimum.hessian / corner_sigma_px**2, rms(residuals))
 

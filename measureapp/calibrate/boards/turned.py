@@ -20,7 +20,7 @@ from measureapp.calibrate.poses import moved
 from measureapp.calibrate.sightings import Sighting, rms
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
-from measureapp.geometry.transform import RigidTransform, orthonormalised, rotation_about
+from measureapp.geometry.transform import RigidTransform, orthonormalise, rotation_about
 
 LEAST_TURN_RAD = float(np.deg2rad(2.0))  # between the two sightings
 SAME_ANGLE_RAD = float(np.deg2rad(0.01))
@@ -81,7 +81,7 @@ def _follows(chosen: Sequence[Observation], board: BoardDescription) -> bool:
     first, second, _ = chosen
     there = _predicted((first, second, first), _angle(second), board)
     seen = second.pose.camera_from_board.apply(board.corners_mm)
-    return rms(RigidTransform(orthonormalised(there), "camera", "board").apply(board.corners_mm) - seen) < MOST_SLIP * board.neighbour_mm
+    return rms(RigidTransform(orthonormalise(there), "camera", "board").apply(board.corners_mm) - seen) < MOST_SLIP * board.neighbour_mm
 
 
 def _predicted(chosen: Sequence[Observation], table_rad: float, board: BoardDescription) -> FloatArray:
@@ -104,7 +104,7 @@ def _predicted(chosen: Sequence[Observation], table_rad: float, board: BoardDesc
 
 
 def _in_camera(place: FloatArray, camera: CameraCalibration, board: BoardDescription) -> FloatArray:
-    seen = RigidTransform(orthonormalised(place), "camera", "board").apply(board.corners_mm)
+    seen = RigidTransform(orthonormalise(place), "camera", "board").apply(board.corners_mm)
     return camera.reference_from_camera.inverse().apply(seen)
 
 
@@ -123,7 +123,7 @@ def _sigma_px(chosen: Sequence[Observation], table_rad: float, camera: CameraCal
 
 
 def _moved(one: Observation, step: FloatArray) -> Observation:
-    pose = RigidTransform(orthonormalised(moved(one.pose.camera_from_board.matrix, step)), "camera", "board")
+    pose = RigidTransform(orthonormalise(moved(one.pose.camera_from_board.matrix, step)), "camera", "board")
     return replace(one, board=replace(one.pose, camera_from_board=pose))
 
 

@@ -25,7 +25,7 @@ from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, LabelledCovariance, Provenance
 from measureapp.errors import CalibrationError
 from measureapp.geometry.pinhole import PinholeCamera
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.progress import NoProgress, PartOf, Progress
 
 ROUNDS = 6  # adjust, leave out what does not fit, adjust again
@@ -217,7 +217,7 @@ def _solution(
         own = np.concatenate([values for values, sight in zip(residuals, bundle.sights, strict=True) if sight.camera == index])
         mine = {key.removeprefix(f"{name}."): float(value) for key, value in deviations.items() if key.startswith(f"{name}.")}
         _check_lens(name, state, index, mine)
-        place = RigidTransform(orthonormalised(state.reference_from_camera[index]), "camera", name)
+        place = RigidTransform(orthonormalise(state.reference_from_camera[index]), "camera", name)
         calibrations[name] = CameraCalibration(name, state.pinholes[index], place, mine, rms(own), blur_px=blur_px(edges_px[name]))
     own_rows = [index for index, label in enumerate(labels) if label not in BOW_NAMES]
     left_uncertain = LabelledCovariance(tuple(labels[index] for index in own_rows), covariance[np.ix_(own_rows, own_rows)])
@@ -239,7 +239,7 @@ def _solution(
         rejected=tuple(rejected),
         rejected_corners=tuple(corners),
         boards={
-            view: RigidTransform(orthonormalised(pose), "camera", "board")
+            view: RigidTransform(orthonormalise(pose), "camera", "board")
             for view, pose in zip(views, state.reference_from_board, strict=True)
         },
         loops=checks,
@@ -282,4 +282,4 @@ def left_from_right(calibration: CameraArrayCalibration, left: str, right: str) 
     """Return the pose of camera ``right`` in the frame of camera ``left``."""
     place = calibration.cameras[left].reference_from_camera.matrix
     chain = inverted(place) @ calibration.cameras[right].reference_from_camera.matrix
-    return RigidTransform(orthonormalised(chain), left, right)
+    return RigidTransform(orthonormalise(chain), left, right)

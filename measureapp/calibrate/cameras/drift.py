@@ -9,7 +9,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.data.calibration import CameraArrayCalibration
-from measureapp.data.camera_shift import ShiftEvidence, together
+from measureapp.data.camera_shift import ShiftEvidence, sum_evidence
 from measureapp.data.validity import Drift, Standing
 
 # The calibration left rms_px for one corner; a shift common to a whole image is the mean of thousands of them and, while nothing moved,
@@ -51,7 +51,7 @@ def camera_drift(evidence: Sequence[ShiftEvidence], cameras: CameraArrayCalibrat
     """
     if not evidence:
         return Drift("unknown", "The images of this scan cannot tell whether the cameras moved; check them with a few views of the board.")
-    whole = together(evidence)
+    whole = sum_evidence(evidence)
     turns = [_turned_alone(whole, number) for number in range(len(whole.cameras))]
     ranked = sorted(turns, key=lambda turn: turn.misfit)
     best = ranked[0]

@@ -13,7 +13,7 @@ from measureapp.calibrate.poses import moved
 from measureapp.calibrate.projection import cross_matrices, intrinsic_names, project_with_derivatives, with_intrinsics_moved
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 
 POSE_NAMES = ("rotation_x_rad", "rotation_y_rad", "rotation_z_rad", "x_mm", "y_mm", "z_mm")
 BOW_LABELS = ("board.bow_xx_mm", "board.bow_xy_mm", "board.bow_yy_mm")
@@ -73,7 +73,7 @@ def cameras_moved(cameras: CameraArrayCalibration, parameters: Sequence[str], ch
     for name, camera in cameras.cameras.items():
         lens = np.array([steps.get(f"{name}.{label}", 0.0) for label in intrinsic_names(len(camera.pinhole.distortion))])
         place = np.array([steps.get(f"{name}.{label}", 0.0) for label in POSE_NAMES])
-        matrix = orthonormalised(moved(camera.reference_from_camera.matrix, place))
+        matrix = orthonormalise(moved(camera.reference_from_camera.matrix, place))
         result[name] = replace(
             camera, pinhole=with_intrinsics_moved(camera.pinhole, lens), reference_from_camera=RigidTransform(matrix, "camera", name)
         )

@@ -100,7 +100,7 @@ def outline_px(pinhole: PinholeCamera, camera_from_board: RigidTransform, board:
     points = camera_from_board.apply(np.column_stack([flat, np.zeros(len(flat))]))
     if points[:, 2].min() <= 0:
         return None
-    pixels, slopes = pinhole.project_with_slopes(points)
+    pixels, slopes = pinhole.project_with_jacobian(points)
     size = np.array([pinhole.width_px, pinhole.height_px])
     folded = np.linalg.det(slopes[:, :, :2]) <= 0
     return pixels if np.all((pixels >= 0) & (pixels <= size - 1)) and not folded.any() else None

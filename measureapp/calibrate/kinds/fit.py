@@ -12,12 +12,12 @@ from measureapp.calibrate.sightings import naming_refused, rms
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.errors import CalibrationError
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 
 
 def placed(ids: Sequence[str], poses: FloatArray) -> dict[str, RigidTransform]:
     """Return observation -> camera_from_board for poses (N, 4, 4) that a solution predicts."""
-    return {name: RigidTransform(orthonormalised(pose), "camera", "board") for name, pose in zip(ids, poses, strict=True)}
+    return {name: RigidTransform(orthonormalise(pose), "camera", "board") for name, pose in zip(ids, poses, strict=True)}
 
 
 def solved_axes(

@@ -22,7 +22,7 @@ from measureapp.calibrate.motions.robot_world import ROBOT_WORLD_METHODS
 from measureapp.calibrate.poses import mean_pose, stacked
 from measureapp.data.calibration import HandEye, LabelledCovariance
 from measureapp.errors import CalibrationError
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.progress import NoProgress, Progress
 
 LEAST_POSES = 3
@@ -186,7 +186,7 @@ def _refined(
         hand_eye=hand_eye,
         standard_deviations=dict(zip(POSE_LABELS, (float(value) for value in deviations), strict=True)),
         covariance=covariance,
-        base_from_board=RigidTransform(orthonormalised(minimum.state.guide_from_board), "base", "board"),
+        base_from_board=RigidTransform(orthonormalise(minimum.state.guide_from_board), "base", "board"),
         degeneracy=degeneracy,
         spread_mm=_spread([estimate.flange_from_camera.translation_mm for estimate in methods.values()]),
         part_in_camera_mm=part,
@@ -218,4 +218,4 @@ def _influence(chain: Chain, minimum: Minimum[ChainState], part_in_camera_mm: Fl
 
 def _estimate(x: FloatArray, robot: FloatArray, camera: FloatArray) -> HandEyeEstimate:
     length, angle = board_deviations(x, robot, camera)
-    return HandEyeEstimate(RigidTransform(orthonormalised(x), "flange", "camera"), length, angle)
+    return HandEyeEstimate(RigidTransform(orthonormalise(x), "flange", "camera"), length, angle)

@@ -12,7 +12,7 @@ from measureapp.arrays import FloatArray
 from measureapp.calibrate.motions.relative import Motions
 from measureapp.calibrate.projection import cross_matrices
 from measureapp.errors import CalibrationError
-from measureapp.geometry.transform import orthonormalised
+from measureapp.geometry.transform import orthonormalise
 
 TSAI_LEAST_COSINE = 0.1  # of half the angle of X: closer to half a turn, Tsai's rotation vector is taken from another frame
 
@@ -135,7 +135,7 @@ def andreff(motions: Motions) -> FloatArray:
     matrix[:3, :3] = solution[:9].reshape(3, 3)
     if np.linalg.det(matrix[:3, :3]) <= 0:
         raise CalibrationError("The motions do not determine the rotation.", "Add poses with larger rotations and translations.")
-    return _with_translation(orthonormalised(matrix)[:3, :3], motions)
+    return _with_translation(orthonormalise(matrix)[:3, :3], motions)
 
 
 def _length_unit(motions: Motions) -> float:

@@ -9,7 +9,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.poses import inverted
 from measureapp.errors import CalibrationError
-from measureapp.geometry.transform import orthonormalised
+from measureapp.geometry.transform import orthonormalise
 
 LEAST_SINGULAR_SHARE = 1e-9
 
@@ -73,7 +73,7 @@ def _rotation(columns: FloatArray) -> FloatArray:
         raise CalibrationError("The poses do not determine the rotation.", "Add poses turned about different axes.")
     result = np.eye(4)
     result[:3, :3] = matrix / np.cbrt(determinant)
-    return orthonormalised(result)[:3, :3]
+    return orthonormalise(result)[:3, :3]
 
 
 def _with_translations(rx: FloatArray, rz: FloatArray, robot: FloatArray, seen: FloatArray) -> tuple[FloatArray, FloatArray]:

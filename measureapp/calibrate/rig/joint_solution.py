@@ -29,7 +29,7 @@ from measureapp.data.calibration import (
     RotationAxis,
 )
 from measureapp.errors import CalibrationError
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 
 LEAST_SLIDES = 3
 LARGEST_RATIO = 2.0  # of the residuals over what was expected
@@ -127,7 +127,7 @@ def solution_of(
         state=state,
         paper_cost_mm=paper_error_mm(state.guide_direction, state.guide_scale) * float(np.ptp(chain.guide_mm)),
         sigma_ratio=ratio,
-        guide_from_board=RigidTransform(orthonormalised(state.guide_from_board), "guide", "board"),
+        guide_from_board=RigidTransform(orthonormalise(state.guide_from_board), "guide", "board"),
         weak_directions=weakest(covariance, chain.labels),
         not_observable=not_seen,
         warnings=_warnings(ratio),
@@ -138,7 +138,7 @@ def solution_of(
 
 def _hand_eye(state: ChainState, deviations: dict[str, float], distances: FloatArray, angles: FloatArray) -> HandEye:
     return HandEye(
-        RigidTransform(orthonormalised(state.flange_from_camera), "flange", "camera"),
+        RigidTransform(orthonormalise(state.flange_from_camera), "flange", "camera"),
         rotation_sigma_rad=_largest(deviations, "hand_eye.rotation"),
         translation_sigma_mm=_largest(deviations, "hand_eye.x_mm", "hand_eye.y_mm", "hand_eye.z_mm"),
         residual_mm=float(np.sqrt(np.mean(distances**2))),
@@ -210,7 +210,7 @@ def _stations(chain: Chain, state: ChainState) -> tuple[RobotStation, ...]:
         np.tile(np.eye(4), (len(poses), 1, 1)), np.hstack([turn @ state.robot_changes[:, :3], shift @ state.robot_changes[:, 3:]])
     )
     return tuple(
-        RobotStation(RigidTransform(pose, "base", "flange"), RigidTransform(orthonormalised(pose @ error), "base", "flange"))
+        RobotStation(RigidTransform(pose, "base", "flange"), RigidTransform(orthonormalise(pose @ error), "base", "flange"))
         for pose, error in zip(poses, errors, strict=True)
     )
 

@@ -25,7 +25,7 @@ from measureapp.calibrate.motions.relative import motions_between
 from measureapp.calibrate.poses import mean_pose
 from measureapp.data.calibration import HandEye, LinearGuide, RotationAxis
 from measureapp.errors import CalibrationError
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 
 BOARD_POINTS = np.array(
     [[0, 0, 0], [150, 0, 0], [0, 100, 0], [150, 100, 0], [75, 50, 0]], float
@@ -88,10 +88,10 @@ def stages_of(observations: Sequence[Observation], guide_moved: bool) -> RigStag
     axis = _axis(places, mean_angles)
     back = np.array([axis.turned(-angle).matrix for angle in angles]) @ boards
     return RigStages(
-        HandEye(RigidTransform(orthonormalised(x), "flange", "camera"), method="Tsai-Lenz"),
+        HandEye(RigidTransform(orthonormalise(x), "flange", "camera"), method="Tsai-Lenz"),
         guide,
         axis,
-        RigidTransform(orthonormalised(mean_pose(back)), "guide", "board"),
+        RigidTransform(orthonormalise(mean_pose(back)), "guide", "board"),
     )
 
 

@@ -57,7 +57,7 @@ def register(group: typer.Typer) -> None:
 
 
 def _file_again(calibration: Path) -> tuple[Sequence[Difference], int, int]:
-    from measureapp.project.differences import compared
+    from measureapp.project.differences import compare_documents
 
     stored = _json(calibration)
     made = made_from_document(stored, calibration)
@@ -76,7 +76,7 @@ def _file_again(calibration: Path) -> tuple[Sequence[Difference], int, int]:
         raise InputError(
             f"{folder / further[0]} is read now, the calibration was made without it.", "Move files that came later out of the pattern."
         )
-    found, count = compared(stored, solved)
+    found, count = compare_documents(stored, solved)
     return found, count, len(made.inputs)
 
 

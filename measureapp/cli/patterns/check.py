@@ -1,4 +1,4 @@
-"""`patterns check`: what a set promises on a projector."""
+"""`patterns check`: predicted performance of a pattern set on a projector."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from measureapp.cli.patterns.options import (
     ModulationOption,
     SetArgument,
     WidthOption,
-    numbers,
+    parse_numbers,
+    predictions,
     probability,
-    promises,
 )
 from measureapp.cli.reply import JsonOption, reply
 
@@ -32,15 +32,15 @@ def register(group: typer.Typer) -> None:
         height: HeightOption = 768,
         mean: MeanOption = 110.0,
         modulation: ModulationOption = 80.0,
-        full_well: Annotated[float, typer.Option("--full-well", help="Electrons at saturation.")] = 6000.0,
-        read_noise: Annotated[float, typer.Option("--read-noise", help="Electrons.")] = 7.0,
+        full_well: Annotated[float, typer.Option("--full-well", help="Full well of the camera, in electrons.")] = 6000.0,
+        read_noise: Annotated[float, typer.Option("--read-noise", help="Read noise of the camera, in electrons.")] = 7.0,
         saturation: Annotated[int, typer.Option("--saturation", help="Grey level of a saturated pixel.")] = 255,
         exposures: Annotated[str, typer.Option("--exposures", help="Unsaturated exposures, relative to the longest: 1,0.8,0.6.")] = "1",
         as_json: JsonOption = False,
     ) -> None:
-        """Say what a set promises on a projector: range, guard band, phase noise, probability of a wrong order.
+        """Predict the performance of a set on a projector: range, guard band, phase noise, probability of wrong fringe orders.
 
-        A set whose range is too small for the projector, or leaves no guard band, is refused with the reason.
+        A set whose range is too small for the projector, or has no guard band, is refused with the reason.
         """
         from measureapp.fringe.patterns.check import check_patterns
         from measureapp.project.fringes.pattern_files import read_pattern_set
@@ -49,7 +49,7 @@ def register(group: typer.Typer) -> None:
         contrast = _contrast(mean, modulation, full_well, read_noise, saturation, exposures)
         checks = check_patterns(made, width, height, contrast)
         lines = [made.name, *(line for one in checks for line in _lines(one))]
-        reply({"name": made.name, "images": made.count, **promises(checks)}, "\n".join(lines), as_json)
+        reply({"name": made.name, "images": made.count, **predictions(checks)}, "\n".join(lines), as_json)
 
 
 def _contrast(mean: float, modulation: float, full_well: float, read_noise: float, saturation: int, exposures: str) -> Contrast:
@@ -59,10 +59,11 @@ def _contrast(mean: float, modulation: float, full_well: float, read_noise: floa
 
     if not (full_well > 0 and read_noise >= 0):
         raise InputError(
-            f"A camera with a full well of {full_well:g} and a read noise of {read_noise:g} electrons cannot be.", "Correct them."
+            f"A full well of {full_well:g} with a read noise of {read_noise:g} electrons is impossible.",
+            "Give a positive full well and a read noise of at least 0.",
         )
     return Contrast(
-        mean, modulation, CameraNoise(full_well_e=full_well, read_noise_e=read_noise), saturation, numbers("--exposures", exposures)
+        mean, modulation, CameraNoise(full_well_e=full_well, read_noise_e=read_noise), saturation, parse_numbers("--exposures", exposures)
     )
 
 
@@ -70,12 +71,11 @@ def _lines(check: DirectionCheck) -> list[str]:
     lines = "columns" if check.direction == "vertical" else "rows"
     noise = ", ".join(f"{sigma:.4f}" for sigma in check.phase_sigma_rad)
     wanted = "; ".join(
-        f"P ≤ {goal} " + (f"from B = {modulation:.1f}" if modulation else "at no contrast")
-        for goal, modulation in check.modulation_for.items()
+        f"P ≤ {goal} " + (f"for B ≥ {modulation:.1f}" if modulation else "not reached") for goal, modulation in check.modulation_for.items()
     )
     return [
         f"{check.direction} fringes, {check.method}: range {check.range_px:.0f} px for {check.extent_px} {lines}, {check.guard_px:.0f} px guard band",
         f"  phase noise {noise} rad; σ of the result {check.column_sigma_px:.3f} px",
         *(f"  {d.what}: noise × {d.amplification:.1f}, P(wrong) {probability(d.error_probability)}" for d in check.decisions),
-        f"  wrong orders {probability(check.order_error_probability)}; {wanted}",
+        f"  wrong fringe orders {probability(check.order_error_probability)}; {wanted}",
     ]

@@ -1,4 +1,4 @@
-"""`patterns export`: the images as PNG, for a real projector."""
+"""`patterns export`: images of a pattern set as PNG, for a real projector."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from measureapp.cli.patterns.options import (
     HeightOption,
     SetArgument,
     WidthOption,
-    numbers,
+    parse_numbers,
 )
 from measureapp.cli.reply import JsonOption, reply
 
@@ -22,20 +22,18 @@ def register(group: typer.Typer) -> None:
     @group.command()
     def export(
         patterns: SetArgument,
-        out: Annotated[Path, typer.Option("--out", help="Folder of the images.")],
+        out: Annotated[Path, typer.Option("--out", help="Folder for the images.")],
         width: WidthOption = 1024,
         height: HeightOption = 768,
         response: Annotated[Path | None, typer.Option("--response", help="Projector response to correct the sinusoids for.")] = None,
-        cameras: Annotated[str, typer.Option("--cameras", help="Names for the manifest of the recordings.")] = "left,right,upper",
-        exposures: Annotated[
-            str, typer.Option("--exposures", help="Exposures for that manifest, in µs.")
-        ] = "100000,80000,60000,40000,20000",
+        cameras: Annotated[str, typer.Option("--cameras", help="Camera names in the manifest.")] = "left,right,upper",
+        exposures: Annotated[str, typer.Option("--exposures", help="Exposures in the manifest, in µs.")] = "100000,80000,60000,40000,20000",
         as_json: JsonOption = False,
     ) -> None:
         """Write the images as PNG, numbered in the order of projection.
 
-        patterns.json says what each image shows: kind, direction, pitch_px, step and shift_rad, or plane. MANIFEST.toml is for
-        `measureapp decode`: store what the cameras see of image 007 as CAMERA/EXPOSURE/007.png beside it.
+        patterns.json describes each image: kind, direction, pitch_px, step and shift_rad, or plane. MANIFEST.toml is for
+        `measureapp decode`: store the camera images of pattern 007 as CAMERA/EXPOSURE/007.png in its folder.
         """
         from measureapp.fringe.patterns.check import check_patterns
         from measureapp.fringe.patterns.draw import pattern_images
@@ -58,7 +56,7 @@ def register(group: typer.Typer) -> None:
 def _times(text: str) -> tuple[int, ...]:
     from measureapp.errors import InputError
 
-    values = numbers("--exposures", text)
+    values = parse_numbers("--exposures", text)
     if any(value != round(value) for value in values):
         raise InputError(f"--exposures {text} are not whole microseconds.", "Give whole numbers of µs, separated by commas.")
     return tuple(sorted((round(value) for value in values), reverse=True))
@@ -69,5 +67,5 @@ def _names(text: str) -> tuple[str, ...]:
 
     names = tuple(word.strip() for word in text.split(","))
     if len(set(names)) < len(names) or not all(name.replace("-", "").replace("_", "").isalnum() and name.isascii() for name in names):
-        raise InputError(f"--cameras {text} is not a list of different names.", "Separate names of letters and digits by commas.")
+        raise InputError(f"--cameras {text} is not a list of unique names.", "Separate names of letters and digits by commas.")
     return names

@@ -1,4 +1,4 @@
-"""`patterns list`: the named sets and what each promises."""
+"""`patterns list`: predefined pattern sets and their predicted performance."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from measureapp.cli.patterns.options import (
     MeanOption,
     ModulationOption,
     WidthOption,
+    predictions,
     probability,
-    promises,
 )
 from measureapp.cli.reply import JsonOption, reply
 
@@ -26,15 +26,15 @@ def register(group: typer.Typer) -> None:
         modulation: ModulationOption = 80.0,
         as_json: JsonOption = False,
     ) -> None:
-        """List the named sets, made for a projector, with what each promises at a contrast."""
-        from measureapp.data.pattern_sets import made_for
+        """List the predefined pattern sets for a projector, with their predicted performance at a contrast."""
+        from measureapp.data.pattern_sets import make_pattern_sets
         from measureapp.fringe.patterns.check import Contrast, check_patterns
         from measureapp.project.fringes.pattern_files import check_size
 
         check_size(width, height)
         contrast = Contrast(mean, modulation)
-        sets = {name: (made, check_patterns(made, width, height, contrast)) for name, made in made_for(width, height).items()}
-        document = {name: {"name": made.name, "images": made.count, **promises(checks)} for name, (made, checks) in sets.items()}
+        sets = {name: (made, check_patterns(made, width, height, contrast)) for name, made in make_pattern_sets(width, height).items()}
+        document = {name: {"name": made.name, "images": made.count, **predictions(checks)} for name, (made, checks) in sets.items()}
         longest = max(len(name) for name in sets)
         lines = [
             f"{name:<{longest}}  {made.count:3d} images, σ {checks[0].column_sigma_px:.3f} px, "

@@ -184,7 +184,7 @@ class _Scene:
     def __init__(self, cameras: tuple[ProbedCamera, ...], patterns: PatternSet, limits: BracketLimits, settings: DecodeSettings) -> None:
         self._cameras, self._limits, self._settings = cameras, limits, settings
         self._images = patterns.count
-        alone = patterns.along(patterns.directions[0])[0]
+        alone = patterns.subset(patterns.directions[0])[0]
         sinusoids = [group for group in alone.groups if isinstance(group, PhaseShiftGroup)]
         self._steps = min(group.steps for group in sinusoids)
         finest = min(group.pitch_px for group in sinusoids)

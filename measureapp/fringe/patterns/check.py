@@ -97,7 +97,7 @@ def check_patterns(patterns: PatternSet, width_px: int, height_px: int, contrast
     check_determines_phase(patterns)
     checks = []
     for direction in patterns.directions:
-        alone, _ = patterns.along(direction)
+        alone, _ = patterns.subset(direction)
         check_covers(alone, width_px if direction == "vertical" else height_px, direction)
         checks.append(_check_direction(alone, direction, contrast))
     return tuple(checks)

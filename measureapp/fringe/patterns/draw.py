@@ -32,7 +32,7 @@ def pattern_images(patterns: PatternSet, width_px: int, height_px: int, response
     check_determines_phase(patterns)
     images = np.empty((patterns.count, height_px, width_px), np.uint8)
     for direction in patterns.directions:
-        alone, where = patterns.along(direction)
+        alone, where = patterns.subset(direction)
         shown_px = width_px if direction == "vertical" else height_px
         check_covers(alone, shown_px, direction)
         levels = np.array([row for group in alone.groups for row in _levels(group, alone, shown_px, response)])
@@ -54,7 +54,7 @@ def check_covers(alone: PatternSet, shown_px: int, direction: Direction) -> None
 def check_determines_phase(patterns: PatternSet) -> None:
     """Raise DecodeError with the reason when a set does not determine the phase over the projector, in each of its directions."""
     for direction in patterns.directions:
-        alone, _ = patterns.along(direction)
+        alone, _ = patterns.subset(direction)
         if not alone.pitches_px:
             raise DecodeError(f"Pattern set {alone.name!r} has no sinusoids.", "Add a phase-shift group of at least three images.")
         gray = [group for group in alone.groups if isinstance(group, GrayCodeGroup)]

@@ -11,7 +11,7 @@ from measureapp.arrays import FloatArray
 from measureapp.data.measurement import Alignment
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.inspection.alignment.point_to_plane import Registration, cost, register
 from measureapp.inspection.alignment.starts import all_round_starts, upright_starts
 from measureapp.inspection.measured import HasPoints, MeasuredPoints
@@ -71,7 +71,7 @@ def best_fit(
     best = _search(points, surface, settings, progress)
     fine = register(points.thinned(settings.fine_points), surface, best.matrix, settings)
     _refuse_another_part(fine, surface, settings)
-    transform = RigidTransform(orthonormalised(fine.matrix), "nominal", frame)
+    transform = RigidTransform(orthonormalise(fine.matrix), "nominal", frame)
     return Alignment("best fit", transform, fine.rms_mm, fine.overlap, fine.undetermined)
 
 

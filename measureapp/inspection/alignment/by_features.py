@@ -13,7 +13,7 @@ from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.measurement import Alignment
 from measureapp.errors import InspectionError
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.inspection.features.found import Found
 from measureapp.inspection.find_all import find_all
 from measureapp.inspection.measured import MeasuredPoints
@@ -180,7 +180,7 @@ def _settled(
     needed = alignment_features(program.alignment)
     free: FloatArray = np.zeros((6, 0))
     for _ in range(ROUNDS):
-        found = _found(name, points, program, RigidTransform(orthonormalised(matrix), "nominal", frame), surface, settings)
+        found = _found(name, points, program, RigidTransform(orthonormalise(matrix), "nominal", frame), surface, settings)
         try:
             moved, free = step(found)
         except InspectionError as error:
@@ -190,7 +190,7 @@ def _settled(
         matrix = moved @ matrix
         if np.abs(moved - np.eye(4))[:3].max(axis=0) @ [ARM_MM, ARM_MM, ARM_MM, 1.0] < STILL:
             break
-    transform = RigidTransform(orthonormalised(matrix), "nominal", frame)
+    transform = RigidTransform(orthonormalise(matrix), "nominal", frame)
     found = _found(name, points, program, transform, surface, settings)
     residuals = {one: _residual(found[one], (sides or {}).get(one)) for one in needed}
     rms = float(np.sqrt(np.mean(np.square(list(residuals.values())))))

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 from measureapp.arrays import FloatArray
 from measureapp.data.alignment_program import BestFit
 from measureapp.data.measurement import Alignment
-from measureapp.geometry.transform import RigidTransform, orthonormalised, rotation_about
+from measureapp.geometry.transform import RigidTransform, orthonormalise, rotation_about
 from measureapp.inspection.alignment.best_fit import best_fit
 from measureapp.inspection.alignment.point_to_plane import Registration, register
 from measureapp.inspection.measured import MeasuredPoints
@@ -33,7 +33,7 @@ class _Position:
 
     @property
     def turn_rad(self) -> float:
-        return float(Rotation.from_matrix(orthonormalised(self.fit.matrix)[:3, :3]).magnitude())
+        return float(Rotation.from_matrix(orthonormalise(self.fit.matrix)[:3, :3]).magnitude())
 
 
 def cyclic_fit(
@@ -58,7 +58,7 @@ def cyclic_fit(
     best = min(positions, key=lambda position: position.rms_mm)
     alike = [one for one in positions if one is best or not _told_apart(best, one, sample.points_mm, settings)]
     chosen = min(alike, key=lambda position: position.turn_rad)
-    transform = RigidTransform(orthonormalised(chosen.fit.matrix), "nominal", frame)
+    transform = RigidTransform(orthonormalise(chosen.fit.matrix), "nominal", frame)
     open_motions = chosen.fit.undetermined
     if len(alike) > 1:
         open_motions += (f"which of {len(alike)} positions about the axis",)

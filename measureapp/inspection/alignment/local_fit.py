@@ -9,7 +9,7 @@ from measureapp.data.alignment_program import BestFit, Region
 from measureapp.data.inspection_program import InspectionProgram, MeasuredFeature
 from measureapp.data.measurement import Alignment
 from measureapp.errors import InspectionError
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.inspection.alignment.best_fit import best_fit
 from measureapp.inspection.alignment.point_to_plane import register
 from measureapp.inspection.features.cut import cut_points, nominal_features
@@ -43,7 +43,7 @@ def local_fit(
             f"{made[0]} is not cut from the points around its nominal: a local best fit cannot rest on it.", "Name features that are."
         )
     for _ in range(ROUNDS):
-        placed = points.seen_from(RigidTransform(orthonormalised(matrix), "nominal", frame))
+        placed = points.seen_from(RigidTransform(orthonormalise(matrix), "nominal", frame))
         chosen = np.zeros(len(points), bool)
         for name in asked.features:
             chosen[cut_points(placed, measured[name], edges)] = True
@@ -59,7 +59,7 @@ def local_fit(
         )
         matrix = fine.matrix
     names = [*asked.features, *([f"{len(asked.regions)} regions"] if asked.regions else [])]
-    transform = RigidTransform(orthonormalised(matrix), "nominal", frame)
+    transform = RigidTransform(orthonormalise(matrix), "nominal", frame)
     return Alignment(f"local best fit ({', '.join(names)})", transform, fine.rms_mm, fine.overlap, fine.undetermined)
 
 

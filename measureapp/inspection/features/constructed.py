@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 
 from measureapp.data.feature import Feature
-from measureapp.data.inspection_program import ConstructedFeature, copy_names, indexed
+from measureapp.data.inspection_program import ConstructedFeature, copy_names, substitute_index
 from measureapp.errors import InspectionError
 from measureapp.inspection.features.errors import Errors, following_features
 from measureapp.inspection.features.found import Found
@@ -24,7 +24,7 @@ def construct(described: ConstructedFeature, known: Mapping[str, Found]) -> Mapp
     names = copy_names(described.name, described.repeat)
     made = {}
     for k, name in enumerate(names, start=1):
-        one, other = (known[needed] for needed in indexed(described.of, k, count))
+        one, other = (known[needed] for needed in substitute_index(described.of, k, count))
         drawn = _construct_one(described.shape, name, _as_drawn(one), _as_drawn(other)).feature
         made[name] = replace(_construct_one(described.shape, name, one, other), nominal=drawn)
     return made

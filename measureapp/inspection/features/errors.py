@@ -15,7 +15,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.data.dimension import SHARES
 from measureapp.data.feature import Feature
-from measureapp.geometry.fits import following_points
+from measureapp.geometry.fits import point_sensitivities
 from measureapp.inspection.features.shapes import outward_normals
 from measureapp.inspection.measured import MeasuredPoints
 
@@ -52,7 +52,7 @@ def errors_by_views(
         return assumed(feature, placement_mm / max(views, 1.0) ** 0.5)
     step = max(1, -(-len(used) // MOST_POINTS))
     few = used.where(np.arange(0, len(used), step))
-    follows = following_points(feature, few.points_mm, None if weights is None else weights[::step])
+    follows = point_sensitivities(feature, few.points_mm, None if weights is None else weights[::step])
     return following(follows, few, outward_normals(feature, few.points_mm))
 
 

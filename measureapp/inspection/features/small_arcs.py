@@ -96,7 +96,7 @@ def _stepped(model: Model, state: State, points: FloatArray) -> State | None:
         step = -np.linalg.lstsq(derivatives[0], distances[0], rcond=None)[0]
         if not np.isfinite(step).all() or np.abs(step[: model.moves]).max() > LARGEST_RATIO:
             return None
-        state = model.moved(state, step)
+        state = model.move(state, step)
         if np.abs(step).max() < SETTLED:
             return state
     return None

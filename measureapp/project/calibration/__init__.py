@@ -1,1 +1,1 @@
-"""What calibration keeps and reads: boards and their images, cameras, rigs and what they leave uncertain."""
+"""Files of calibrations: boards and their images, cameras, rigs and their uncertainties."""

@@ -1,4 +1,4 @@
-"""A board as a drawing to print at true scale (SVG, in mm), with a line to check the scale by."""
+"""Printable calibration boards: SVG at true scale, with a line for checking the scale."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from measureapp.errors import InputError
 from measureapp.geometry.marker_cells import marker_cells
 from measureapp.project.atomic import write_text
 
-MARGIN = 2.0  # squares or spacings around the marks: one of print, one of white
+MARGIN = 2.0  # squares or spacings around the marks: one printed, one white
 CHECK_MM = 100.0
 FOOT_MM = 14.0
 
 
 def write_board(path: Path, board: BoardDescription) -> None:
-    """Write a board as SVG; below it stand what it is and a line of 100 mm. Raises InputError for another kind of file."""
+    """Write a board as SVG with its description and a line of 100 mm below. Raises InputError for another file type."""
     if path.suffix.lower() != ".svg":
-        raise InputError(f"{path} is not an SVG file.", "Name a file that ends in .svg: it prints at true scale.")
+        raise InputError(f"{path} is not an SVG file.", "Name a file that ends in .svg.")
     corners = board.flat_corners_mm[:, :2]
     unit = board.spacing_mm if isinstance(board, CirclesDescription) else board.neighbour_mm
     low, high = corners.min(axis=0) - MARGIN * unit, corners.max(axis=0) + MARGIN * unit

@@ -1,4 +1,4 @@
-"""Images of the calibration board as files: one list per camera, in the same order."""
+"""Images of the calibration board in files: one list per camera, in the same order."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class BoardImages:
 
     @property
     def positions(self) -> int:
-        """How many board positions there are."""
+        """Number of board positions."""
         return len(next(iter(self.files.values())))
 
     def path(self, camera: str, position: int) -> Path:
@@ -69,12 +69,12 @@ class BoardImages:
 
 
 def find_board_images(options: Sequence[str]) -> BoardImages:
-    """Return the images named by options ``camera=GLOB``, each list sorted by name.
+    """Find the images given by options ``camera=GLOB``, each list sorted by name.
 
     Raises
     ------
     InputError
-        An option without a name, a pattern that matches nothing, or lists of different lengths.
+        An option without a camera name, a pattern that matches nothing, or lists of different lengths.
     """
     files: dict[str, tuple[Path, ...]] = {}
     for option in options:

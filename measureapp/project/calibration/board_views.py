@@ -1,4 +1,4 @@
-"""Sightings of the calibration board on disk: a PNG per camera and the read-back, so that any calibration can be solved again."""
+"""Stored images of the calibration board: a PNG per camera and the axis read-back, for solving a calibration again."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ DESCRIPTION = "view.json"
 
 
 def save(folder: Path, view: BoardView) -> None:
-    """Write one sighting below ``folder``; its description last, so that a view without it was never finished."""
+    """Write the images of one viewpoint below ``folder``; the description last, so that its absence marks an incomplete view."""
     place = folder / view.viewpoint_id
     for camera, pixels in view.images.items():
         encoded, data = cv2.imencode(".png", np.asarray(pixels))
@@ -44,24 +44,24 @@ def save(folder: Path, view: BoardView) -> None:
     write_json(place / DESCRIPTION, document)
 
 
-def stored(folder: Path) -> tuple[str, ...]:
-    """Return the ids of all finished sightings below ``folder``, sorted."""
+def list_stored(folder: Path) -> tuple[str, ...]:
+    """Return the ids of all complete views below ``folder``, sorted."""
     return tuple(path.parent.name for path in sorted(folder.glob(f"*/{DESCRIPTION}")))
 
 
 def load_all(folder: Path) -> tuple[BoardView, ...]:
-    """Return all finished sightings below ``folder``, as they were taken. Raises StorageError naming a damaged file."""
-    return tuple(_load(folder / one.viewpoint_id, one) for one in _as_taken(folder))
+    """Load all complete views below ``folder``, in the order of acquisition. Raises StorageError naming a damaged file."""
+    return tuple(_load(folder / one.viewpoint_id, one) for one in _in_order(folder))
 
 
-def readbacks(folder: Path) -> dict[str, tuple[tuple[str, ...], AxisReadback]]:
-    """Return cameras and read-back of all finished sightings, as they were taken, without reading images. Raises StorageError."""
-    return {one.viewpoint_id: (one.cameras, one.readback) for one in _as_taken(folder)}
+def load_readbacks(folder: Path) -> dict[str, tuple[tuple[str, ...], AxisReadback]]:
+    """Return cameras and read-back of all complete views in the order of acquisition, without the images. Raises StorageError."""
+    return {one.viewpoint_id: (one.cameras, one.readback) for one in _in_order(folder)}
 
 
-def damaged(folder: Path) -> dict[str, tuple[str, ...]]:
-    """Compare every image of the board below ``folder`` with its checksum; return what is wrong with which sighting, in words."""
-    problems = {viewpoint_id: _problems(folder / viewpoint_id) for viewpoint_id in stored(folder)}
+def find_damage(folder: Path) -> dict[str, tuple[str, ...]]:
+    """Compare every image of the board below ``folder`` with its checksum; return the problems of each damaged view, in words."""
+    problems = {viewpoint_id: _problems(folder / viewpoint_id) for viewpoint_id in list_stored(folder)}
     return {viewpoint_id: wrong for viewpoint_id, wrong in problems.items() if wrong}
 
 
@@ -70,38 +70,37 @@ class _Description:
     viewpoint_id: str
     cameras: tuple[str, ...]
     readback: AxisReadback
-    checksums: dict[str, str]  # camera -> of its pixels
+    checksums: dict[str, str]  # camera -> checksum of its pixels
     conditions: Conditions | None
-    taken_s: float  # when, on the clock of the computer; -inf where it is not known
+    taken_s: float  # POSIX time of acquisition; -inf if unknown
 
 
 def _problems(place: Path) -> tuple[str, ...]:
     wrong = []
     try:
-        described = _described(place)
-        for camera in described.cameras:
-            if checksum(_image(place, camera)) != described.checksums.get(camera):
-                wrong.append(f"{place / camera}.png differs from what was stored")
+        description = _load_description(place)
+        for camera in description.cameras:
+            if checksum(_image(place, camera)) != description.checksums.get(camera):
+                wrong.append(f"{place / camera}.png differs from its stored checksum")
     except StorageError as error:
         wrong.append(error.message.rstrip("."))
     return tuple(wrong)
 
 
-def _as_taken(folder: Path) -> list[_Description]:
-    """Return the descriptions in the order of their images, those without a time first and by id.
+def _in_order(folder: Path) -> list[_Description]:
+    """Return the descriptions in the order of acquisition, those without a time first and by id.
 
-    The order says when the robot came to a pose anew, and with another error, and when it stood still meanwhile.
+    The order shows when the robot approached a pose anew, with another error, and when it was stationary in between.
     """
-    described = [_described(folder / viewpoint_id) for viewpoint_id in stored(folder)]
-    return sorted(described, key=lambda one: one.taken_s)
+    return sorted((_load_description(folder / viewpoint_id) for viewpoint_id in list_stored(folder)), key=lambda one: one.taken_s)
 
 
-def _load(place: Path, described: _Description) -> BoardView:
-    images = {camera: _image(place, camera) for camera in described.cameras}
-    return BoardView(described.viewpoint_id, images, described.readback, described.conditions)
+def _load(place: Path, description: _Description) -> BoardView:
+    images = {camera: _image(place, camera) for camera in description.cameras}
+    return BoardView(description.viewpoint_id, images, description.readback, description.conditions)
 
 
-def _described(place: Path) -> _Description:
+def _load_description(place: Path) -> _Description:
     path = place / DESCRIPTION
     try:
         document = json.loads(path.read_text(encoding="utf-8"))

@@ -1,4 +1,4 @@
-"""`cameras.json`: the cameras of a head and, where it is calibrated, its projector, in the format that also comes from outside."""
+"""`cameras.json`: the cameras of a head and, if calibrated, its projector; also the exchange format."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.atomic import write_json
 
-SCHEMA_VERSION = 2  # 2 may have `covariance`, and in `provenance` the command that made it; files of version 1 are read as they are
+SCHEMA_VERSION = 2  # since 2 with optional `covariance`, and the command in `provenance`; version 1 is read as well
 READABLE_VERSIONS = (1, 2)
-WIDEST_BLUR_PX = 20.0  # of an image in which a board would still be found, with room
+WIDEST_BLUR_PX = 20.0  # more than any blur at which a board is still detected
 DISTORTION_LENGTHS = (4, 5, 8, 12, 14)
 FILE_FIELDS = {"schema_version", "reference", "cameras", "pair_rms_px", "provenance", "projector"}
 FILE_FIELDS_SINCE_2 = {"covariance"}
@@ -31,7 +31,7 @@ PROVENANCE_FIELDS = {"created", "method", "inputs", "temperature_c", "valid_days
 
 
 def write_cameras(path: Path, calibration: CameraArrayCalibration) -> None:
-    """Write ``calibration``, whole or not at all."""
+    """Write ``calibration``, atomically."""
     write_json(Path(path), cameras_document(calibration))
 
 
@@ -41,8 +41,8 @@ def read_cameras(path: Path) -> CameraArrayCalibration:
     Raises
     ------
     InputError
-        The file is missing, is not JSON, lacks a field or has a foreign one, or a value cannot be right; the message
-        names file and field.
+        The file is missing, is not JSON, lacks a field or has an unknown one, or a value is invalid; the message names
+        file and field.
     """
     path = Path(path)
     try:
@@ -50,7 +50,7 @@ def read_cameras(path: Path) -> CameraArrayCalibration:
     except OSError as error:
         raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give the path of a cameras.json.") from error
     except ValueError as error:
-        raise InputError(f"{path} is not JSON: {error}.", "Give a cameras.json as `calibrate cameras` writes it.") from error
+        raise InputError(f"{path} is not JSON: {error}.", "Give a cameras.json written by `measureapp calibrate cameras`.") from error
     return cameras_from(document, str(path))
 
 
@@ -133,7 +133,7 @@ def cameras_from(document: Any, source: str = "cameras.json") -> CameraArrayCali
     pairs = _numbers(document.get("pair_rms_px", {}), source, "pair_rms_px")
     projector = _projector(document["projector"], source) if "projector" in document else None
     if projector is not None and projector.name in made:
-        raise InputError(f"{source}: projector.name is {projector.name!r}, which is a camera's.", "Give the projector a name of its own.")
+        raise InputError(f"{source}: projector.name is {projector.name!r}, the name of a camera.", "Give the projector another name.")
     covariance = _covariance(document["covariance"], made, projector, source) if "covariance" in document else None
     return CameraArrayCalibration(str(reference), made, pairs, _provenance(provenance, source, "provenance"), projector, covariance)
 
@@ -146,7 +146,7 @@ def _covariance(
     owners = {*cameras, *(() if projector is None else (projector.name,))}
     if not isinstance(labels, list) or not all(isinstance(label, str) and label.rpartition(".")[0] in owners for label in labels):
         raise InputError(
-            f"{source}: covariance.parameters names something that is no camera's.", 'Give names such as "left.fx" or "right.x_mm".'
+            f"{source}: covariance.parameters has a label without a known camera.", 'Give labels such as "left.fx" or "right.x_mm".'
         )
     if len(set(labels)) < len(labels):
         raise InputError(f"{source}: covariance.parameters names a parameter twice.", "Name each parameter once.")
@@ -159,7 +159,7 @@ def _covariance(
         or (len(labels) and np.linalg.eigvalsh(whitened)[0] < -1e-6)
     ):
         raise InputError(
-            f"{source}: covariance.matrix is not a covariance: it must be symmetric and without negative variances.", "Calibrate again."
+            f"{source}: covariance.matrix is not a covariance matrix: it must be symmetric and positive semidefinite.", "Calibrate again."
         )
     return LabelledCovariance(tuple(labels), matrix)
 
@@ -178,8 +178,10 @@ def _camera(name: str, entry: Any, reference: str, source: str) -> CameraCalibra
     deviations = _numbers(entry.get("standard_deviations", {}), source, f"{place}.standard_deviations")
     rms_px = _numbers({"rms_px": entry.get("rms_px", 0.0)}, source, place)["rms_px"]
     blur_px = _numbers({"blur_px": entry.get("blur_px", 0.0)}, source, place)["blur_px"]
-    if not 0 <= blur_px <= WIDEST_BLUR_PX:  # so that NaN is refused as well
-        raise InputError(f"{source}: {place}.blur_px is {blur_px:g}, not 0 to {WIDEST_BLUR_PX:g} px.", "Take it out, or calibrate again.")
+    if not 0 <= blur_px <= WIDEST_BLUR_PX:  # refuses NaN as well
+        raise InputError(
+            f"{source}: {place}.blur_px is {blur_px:g}, not 0 to {WIDEST_BLUR_PX:g} px.", "Remove the field, or calibrate again."
+        )
     settings = {setting: entry[setting] for setting in ("focus_mm", "f_number") if entry.get(setting) is not None}
     lens = LensSetting(**_numbers(settings, source, place))
     return CameraCalibration(name, pinhole, transform, deviations, rms_px, str(entry.get("serial", "")), lens, blur_px)
@@ -207,7 +209,7 @@ def _provenance(entry: Any, source: str, place: str) -> Provenance:
     optional = {name: entry[name] for name in ("temperature_c", "valid_days") if entry.get(name) is not None}
     arguments = entry.get("arguments", [])
     if not isinstance(arguments, list) or not all(isinstance(one, str) for one in arguments):
-        raise InputError(f"{source}: {place}.arguments is not a list of words.", "Give what was typed, word by word.")
+        raise InputError(f"{source}: {place}.arguments is not a list of strings.", "Give the arguments of the command as strings.")
     return Provenance(**{**entry, **_numbers(optional, source, place), "arguments": tuple(arguments)})
 
 
@@ -219,7 +221,9 @@ def _pinhole(entry: Mapping[str, Any], source: str, place: str) -> PinholeCamera
         raise InputError(f"{source}: {place}.matrix is not a camera matrix.", "Give [[fx, 0, cx], [0, fy, cy], [0, 0, 1]] in pixels.")
     distortion = _array(entry["distortion"], None, source, f"{place}.distortion").ravel()
     if len(distortion) not in DISTORTION_LENGTHS:
-        raise InputError(f"{source}: {place}.distortion has {len(distortion)} coefficients.", "OpenCV's order has 4, 5, 8, 12 or 14.")
+        raise InputError(
+            f"{source}: {place}.distortion has {len(distortion)} coefficients.", "Give 4, 5, 8, 12 or 14 coefficients in OpenCV's order."
+        )
     size = [entry[side] for side in ("width", "height")]
     if any(isinstance(value, bool) or not isinstance(value, int) or value <= 0 for value in size):
         raise InputError(f"{source}: {place}.width and height must be whole numbers above 0.", "Give the image's size in pixels.")

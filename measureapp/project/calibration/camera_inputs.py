@@ -1,4 +1,4 @@
-"""The corners a camera calibration was made from, kept so that it can be solved again without the images."""
+"""Detected corners of a camera calibration, stored so that it can be solved again without the images."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ BOARD: TypeAdapter[Any] = TypeAdapter(AnyBoard)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CameraInputs:
-    """What cameras are solved from, and the images it was found in."""
+    """Input of a camera calibration, with the image files of the observations."""
 
     problem: CameraArrayProblem
     images: Mapping[tuple[str, str], str]  # (camera, view) -> name of the file
 
 
 def write_camera_inputs(path: Path, inputs: CameraInputs) -> None:
-    """Write everything the solution depends on; numbers are kept to the last bit."""
+    """Write everything the solution depends on, with full floating-point precision."""
     problem = inputs.problem
     document = {
         "schema_version": SCHEMA_VERSION,
@@ -60,7 +60,7 @@ def read_camera_inputs(path: Path) -> CameraInputs:
     Raises
     ------
     InputError
-        The file cannot be read, or a field is missing or cannot be right.
+        The file cannot be read, or a field is missing or invalid.
     """
     path = Path(path)
     try:
@@ -81,14 +81,16 @@ def read_camera_inputs(path: Path) -> CameraInputs:
         entries = [*document["sightings"], *document["rejected"]]
         return CameraInputs(problem, {(str(one["camera"]), str(one["view"])): str(one["image"]) for one in entries})
     except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give a file that `calibrate cameras` wrote.") from error
+        raise InputError(
+            f"{path} cannot be read: {error.strerror or error}.", "Give a file written by `measureapp calibrate cameras`."
+        ) from error
     except (ValueError, KeyError, TypeError, AttributeError) as error:
         reason = f"{error} is missing" if isinstance(error, KeyError) else error
         raise InputError(f"{path} does not hold the corners of a camera calibration: {reason}.", "Detect the corners again.") from error
 
 
 def _require_whole(problem: CameraArrayProblem) -> None:
-    """Raise ValueError where the parts of a file do not belong together."""
+    """Raise ValueError for inconsistent parts of a file."""
     for camera, size in problem.sizes_px.items():
         if min(size) < 1:
             raise ValueError(f"images of {camera} are {size[0]} × {size[1]} px")

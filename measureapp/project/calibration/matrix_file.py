@@ -1,4 +1,4 @@
-"""A rigid transform given as a file of 16 numbers."""
+"""Rigid transforms in files of 16 numbers."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from measureapp.errors import FrameMismatch, InputError
 from measureapp.geometry.transform import RigidTransform
 
-HINT = "Give the 4×4 matrix as four lines of four numbers, or as JSON."
+HINT = "Write the 4×4 matrix as four lines of four numbers, or as JSON."
 
 
 def read_transform(path: Path, to_frame: str, from_frame: str) -> RigidTransform:

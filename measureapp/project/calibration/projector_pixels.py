@@ -1,4 +1,4 @@
-"""Which pixels of the projector light the board in a camera's image, on disk: a NumPy archive."""
+"""Files of projector coordinates of board images: a NumPy archive."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ def checksum_of(lit: ProjectorPixels) -> str:
 
 
 def write_projector_pixels(path: Path, lit: ProjectorPixels) -> None:
-    """Write an `.npz`, whole or not at all. Raises StorageError."""
+    """Write an `.npz`, atomically. Raises StorageError."""
     with replacing(path) as temporary, temporary.open("wb") as file:
         np.savez(file, corner_px=lit.corner_px, pixels=lit.pixels, sigma_px=lit.sigma_px)
 
 
 def read_projector_pixels(path: Path) -> ProjectorPixels:
-    """Read what `write_projector_pixels` wrote. Raises StorageError where it is damaged or gone."""
+    """Read what `write_projector_pixels` wrote. Raises StorageError when the file is damaged or missing."""
     try:
         with np.load(path) as arrays:
             column, row = (int(value) for value in arrays["corner_px"])

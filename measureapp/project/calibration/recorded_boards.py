@@ -1,4 +1,4 @@
-"""A folder of recorded images of the board, whatever its order: which camera took which image of which position."""
+"""Recorded images of the board in a folder: assignment of files to cameras and board positions."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from measureapp.project.tables import natural_order
 
 ENDINGS = frozenset({".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp"})
 ONLY_CAMERA = "camera"
-HOW_TO_NAME = "Name the images by camera and number, such as left01.png and right01.png, or give every camera a folder of its own."
+HOW_TO_NAME = "Name the images by camera and number, such as left01.png and right01.png, or use one folder per camera."
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -24,30 +24,30 @@ class RecordedPosition:
 
     name: str
     files: Mapping[str, Path]  # camera -> image; a camera may be missing
-    readback: AxisReadback | None = None  # where it was recorded
+    readback: AxisReadback | None = None  # if it was recorded
 
 
 def find_recorded(folder: Path) -> tuple[RecordedPosition, ...]:
-    """Return the positions of the board recorded in ``folder``, in the natural order of their names.
+    """Find the board positions recorded in ``folder``, in the natural order of their names.
 
-    Understood are: sightings as a project keeps them (with their read-backs, in the order they were taken), one folder for each camera, and images named by
-    camera and number, such as ``left01.png``; images of one number show the same position.
+    Supported layouts: board views of a project (with read-backs, in the order of acquisition), one folder per camera, and images
+    named by camera and number, such as ``left01.png``; images of one number show the same position.
 
     Raises
     ------
     InputError
         There is no such folder, no image in it, or two images of the same camera and number.
     StorageError
-        A sighting of a project is damaged.
+        A board view of a project is damaged.
     """
     if not folder.is_dir():
         raise InputError(f"There is no folder {folder}.", "Choose the folder that holds the images of the board.")
-    if board_views.stored(folder):
-        return _kept_by_a_project(folder)
+    if board_views.list_stored(folder):
+        return _of_project(folder)
     flat = _images_in(folder)
     named = flat or [path for place in sorted(folder.iterdir()) if place.is_dir() for path in _images_in(place)]
     if not named:
-        raise InputError(f"No images lie in {folder}.", HOW_TO_NAME)
+        raise InputError(f"There are no images in {folder}.", HOW_TO_NAME)
     positions: dict[str, dict[str, Path]] = defaultdict(dict)
     for path in named:
         camera, number = _camera_and_number(path, folder)
@@ -58,12 +58,12 @@ def find_recorded(folder: Path) -> tuple[RecordedPosition, ...]:
 
 
 def cameras_of(positions: tuple[RecordedPosition, ...]) -> tuple[str, ...]:
-    """Return the names of all cameras, in the order in which they appear."""
+    """Return the names of all cameras, in order of appearance."""
     return tuple(dict.fromkeys(camera for position in positions for camera in position.files))
 
 
-def _kept_by_a_project(folder: Path) -> tuple[RecordedPosition, ...]:
-    views = board_views.readbacks(folder)
+def _of_project(folder: Path) -> tuple[RecordedPosition, ...]:
+    views = board_views.load_readbacks(folder)
     return tuple(
         RecordedPosition(name, {camera: folder / name / f"{camera}.png" for camera in cameras}, readback)
         for name, (cameras, readback) in views.items()
@@ -76,7 +76,7 @@ def _images_in(folder: Path) -> list[Path]:
 
 
 def _camera_and_number(path: Path, folder: Path) -> tuple[str, str]:
-    """Take a name apart into camera and number; in a camera's own folder the whole name is the number."""
+    """Split a file name into camera and number; in a camera's own folder the whole name is the number."""
     if path.parent != folder:
         return path.parent.name, re.sub(rf"^{re.escape(path.parent.name)}[_\-. ]*", "", path.stem) or path.stem
     match = re.fullmatch(r"(.*?)[_\-. ]*(\d+)", path.stem)

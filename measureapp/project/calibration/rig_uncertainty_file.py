@@ -1,4 +1,4 @@
-"""What the calibration of a rig leaves open, as a file beside it: numbers only, no pickled objects."""
+"""Uncertainty of a rig calibration as a file next to it: numbers only, no pickled objects."""
 
 from __future__ import annotations
 
@@ -22,9 +22,7 @@ _NOT_ARRAYS = ("noise", "free")
 
 
 def write_rig_uncertainty(path: Path, rig: RigUncertainty) -> None:
-    """Write everything but the calibration itself as npz: ``chain.…``, ``state.…``, ``noise.…``, ``free.…``, ``cameras.…``,
-    ``by_cameras`` and ``covariance``.
-    """
+    """Write all but the calibration as npz: ``chain.…``, ``state.…``, ``noise.…``, ``free.…``, ``cameras.…``, ``by_cameras``, ``covariance``."""
     arrays: dict[str, Any] = {"schema_version": SCHEMA_VERSION, "covariance": rig.covariance}
     for part, noun in (("chain", rig.chain), ("state", rig.state)):
         values = {field.name: getattr(noun, field.name) for field in fields(noun) if field.name not in _NOT_ARRAYS}
@@ -51,7 +49,7 @@ def read_rig_uncertainty(path: Path, calibration: RigCalibration) -> RigUncertai
         known = LabelledCovariance(tuple(map(str, cameras["parameters"])), cameras["covariance"]) if cameras else None
         return RigUncertainty(calibration, chain, ChainState(**state), arrays["covariance"], known, arrays.get("by_cameras"))
     except (OSError, ValueError, KeyError, TypeError, EOFError, BadZipFile) as error:
-        raise StorageError(f"{path} cannot be read: {error}.", "Calibrate again, or delete this file to go on without it.") from error
+        raise StorageError(f"{path} cannot be read: {error}.", "Calibrate again, or delete this file to continue without it.") from error
 
 
 def _part(arrays: dict[str, Any], part: str) -> dict[str, Any]:

@@ -1,8 +1,8 @@
-"""Calibrations of a rig on disk. One is never changed: another takes its place, and the former stays beside it.
+"""Storage of rig calibrations. A calibration is never changed: a new one replaces it, and the former one is archived.
 
 calibration/cameras.json, rig.json   the calibration in use
-calibration/former/DAY-ID/           those before it
-calibration/history.jsonl            what scans and board checks said about each, a line each, only ever added to
+calibration/former/DAY-ID/           earlier ones
+calibration/history.jsonl            results of scans and board checks about each of them, one per line, append-only
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ from measureapp.project.calibration.camera_file import cameras_document, read_ca
 from measureapp.project.documents import calibration_id, digest, rig_calibration_document, rig_calibration_from
 
 CAMERAS, RIG, FORMER, HISTORY = "cameras.json", "rig.json", "former", "history.jsonl"
-RIG_UNCERTAINTY = "rig_uncertainty.npz"  # what the calibration leaves open, where that was kept
+RIG_UNCERTAINTY = "rig_uncertainty.npz"  # uncertainty of the calibration, if stored
 
 
 def save(folder: Path, calibration: RigCalibration) -> None:
-    """Keep a calibration; one made from other images is set aside, not overwritten."""
-    _set_aside(folder, calibration)
+    """Store a calibration; one made from other images is archived first."""
+    _archive(folder, calibration)
     (folder / RIG_UNCERTAINTY).unlink(missing_ok=True)
     cameras, rig = cameras_document(calibration.cameras), rig_calibration_document(calibration)
     write_cameras(folder / CAMERAS, calibration.cameras)
@@ -34,12 +34,12 @@ def save(folder: Path, calibration: RigCalibration) -> None:
 
 
 def load(folder: Path) -> RigCalibration | None:
-    """Return the calibration in use, if there is one.
+    """Load the calibration in use, if there is one.
 
     Raises
     ------
     StorageError
-        It is damaged, or a file was changed since it was stored.
+        It is damaged, or a file was modified since it was stored.
     """
     path = folder / RIG
     if not path.exists():
@@ -53,13 +53,13 @@ def load(folder: Path) -> RigCalibration | None:
         raise StorageError(f"{path} does not hold a calibration: {error}.", "Calibrate again.") from error
     if stored is not None and stored != found:
         raise StorageError(
-            f"The calibration in {folder} was changed after it was stored.", "Restore both of its files from a backup, or calibrate again."
+            f"The calibration in {folder} was modified after it was stored.", "Restore both of its files from a backup, or calibrate again."
         )
     return calibration
 
 
 def record(folder: Path, line: CheckRecord) -> None:
-    """Add a line to the history, unless it says what is there already; it is on disk when this returns."""
+    """Append a record to the history unless it is there already; it is on disk when this returns."""
     if line in history(folder):
         return
     path = folder / HISTORY
@@ -75,7 +75,7 @@ def record(folder: Path, line: CheckRecord) -> None:
 
 
 def history(folder: Path) -> tuple[CheckRecord, ...]:
-    """Return all lines of the history, oldest first; a line that a power cut left half-written is passed over."""
+    """Return the history, oldest record first; an incomplete line, as after a power cut, is skipped."""
     path = folder / HISTORY
     if not path.exists():
         return ()
@@ -89,14 +89,14 @@ def history(folder: Path) -> tuple[CheckRecord, ...]:
     return tuple(lines)
 
 
-def _set_aside(folder: Path, coming: RigCalibration) -> None:
+def _archive(folder: Path, coming: RigCalibration) -> None:
     try:
-        there = load(folder)
+        former = load(folder)
     except (StorageError, InputError):
-        there = None  # damaged: nothing that could serve again
-    if there is None or calibration_id(there) == calibration_id(coming):
+        former = None  # damaged: not worth archiving
+    if former is None or calibration_id(former) == calibration_id(coming):
         return
-    place = folder / FORMER / f"{there.provenance.created[:10] or 'undated'}-{calibration_id(there)}"
+    place = folder / FORMER / f"{former.provenance.created[:10] or 'undated'}-{calibration_id(former)}"
     place.mkdir(parents=True, exist_ok=True)
     for name in (CAMERAS, RIG, RIG_UNCERTAINTY):
         if (folder / name).exists():

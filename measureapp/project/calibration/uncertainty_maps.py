@@ -1,4 +1,4 @@
-"""Uncertainty maps as files: all numbers in an npz, and a picture of the images for people."""
+"""Files of uncertainty maps: the numbers as npz, and a colour picture."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def write_uncertainty(path: Path, found: UncertaintyMap) -> None:
 
 
 def write_uncertainty_picture(path: Path, found: UncertaintyMap) -> None:
-    """Draw the images of all cameras beside each other, dark where they are certain, as PNG."""
+    """Draw the maps of all cameras side by side as PNG, dark for small uncertainty."""
     largest = max(float(one.sigma_px.max()) for one in found.projection.values())
     tiles = [_tile(one, largest) for one in found.projection.values()]
     height = max(tile.shape[0] for tile in tiles)

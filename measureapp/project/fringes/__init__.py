@@ -1,1 +1,1 @@
-"""Fringe images that come from outside, the patterns they show, and what is known of cameras and projector."""
+"""Files of recorded fringe images, pattern sets, camera noise and projector responses."""

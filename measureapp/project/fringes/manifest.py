@@ -1,4 +1,4 @@
-"""`MANIFEST.toml`: recorded fringe images and what they show."""
+"""`MANIFEST.toml`: description of recorded fringe images."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ from measureapp.project.text_document import read_toml
 
 Images = dict[str, tuple[str, ...]]  # camera -> paths beside the manifest
 NOT_GIVEN = -1.0
-MOST_BEATING = 8  # pitches whose longest beat is searched for
+MOST_BEATING = 8  # greatest number of pitches for which the longest beat is searched
 
 
 class PhaseShiftEntry(Model):
-    """One group of equally shifted sinusoids; its pitch in projector pixels, or how many periods fill the projector.
+    """One group of phase-shifted sinusoids, with its pitch in projector pixels or its number of periods over the projector.
 
-    Periods of vertical fringes fill ``projector_px``, those of horizontal ones ``projector_rows``.
+    Periods of vertical fringes extend over ``projector_px``, those of horizontal ones over ``projector_rows``.
     """
 
     kind: Literal["phase-shift"]
@@ -38,7 +38,7 @@ class PhaseShiftEntry(Model):
     pitch_px: float | None = Field(default=None, gt=2)
     periods: float | None = Field(default=None, gt=0)
     projector_px: int | None = Field(default=None, gt=0)
-    steps: int | None = Field(default=None, ge=3, description="how many images there must be")
+    steps: int | None = Field(default=None, ge=3, description="number of images expected")
     images: Images = Field(min_length=1)
 
     @model_validator(mode="after")
@@ -55,7 +55,7 @@ class GrayCodeEntry(Model):
     direction: Direction = "vertical"
     complementary: bool = False
     projector_px: int | None = Field(default=None, gt=0)
-    planes: int | None = Field(default=None, ge=1, description="how many images there must be")
+    planes: int | None = Field(default=None, ge=1, description="number of images expected")
     images: Images = Field(min_length=1)
 
 
@@ -70,10 +70,10 @@ class ExposureEntry(Model):
 
 
 class FringeManifest(Model):
-    """The whole file.
+    """Contents of the file.
 
-    Where ``projector_px`` (``projector_rows`` for horizontal fringes) is given nowhere, the phase runs over the beat of the pitches
-    or the reach of the Gray code.
+    Without ``projector_px`` (``projector_rows`` for horizontal fringes) the phase extends over the beat of the pitches or the range
+    of the Gray code.
     """
 
     shift_sign: Literal[-1, 1] = -1
@@ -89,9 +89,9 @@ def read_manifest(path: Path) -> FringeStack:
     Raises
     ------
     InputError
-        The manifest or an image cannot be read, an entry is wrong or foreign, images are missing, repeated or do not fit each other.
+        The manifest or an image cannot be read, a field is invalid or unknown, or images are missing, repeated or inconsistent.
     DecodeError
-        The images do not determine the phase over the projector, or are not what the manifest says: repeated, blank, exchanged.
+        The images do not determine the phase over the projector, or contradict the manifest: repeated, blank, exchanged.
     """
     path = Path(path)
     manifest = parse_manifest(path)
@@ -110,13 +110,13 @@ def read_manifest(path: Path) -> FringeStack:
 
 
 def read_layout(path: Path) -> tuple[PatternSet, tuple[str, ...]]:
-    """Return which patterns a manifest says were projected, and the cameras, without reading an image; raises as `read_manifest`."""
+    """Read pattern set and camera names of a manifest without its images; raises as `read_manifest`."""
     manifest = parse_manifest(path)
     return _layout(path, manifest, _exposures(path, manifest))
 
 
 def _exposures(path: Path, manifest: FringeManifest) -> list[ExposureEntry]:
-    """Return the exposures from long to short, after checking that all show the same."""
+    """Return the exposures from long to short, after checking that all have the same patterns."""
     exposures = [_vertical_first(entry) for entry in sorted(manifest.exposure, key=lambda entry: -entry.exposure_us)]
     _check_same(path, exposures)
     return exposures
@@ -129,12 +129,12 @@ def _layout(path: Path, manifest: FringeManifest, exposures: list[ExposureEntry]
 
 
 def manifest_files(path: Path) -> tuple[Path, ...]:
-    """Return every image a manifest names. Raises InputError as `parse_manifest`."""
+    """Return all image files of a manifest. Raises InputError as `parse_manifest`."""
     return tuple(_files(path, list(parse_manifest(path).exposure)))
 
 
 def parse_manifest(path: Path) -> FringeManifest:
-    """Read the file alone, without its images; raises InputError."""
+    """Parse the manifest without its images; raises InputError."""
     document = read_toml(path, "Give the path of a MANIFEST.toml.")
     try:
         return FringeManifest.model_validate(document)
@@ -150,7 +150,7 @@ def _vertical_first(entry: ExposureEntry) -> ExposureEntry:
 
 
 def _check_same(path: Path, exposures: list[ExposureEntry]) -> None:
-    """Raise InputError unless every exposure has the same groups, cameras and numbers of images, and names no image twice."""
+    """Raise InputError unless all exposures have the same groups, cameras and numbers of images, and no image occurs twice."""
     times = [entry.exposure_us for entry in exposures]
     if len(set(times)) < len(times):
         raise InputError(f"{path}: two exposures have the same exposure_us.", "Give each exposure once.")
@@ -171,18 +171,18 @@ def _check_same(path: Path, exposures: list[ExposureEntry]) -> None:
 
 
 def _check_files(path: Path, exposures: list[ExposureEntry]) -> None:
-    """Raise InputError when an image is missing, or is named twice by whatever path; before the first of them is read."""
+    """Raise InputError for a missing image, or one that occurs twice by any path, before the first one is read."""
     files = list(_files(path, exposures))
     missing = [file for file in files if not file.exists()]
     if missing:
         others = f", and {len(missing) - 1} more of the {len(files)} images" if len(missing) > 1 else ""
         raise InputError(
             f"{path}: image {missing[0]} cannot be read: it does not exist{others}.",
-            "Correct the paths, which start from the manifest's folder, or copy the images there.",
+            "Correct the paths, which are relative to the manifest's folder, or copy the images there.",
         )
     repeated = [file for file, count in Counter(file.resolve() for file in files).items() if count > 1]
     if repeated:
-        raise InputError(f"{path} names the image {repeated[0]} more than once.", "Give every image its own place.")
+        raise InputError(f"{path} names the image {repeated[0]} more than once.", "Use every image once.")
 
 
 def _check_group(place: str, group: PhaseShiftEntry | GrayCodeEntry, model: PhaseShiftEntry | GrayCodeEntry) -> None:
@@ -196,7 +196,7 @@ def _check_group(place: str, group: PhaseShiftEntry | GrayCodeEntry, model: Phas
     stated = group.steps if group.kind == "phase-shift" else group.planes
     if stated is not None and set(counts.values()) != {stated}:
         word = "steps" if group.kind == "phase-shift" else "planes"
-        raise InputError(f"{place} has {min(counts.values())} images and says {word} = {stated}.", f"Name {stated} images, in order.")
+        raise InputError(f"{place} has {min(counts.values())} images but {word} = {stated}.", f"Name {stated} images, in order.")
     expected = {camera: len(files) for camera, files in model.images.items()}
     if counts != expected or group.model_copy(update={"images": {}}) != model.model_copy(update={"images": {}}):
         raise InputError(f"{place} differs from the group of the longest exposure.", "Record the same patterns at every exposure.")
@@ -230,7 +230,7 @@ def _patterns(path: Path, manifest: FringeManifest, entries: tuple[PhaseShiftEnt
 def _along(
     path: Path, entries: list[PhaseShiftEntry | GrayCodeEntry], extent_px: int | None, word: str
 ) -> tuple[int, tuple[PatternGroup, ...]]:
-    """Return the columns or rows that the groups of one direction run over, and the groups."""
+    """Return the extent in columns or rows of the groups of one direction, and the groups."""
     of_groups = {entry.projector_px for entry in entries if entry.projector_px is not None}
     if of_groups and word != "projector_px":
         raise InputError(f"{path}: a group of horizontal fringes has projector_px.", f"Give {word}, at the top of the file.")
@@ -239,7 +239,7 @@ def _along(
         raise InputError(f"{path} gives different {word}: {sorted(given)}.", "Give one value, at the top of the file.")
     extent_px = next(iter(given), None)
     groups = tuple(_group(path, entry, extent_px, word) for entry in entries)
-    return extent_px or _reach_px(path, groups), groups
+    return extent_px or _unambiguous_px(path, groups), groups
 
 
 def _group(path: Path, entry: PhaseShiftEntry | GrayCodeEntry, extent_px: int | None, word: str) -> PatternGroup:
@@ -249,15 +249,15 @@ def _group(path: Path, entry: PhaseShiftEntry | GrayCodeEntry, extent_px: int | 
     if entry.pitch_px is not None:
         return PhaseShiftGroup(pitch_px=entry.pitch_px, steps=count, direction=entry.direction)
     if extent_px is None:
-        raise InputError(f"{path}: `periods` needs `{word}`, the length they fill.", f"Add {word} at the top of the file.")
+        raise InputError(f"{path}: `periods` needs `{word}`, the length they extend over.", f"Add {word} at the top of the file.")
     pitch_px = extent_px / (entry.periods or NOT_GIVEN)
     if pitch_px <= 2:
-        raise InputError(f"{path}: {entry.periods:g} periods over {extent_px} px are finer than 2 px.", f"Correct periods or {word}.")
+        raise InputError(f"{path}: {entry.periods:g} periods over {extent_px} px give a pitch below 2 px.", f"Correct periods or {word}.")
     return PhaseShiftGroup(pitch_px=pitch_px, steps=count, direction=entry.direction)
 
 
-def _reach_px(path: Path, groups: tuple[PatternGroup, ...]) -> int:
-    """Return how many columns or rows the groups can tell apart: the Gray code's reach, or the longest beat of the pitches."""
+def _unambiguous_px(path: Path, groups: tuple[PatternGroup, ...]) -> int:
+    """Return the unambiguous range in columns or rows: that of the Gray code, or the longest beat of the pitches."""
     pitches = [group.pitch_px for group in groups if isinstance(group, PhaseShiftGroup)]
     if not pitches:
         raise InputError(f"{path} has no phase-shift group.", "Add the shifted sinusoids.")
@@ -265,9 +265,7 @@ def _reach_px(path: Path, groups: tuple[PatternGroup, ...]) -> int:
         if isinstance(group, GrayCodeGroup):
             return int(2 ** (group.planes - int(group.complementary)) * min(pitches))
     if len(pitches) == 1:
-        raise InputError(
-            f"{path}: a single pitch of {pitches[0]:g} px does not tell the periods apart.", "Add a second pitch or a Gray code."
-        )
+        raise InputError(f"{path}: a single pitch of {pitches[0]:g} px leaves the period ambiguous.", "Add a second pitch or a Gray code.")
     if len(pitches) > MOST_BEATING:
         raise InputError(f"{path}: {len(pitches)} pitches need projector_px.", "Add projector_px (projector_rows for horizontal fringes).")
     frequencies = [abs(float(np.dot(factors, 1 / np.array(pitches)))) for factors in product((-1, 0, 1), repeat=len(pitches))]
@@ -275,7 +273,7 @@ def _reach_px(path: Path, groups: tuple[PatternGroup, ...]) -> int:
 
 
 def _read_camera(path: Path, exposures: list[ExposureEntry], camera: str) -> ImageArray:
-    """Read the images of one camera into one array (exposures, patterns, height, width), on all processors."""
+    """Read the images of one camera into one array (exposures, patterns, height, width), in parallel."""
     files = [path.parent / file for entry in exposures for group in entry.group for file in group.images[camera]]
     first = read_image(files[0])
     stack = np.empty((len(exposures), len(files) // len(exposures), *first.shape), first.dtype)
@@ -297,7 +295,7 @@ def _check_image(file: Path, image: ImageArray, first: Path, stack: ImageArray) 
     if image.shape != (height, width):
         raise InputError(
             f"Image {file} has {image.shape[1]} × {image.shape[0]} px, {first.name} has {width} × {height} px.",
-            "All images of a camera must have one size.",
+            "Use images of one size for each camera.",
         )
     if image.dtype != stack.dtype:
         raise InputError(
@@ -314,7 +312,7 @@ def _saturation(path: Path, manifest: FringeManifest, images: dict[str, ImageArr
     if manifest.saturation is None:
         if depths == {8}:
             return 255
-        raise InputError(f"{path}: 16-bit images need `saturation`.", "Add the level of a saturated pixel: 1023, 4095 or 65535.")
+        raise InputError(f"{path}: 16-bit images need `saturation`.", "Add the grey level of a saturated pixel: 1023, 4095 or 65535.")
     if manifest.saturation > largest + 1:
         raise InputError(f"{path}: saturation = {manifest.saturation}, but the images have {depths.pop()} bit.", f"Give at most {largest}.")
     return manifest.saturation

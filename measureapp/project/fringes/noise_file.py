@@ -1,4 +1,4 @@
-"""Noise models of cameras on disk, and the flat images they are estimated from."""
+"""Files of camera noise models, and the flat-field images they are estimated from."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from measureapp.fringe.noise.photon_transfer import NoiseEstimate
 from measureapp.project.atomic import write_json
 from measureapp.project.images import read_image
 
-SAME_LEVEL, SAME_LEVEL_GREY = 0.02, 0.5  # by which the brightness of images of one level may differ
+SAME_LEVEL, SAME_LEVEL_GREY = 0.02, 0.5  # greatest relative and absolute difference in brightness of images of one level
 TAKE_FLATS = "Measure the noise again with `measureapp noise`."
 
 
 class NoiseEntry(Model):
-    """One camera: its model, how sure it is, and how well it fits."""
+    """Noise model of one camera with its standard deviations and goodness of fit."""
 
     noise: CameraNoise
     saturation: float = Field(gt=0)
@@ -37,19 +37,19 @@ class NoiseEntry(Model):
 
 
 class NoiseFile(Model):
-    """The whole file."""
+    """Contents of the file."""
 
     schema_version: Literal[1] = 1
     cameras: dict[str, NoiseEntry] = Field(min_length=1)
 
 
 def entry_of(estimate: NoiseEstimate) -> NoiseEntry:
-    """Return what is kept of an estimate."""
+    """Return the entry of an estimate."""
     return NoiseEntry(**{name: getattr(estimate, name) for name in NoiseEntry.model_fields})
 
 
 def write_noise(path: Path, estimates: Mapping[str, NoiseEstimate]) -> None:
-    """Write the noise models of cameras, whole or not at all. Raises StorageError."""
+    """Write the noise models of cameras, atomically. Raises StorageError."""
     write_json(path, NoiseFile(cameras={name: entry_of(estimate) for name, estimate in estimates.items()}).model_dump(mode="json"))
 
 
@@ -59,7 +59,7 @@ def read_noise(path: Path) -> dict[str, CameraNoise]:
     Raises
     ------
     InputError
-        The file cannot be read, is no noise file, or says itself that a camera's images did not fit the model.
+        The file cannot be read, is not a noise file, or contains a model that was rejected.
     """
     try:
         file = NoiseFile.model_validate(json.loads(path.read_text(encoding="utf-8")))
@@ -71,12 +71,12 @@ def read_noise(path: Path) -> dict[str, CameraNoise]:
         raise InputError(f"{path} is not JSON.", TAKE_FLATS) from error
     poor = [f"{name}: {entry.verdict}" for name, entry in file.cameras.items() if not entry.accepted]
     if poor:
-        raise InputError(f"{path} holds noise models that do not describe their camera ({'; '.join(poor)}).", TAKE_FLATS)
+        raise InputError(f"{path} contains noise models that do not fit their camera ({'; '.join(poor)}).", TAKE_FLATS)
     return {name: entry.noise for name, entry in file.cameras.items()}
 
 
 def read_flats(pattern: str) -> dict[str, ImageArray]:
-    """Read the images whose paths match ``pattern`` (with ``*``, ``?`` or ``**``), by path in the order of their names.
+    """Read the images whose paths match ``pattern`` (with ``*``, ``?`` or ``**``), sorted by path.
 
     Raises
     ------
@@ -96,12 +96,12 @@ def read_flats(pattern: str) -> dict[str, ImageArray]:
 
 
 def brightness_levels(images: Mapping[str, ImageArray]) -> list[ImageArray]:
-    """Group flat images by their mean into levels, (n ≥ 2, H, W) each.
+    """Group flat-field images by their mean into levels, (n ≥ 2, H, W) each.
 
     Raises
     ------
     InputError
-        An image has no other of its brightness; names it and the nearest.
+        An image is the only one of its brightness; names it and the nearest.
     """
     means = {file: float(image.mean(dtype=np.float64)) for file, image in images.items()}
     ordered = sorted(images, key=lambda file: means[file])
@@ -114,16 +114,16 @@ def brightness_levels(images: Mapping[str, ImageArray]) -> list[ImageArray]:
             groups.append([file])
     for group in groups:
         if len(group) == 1:
-            raise _alone(group[0], ordered, means)
+            raise _single_image(group[0], ordered, means)
     return [np.stack([images[file] for file in group]) for group in groups]
 
 
-def _alone(file: str, ordered: Sequence[str], means: Mapping[str, float]) -> InputError:
+def _single_image(file: str, ordered: Sequence[str], means: Mapping[str, float]) -> InputError:
     others = [other for other in ordered if other != file]
     if not others:
         return InputError(f"{file} is the only image.", "Take at least two images of each of several brightnesses.")
     nearest = min(others, key=lambda other: abs(means[other] - means[file]))
     return InputError(
-        f"{file} has no other image of its brightness ({means[file]:.2f} grey levels): the nearest, {nearest}, has {means[nearest]:.2f}.",
-        "Take at least two images of every brightness with a steady lamp.",
+        f"{file} is the only image of its brightness ({means[file]:.2f} grey levels); the nearest, {nearest}, has {means[nearest]:.2f}.",
+        "Take at least two images of every brightness in constant light.",
     )

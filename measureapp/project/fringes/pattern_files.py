@@ -1,4 +1,4 @@
-"""Pattern sets on disk: read from TOML or JSON, written as PNG images for a real projector."""
+"""Files of pattern sets: definitions in TOML or JSON, images as PNG for a real projector."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pydantic import ValidationError
 from measureapp.arrays import ImageArray
 from measureapp.data.fringe import PatternSet, PhaseShiftGroup
 from measureapp.data.model import first_problem
-from measureapp.data.pattern_sets import made_for
+from measureapp.data.pattern_sets import make_pattern_sets
 from measureapp.errors import InputError, StorageError
 from measureapp.project.atomic import replacing, write_json, write_text
 from measureapp.project.text_document import read_toml_or_json
@@ -23,20 +23,20 @@ LIST, SKELETON = "patterns.json", "MANIFEST.toml"
 
 
 def read_pattern_set(name_or_path: str, width_px: int, height_px: int) -> PatternSet:
-    """Return the set of this name made for a projector, or the one described by a TOML or JSON file.
+    """Return the predefined set of this name for a projector, or the one defined in a TOML or JSON file.
 
-    A file holds the fields of a `PatternSet`: name, projector_px, projector_rows, shift_sign and groups; or it is the
+    A file contains the fields of a `PatternSet`: name, projector_px, projector_rows, shift_sign and groups; or it is the
     `patterns.json` of an export.
 
     Raises
     ------
     InputError
-        The name is not known, the file cannot be read or has a wrong field, or no projector has this size.
+        The name is unknown, the file cannot be read or has an invalid field, or the projector's size is invalid.
     """
     check_size(width_px, height_px)
     path = Path(name_or_path)
     if not path.suffix:
-        named = made_for(width_px, height_px)
+        named = make_pattern_sets(width_px, height_px)
         if name_or_path not in named:
             raise InputError(f"There is no pattern set {name_or_path!r}.", f"Give a file, or one of: {', '.join(named)}.")
         return named[name_or_path]
@@ -50,34 +50,35 @@ def read_pattern_set(name_or_path: str, width_px: int, height_px: int) -> Patter
 
 
 def check_size(width_px: int, height_px: int) -> None:
-    """Raise InputError for a projector that cannot be."""
+    """Raise InputError for an invalid projector size."""
     if not (min(width_px, height_px) >= LEAST_PROJECTOR_PX and max(width_px, height_px) <= MOST_PROJECTOR_PX):
         raise InputError(
-            f"A projector of {width_px} × {height_px} px cannot be.", f"Give {LEAST_PROJECTOR_PX} to {MOST_PROJECTOR_PX} px each way."
+            f"A projector of {width_px} × {height_px} px is not supported.",
+            f"Give {LEAST_PROJECTOR_PX} to {MOST_PROJECTOR_PX} px for width and height.",
         )
 
 
 def export_patterns(
     folder: Path, patterns: PatternSet, images: ImageArray, response_name: str | None, cameras: Sequence[str], exposures_us: Sequence[int]
 ) -> list[Path]:
-    """Write numbered PNG images, `patterns.json` that says what each shows, and `MANIFEST.toml` to record what cameras see of them.
+    """Write numbered PNG images, `patterns.json` that describes them, and a `MANIFEST.toml` for recordings of them.
 
     Parameters
     ----------
     images : (P, height, width) uint8, from `pattern_images`
-    response_name : of the projector response they are corrected for; None: not corrected
-    cameras, exposures_us : for the skeleton, which expects the image of pattern 7 at <camera>/<exposure_us>/007.png
+    response_name : projector response for which they are corrected; None: not corrected
+    cameras, exposures_us : for the manifest, which expects the image of pattern 7 at <camera>/<exposure_us>/007.png
 
     Raises
     ------
     StorageError
-        The folder cannot be written to, or holds something else.
+        The folder cannot be written to, or contains something else.
     """
     folder = Path(folder)
     foreign = [file.name for file in folder.iterdir() if not _ours(file)] if folder.is_dir() else []
     if foreign:
-        raise StorageError(f"{folder} holds something else: {sorted(foreign)[0]}.", "Give a new or empty folder.")
-    shown = list(described(patterns))
+        raise StorageError(f"{folder} contains another file: {sorted(foreign)[0]}.", "Give a new or empty folder.")
+    shown = list(describe_images(patterns))
     files = []
     for entry, image in zip(shown, images, strict=True):
         file = folder / str(entry["file"])
@@ -99,8 +100,8 @@ def export_patterns(
     return files
 
 
-def described(patterns: PatternSet) -> Iterator[dict[str, Any]]:
-    """Say of every image, in the order of projection: file, kind, direction, and pitch, step and shift, or plane."""
+def describe_images(patterns: PatternSet) -> Iterator[dict[str, Any]]:
+    """Describe every image in the order of projection: file, kind, direction, and pitch, step and shift, or plane."""
     number = 0
     for group in patterns.groups:
         for n in range(group.count):
@@ -115,9 +116,9 @@ def described(patterns: PatternSet) -> Iterator[dict[str, Any]]:
 
 
 def manifest_skeleton(patterns: PatternSet, cameras: Sequence[str], exposures_us: Sequence[int]) -> str:
-    """Return the MANIFEST.toml of recordings of these patterns."""
+    """Return a MANIFEST.toml for recordings of these patterns."""
     lines = [
-        "# What cameras saw of the patterns beside this file. Store the image of pattern 007 at <camera>/<exposure_us>/007.png, and",
+        "# Recordings of the patterns in this folder. Store the image of pattern 007 as <camera>/<exposure_us>/007.png, and",
         "# add `saturation`, the grey level of a saturated pixel, for images of more than 8 bit.",
         f"shift_sign = {patterns.shift_sign}",
         f"projector_px = {patterns.projector_px}",

@@ -1,4 +1,4 @@
-"""Phase maps on disk: NumPy archives that other programs can read."""
+"""Files of phase maps: NumPy archives."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from measureapp.project.atomic import replacing
 
 
 def write_phase_map(path: Path, phase_map: PhaseMap) -> None:
-    """Write an `.npz`, whole or not at all. Raises StorageError.
+    """Write an `.npz`, atomically. Raises StorageError.
 
-    `mask` holds the `PixelState` of every pixel (0: valid), `snr` modulation over noise, `exposure_index` the exposure taken. The map
-    of horizontal fringes of a set with both directions has the same names with `across_` before them.
+    `mask` is the `PixelState` of every pixel (0: valid), `snr` modulation over noise, `exposure_index` the exposure used. The map of
+    the orthogonal fringes of a set with both directions has the same names with the prefix `across_`.
     """
     with replacing(path) as temporary, temporary.open("wb") as file:
         np.savez(file, **_arrays(phase_map, ""))

@@ -1,4 +1,4 @@
-"""Recorded fringes on the board: one manifest per position of it."""
+"""Recorded fringes on the board: one manifest per board position."""
 
 from __future__ import annotations
 
@@ -13,28 +13,28 @@ from measureapp.project.fringes.manifest import read_layout, read_manifest
 from measureapp.project.tables import natural_order
 
 MANIFEST = "MANIFEST.toml"
-HOW_TO_LAY = f"Give every position of the board a folder with its images and a {MANIFEST}: `measureapp patterns export` writes patterns and manifest."
+HOW_TO_LAY = f"Use one folder per board position, with its images and a {MANIFEST} as written by `measureapp patterns export`."
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RecordedFringes:
-    """All positions, in the natural order of their names."""
+    """Recorded fringes of all board positions, in the natural order of their names."""
 
     manifests: tuple[Path, ...]
     cameras: tuple[str, ...]  # of the first position
-    projector_px: tuple[int, int]  # width and height over which the fringes of the first position run
+    projector_px: tuple[int, int]  # width and height spanned by the fringes of the first position
 
     def read(self, position: int) -> FringeStack:
         """Read all images of one position. Raises InputError, DecodeError as `read_manifest`."""
         return read_manifest(self.manifests[position])
 
     def name(self, position: int) -> str:
-        """Return what a position is called: as its folder is."""
+        """Return the name of a position, which is that of its folder."""
         return self.manifests[position].resolve().parent.name
 
 
 def fringes_in(folder: Path) -> RecordedFringes:
-    """Return the positions recorded in the folders of ``folder``.
+    """Find the board positions recorded in subfolders of ``folder``.
 
     Raises
     ------
@@ -47,12 +47,12 @@ def fringes_in(folder: Path) -> RecordedFringes:
         raise InputError(f"There is no folder {folder}.", "Choose the folder that holds the fringe images of the board.")
     found = [*folder.glob(MANIFEST), *folder.glob(f"*/{MANIFEST}")]
     if not found:
-        raise InputError(f"No {MANIFEST} lies in {folder} or its folders.", HOW_TO_LAY)
+        raise InputError(f"There is no {MANIFEST} in {folder} or its subfolders.", HOW_TO_LAY)
     return _recorded(found)
 
 
 def fringes_named(patterns: Sequence[str]) -> RecordedFringes:
-    """Return the positions whose manifests match patterns such as ``fringes/*/MANIFEST.toml``; raises as `fringes_in`."""
+    """Find the board positions whose manifests match patterns such as ``fringes/*/MANIFEST.toml``; raises as `fringes_in`."""
     found: list[Path] = []
     for pattern in patterns:
         matching = [Path(path) for path in glob.glob(pattern)]  # noqa: PTH207
@@ -67,7 +67,7 @@ def _recorded(found: Sequence[Path]) -> RecordedFringes:
     patterns, cameras = read_layout(manifests[0])
     if len(patterns.directions) < 2 or patterns.projector_rows is None:
         raise CalibrationError(
-            f"{manifests[0]} has {patterns.directions[0]} fringes only; the projector needs those of both directions.",
-            "Record vertical and horizontal fringes at every position: `measureapp patterns export` writes such a set.",
+            f"{manifests[0]} has {patterns.directions[0]} fringes only; the projector calibration needs both directions.",
+            "Record vertical and horizontal fringes at every position, for example a set named …-both of `measureapp patterns export`.",
         )
     return RecordedFringes(manifests, cameras, (patterns.projector_px, patterns.projector_rows))

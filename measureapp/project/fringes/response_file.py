@@ -1,4 +1,4 @@
-"""Projector responses on disk (JSON), and grey ramps (CSV)."""
+"""Files of projector responses (JSON) and grey ramps (CSV)."""
 
 from __future__ import annotations
 
@@ -25,24 +25,24 @@ class _ResponseFile(Model):
 
 
 def write_response(path: Path, response: ProjectorResponse) -> None:
-    """Write a response as JSON, whole or not at all; raises StorageError."""
+    """Write a response as JSON, atomically; raises StorageError."""
     write_json(path, {"schema_version": 1, "response": response.model_dump(mode="json")})
 
 
 def read_response(path: Path) -> ProjectorResponse:
-    """Read a response; raises InputError naming the file and the field that is wrong."""
+    """Read a response; raises InputError naming the file and the invalid field."""
     try:
         return _ResponseFile.model_validate(json.loads(Path(path).read_text(encoding="utf-8"))).response
     except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give a file that `measureapp response` wrote.") from error
+        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give a file written by `measureapp response`.") from error
     except ValidationError as error:
-        raise InputError(f"{path}: {first_problem(error, 'the response')}.", "Give a file that `measureapp response` wrote.") from error
+        raise InputError(f"{path}: {first_problem(error, 'the response')}.", "Give a file written by `measureapp response`.") from error
     except (ValueError, RecursionError) as error:
-        raise InputError(f"{path} is not JSON: {error}.", "Give a file that `measureapp response` wrote.") from error
+        raise InputError(f"{path} is not JSON: {error}.", "Give a file written by `measureapp response`.") from error
 
 
 def read_ramp(path: Path) -> tuple[FloatArray, FloatArray]:
-    """Read the levels shown (N,) and the mean grey measured (N,) from a CSV with the columns level and grey; raises InputError."""
+    """Read projected levels (N,) and measured mean grey levels (N,) from a CSV with the columns level and grey; raises InputError."""
     hint = "Write a CSV with the columns level (0…255) and grey, one line for each image of the ramp."
     try:
         with Path(path).open(encoding="utf-8", newline="") as file:

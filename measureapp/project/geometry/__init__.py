@@ -1,1 +1,1 @@
-"""Clouds, meshes and deviations in the formats of other programs; a damaged file is refused in words."""
+"""Files of clouds, meshes and deviations; damaged files are refused with a reason."""

@@ -1,4 +1,4 @@
-"""Deviations as files for other programs: sections as tables or JSON, the coloured nominal as PLY."""
+"""Files of deviations: sections as CSV or JSON, the coloured nominal as PLY."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ COLUMNS = ("section", "curve", "number", "x_mm", "y_mm", "z_mm", "deviation_mm")
 
 
 def write_sections(path: Path, sections: Sequence[Section], alignment: str) -> None:
-    """Write sections as CSV (a line per point; nominal points have no deviation) or JSON, by the file's ending; raises InputError."""
+    """Write sections as CSV (one line per point; nominal points have no deviation) or JSON, by the file extension; raises InputError."""
     if path.suffix.lower() == ".json":
         write_json(path, {"schema_version": 1, "alignment": alignment, "sections": [_document(one) for one in sections]})
     elif path.suffix.lower() == ".csv":
@@ -31,7 +31,7 @@ def write_sections(path: Path, sections: Sequence[Section], alignment: str) -> N
         table.writerows(row for one in sections for row in _rows(one))
         write_text(path, text.getvalue())
     else:
-        raise InputError(f"{path} has no ending that says how sections are written.", "Name a file that ends in .csv or .json.")
+        raise InputError(f"Sections cannot be written as {path}.", "Name a file that ends in .csv or .json.")
 
 
 def _document(one: Section) -> dict[str, Any]:
@@ -52,9 +52,9 @@ def _rows(one: Section) -> Iterator[list[Any]]:
 
 
 def write_deviation_map(path: Path, made: DeviationMap, colours: FloatArray, alignment: str) -> None:
-    """Write the nominal with `deviation_mm`, `measured` (1 or 0) and a colour at each vertex; raises InputError for another ending than .ply."""
+    """Write the nominal as PLY with `deviation_mm`, `measured` (1 or 0) and a colour per vertex; raises InputError for another extension."""
     if path.suffix.lower() != ".ply":
-        raise InputError(f"{path} does not end in .ply.", "The coloured nominal is written as PLY.")
+        raise InputError(f"{path} does not end in .ply.", "Name a .ply file for the coloured nominal.")
     places = made.mesh.vertices_mm.astype(np.float32)
     shades = np.round(255 * np.clip(colours, 0, 1)).astype(np.uint8)
     vertex = {

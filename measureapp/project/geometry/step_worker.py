@@ -1,6 +1,6 @@
-"""Triangles of a STEP file as a program of its own: `python step_worker.py in.step out.npz CHORD_MM ANGLE_RAD BYTES`.
+"""Tessellation of a STEP file as a separate program: `python step_worker.py in.step out.npz CHORD_MM ANGLE_RAD BYTES`.
 
-Started by `measureapp.project.geometry.step_files`. It needs nothing of the application, so that it starts from its file alone.
+Started by `measureapp.project.geometry.step_files`. It imports nothing from the application, so that it starts from its file alone.
 """
 
 from __future__ import annotations
@@ -11,11 +11,11 @@ from pathlib import Path
 import numpy as np
 
 EXIT_OUT_OF_MEMORY, EXIT_NO_SURFACE = 3, 4
-MM_PER_GLTF_UNIT = 1000.0  # glTF 2.0 is in metres; OpenCASCADE converts from the unit that the file states
+MM_PER_GLTF_UNIT = 1000.0  # glTF 2.0 is in metres; OpenCASCADE converts from the unit of the file
 
 
 def main(arguments: list[str]) -> int:
-    """Write vertices in mm (V, 3) and triangles (T, 3) of the first file to the second; returns the exit code."""
+    """Write vertices in mm (V, 3) and triangles (T, 3) of the STEP file to the npz file; return the exit code."""
     source, target, chord_mm, angle_rad, limit = arguments
     _limit_memory(int(limit))
     import cascadio
@@ -38,7 +38,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _limit_memory(limit_bytes: int) -> None:
-    """Let allocations beyond ``limit_bytes`` fail; Windows has no such limit for a process alone."""
+    """Limit the address space to ``limit_bytes``; not available on Windows."""
     try:
         import resource
     except ImportError:

@@ -86,14 +86,14 @@ def _equations(
     count = len(points_mm)
     reference = cameras.cameras[names[0]].pinhole
     phase, sigma, slope, good = _read(maps[names[0]], pixels)
-    _, by_point = reference.project_with_slopes(points_mm)
+    _, by_point = reference.project_with_jacobian(points_mm)
     made = _Equations(good, np.zeros((count, len(names), 3)))
     made.own[:, 0] = _across(slope, by_point @ _turning(points_mm))
     rays = points_mm / points_mm[:, 2:]
     for number, name in enumerate(names[1:], start=1):
         inside = cameras.cameras[name].reference_from_camera.inverse()
         local = inside.apply(points_mm)
-        at, by_point = cameras.cameras[name].pinhole.project_with_slopes(local)
+        at, by_point = cameras.cameras[name].pinhole.project_with_jacobian(local)
         theirs, their_sigma, their_slope, good = _read(maps[name], at)
         steep = np.maximum(np.linalg.norm(their_slope, axis=1), 1e-9)
         by_turn = np.zeros((count, 3 * len(names)))

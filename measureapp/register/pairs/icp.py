@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.register.pairs.prepare import GICP_NEIGHBOURS, PreparedCloud
 from measureapp.register.pairs.smooth_errors import smooth_errors
 
@@ -83,7 +83,7 @@ def gicp(target: tuple[Any, Any], source: tuple[Any, Any], start: RigidTransform
     )  # fmt: skip
     if result.num_inliers < LEAST_MATCHES or not np.isfinite(result.T_target_source).all():
         return start
-    return RigidTransform(orthonormalised(result.T_target_source), start.to_frame, start.from_frame)
+    return RigidTransform(orthonormalise(result.T_target_source), start.to_frame, start.from_frame)
 
 
 def register_pair(

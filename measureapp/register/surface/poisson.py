@@ -14,7 +14,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray
-from measureapp.child_process import how_it_ended
+from measureapp.child_process import describe_exit
 from measureapp.errors import RegistrationError
 from measureapp.progress import Progress
 from measureapp.register.surface.poisson_worker import EXIT_OUT_OF_MEMORY
@@ -86,4 +86,4 @@ def _reason(code: int, told: Path) -> str:
     """Say in words how a process ended without a surface."""
     if code == EXIT_OUT_OF_MEMORY:
         return "the memory did not suffice"
-    return how_it_ended(code, told)
+    return describe_exit(code, told)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from measureapp.calibrate.cameras.drift import DRIFTED_FACTOR, WATCH_FACTOR, camera_drift
-from measureapp.data.camera_shift import ShiftEvidence, together
+from measureapp.data.camera_shift import ShiftEvidence, sum_evidence
 
 NAMES = ("left", "right", "upper")
 FOCAL_PX, SIGMA_PX, SAMPLES = 2000.0, 0.1, 2000
@@ -114,7 +114,7 @@ def test_without_evidence_nothing_is_claimed(calibrated):
 
 def test_the_evidence_of_views_adds_up(generator):
     views = [evidence(generator, {"upper": turn_of(0.4)}) for _ in range(2)]
-    whole = together(views)
+    whole = sum_evidence(views)
     np.testing.assert_allclose(whole.information, views[0].information + views[1].information)
     assert (whole.samples, whole.freedom) == (2 * SAMPLES, 2 * SAMPLES)
     np.testing.assert_allclose(whole.image_px2, views[0].image_px2)

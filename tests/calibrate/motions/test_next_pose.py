@@ -12,7 +12,7 @@ from measureapp.calibrate.motions.hand_eye import HandEyeProblem, solve
 from measureapp.calibrate.motions.next_pose import propose
 from measureapp.calibrate.poses import moved
 from measureapp.errors import CalibrationError
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 
 X = RigidTransform.from_vector([0.2, -1.2, 0.3], [100, -150, 80], "flange", "camera")
 BASE_FROM_BOARD = RigidTransform.from_vector([2.0, 0.3, -0.4], [600, 50, 100], "base", "board")
@@ -34,7 +34,7 @@ def reachable(generator, count, largest_rad):
 def seen_from(flange, generator):
     """Return the board pose seen when the robot, told to stand at ``flange``, stands beside it."""
     error = generator.normal(size=6) * [*[NOISE.robot_rad] * 3, *[NOISE.robot_mm] * 3]
-    true = RigidTransform(orthonormalised(flange.matrix @ moved(np.eye(4), error)), "base", "flange")
+    true = RigidTransform(orthonormalise(flange.matrix @ moved(np.eye(4), error)), "base", "flange")
     seen = (true @ X).inverse() @ BASE_FROM_BOARD
     change = generator.normal(size=6) * [*[BOARD_RAD] * 3, *[BOARD_MM] * 3]
     return stated_pose(RigidTransform(moved(seen.matrix, change), "camera", "board"), BOARD_RAD, BOARD_MM)

@@ -14,7 +14,7 @@ from measureapp.calibrate.rig.quick_check import quick_check
 from measureapp.data.calibration import HandEye, LinearGuide, RigCalibration, RotationAxis
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError
-from measureapp.geometry.transform import RigidTransform, orthonormalised
+from measureapp.geometry.transform import RigidTransform, orthonormalise
 
 STATES = [
     (-25, 30, 0, -120.0, 0),
@@ -54,7 +54,7 @@ def test_a_calibration_that_holds_is_good(rig, calibration, views):
 
 
 def knocked(transform, change):
-    return RigidTransform(orthonormalised(moved(transform.matrix, np.array(change))), transform.to_frame, transform.from_frame)
+    return RigidTransform(orthonormalise(moved(transform.matrix, np.array(change))), transform.to_frame, transform.from_frame)
 
 
 def test_a_knocked_head_points_at_hand_eye(rig, calibration, views):

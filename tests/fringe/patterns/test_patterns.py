@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from measureapp.data.fringe import GrayCodeGroup, PatternSet, PhaseShiftGroup
-from measureapp.data.pattern_sets import DEFAULT_PATTERNS, PAPER_PATTERNS, PATTERN_SETS, made_for
+from measureapp.data.pattern_sets import DEFAULT_PATTERNS, PAPER_PATTERNS, PATTERN_SETS, make_pattern_sets
 from measureapp.errors import DecodeError
 from measureapp.fringe.decode import decode
 from measureapp.fringe.patterns.check import check_patterns
@@ -45,7 +45,7 @@ def test_every_named_set_comes_back_as_drawn_in_each_of_its_directions(name: str
     drawn = pattern_images(patterns, *SHAPE)
     assert drawn.shape == (patterns.count, SHAPE[1], SHAPE[0])
     for direction in patterns.directions:
-        alone, where = patterns.along(direction)
+        alone, where = patterns.subset(direction)
         # every column (row) is the same, so a few of them are enough; rows are laid down to be decoded as columns
         strip = drawn[where][:, :6] if direction == "vertical" else drawn[where][:, :, :6].transpose(0, 2, 1)
         lying = alone.model_copy(
@@ -75,14 +75,14 @@ def test_horizontal_fringes_are_constant_along_rows_and_vertical_ones_along_colu
     patterns = PATTERN_SETS["complementary-gray-both"]
     drawn = pattern_images(patterns, *SHAPE)
     for direction, axis in (("vertical", 1), ("horizontal", 2)):
-        images = drawn[patterns.along(direction)[1]]
+        images = drawn[patterns.subset(direction)[1]]
         assert np.all(np.ptp(images, axis=axis) == 0)
         assert np.all(np.ptp(images, axis=3 - axis) > 250)
 
 
 @pytest.mark.parametrize("size", [(1024, 768), (912, 1140), (1280, 800), (1920, 1080), (3840, 2160), (640, 480), (64, 64)])
 def test_the_named_sets_cover_projectors_of_any_size_with_a_guard_band(size: tuple[int, int]) -> None:
-    for name, patterns in made_for(*size).items():
+    for name, patterns in make_pattern_sets(*size).items():
         for check in check_patterns(patterns, *size):
             wanted = 0.0 if "gray" in name else 1 / 32 - 1e-3 if name.startswith("paper") else 1 / 16 - 1e-9
             assert check.guard_px >= wanted * check.extent_px, (name, check)

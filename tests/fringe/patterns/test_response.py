@@ -26,7 +26,7 @@ from measureapp.fringe.phase_shift import wrapped_phase
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.unwrap import plan_heterodyne
 from measureapp.project.images import read_image
-from measureapp.simulate.optics import projected
+from measureapp.simulate.optics import project_images
 from measureapp.simulate.options import LightSettings
 
 TAU = 2 * np.pi
@@ -139,13 +139,13 @@ def test_patterns_corrected_beforehand_are_projected_as_sinusoids(steps: int) ->
 def test_a_ramp_shown_by_the_virtual_projector_lets_three_steps_be_corrected_beforehand(gamma: float) -> None:
     light = LightSettings(gamma=gamma)
     levels = np.arange(0, 256, 5)
-    ramp = [projected(np.full((1, 16, 16), level, np.uint8), light).mean() for level in levels]
+    ramp = [project_images(np.full((1, 16, 16), level, np.uint8), light).mean() for level in levels]
     response = response_of_ramp(levels.astype(float), 200 * np.array(ramp))
     patterns = PATTERN_SETS["three-close-3-step"]
     true = TAU * np.arange(1024) / 16
 
     def error(images: np.ndarray) -> float:
-        phase = wrapped_phase(200 * projected(images[:3, :8], light))[0][4]
+        phase = wrapped_phase(200 * project_images(images[:3, :8], light))[0][4]
         return float(difference(phase, true)[10:-10].std())
 
     plain, prepared = (error(pattern_images(patterns, 1024, 768, known)) for known in (None, response))

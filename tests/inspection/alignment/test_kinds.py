@@ -151,7 +151,7 @@ def test_features_that_cannot_hold_the_part_are_refused_in_words(alignment: str,
     [
         ("local:", "is not an alignment"),
         ("datums:top,none", "needs feature 'none'"),
-        ({"method": "best-fit", "fold": 7, "features": ["top"]}, "leave out `features`"),
+        ({"method": "best-fit", "fold": 7, "features": ["top"]}, "remove `features`"),
         ({"method": "best-fit", "regions": [{}]}, "a region needs at least one of"),
         ({"method": "rps", "points": [{"feature": "t1"}]}, "at least 3"),
     ],

@@ -212,8 +212,8 @@ def test_a_blade_that_was_not_measured_is_named() -> None:
     [
         ({"radius_mm": 80.0}, "either `plane_point_mm`"),
         ({"plane_normal": None}, "either `plane_point_mm`"),
-        ({"trailing_mm": [INNER_MM, 0, HEIGHTS[0]]}, "the same place"),
-        ({"axis": [0, 0, 0]}, "`axis` has no length"),
+        ({"trailing_mm": [INNER_MM, 0, HEIGHTS[0]]}, "the same point"),
+        ({"axis": [0, 0, 0]}, "`axis` has length 0"),
     ],
 )
 def test_a_section_that_is_none_is_refused_when_the_program_is_read(change: dict, reason: str) -> None:
@@ -223,7 +223,7 @@ def test_a_section_that_is_none_is_refused_when_the_program_is_read(change: dict
 
 def test_blade_values_are_taken_of_blades_and_of_nothing_else() -> None:
     plane = {"name": "top", "shape": "plane", "point_mm": [0, 0, 0], "direction": [0, 0, 1]}
-    with pytest.raises(ValidationError, match="'top' is no blade_section"):
+    with pytest.raises(ValidationError, match="'top' is not a blade_section"):
         measured(wheel(), [plane], dimension("chord", "top", nominal=1))
     with pytest.raises(ValidationError, match=r"'low\.1' is a blade_section"):
         measured(wheel(), SECTIONS, dimension("diameter", "low.1", nominal=1))

@@ -188,6 +188,6 @@ def test_programs_that_cannot_be_meant_are_refused(feature, dimension, said):
 
 def test_nothing_is_made_of_a_free_form_nor_aligned_by_it():
     middle = {"name": "middle", "shape": "midpoint", "of": ["wave", "base"]}
-    for change, said in (({"features": [*DATUMS, WAVE, middle]}, "take a plane"), ({"alignment": "datums:base,wave"}, "take another")):
+    for change, said in (({"features": [*DATUMS, WAVE, middle]}, "use a plane"), ({"alignment": "datums:base,wave"}, "use another")):
         with pytest.raises(ValueError, match=said):
             InspectionProgram.model_validate({"name": "p", "features": [*DATUMS, WAVE], **change})

@@ -287,10 +287,10 @@ def test_what_a_bore_leaves_of_its_widened_zone_is_known_within_its_uncertainty(
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"size_limits_mm": None}, "come together"),
+        ({"size_limits_mm": None}, "need each other"),
         ({"size_limits_mm": [16.2, 16.0]}, "smaller to the greater"),
-        ({"kind": "coaxiality", "datums": ["shaft"]}, "of a position only"),
-        ({"features": ["bore.{k}"], "count": 3}, "says nothing"),
+        ({"kind": "coaxiality", "datums": ["shaft"]}, "to a position only"),
+        ({"features": ["bore.{k}"], "count": 3}, "is meaningless"),
     ],
 )
 def test_material_conditions_that_mean_nothing_are_refused(change, said):

@@ -69,12 +69,12 @@ def test_files_of_version_1_are_still_read_and_have_no_covariance(calibration, t
     [
         (["left.fx"], [[1, 2], [2, 1]], "covariance.matrix is not 1 × 1 numbers"),
         (["left.fx", "left.fx"], [[1, 0], [0, 1]], "twice"),
-        (["upper.fx"], [[1]], "no camera's"),
+        (["upper.fx"], [[1]], "without a known camera"),
         (["left.fx", "right.fx"], [[1, 2], [2, 1]], "not a covariance"),
         (["left.fx", "right.fx"], [[1, 0.5], [0.2, 1]], "not a covariance"),
         (["left.fx"], [[-1]], "not a covariance"),
         (["left.fx"], [[None]], "covariance.matrix is not"),
-        (None, [[1]], "no camera's"),
+        (None, [[1]], "without a known camera"),
     ],
 )
 def test_a_covariance_that_cannot_be_one_is_named(calibration, tmp_path, parameters, matrix, said):
@@ -174,8 +174,8 @@ HEADER = "name,x_mm,y_mm,z_mm,qw,qx,qy,qz\n"
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("", "no lines of values"),
-        (HEADER, "no lines of values"),
+        ("", "no rows of values"),
+        (HEADER, "no rows of values"),
         ("name,x_mm\nA,1\n", "line 1: the column 'y_mm' is missing"),
         (HEADER.replace("qz", "qz,colour") + "A,1,2,3,1,0,0,0,red\n", "'colour' is unknown"),
         (HEADER + "A,1,2,3,1,0,0\n", "line 2: 7 values under 8 columns"),
@@ -217,7 +217,7 @@ def test_corner_tables_keep_the_corners_seen_everywhere(tmp_path):
 @pytest.mark.parametrize(
     ("line", "said"),
     [
-        ("1,0,1,1,1,0", "corner 0 comes twice"),
+        ("1,0,1,1,1,0", "corner 0 occurs twice"),
         ("1,2,1,1,1,5", "two different angles"),
         ("1.5,2,1,1,1,0", "whole number"),
         ("2,2,1,1,1,0", "no corner"),

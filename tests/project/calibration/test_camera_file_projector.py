@@ -66,7 +66,7 @@ def test_a_foreign_projector_with_the_needed_fields_only_is_read(tmp_path: Path)
         ("reference_from_projector", None, "projector.reference_from_projector is missing"),
         ("reference_from_projector", np.diag([1.0, 1, -1, 1]).tolist(), "projector.reference_from_projector is not a rigid transform"),
         ("reference_from_projector", np.ones((4, 4)).tolist(), "projector.reference_from_projector is not a rigid"),
-        ("name", "one", "which is a camera's"),
+        ("name", "one", "the name of a camera"),
     ],
 )
 def test_what_is_wrong_in_a_projector_is_named(tmp_path: Path, field: str, value: Any, said: str) -> None:

@@ -68,7 +68,9 @@ def test_what_a_project_keeps_comes_in_the_order_it_was_taken(tmp_path):
     assert [one.viewpoint_id for one in board_views.load_all(tmp_path)] == ["station1-1", "station2-1", "station1-2"]
 
 
-@pytest.mark.parametrize("names, said", [((), "No images lie in"), (("left01.png", "left_01.png"), "are both image 01 of camera left")])
+@pytest.mark.parametrize(
+    "names, said", [((), "There are no images in"), (("left01.png", "left_01.png"), "are both image 01 of camera left")]
+)
 def test_a_folder_that_cannot_be_understood_is_refused(tmp_path, names, said):
     with pytest.raises(InputError, match=said) as refused:
         find_recorded(touch(tmp_path, *names))

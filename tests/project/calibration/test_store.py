@@ -68,7 +68,7 @@ def test_a_file_that_was_changed_is_refused(tmp_path: Path, calibration: RigCali
     text = (tmp_path / name).read_text(encoding="utf-8")
     assert old in text
     (tmp_path / name).write_text(text.replace(old, new), encoding="utf-8")
-    with pytest.raises(StorageError, match="changed after it was stored"):
+    with pytest.raises(StorageError, match="modified after it was stored"):
         store.load(tmp_path)
 
 

@@ -70,7 +70,7 @@ def test_periods_of_horizontal_fringes_fill_the_rows(tmp_path: Path) -> None:
     manifest = recorded(tmp_path, PATTERN_SETS["paper-both"], ("left",))
     text = manifest.read_text().replace("pitch_px = 28.0", "periods = 24").replace("pitch_px = 29.0", "periods = 23.5")
     manifest.write_text(text)
-    assert read_manifest(manifest).patterns.along("horizontal")[0].pitches_px == (768 / 24, 768 / 23.5)
+    assert read_manifest(manifest).patterns.subset("horizontal")[0].pitches_px == (768 / 24, 768 / 23.5)
     manifest.write_text(text.replace("projector_rows = 768\n", ""))
     with pytest.raises(InputError, match="needs `projector_rows`"):
         read_manifest(manifest)
@@ -85,17 +85,17 @@ def test_where_no_rows_are_given_the_beat_of_horizontal_pitches_is_taken(tmp_pat
 @pytest.mark.parametrize(
     ("old", "new", "error", "reason"),
     [
-        ("steps = 4", "steps = 5", InputError, "has 4 images and says steps = 5"),
-        ("planes = 7", "planes = 8", InputError, "has 7 images and says planes = 8"),
+        ("steps = 4", "steps = 5", InputError, "has 4 images but steps = 5"),
+        ("planes = 7", "planes = 8", InputError, "has 7 images but planes = 8"),
         ('"left/2000/003.png"', '"./left/../left/2000/002.png"', InputError, "more than once"),
         ("left/2000/00", "left/2000/99", InputError, "99[0-9].png cannot be read: it does not exist, and 9 more of the 88"),
         ("left/1000/001.png", r"left/\\u0000.png", InputError, "does not exist"),
         ('direction = "horizontal"', 'direction = "oblique"', InputError, "direction"),
         ("projector_rows = 768", "projector_rows = 0", InputError, "projector_rows"),
         ("projector_rows = 768", "projector_rows = 7680", DecodeError, "7680 rows"),
-        ("projector_rows = 768", "projector_lines = 768", InputError, "projector_lines: is not known"),
+        ("projector_rows = 768", "projector_lines = 768", InputError, "projector_lines: is not a known field"),
         ('  direction = "vertical"\n', '  direction = "vertical"\n  projector_px = 1000\n', InputError, "different projector_px"),
-        ("pitch_px = 16.0", "pitch_px = 16.0\n  step = 4", InputError, "step: is not known"),
+        ("pitch_px = 16.0", "pitch_px = 16.0\n  step = 4", InputError, "step: is not a known field"),
         (
             '  direction = "horizontal"\n',
             '  direction = "horizontal"\n  projector_px = 768\n',

@@ -54,14 +54,14 @@ class NewDimension:
     @property
     def lines(self) -> str:
         """The lines that ask for it in an inspection program."""
-        from measureapp.project.program_text import Value, entry
+        from measureapp.project.program_text import Value, format_entry
 
         values: dict[str, Value] = {"name": self.name, "kind": self.kind, "features": self.features}
         if self.datums:
             values["datums"] = self.datums
         if self.nominal is not None:
             values |= {"nominal": self.nominal, "lower_tolerance": -self.tolerance}
-        return entry("dimensions", values | {"upper_tolerance": self.tolerance})
+        return format_entry("dimensions", values | {"upper_tolerance": self.tolerance})
 
 
 class DimensionBar(QWidget):

@@ -1,4 +1,4 @@
-"""Where labels stand in the picture: near what they name, inside the picture, and not over one another."""
+"""Layout of labels: near their anchors, inside the picture, without overlap."""
 
 from __future__ import annotations
 
@@ -6,19 +6,19 @@ from collections.abc import Sequence
 
 import numpy as np
 
-NEAR_PX = (24, 32)  # from what is named to the label, across and up
-RINGS = 6  # how many times farther it may go
+NEAR_PX = (24, 32)  # smallest offset from the anchor, right and up
+RINGS = 6  # greatest multiple of the offset
 GAP_PX = 4
 
 
-def label_places(anchors_px: np.ndarray, sizes_px: Sequence[tuple[int, int]], picture_px: tuple[int, int]) -> list[tuple[int, int]]:
-    """Return for each label how far its lower left corner lies from what it names; y counts upwards.
+def place_labels(anchors_px: np.ndarray, sizes_px: Sequence[tuple[int, int]], picture_px: tuple[int, int]) -> list[tuple[int, int]]:
+    """Return the offset of each label's lower left corner from its anchor; y counts upwards.
 
-    Labels are placed one after another at the nearest free place around their anchor; one that finds none lies over others.
+    Labels are placed greedily at the nearest free position around their anchor; one without a free position overlaps others.
 
     Parameters
     ----------
-    anchors_px : (L, 2), what the labels name
+    anchors_px : (L, 2), positions of the labelled points
     sizes_px : width and height of each label
     picture_px : width and height
     """

@@ -1,4 +1,4 @@
-"""Clouds in random order, so that any first part of them is a fair picture of the whole; without anything of VTK."""
+"""Clouds in random order, so that any first part is a representative sample of the whole; independent of VTK."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from ui.viewport.colouring import UNKNOWN
 from ui.viewport.layers import CloudLayer
 
 SEED = 0
-LEAST_BLOCK, LARGEST_BLOCK = 10_000, 200_000  # points; a processor draws the largest in the time of a frame
+LEAST_BLOCK, LARGEST_BLOCK = 10_000, 200_000  # points; a software renderer draws the largest in the time of a frame
 CHUNK = 1_000_000
-LIGHT = np.array([-1.0, -1.1, 0.85], np.float32) / np.float32(np.linalg.norm([-1.0, -1.1, 0.85]))  # from where one looks first
-AMBIENT, FRONT, BACK = 0.4, 0.62, 0.45  # shares of the light; the back is lit more weakly, so that it has relief too
-READ_AMBIENT = 0.8  # where colours are read against a scale
+LIGHT = np.array([-1.0, -1.1, 0.85], np.float32) / np.float32(np.linalg.norm([-1.0, -1.1, 0.85]))  # from the initial viewing direction
+AMBIENT, FRONT, BACK = 0.4, 0.62, 0.45  # weights of the light; back faces are lit more weakly, so that they show relief too
+READ_AMBIENT = 0.8  # for colours of a scale
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,21 +24,21 @@ class ShuffledCloud:
 
     points_mm: np.ndarray  # (N, 3) float32
     colours: np.ndarray  # (N, 3) uint8, shaded
-    order: np.ndarray  # (N,) int32, place of each point among the points of all layers, one layer after another
-    starts: np.ndarray  # (L + 1,) int64, where the layers begin in that counting
+    order: np.ndarray  # (N,) int32, index of each point in the concatenated layers
+    starts: np.ndarray  # (L + 1,) int64, first index of each layer
     bounds_mm: tuple[np.ndarray, ...]  # least and greatest coordinates, (3,) each; () without points
 
     def __len__(self) -> int:
         return len(self.points_mm)
 
     def origin(self, place: int) -> tuple[int, int]:
-        """Return layer, and place in the layer, of a point."""
+        """Return layer and index in the layer of a point."""
         original = int(self.order[place])
         layer = int(np.searchsorted(self.starts, original, side="right") - 1)
         return layer, original - int(self.starts[layer])
 
     def blocks(self) -> list[slice]:
-        """Return parts to be drawn one after the other: small ones first, so that any budget is met closely."""
+        """Return blocks to be drawn in order: small ones first, so that any budget is met closely."""
         made, start = [], 0
         while start < len(self):
             size = int(np.clip(start // 4, LEAST_BLOCK, LARGEST_BLOCK))
@@ -47,19 +47,19 @@ class ShuffledCloud:
         return made
 
 
-def shuffled(layers: Sequence[CloudLayer]) -> ShuffledCloud:
-    """Return the points of all layers in random order, their colours shaded by their normals; slow for millions of points."""
+def shuffle(layers: Sequence[CloudLayer]) -> ShuffledCloud:
+    """Shuffle the points of all layers, with colours shaded by their normals; slow for millions of points."""
     starts = np.concatenate([[0], np.cumsum([len(layer.points_mm) for layer in layers])]).astype(np.int64)
     points = np.concatenate([np.empty((0, 3), np.float32), *(np.asarray(layer.points_mm, np.float32) for layer in layers)])
-    colours = np.concatenate([np.empty((0, 3), np.uint8), *(_shaded(layer) for layer in layers)])
+    colours = np.concatenate([np.empty((0, 3), np.uint8), *(_shade(layer) for layer in layers)])
     order = np.arange(len(points), dtype=np.int32)
     np.random.default_rng(SEED).shuffle(order)
     bounds = (points.min(axis=0), points.max(axis=0)) if len(points) else ()
     return ShuffledCloud(points[order], colours[order], order, starts, bounds)
 
 
-def _shaded(layer: CloudLayer) -> np.ndarray:
-    """Return the colours in a fixed light; what was not measured keeps its own, by which it is recognised."""
+def _shade(layer: CloudLayer) -> np.ndarray:
+    """Shade the colours in a fixed light; the colour of unmeasured points is kept, because it identifies them."""
     colours = np.asarray(layer.colours, np.uint8)
     if layer.normals is None:
         return colours

@@ -6,13 +6,13 @@ from itertools import combinations
 
 import numpy as np
 
-from ui.viewport.label_places import label_places
+from ui.viewport.label_layout import place_labels
 
 PICTURE, SIZE = (800, 600), (120, 26)
 
 
 def boxes(anchors: np.ndarray) -> list[tuple[float, float, float, float]]:
-    offsets = label_places(anchors, [SIZE] * len(anchors), PICTURE)
+    offsets = place_labels(anchors, [SIZE] * len(anchors), PICTURE)
     corners = anchors + np.array(offsets)
     return [(x, y, x + SIZE[0], y + SIZE[1]) for x, y in corners.tolist()]
 
@@ -33,5 +33,5 @@ def test_a_label_at_the_edge_stands_inside_the_picture():
 
 
 def test_one_that_finds_no_room_is_still_placed_beside_what_it_names():
-    offsets = label_places(np.tile([30.0, 20.0], (3, 1)), [(60, 40)] * 3, (70, 50))
+    offsets = place_labels(np.tile([30.0, 20.0], (3, 1)), [(60, 40)] * 3, (70, 50))
     assert len(offsets) == 3

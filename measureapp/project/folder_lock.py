@@ -1,4 +1,4 @@
-"""Holding a folder while it is changed, so that two windows or commands never write into the same one."""
+"""Exclusive lock on a folder, so that two windows or commands never write into the same one."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ LOCK = ".lock"
 
 
 @contextmanager
-def claimed(folder: Path) -> Iterator[None]:
-    """Hold ``folder``, which must exist, until the body ends; the system gives it free when the process dies.
+def lock_folder(folder: Path) -> Iterator[None]:
+    """Lock ``folder``, which must exist, until the body ends; the system releases the lock when the process dies.
 
     Raises
     ------
     StorageError
-        Another window or command is changing it, or it cannot be written to.
+        Another window or command has locked it, or it cannot be written to.
     """
     lock = FileLock(Path(folder) / LOCK, timeout=0)
     try:
         lock.acquire()
     except Timeout as error:
         raise StorageError(
-            f"{folder} is being changed by another window or command.", "Wait until that is done, or close it; then try again."
+            f"{folder} is in use by another window or command.", "Wait until it has finished, or close it; then try again."
         ) from error
     except OSError as error:
         raise StorageError(

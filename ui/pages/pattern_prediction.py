@@ -1,4 +1,4 @@
-"""What the patterns and exposures of a plan promise, and what they cost."""
+"""Predicted performance of a plan's patterns and exposures, and their cost in time and disk space."""
 
 from __future__ import annotations
 
@@ -13,37 +13,37 @@ if TYPE_CHECKING:
     from measureapp.data.plan import ScanPlan
     from measureapp.data.rig import RigDescription
 
-LEAST_TOLD = 1e-12
+NEGLIGIBLE = 1e-12
 
 
 @lru_cache(maxsize=16)
-def promise(patterns: PatternSet, width_px: int, height_px: int) -> tuple[Group, ...]:
-    """Return what a set gives on this projector at a usual contrast, one group for every direction of its fringes."""
+def predict(patterns: PatternSet, width_px: int, height_px: int) -> tuple[Group, ...]:
+    """Predict the performance of a set on this projector at a typical contrast, one group per direction of its fringes."""
     from measureapp.errors import DecodeError
     from measureapp.fringe.patterns.check import DEFAULT_MODULATION, check_patterns
 
     try:
         checks = check_patterns(patterns, width_px, height_px)
     except DecodeError as error:
-        return (Group("What the patterns promise", (("Cannot be used", sentence(str(error))),)),)
+        return (Group("Predicted performance", (("Cannot be used", sentence(str(error))),)),)
     groups = []
     for check in checks:
-        heading = "What the patterns promise" + (f", {check.direction} fringes" if len(checks) > 1 else "")
+        heading = "Predicted performance" + (f", {check.direction} fringes" if len(checks) > 1 else "")
         rows = (
             ("Method", sentence(check.method).rstrip(".")),
             ("Range", quantity(check.range_px, "px", 0)),
             ("Guard band", quantity(check.guard_px, "px", 0)),
-            ("Modulation taken", quantity(DEFAULT_MODULATION, "grey levels", 0)),
+            ("Assumed modulation", quantity(DEFAULT_MODULATION, "grey levels", 0)),
             ("σ of the column" if check.direction == "vertical" else "σ of the row", quantity(check.column_sigma_px, "px")),
-            ("Wrong orders", odds(check.order_error_probability)),
+            ("Wrong fringe orders", odds(check.order_error_probability)),
         )
         groups.append(Group(heading, rows))
     return tuple(groups)
 
 
 def odds(probability: float) -> str:
-    """Return a small probability as people say it: ``1 of 2 000 pixels``."""
-    if probability < LEAST_TOLD:
+    """Format a small probability as a frequency: ``1 of 2 000 pixels``."""
+    if probability < NEGLIGIBLE:
         return "None expected"
     one_of = 1 / probability
     if one_of > 1e6:
@@ -53,7 +53,7 @@ def odds(probability: float) -> str:
 
 
 def cost(plan: ScanPlan, rig: RigDescription) -> Group:
-    """Return how many images a view takes, how long and how much disk; moving the axes is not counted."""
+    """Return number of images, time and disk space per viewpoint, without the motion of the axes."""
     from measureapp.fringe.exposures.bracket import READOUT_MS
 
     exposures, cameras = plan.bracket.exposures_us, rig.cameras
@@ -61,11 +61,11 @@ def cost(plan: ScanPlan, rig: RigDescription) -> Group:
     seconds = plan.patterns.count * sum(max(exposure_us / 1e6, READOUT_MS / 1e3) for exposure_us in exposures)
     size = sum(camera.width_px * camera.height_px * (1 if camera.bit_depth == 8 else 2) for camera in cameras) * images
     return Group(
-        "Each view",
+        "Per viewpoint",
         (
             ("Images", f"{images} × {several(len(cameras), 'camera')}"),
-            ("Taking them", f"{quantity(seconds, 's', 1)} at least"),
-            ("On disk", storage(size)),
-            ("All views", f"{duration(seconds * len(plan))}, {storage(size * len(plan))}"),
+            ("Acquisition time", f"At least {quantity(seconds, 's', 1)}"),
+            ("Disk space", storage(size)),
+            ("All viewpoints", f"{duration(seconds * len(plan))}, {storage(size * len(plan))}"),
         ),
     )
