@@ -43,7 +43,7 @@ def test_damaged_results_do_not_keep_a_project_shut(qtbot, application, window, 
     assert application.session.measurement is None
     assert told.level == "warning"
     assert str(project.results) in told.text
-    assert "Compute again" in told.hint
+    assert "Recompute" in told.hint
     assert ".." not in told.text
 
 

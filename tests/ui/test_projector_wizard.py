@@ -74,7 +74,7 @@ def check_result(wizard):
     assert wizard.result.truth_note.isVisible()
 
 
-@pytest.mark.parametrize("folder, said", [("nothing here", "There is no folder"), ("", "No MANIFEST.toml lies in")])
+@pytest.mark.parametrize("folder, said", [("nothing here", "There is no folder"), ("", "There is no MANIFEST.toml in")])
 def test_a_folder_without_fringes_is_refused_with_a_remedy(qtbot, wizard, tmp_path, folder, said):
     (tmp_path / "empty").mkdir()
     read_folder(qtbot, wizard, tmp_path / (folder or "empty"))

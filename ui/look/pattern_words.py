@@ -25,7 +25,7 @@ PATTERN_WORDS = {
     "three-wide": PatternWords("Three wide pitches", f"12 images: 4 steps {WIDE}."),
     "three-wide-8-step": PatternWords("Three wide, 8 steps", f"16 images: 8, 4 and 4 steps {WIDE}."),
     "three-wide-32": PatternWords("Three wide, from 32 px", "12 images: 4 steps at 32, 186.6 and 1088 px."),
-    "hierarchical": PatternWords("Hierarchical", "28 images: 4 steps, pitches from 17 px, each twice the previous one."),
+    "hierarchical": PatternWords("Hierarchical", "28 images: 4 steps, each pitch half of the one before, from 17 px."),
     "gray": PatternWords("Gray code", "10 images: 4 steps at 16 px."),
     "complementary-gray": PatternWords("Complementary Gray", "11 images: 4 steps at 16 px."),
     "complementary-gray-8-step": PatternWords("Complem. Gray, 8 steps", "15 images: 8 steps at 16 px."),
