@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
-from measureapp.acquire.events import Event, ExposuresChosen, SurfaceFailed, ValidityKnown, ViewpointFailed
+from typing import TYPE_CHECKING
+
 from measureapp.cli.reply import say
-from measureapp.data.dimension import Dimension, Verdict
-from measureapp.data.measurement import Alignment, Measurement
+from measureapp.data.dimension import Verdict
+
+if TYPE_CHECKING:
+    from measureapp.acquire.events import Event, ExposuresChosen, ValidityKnown
+    from measureapp.data.dimension import Dimension
+    from measureapp.data.measurement import Alignment, Measurement
 
 MARK = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdict.NOT_MEASURED: "–"}
 
 
 def report_event(event: Event) -> None:
     """Print failed views, a missing surface, chosen exposures and warnings to standard error."""
+    from measureapp.acquire.events import ExposuresChosen, SurfaceFailed, ValidityKnown, ViewpointFailed
+
     if isinstance(event, ViewpointFailed):
         say(f"{event.viewpoint_id}: {event.reason}")
     elif isinstance(event, SurfaceFailed):

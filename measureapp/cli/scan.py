@@ -3,26 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated
 
 import typer
 
-from measureapp.acquire.events import (
-    Event,
-    ExposuresChosen,
-    RunEnded,
-    RunStarted,
-    ValidityKnown,
-    ViewpointFailed,
-    ViewpointStarted,
-    ViewpointStored,
-)
 from measureapp.cli.main import DEVICE_FAILED, OUT_OF_TOLERANCE
-from measureapp.cli.outcome import exposures_line, has_passed, measurement_lines, report_warnings
-from measureapp.cli.reply import JsonOption, TerminalProgress, reply, say
-
-if TYPE_CHECKING:
-    from measureapp.data.plan import ScanPlan
+from measureapp.cli.outcome import has_passed, measurement_lines
+from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 NOT_PROCESSED = (
     "The images are stored but not processed: the project has no calibration. Calibrate the rig, then run `measureapp process PROJECT`."
@@ -48,6 +35,7 @@ def register(app: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """Move, project, capture and store every viewpoint of a plan, then process the images."""
+        from measureapp.cli.scan_log import ScanLog
         from measureapp.pipeline import ScanRequest, scan_into_project
         from measureapp.project.plan_file import read_plan
         from measureapp.project.rig_file import read_rig
@@ -65,31 +53,3 @@ def register(app: typer.Typer) -> None:
             raise typer.Exit(DEVICE_FAILED)
         if any("reason" in state for state in log.states.values()) or not (outcome is None or has_passed(outcome.measurement)):
             raise typer.Exit(OUT_OF_TOLERANCE)
-
-
-class ScanLog:
-    """State of every viewpoint of a plan: missing, failed (device error) or stored, with the reason if it has no points."""
-
-    def __init__(self, plan: ScanPlan) -> None:
-        self.states: dict[str, dict[str, Any]] = {viewpoint.id: {"state": "stored"} for viewpoint in plan}
-        self.ended = RunEnded("done")
-
-    def note(self, event: Event) -> None:
-        """Record one event of the run."""
-        if isinstance(event, ExposuresChosen):
-            say(exposures_line(event))
-        elif isinstance(event, ValidityKnown):
-            report_warnings(event)
-        elif isinstance(event, RunStarted):
-            for viewpoint_id in event.viewpoint_ids:
-                self.states[viewpoint_id] = {"state": "missing"}
-        elif isinstance(event, ViewpointStarted):
-            self.states[event.viewpoint_id] = {"state": "failed"}
-        elif isinstance(event, ViewpointStored):
-            self.states[event.viewpoint_id] |= {"state": "stored", "seconds": event.seconds}
-            say(f"{event.viewpoint_id}: stored")
-        elif isinstance(event, ViewpointFailed):
-            self.states[event.viewpoint_id]["reason"] = event.reason
-            say(f"{event.viewpoint_id}: {event.reason}")
-        elif isinstance(event, RunEnded):
-            self.ended = event

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import subprocess
+import sys
 
 import pytest
 
@@ -39,3 +41,11 @@ def test_what_a_value_is_and_how_large_it_may_be_stands_in_words(capsys):
     assert "from 1 to 16" in said
     assert "at least 0.001" in said
     assert "plane, line, circle" in " ".join(help_of(capsys, ("fit",)).split())
+
+
+def test_help_loads_none_of_the_large_libraries():
+    """Help answers at once: what takes most of a start is loaded by the commands that use it."""
+    code = "import sys; from measureapp.cli import main; main(['--help']); print([name for name in LARGE if name in sys.modules])"
+    large = ("scipy", "pydantic", "cv2", "numba", "open3d", "trimesh", "typst", "PySide6", "vtkmodules")
+    done = subprocess.run([sys.executable, "-c", f"LARGE = {large}; {code}"], capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == "[]"
