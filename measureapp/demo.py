@@ -21,7 +21,7 @@ from measureapp.data.rig import Resolution
 from measureapp.devices.plugin_loader import load_plugin
 from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.inspection.alignment.point_to_plane import register
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import AlignmentSettings
 from measureapp.inspection.surface.deviation import signed_distances
 from measureapp.inspection.surface.nominal import NominalSurface
@@ -34,7 +34,7 @@ from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.geometry.files import write_mesh
 from measureapp.project.rig_file import read_rig
-from measureapp.register.joint.groundwork import Groundwork
+from measureapp.register.joint.registration_cache import RegistrationCache
 from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
 from measureapp.resources import plugin_folder, resource
@@ -100,10 +100,10 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
     with project.lock():
         project.save_plan(plan)
         _copy_nominal(project, request.part)
-        with watch.stage("total"), Groundwork() as groundwork:
+        with watch.stage("total"), RegistrationCache() as registration_cache:
             calibration = calibrate_rig(rig, project, on_event, PartOf(progress, 0.0, 0.3), watch).calibration
-            views = scan(rig, project, calibration, on_event, PartOf(progress, 0.3, 0.8), watch, request.bracket_s, groundwork)
-            measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, groundwork)
+            views = scan(rig, project, calibration, on_event, PartOf(progress, 0.3, 0.8), watch, request.bracket_s, registration_cache)
+            measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, registration_cache)
         return _add_truth(finish(project, measurement, watch), world, project)
 
 
@@ -150,7 +150,7 @@ def _compare(stitched: StitchedCloud, world: World) -> tuple[Mesh, dict[str, flo
     truth = world.true_surface(stitched.frame)
     surface = NominalSurface(truth)
     points = MeasuredPoints.of(stitched)
-    fitted = register(points.thinned(ALIGNMENT_POINTS), surface, np.eye(4), AlignmentSettings(), reach_mm=ALIGNMENT_REACH_MM)
+    fitted = register(points.thin(ALIGNMENT_POINTS), surface, np.eye(4), AlignmentSettings(), reach_mm=ALIGNMENT_REACH_MM)
     truth_from_cloud = RigidTransform(orthonormalise(fitted.matrix), stitched.frame, stitched.frame)
     distances = signed_distances(truth_from_cloud.apply(stitched.points_mm), surface)
     figures = {

@@ -22,10 +22,10 @@ if TYPE_CHECKING:
     from measureapp.data.plan import ScanPlan
     from measureapp.data.rig import RigDescription
     from measureapp.data.validity import Validity
-    from measureapp.inspection.drawn_sections import DrawnSections
+    from measureapp.inspection.section_curves import SectionCurves
     from measureapp.inspection.surface.deviation import Deviation
     from measureapp.inspection.surface.nominal import NominalSurface
-    from measureapp.register.clouds.sieve import FilterChain
+    from measureapp.register.clouds.filter_chain import FilterChain
 
 Level = Literal["info", "done", "warning", "error"]
 ViewpointStatus = Literal["waiting", "moving", "capturing", "stored", "processed", "failed"]
@@ -41,8 +41,8 @@ class Comparison:
     deviation: Deviation
     unmeasured_mm: np.ndarray  # (M, 3), in the nominal frame
     unmeasured_normals: np.ndarray  # (M, 3)
-    surface: NominalSurface | None = None  # the nominal, for sections
-    sections: DrawnSections | None = None  # of the inspection program
+    surface: NominalSurface | None = None  # the drawing, ready to be cut
+    sections: SectionCurves | None = None  # of the inspection program
 
 
 @dataclass(frozen=True)
@@ -207,7 +207,7 @@ class Session(QObject):
 
     def _filter(self, filters: FilterChain | None) -> None:
         self.filters = filters if filters is not None and filters.filters else None
-        self.filtered = None if self.filters is None or self.stitched is None else self.stitched.where(self.filters.stays)
+        self.filtered = None if self.filters is None or self.stitched is None else self.stitched.where(self.filters.kept_mask)
 
     def set_inspection(self, inspection: Inspection | None) -> None:
         """Set the inspection results."""

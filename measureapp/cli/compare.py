@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -15,11 +16,13 @@ from measureapp.errors import InputError
 if TYPE_CHECKING:
     from measureapp.data.measurement import Alignment
     from measureapp.data.mesh import Mesh
+    from measureapp.inspection.surface.cutting_surface import CuttingSurface
     from measureapp.inspection.surface.deviation import Deviation
     from measureapp.inspection.surface.histogram import Histogram
     from measureapp.project.geometry.files import PlainPoints
 
 SECTION_FILE = Path("sections.csv")
+SECTION = re.compile(r"\s*([xyzr])\s*=\s*([-+]?\d+(?:\.\d*)?)\s*")
 
 
 def register(app: typer.Typer) -> None:
@@ -50,13 +53,13 @@ def register(app: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """Compare a cloud with its nominal; deviations are positive outside."""
-        from measureapp.inspection.surface.deviation import deviation
-        from measureapp.inspection.surface.histogram import histogram
+        from measureapp.inspection.surface.deviation import compute_deviation
+        from measureapp.inspection.surface.histogram import bin_deviations
         from measureapp.project.geometry.files import read_cloud_or_mesh, read_mesh
         from measureapp.report.json_document import alignment_document
 
         measured, surface = read_cloud_or_mesh(cloud, unit=unit), read_mesh(nominal, unit=nominal_unit)
-        found = deviation(measured, surface, _alignment(align, measured, surface), near_mm=reach, progress=TerminalProgress())
+        found = compute_deviation(measured, surface, _alignment(align, measured, surface), near_mm=reach, progress=TerminalProgress())
         figures = {name: float(getattr(found, f"{name}_mm")) for name in ("mean", "rms", "p95", "min", "max")}
         document: dict[str, Any] = {
             "deviation_mm": figures,
@@ -70,7 +73,7 @@ def register(app: typer.Typer) -> None:
             f"{found.unmeasured_share:.1%} of the nominal's surface has no measured point near it.",
         ]
         if tolerance is not None:
-            bands = histogram(found.distances_mm, *tolerance)
+            bands = bin_deviations(found.distances_mm, *tolerance)
             document["bands"] = _bands_document(bands)
             lines.append(f"Below the tolerance {bands.below:.2%}, within {bands.within:.2%}, above {bands.above:.2%} of the points.")
         if section:
@@ -100,7 +103,7 @@ def _alignment(align: str, measured: PlainPoints | Mesh, nominal: Mesh) -> Align
 def _cyclic(align: str, measured: PlainPoints | Mesh, nominal: Mesh) -> Alignment:
     from measureapp.data.alignment_program import BestFit
     from measureapp.inspection.alignment.cyclic_fit import cyclic_fit
-    from measureapp.inspection.measured import MeasuredPoints
+    from measureapp.inspection.measured_points import MeasuredPoints
     from measureapp.inspection.settings import InspectionSettings
     from measureapp.inspection.surface.nominal import NominalSurface
 
@@ -116,22 +119,37 @@ def _bands_document(bands: Histogram) -> dict[str, Any]:
 
 
 def _write_sections(found: Deviation, nominal: Mesh, named: list[str], width_mm: float, path: Path) -> None:
-    from measureapp.cli.section_words import cutting_surface
     from measureapp.inspection.surface.nominal import NominalSurface
-    from measureapp.inspection.surface.section import section
+    from measureapp.inspection.surface.section import cut_section
     from measureapp.project.geometry.deviation_files import write_sections
 
     surface = NominalSurface(nominal)
-    made = [section(words, found, surface, cutting_surface(words), width_mm / 2) for words in named]
+    made = [cut_section(words, found, surface, _cutting_surface(words), width_mm / 2) for words in named]
     write_sections(path, made, found.alignment.name)
 
 
-def _write_map(found: Deviation, nominal: Mesh, reach_mm: float, path: Path) -> None:
-    from measureapp.inspection.surface.deviation_map import deviation_map
-    from measureapp.project.geometry.deviation_files import write_deviation_map
-    from measureapp.report.part_pictures import NOT_MEASURED, diverging, nice_limit
+def _cutting_surface(words: str) -> CuttingSurface:
+    """Parse a section: a plane at a coordinate (`z=20`), or a cylinder about the nominal's z axis (`r=100`). Raises InputError."""
+    import numpy as np
 
-    made = deviation_map(found, nominal, reach_mm)
-    colours = diverging(made.distances_mm / nice_limit(found.p95_mm))
+    from measureapp.inspection.surface.cutting_surface import CuttingCylinder, CuttingPlane
+
+    match = SECTION.fullmatch(words)
+    if match is None or (match[1] == "r" and float(match[2]) <= 0):
+        raise InputError(f"{words!r} is not a section.", "Give a plane like x=0, y=-5 or z=20, or a cylinder about the z axis like r=100.")
+    value, up = float(match[2]), np.array([0.0, 0.0, 1.0])
+    if match[1] == "r":
+        return CuttingCylinder.about(np.zeros(3), up, value)
+    normal = np.eye(3)["xyz".index(match[1])]
+    return CuttingPlane.through(value * normal, normal)
+
+
+def _write_map(found: Deviation, nominal: Mesh, reach_mm: float, path: Path) -> None:
+    from measureapp.inspection.surface.deviation_map import map_deviation
+    from measureapp.project.geometry.deviation_files import write_deviation_map
+    from measureapp.report.part_pictures import NOT_MEASURED, diverging_colours, nice_limit
+
+    made = map_deviation(found, nominal, reach_mm)
+    colours = diverging_colours(made.distances_mm / nice_limit(found.p95_mm))
     colours[~made.measured] = NOT_MEASURED
     write_deviation_map(path, made, colours, found.alignment.name)

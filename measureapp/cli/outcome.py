@@ -49,7 +49,7 @@ def exposures_line(event: ExposuresChosen) -> str:
 def has_passed(measurement: Measurement) -> bool:
     """Whether all dimensions pass and no camera has drifted since the calibration."""
     drift = measurement.validity.drift
-    if drift is not None and drift.standing == "drifted":
+    if drift is not None and drift.status == "drifted":
         return False
     return measurement.inspection is None or all(dimension.verdict is Verdict.PASS for dimension in measurement.inspection.dimensions)
 
@@ -61,7 +61,7 @@ def measurement_lines(measurement: Measurement) -> list[str]:
     for placement in measurement.stitched.placements:
         if placement.verdict != "good":
             lines.append(f"  {placement.viewpoint_id}: {placement.verdict}")
-    lines += [f"Calibration: {sentence}" for sentence in measurement.validity.told]
+    lines += [f"Calibration: {sentence}" for sentence in measurement.validity.all_warnings]
     if measurement.inspection is None:
         return [*lines, "The project has no inspection program."]
     return lines + [dimension_line(dimension) for dimension in measurement.inspection.dimensions]
@@ -70,12 +70,12 @@ def measurement_lines(measurement: Measurement) -> list[str]:
 def dimension_line(dimension: Dimension) -> str:
     """Return one dimension as a line: mark, name, measured ± uncertainty, nominal, deviation."""
     start = f"  {MARK[dimension.verdict]} {dimension.name:<18}"
-    if dimension.measured is None or dimension.error is None:
+    if dimension.measured is None or dimension.deviation is None:
         return f"{start}not measured: {dimension.reason}"
-    shown = dimension.uncertainty_shown()
+    shown = dimension.round_uncertainty()
     uncertainty = "" if shown is None else f" ± {shown:.3f}"
     return (
-        f"{start}{dimension.measured:9.3f}{uncertainty} {dimension.unit} (nominal {dimension.nominal:g}, deviation {dimension.error:+.3f})"
+        f"{start}{dimension.measured:9.3f}{uncertainty} {dimension.unit} (nominal {dimension.nominal:g}, deviation {dimension.deviation:+.3f})"
         f"  {dimension.verdict.value}"
     )
 

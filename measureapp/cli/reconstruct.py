@@ -107,13 +107,13 @@ def _validity(maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration)
     from measureapp.calibrate.cameras.drift import camera_drift
     from measureapp.calibrate.cameras.validity import shortfalls
     from measureapp.data.validity import Validity
+    from measureapp.project.documents import validity_document
     from measureapp.reconstruct.diagnosis.camera_shift import camera_shift
-    from measureapp.report.json_document import validity_document
 
     shift = camera_shift(maps, calibration)
     drift = camera_drift([] if shift is None else [shift], calibration)
     validity = Validity(shortfalls(calibration.provenance, datetime.now(UTC)) if calibration.provenance.valid_days else (), drift)
-    for sentence in validity.told:
+    for sentence in validity.all_warnings:
         say(f"Calibration: {sentence}")
     return validity_document(validity)
 

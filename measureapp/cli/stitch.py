@@ -1,4 +1,4 @@
-"""`measureapp stitch`: fine registration of clouds, merge and surface."""
+"""`measureapp stitch`: registration of clouds, merging and surface reconstruction."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from measureapp.progress import PartOf
 if TYPE_CHECKING:
     from measureapp.data.cloud import PointCloud, StitchedCloud, ViewPlacement
 
-DEFAULT_SIGMA_MM = 0.05  # for clouds that do not say how certain their points are
+DEFAULT_SIGMA_MM = 0.05  # for clouds without standard deviations
 LEAST_EXTENT_MM = 3.0
 LARGEST_EXTENT_MM = 20_000.0
 
 
 class Mesher(StrEnum):
-    """How points become a surface."""
+    """Method of surface reconstruction."""
 
     POISSON = "poisson"
     OPEN = "open"
@@ -34,24 +34,25 @@ def register(app: typer.Typer) -> None:
     @app.command("stitch")
     def stitch_clouds(
         clouds: Annotated[
-            list[Path], typer.Argument(help="One cloud per view, in its camera's frame; its name without ending is the pose's.")
+            list[Path],
+            typer.Argument(help="One cloud per view, in its camera's frame; the file name without extension is the name of its pose."),
         ],
         poses: Annotated[Path, typer.Option(help="poses.csv: name,x_mm,y_mm,z_mm,qw,qx,qy,qz (part_from_camera).")],
         out: Annotated[Path, typer.Option(help="The stitched cloud (.ply or .xyz).")],
-        mesh: Annotated[Path | None, typer.Option(help="Also make a surface (.ply or .stl).")] = None,
+        mesh: Annotated[Path | None, typer.Option(help="Also write a surface mesh (.ply or .stl).")] = None,
         mesher: Annotated[
-            Mesher, typer.Option(help="poisson closes a body; open joins the points of one open patch and leaves every hole open.")
+            Mesher, typer.Option(help="poisson: closed surface; open: triangulation of one open patch, holes stay open.")
         ] = Mesher.POISSON,
-        pose_sigma_mm: Annotated[float, typer.Option(min=1e-6, help="How well the poses are known (standard deviation).")] = 0.5,
-        pose_sigma_deg: Annotated[float, typer.Option(min=1e-6, help="The same for their directions.")] = 0.05,
-        fine: Annotated[bool, typer.Option("--fine/--kinematic-only", help="Register finely, or place by the poses alone.")] = True,
-        accept: Annotated[
-            list[str] | None, typer.Option(help="Use this view however far it has to move; may be given several times.")
-        ] = None,
+        pose_sigma_mm: Annotated[float, typer.Option(min=1e-6, help="Standard deviation of the poses: position.")] = 0.5,
+        pose_sigma_deg: Annotated[float, typer.Option(min=1e-6, help="Standard deviation of the poses: orientation.")] = 0.05,
+        fine: Annotated[
+            bool, typer.Option("--fine/--kinematic-only", help="Register the clouds, or place them by their poses only.")
+        ] = True,
+        accept: Annotated[list[str] | None, typer.Option(help="Use this view even if it contradicts its pose; may be repeated.")] = None,
         unit: UnitOption = LengthUnit.MM,
         as_json: JsonOption = False,
     ) -> None:
-        """Register clouds finely, starting from their poses, and merge them."""
+        """Register clouds, starting from their poses, and merge them."""
         from measureapp.project.geometry.files import write_cloud, write_mesh
         from measureapp.project.tables import read_poses
         from measureapp.register.clouds.units import check_unit
@@ -85,11 +86,11 @@ def _check_outputs(clouds: list[Path], out: Path, mesh: Path | None) -> None:
     stems = [path.stem for path in clouds]
     twice = sorted({stem for stem in stems if stems.count(stem) > 1})
     if twice:
-        raise InputError(f"Two clouds are called {twice[0]!r}.", "Give each view its own file name: it names the pose.")
+        raise InputError(f"Two clouds are named {twice[0]!r}.", "Give each view its own file name: it names the pose.")
     if out.suffix.lower() not in (".ply", ".xyz"):
-        raise InputError(f"{out}: a cloud cannot be written as this.", "Use .ply or .xyz.")
+        raise InputError(f"{out}: this is not a format for clouds.", "Use .ply or .xyz.")
     if mesh and mesh.suffix.lower() not in (".ply", ".stl"):
-        raise InputError(f"{mesh}: a mesh cannot be written as this.", "Use .ply or .stl.")
+        raise InputError(f"{mesh}: this is not a format for meshes.", "Use .ply or .stl.")
 
 
 def _check_accepted(accepted: list[str], clouds: list[Path]) -> None:
@@ -98,7 +99,7 @@ def _check_accepted(accepted: list[str], clouds: list[Path]) -> None:
     stems = [path.stem for path in clouds]
     unknown = [name for name in accepted if name not in stems]
     if unknown:
-        raise InputError(f"There is no view {unknown[0]!r} to accept.", "The views are called: " + ", ".join(stems) + ".")
+        raise InputError(f"There is no view {unknown[0]!r} to accept.", "Views: " + ", ".join(stems) + ".")
 
 
 def _check_overlap(stitched: StitchedCloud, fine: bool) -> None:
@@ -106,8 +107,8 @@ def _check_overlap(stitched: StitchedCloud, fine: bool) -> None:
 
     if fine and len(stitched.placements) > 1 and not any(placement.overlap for placement in stitched.placements):
         raise RegistrationError(
-            "No two clouds have surface in common where the poses put them.",
-            "Check the poses' unit, direction (part_from_camera) and names; --kinematic-only places clouds that share nothing.",
+            "No two clouds overlap at their poses.",
+            "Check unit, direction (part_from_camera) and names of the poses; --kinematic-only places clouds without overlap.",
         )
 
 
@@ -115,28 +116,28 @@ def _pose(known: dict[str, Any], path: Path, table: Path) -> Any:
     from measureapp.errors import InputError
 
     if path.stem not in known:
-        raise InputError(f"{table} has no pose called {path.stem!r} for {path}.", "Name the poses like the cloud files, without ending.")
+        raise InputError(f"{table} has no pose named {path.stem!r} for {path}.", "Name the poses like the cloud files, without extension.")
     return known[path.stem]
 
 
 def _read(path: Path, unit: LengthUnit, progress: PartOf) -> PointCloud:
-    """Read a cloud of any kind and fill in what it does not have."""
+    """Read a cloud of any format; missing normals are estimated, other missing columns get defaults."""
     from measureapp.data.cloud import PointCloud
     from measureapp.errors import InputError
     from measureapp.project.geometry.files import read_points
-    from measureapp.register.clouds.normals import estimated_normals
+    from measureapp.register.clouds.normals import estimate_normals
 
     progress.report(0, 1, f"reading {path.name}")
     plain = read_points(path, unit)
     if plain.frame not in ("", "camera"):
-        raise InputError(f"{path} is in frame {plain.frame!r}.", "Give the views' clouds in their camera's frame.")
+        raise InputError(f"{path} is in frame {plain.frame!r}.", "Provide the clouds of the views in their camera's frame.")
     _check_units(path, np.asarray(plain.points_mm))
     if plain.dropped:
-        say(f"{path}: {plain.dropped} points that are not numbers were left out.")
+        say(f"{path}: {plain.dropped} points with non-finite coordinates excluded.")
     count = len(plain)
     normals = plain.normals
     if normals is None or np.count_nonzero(np.any(normals != 0, axis=1)) < count:
-        normals = estimated_normals(np.asarray(plain.points_mm), np.zeros(3)) if count >= 3 else np.zeros((count, 3))
+        normals = estimate_normals(np.asarray(plain.points_mm), np.zeros(3)) if count >= 3 else np.zeros((count, 3))
     sigma = plain.sigma_mm if plain.sigma_mm is not None else np.zeros(count)
     sigma = np.where(np.asarray(sigma) > 0, sigma, DEFAULT_SIGMA_MM)
     grey = plain.grey if plain.grey is not None else np.full(count, 0.5)
@@ -151,30 +152,30 @@ def _check_units(path: Path, points_mm: Any) -> None:
     extent = float(np.ptp(points_mm, axis=0).max())
     if len(points_mm) > 100 and extent < LEAST_EXTENT_MM:
         raise InputError(
-            f"{path} is only {extent:.3g} mm large: is it in metres or inches?",
-            "If all are, say so with `--unit m` or `--unit inch`; otherwise export it in millimetres.",
+            f"{path} is only {extent:.3g} mm in size: is it in metres or inches?",
+            "If all clouds are, use `--unit m` or `--unit inch`; otherwise export it in millimetres.",
         )
     if extent > LARGEST_EXTENT_MM:
         raise InputError(
-            f"{path} is {extent / 1000:.3g} m large: is it in micrometres?",
-            "If all are, say so with `--unit um`; otherwise export it in millimetres.",
+            f"{path} is {extent / 1000:.3g} m in size: is it in micrometres?",
+            "If all clouds are, use `--unit um`; otherwise export it in millimetres.",
         )
 
 
 def _surface(stitched: StitchedCloud, mesher: Mesher, progress: PartOf) -> Any:
-    from measureapp.register.surface.closed import surface
-    from measureapp.register.surface.open import open_surface
+    from measureapp.register.surface.closed import reconstruct_surface
+    from measureapp.register.surface.open import triangulate_open_patch
 
-    return open_surface(stitched, progress) if mesher is Mesher.OPEN else surface(stitched, progress=progress)
+    return triangulate_open_patch(stitched, progress) if mesher is Mesher.OPEN else reconstruct_surface(stitched, progress=progress)
 
 
 def _document(stitched: StitchedCloud, out: Path, mesh: Path | None) -> dict[str, Any]:
-    from measureapp.project.documents import ring_document
+    from measureapp.project.documents import loop_closure_document
 
     return {
         "views": [_view(placement) for placement in stitched.placements],
         "points": len(stitched),
-        "ring": ring_document(stitched.ring),
+        "ring": loop_closure_document(stitched.loop_closure),
         "notes": dict(stitched.notes),
         "files": {"stitched_cloud": out} | ({"mesh": mesh} if mesh else {}),
     }
@@ -192,20 +193,20 @@ def _view(placement: ViewPlacement) -> dict[str, Any]:
         "bound_deg": placement.bound_deg,
         "sigma_mm": placement.sigma_mm,
         "sigma_deg": placement.sigma_deg,
-        "held_by_axes": list(placement.held_by_axes),
+        "held_by_axes": list(placement.unconstrained_motions),
         "verdict": placement.verdict,
         "used": placement.used,
     }
 
 
 def _lines(stitched: StitchedCloud, out: Path) -> str:
-    rows = [f"{'view':<16} {'moved':>9} {'turned':>9} {'residual':>9} {'overlap':>8}  verdict"]
+    rows = [f"{'view':<16} {'shift':>9} {'rotation':>9} {'residual':>9} {'overlap':>8}  verdict"]
     rows += [
         f"{p.viewpoint_id:<16} {p.correction_mm:6.3f} mm {p.correction_deg:8.3f}° {p.residual_mm:6.3f} mm {p.overlap:8.0%}  {p.verdict}"
         for p in stitched.placements
     ]
-    open_ones = sorted({motion for p in stitched.placements for motion in p.held_by_axes})
-    rows += [f"The surfaces leave {motion} open; there the poses alone hold the views." for motion in open_ones]
-    if stitched.ring is not None:
-        rows.append(f"{stitched.ring.sentence[0].upper()}{stitched.ring.sentence[1:]}.")
-    return "\n".join([*rows, f"{len(stitched)} points in {out}"])
+    motions = sorted({motion for p in stitched.placements for motion in p.unconstrained_motions})
+    rows += [f"Not determined by the surfaces: {motion}; the given poses are kept there." for motion in motions]
+    if stitched.loop_closure is not None:
+        rows.append(f"{stitched.loop_closure.sentence[0].upper()}{stitched.loop_closure.sentence[1:]}.")
+    return "\n".join([*rows, f"{len(stitched)} points saved to {out}"])

@@ -24,8 +24,8 @@ class PointCloud:
     normals: FloatArray  # (N, 3) float32, unit, towards the sensor
     sigma_mm: FloatArray  # (N,) float32, predicted standard deviation along the viewing ray
     grey: FloatArray  # (N,) float32, 0…1
-    pixel: IntArray  # (N, 2) int32, (row, column) in the camera that saw it first; -1 where unknown
-    cameras: IntArray  # (N,) uint8, bit i set: seen by the i-th camera; bit 7 (PROJECTOR_BIT): the projector served as a camera
+    pixel: IntArray  # (N, 2) int32, (row, column) in the first camera that measured it; -1 where unknown
+    cameras: IntArray  # (N,) uint8, bit i: measured by the i-th camera; bit 7 (PROJECTOR_BIT): by the projector as a camera
     frame: str  # "camera", "part", …
     viewpoint_id: str
 
@@ -45,8 +45,8 @@ class PointCloud:
         """Return the same points in ``transform.to_frame``; raises FrameMismatch."""
         if transform.from_frame != self.frame:
             raise FrameMismatch(
-                f"A cloud in frame {self.frame!r} cannot be taken through {transform.to_frame}_from_{transform.from_frame}.",
-                "Place the cloud with the transform of its own frame.",
+                f"A cloud in frame {self.frame!r} cannot be transformed by {transform.to_frame}_from_{transform.from_frame}.",
+                "Use a transform from the frame of the cloud.",
             )
         return replace(self, points_mm=transform.apply(self.points_mm), normals=transform.rotate(self.normals), frame=transform.to_frame)
 
@@ -63,12 +63,14 @@ class PointCloud:
         )
 
 
-def joined(clouds: Sequence[PointCloud]) -> PointCloud:
-    """Return the points of several clouds of one view and frame, in order; raises FrameMismatch where the frames differ."""
+def concatenate_clouds(clouds: Sequence[PointCloud]) -> PointCloud:
+    """Concatenate clouds of one view and frame; raises FrameMismatch if the frames differ."""
     first = clouds[0]
     for cloud in clouds:
         if cloud.frame != first.frame:
-            raise FrameMismatch(f"Clouds in frames {first.frame!r} and {cloud.frame!r} cannot be joined.", "Place them in one frame first.")
+            raise FrameMismatch(
+                f"Clouds in frames {first.frame!r} and {cloud.frame!r} cannot be merged.", "Transform them to one frame first."
+            )
     names = ("points_mm", "normals", "sigma_mm", "grey", "pixel", "cameras")
     arrays: dict[str, Any] = {name: np.concatenate([getattr(cloud, name) for cloud in clouds]) for name in names}
     return replace(first, **arrays)
@@ -76,7 +78,7 @@ def joined(clouds: Sequence[PointCloud]) -> PointCloud:
 
 @dataclass(frozen=True, slots=True)
 class CloudQuality:
-    """What a cloud is worth, by the definitions of the methods sheet (section 8), and whether it may be stitched."""
+    """Quality of a cloud by the definitions of the methods sheet (section 8), and whether it is accepted for registration."""
 
     points: int
     density_per_mm2: float
@@ -85,46 +87,44 @@ class CloudQuality:
     completeness: float
     accepted: bool
     reason: str  # empty when accepted
-    distortion_mm: float = 0.0  # by how much smooth surface waves beyond its noise
+    distortion_mm: float = 0.0  # waves of smooth surface beyond the noise
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ViewPlacement:
-    """Where one view came to lie: its pose by the axes, and what fine stitching changed."""
+    """Pose of one view: kinematic, and after registration."""
 
     viewpoint_id: str
-    part_from_camera: RigidTransform  # after fine stitching
-    kinematic: RigidTransform  # by the axes alone
-    correction_mm: float  # how far the fine stitching moved the view's centroid beside the other views, not together with them
+    part_from_camera: RigidTransform  # after registration
+    kinematic: RigidTransform  # kinematic pose part_from_camera
+    correction_mm: float  # displacement of the view's centroid by registration, without the common motion of all views
     correction_deg: float
-    residual_mm: float  # rms point-to-surface distance to its neighbours after fine stitching
-    overlap: float  # share of its points that neighbours have too
+    residual_mm: float  # rms point-to-plane distance from its neighbours after registration
+    overlap: float  # share of its points with corresponding points in other views
     verdict: str  # "good", or the reason why not
     used: bool
-    bound_mm: float = 0.0  # furthest correction beside the other views that the axes allow; 0 where nothing was corrected
+    bound_mm: float = 0.0  # limit of the correction from the kinematic uncertainty; 0 where nothing was corrected
     bound_deg: float = 0.0
-    sigma_mm: float = (
-        0.0  # standard deviation of where the view's centroid lies beside the others', in its worst direction; 0 where unknown
-    )
+    sigma_mm: float = 0.0  # standard deviation of the view's centroid relative to the other views, in its worst direction; 0 where unknown
     sigma_deg: float = 0.0
-    held_by_axes: tuple[str, ...] = ()  # motions that the common surface leaves open
+    unconstrained_motions: tuple[str, ...] = ()  # motions that the common surface does not determine
 
 
 @dataclass(frozen=True, slots=True)
-class RingClosure:
-    """How well pairs of views close around the part: where the first view comes to lie once it was taken around by pairs."""
+class LoopClosure:
+    """Loop closure of the pairs around the part."""
 
-    viewpoints: tuple[str, ...]  # in the order around
-    gap_mm: float  # rms distance of the first view's points from where they were
+    viewpoints: tuple[str, ...]  # in order around the part
+    gap_mm: float  # rms displacement of the first view's points after one loop
     gap_deg: float
-    sigma_mm: float  # how large the gap is expected to be, rms
+    sigma_mm: float  # expected gap, rms
 
     @property
     def sentence(self) -> str:
-        """How well they close, in words."""
+        """The loop closure in words."""
         return (
-            f"taken around the part over {len(self.viewpoints)} views by their pairs, the first view comes back {self.gap_mm:.3f} mm "
-            f"and {self.gap_deg:.4f}° off; {self.sigma_mm:.3f} mm are to be expected"
+            f"loop closure over {len(self.viewpoints)} views around the part: {self.gap_mm:.3f} mm and {self.gap_deg:.4f}° "
+            f"(expected: {self.sigma_mm:.3f} mm)"
         )
 
 
@@ -136,14 +136,14 @@ class StitchedCloud:
     normals: FloatArray  # (N, 3) float32
     sigma_mm: FloatArray  # (N,) float32
     grey: FloatArray  # (N,) float32, 0…1
-    view: IntArray  # (N,) int16, index into `placements` of the view that weighs most in the point
+    view: IntArray  # (N,) int16, index into `placements` of the view of greatest weight
     placements: tuple[ViewPlacement, ...]
     frame: str = "part"
     notes: Mapping[str, float] = field(default_factory=dict)
-    ring: RingClosure | None = None  # the one that closes worst; None where no pairs lead around the part
-    view_names: tuple[str, ...] = ()  # what `view` counts; those of the placements where these are known
-    drawn_view: IntArray | None = None  # (N,) int16, a view drawn for each point as often as it weighs in it; None where not known
-    errors: ViewErrors | None = None  # of the views that `view` counts; None where not known
+    loop_closure: LoopClosure | None = None  # of the worst loop; None without a loop around the part
+    view_names: tuple[str, ...] = ()  # names of the views that `view` numbers; those of the placements if known
+    sampled_view: IntArray | None = None  # (N,) int16, one view per point, sampled with probability proportional to its weight
+    errors: ViewErrors | None = None  # of the views that `view` numbers; None where not known
 
     def __post_init__(self) -> None:
         count = len(self.points_mm)
@@ -152,8 +152,8 @@ class StitchedCloud:
         object.__setattr__(self, "sigma_mm", read_only(self.sigma_mm, np.float32, (count,)))
         object.__setattr__(self, "grey", read_only(self.grey, np.float32, (count,)))
         object.__setattr__(self, "view", read_only(self.view, np.int16, (count,)))
-        if self.drawn_view is not None:
-            object.__setattr__(self, "drawn_view", read_only(self.drawn_view, np.int16, (count,)))
+        if self.sampled_view is not None:
+            object.__setattr__(self, "sampled_view", read_only(self.sampled_view, np.int16, (count,)))
         if self.placements:
             object.__setattr__(self, "view_names", tuple(placement.viewpoint_id for placement in self.placements))
 
@@ -162,6 +162,6 @@ class StitchedCloud:
 
     def where(self, keep: BoolArray | IntArray) -> StitchedCloud:
         """Return the points chosen by a mask or by indices; the views keep their numbers and names."""
-        names = ("points_mm", "normals", "sigma_mm", "grey", "view", "drawn_view")
+        names = ("points_mm", "normals", "sigma_mm", "grey", "view", "sampled_view")
         arrays: dict[str, Any] = {name: values[keep] for name in names if (values := getattr(self, name)) is not None}
         return replace(self, **arrays)

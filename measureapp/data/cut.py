@@ -1,4 +1,4 @@
-"""Which measured points belong to a feature: cut out around its nominal, or grown from a seed."""
+"""Selection of a feature's measured points: cut around the nominal, or region growing from a seed."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ Range = tuple[float, float]
 
 
 class Cut(Model):
-    """Which measured points belong to a feature, in the nominal's frame (a pattern's copies turn it with them)."""
+    """Limits of the points of a feature, in the nominal's frame (rotated for the copies of a pattern)."""
 
     band_mm: float = Field(default=2.0, gt=0, description="greatest distance from the nominal surface")
-    along_mm: Range | None = Field(default=None, description="from/to along the direction, counted from the nominal point")
+    along_mm: Range | None = Field(default=None, description="from/to along the direction, from the nominal point")
     radial_mm: Range | None = Field(
         default=None, description="from/to distance from the line through the nominal point along the direction"
     )
     x_mm: Range | None = None
     y_mm: Range | None = None
     z_mm: Range | None = None
-    edge_mm: float = Field(default=2.0, ge=0, description="distance kept from sharp edges of the nominal mesh")
+    edge_mm: float = Field(default=2.0, ge=0, description="least distance from sharp edges of the nominal mesh")
     normals_within_deg: float = Field(default=35.0, gt=0, le=180)
 
     @model_validator(mode="after")
@@ -34,10 +34,10 @@ class Cut(Model):
 
 
 class Grow(Model):
-    """Points found from a seed on the surface instead of around a nominal: the region that belongs to one shape."""
+    """Region growing: the points of one shape around a seed on the surface."""
 
-    seed_mm: Vector = Field(description="a place on the surface, in the nominal's frame")
-    reach_mm: float = Field(default=2.0, gt=0, description="how far from the seed the surface may lie")
-    noise_mm: float | None = Field(default=None, gt=0, description="standard deviation of a point; left out: from the points")
-    form_mm: float = Field(default=0.02, ge=0, description="departure from the ideal shape that still belongs to it")
-    turn_deg: float = Field(default=8.0, gt=0, le=45, description="how far the surface may be turned against the shape")
+    seed_mm: Vector = Field(description="a point on the surface, in the nominal's frame")
+    reach_mm: float = Field(default=2.0, gt=0, description="greatest distance of the surface from the seed")
+    noise_mm: float | None = Field(default=None, gt=0, description="standard deviation of a point; None: from the points")
+    form_mm: float = Field(default=0.02, ge=0, description="form deviation that still belongs to the shape")
+    turn_deg: float = Field(default=8.0, gt=0, le=45, description="greatest angle between surface and shape")

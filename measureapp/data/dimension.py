@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-SHARES = ("noise", "stitching", "calibration", "form", "common", "scale")  # that make up the uncertainty of a dimension
-SHARE_DIGITS = 4  # so that what a small share adds is seen
+CONTRIBUTIONS = ("noise", "stitching", "calibration", "form", "common", "scale")  # that make up the uncertainty of a dimension
+CONTRIBUTION_DIGITS = 4  # so that what a small share adds is seen
 
 
 class Verdict(StrEnum):
@@ -35,23 +35,23 @@ class Dimension:
     features: tuple[str, ...] = ()
     kind: str = ""  # "distance", "flatness", …
     datums: tuple[str, ...] = ()  # A, B, C
-    origin: str = ""  # where the value came from: points, filter, criterion, datums, and what was assumed for its uncertainty
-    budget: Mapping[str, float] = field(default_factory=dict)  # the `SHARES` of `uncertainty`, k = 2; their squares add up
+    traceability: str = ""  # where the value came from: points, filter, criterion, datums, and what was assumed for its uncertainty
+    budget: Mapping[str, float] = field(default_factory=dict)  # the `CONTRIBUTIONS` of `uncertainty`, k = 2; their squares add up
 
     @property
-    def error(self) -> float | None:
+    def deviation(self) -> float | None:
         """Measured minus nominal."""
         return None if self.measured is None else self.measured - self.nominal
 
-    def shares_shown(self, digits: int = SHARE_DIGITS) -> list[tuple[str, float]]:
+    def rank_contributions(self, digits: int = CONTRIBUTION_DIGITS) -> list[tuple[str, float]]:
         """Return the shares of the uncertainty (k = 2), the largest first, without those that would read as zero."""
         return sorted(((name, size) for name, size in self.budget.items() if round(size, digits) > 0), key=lambda share: -share[1])
 
-    def uncertainty_shown(self, digits: int = 3) -> float | None:
+    def round_uncertainty(self, digits: int = 3) -> float | None:
         """Return the uncertainty for so many digits: one that would read as zero is rounded up to the last of them (JCGM 100, 7.2.6)."""
         return max(self.uncertainty, 10.0**-digits) if self.uncertainty else self.uncertainty
 
     @property
-    def relative_error(self) -> float | None:
+    def relative_deviation(self) -> float | None:
         """Error over nominal; None where the nominal is zero."""
-        return None if self.error is None or self.nominal == 0 else self.error / self.nominal
+        return None if self.deviation is None or self.nominal == 0 else self.deviation / self.nominal

@@ -1,4 +1,4 @@
-"""Geometry fitted to points: the noun, which lives beside the fits."""
+"""Fitted features; the class itself is defined with the fits, in `measureapp.geometry.feature`."""
 
 from __future__ import annotations
 

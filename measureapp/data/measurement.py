@@ -1,4 +1,4 @@
-"""Everything one measurement of one part gave: what the report is composed of and the window shows."""
+"""Results of one measurement of one part, as shown in the window and the report."""
 
 from __future__ import annotations
 
@@ -19,37 +19,37 @@ from measureapp.geometry.transform import RigidTransform
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ViewResult:
-    """One viewpoint, from images to a placed cloud."""
+    """Results of one viewpoint, from images to a placed cloud."""
 
     viewpoint_id: str
     cloud: PointCloud  # in frame "camera"
     quality: CloudQuality
-    part_from_camera: RigidTransform  # by the kinematic chain
+    part_from_camera: RigidTransform  # kinematic pose
     decode: Mapping[str, Mapping[str, Any]]  # camera -> figures of decoding (JSON-ready)
     pairs: tuple[Mapping[str, Any], ...]  # figures of matching (JSON-ready)
     rejected: Mapping[str, int]  # reason -> count
     readback: AxisReadback
-    timings_s: Mapping[str, float] = field(default_factory=dict)  # of a view made during the scan: "last image to cloud"
-    findings: tuple[str, ...] = ()  # what looks wrong with the images or the calibration, in words
-    shift: ShiftEvidence | None = None  # what its phases say about turned cameras; not stored, None where they say nothing
+    timings_s: Mapping[str, float] = field(default_factory=dict)  # of a view processed during the scan: "last image to cloud"
+    findings: tuple[str, ...] = ()  # suspected problems of the images or the calibration, in words
+    shift: ShiftEvidence | None = None  # evidence of camera drift in its phases; not stored; None without evidence
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Alignment:
-    """How the measured part was laid onto its nominal; named on every result."""
+    """Alignment of the measured part to its nominal; stated with every result."""
 
     name: str
     nominal_from_part: RigidTransform
     rms_mm: float
-    overlap: float = 1.0  # share of the points that lie near the nominal
-    undetermined: tuple[str, ...] = ()  # motions the points leave open, in words: "shift along x", "turn about z"
-    residuals_mm: Mapping[str, float] = field(default_factory=dict)  # of each feature it rests on: how far off its nominal place it stays
-    notes: tuple[str, ...] = ()  # what else to know about it, in sentences
+    overlap: float = 1.0  # share of the points near the nominal
+    undetermined: tuple[str, ...] = ()  # motions the points do not determine: "translation along x", "rotation about z"
+    residuals_mm: Mapping[str, float] = field(default_factory=dict)  # remaining deviation of each feature used, from its nominal position
+    notes: tuple[str, ...] = ()  # further information, in sentences
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Inspection:
-    """Features and dimensions by one inspection program."""
+    """Features and dimensions of one inspection program."""
 
     program: str
     alignment: Alignment

@@ -1,4 +1,4 @@
-"""What the calibration of the cameras leaves uncertain, as maps."""
+"""Uncertainty maps of a camera calibration, in the images and over the working volume."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ COVERAGE_FACTOR = 2.0  # expanded uncertainty, k = 2
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ProjectionUncertainty:
-    """Standard deviation of where one camera projects a point, over its image."""
+    """Standard deviation of a projected point, over the image of one camera."""
 
     camera: str
     range_mm: float  # distance of the points from the camera
@@ -35,16 +35,16 @@ class ProjectionUncertainty:
 class VolumeUncertainty:
     """Standard deviation of triangulated points over the working volume, in the reference camera's frame `camera`.
 
-    The part that moves the volume as a whole (a rigid motion) is taken out: it bends no length.
+    The common rigid motion of the volume is removed: it changes no length.
     """
 
     points_mm: FloatArray  # (N, 3)
     covariance_mm2: FloatArray  # (N, 3, 3)
-    cameras_seeing: IntArray  # (N,), how many cameras see the point
-    length_mm: float  # length the next two are given for
-    length_sigma_mm: float  # root mean square over all directions and places in the volume
+    cameras_seeing: IntArray  # (N,), number of cameras with the point in their field of view
+    length_mm: float  # length for which the next two are stated
+    length_sigma_mm: float  # root mean square over all directions and positions in the volume
     worst_length_sigma_mm: float
-    worst_length_at_mm: FloatArray  # (2, 3), the ends of the worst length
+    worst_length_at_mm: FloatArray  # (2, 3), ends of the worst length
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "points_mm", read_only(self.points_mm, np.float64, (None, 3)))
@@ -54,7 +54,7 @@ class VolumeUncertainty:
 
     @property
     def sigma_mm(self) -> FloatArray:
-        """Standard deviation (N,) of a point's place, all three directions together."""
+        """Standard deviation (N,) of a point's position, all three directions combined."""
         return np.asarray(np.sqrt(np.trace(self.covariance_mm2, axis1=1, axis2=2)))
 
     @property
@@ -65,19 +65,19 @@ class VolumeUncertainty:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class UncertaintyMap:
-    """How far a camera calibration can be trusted, in pixels over the images and in millimetres over the working volume."""
+    """Uncertainty of a camera calibration, in pixels over the images and in millimetres over the working volume."""
 
     projection: Mapping[str, ProjectionUncertainty]  # by camera
     volume: VolumeUncertainty | None  # None with a single camera, which measures no points
 
     @property
     def sentence(self) -> str:
-        """What it means for a measured length."""
+        """Its contribution to the uncertainty of a measured length, in words."""
         if self.volume is None:
             worst = max(one.sigma_px.max() for one in self.projection.values())
-            return f"The calibration leaves points in the image uncertain by up to {COVERAGE_FACTOR * worst:.3f} px (k = 2)."
+            return f"Uncertainty of projected points by the calibration: up to {COVERAGE_FACTOR * worst:.3f} px (k = 2)."
         volume = self.volume
         return (
-            f"The camera calibration adds {COVERAGE_FACTOR * volume.length_sigma_mm:.4f} mm (k = 2), "
-            f"at worst {COVERAGE_FACTOR * volume.worst_length_sigma_mm:.4f} mm, to a length of {volume.length_mm:.0f} mm in this volume."
+            f"The camera calibration contributes {COVERAGE_FACTOR * volume.length_sigma_mm:.4f} mm (k = 2) to the uncertainty of "
+            f"a length of {volume.length_mm:.0f} mm in this volume, {COVERAGE_FACTOR * volume.worst_length_sigma_mm:.4f} mm at worst."
         )

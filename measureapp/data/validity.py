@@ -1,4 +1,4 @@
-"""Whether a calibration may be used: what stands against it, and what scans and board views said about it since."""
+"""Validity of a calibration: warnings, camera drift, and the history of its checks."""
 
 from __future__ import annotations
 
@@ -6,36 +6,38 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-Standing = Literal["good", "watch", "drifted", "unknown"]
+DriftStatus = Literal["good", "watch", "drifted", "unknown"]
 
 
 @dataclass(frozen=True, slots=True)
 class Drift:
-    """Whether a camera stands as it was calibrated, from the images of a scan."""
+    """Camera drift since the calibration, from the images of a scan."""
 
-    standing: Standing
+    status: DriftStatus
     sentence: str  # with its numbers and what to do
-    cameras: tuple[str, ...] = ()  # the one that turned; several where the images cannot tell which; none while good
-    shift_px: float = 0.0  # root mean square shift of that camera's image, across the fringes
-    expected_px: float = 0.0  # what the calibration left
-    error_mm: float = 0.0  # root mean square shift of the measured points in depth
+    cameras: tuple[str, ...] = ()  # the camera that moved; several if the images do not determine which; none while good
+    shift_px: float = 0.0  # rms shift of that camera's image, perpendicular to the fringes
+    expected_px: float = 0.0  # residual of the calibration
+    error_mm: float = 0.0  # rms depth error of the measured points
     turn_deg: float = 0.0
-    unseen_deg: Mapping[str, Mapping[str, float]] = field(default_factory=dict)  # camera -> pitch, yaw, roll: smaller turns raise no alarm
-    unseen: str = ""  # the largest of them in words, for what is good is good only as far as it was looked at
+    undetectable_deg: Mapping[str, Mapping[str, float]] = field(
+        default_factory=dict
+    )  # camera -> pitch, yaw, roll: smaller rotations are not detected
+    undetectable: str = ""  # the largest of them in words: the limit of the check
 
 
 @dataclass(frozen=True, slots=True)
 class Validity:
-    """What is known about the calibration that a measurement rests on."""
+    """Validity of the calibration of a measurement."""
 
-    warnings: tuple[str, ...] = ()  # age and temperature, each a sentence with its effect and remedy
-    drift: Drift | None = None  # None: not looked for
-    temperature_c: float | None = None  # of the head while it was scanned; None where no device reports one
+    warnings: tuple[str, ...] = ()  # age and temperature, each a sentence with effect and remedy
+    drift: Drift | None = None  # None: not checked
+    temperature_c: float | None = None  # of the head during the scan; None where no device reports one
 
     @property
-    def told(self) -> tuple[str, ...]:
-        """Everything that a user must read before trusting the result."""
-        alarmed = self.drift is not None and self.drift.standing in ("watch", "drifted")
+    def all_warnings(self) -> tuple[str, ...]:
+        """All warnings, including that of a drift."""
+        alarmed = self.drift is not None and self.drift.status in ("watch", "drifted")
         return (*self.warnings, *((self.drift.sentence,) if self.drift is not None and alarmed else ()))
 
 
@@ -46,7 +48,7 @@ class CheckRecord:
     at: str  # ISO 8601, when the images were taken
     kind: Literal["scan", "board check"]
     calibration: str  # its id
-    standing: Standing
+    status: DriftStatus
     sentence: str
     shift_px: float | None = None
     expected_px: float | None = None

@@ -1,4 +1,4 @@
-"""Which views somebody decided to use, or to leave out, whatever their figures say."""
+"""Manual decisions to use or exclude views, regardless of their quality."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ ViewChoice = Literal["use", "refuse"]
 
 
 class ViewChoices(Model):
-    """Choices by hand, kept with the project so that computing again repeats them; every other view is judged by its figures."""
+    """Manual choices, stored with the project and applied when it is recomputed; all other views are accepted by their quality."""
 
     schema_version: Literal[1] = 1
-    used: tuple[str, ...] = ()  # viewpoint ids, used however poor the cloud and however far it has to move
-    refused: tuple[str, ...] = ()  # never stitched
+    used: tuple[str, ...] = ()  # viewpoint ids, used regardless of quality and correction
+    refused: tuple[str, ...] = ()  # never used
 
     @model_validator(mode="after")
     def _are_distinct(self) -> ViewChoices:
@@ -25,7 +25,7 @@ class ViewChoices(Model):
         return self
 
     def with_choice(self, viewpoint_id: str, choice: ViewChoice) -> ViewChoices:
-        """Return these choices with another one for a view.
+        """Return these choices with another choice for one view.
 
         >>> ViewChoices(used=("a", "b")).with_choice("a", "refuse")
         ViewChoices(schema_version=1, used=('b',), refused=('a',))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -13,21 +13,20 @@ from measureapp.data.measurement import Alignment, Inspection
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
 from measureapp.inspection.alignment.align import align
-from measureapp.inspection.budget import completed
-from measureapp.inspection.features.errors import NOISE
-from measureapp.inspection.features.found import Found
-from measureapp.inspection.find_all import find_all
-from measureapp.inspection.measured import HasPoints, MeasuredPoints
+from measureapp.inspection.evaluate import evaluate_dimension, evaluate_pattern_mean
+from measureapp.inspection.features.feature_errors import CALIBRATION, NOISE, SCALE
+from measureapp.inspection.features.found_feature import FoundFeature
+from measureapp.inspection.find_features import find_features
+from measureapp.inspection.measured_points import HasPoints, MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.nominal import NominalSurface
-from measureapp.inspection.surface.units import check_unit, check_unit_on
-from measureapp.inspection.uncertainty import COVERAGE_FACTOR
+from measureapp.inspection.surface.units import check_unit, check_unit_against
+from measureapp.inspection.uncertainty import COVERAGE_FACTOR, assumed_calibration
 from measureapp.inspection.value import Budget, Value
-from measureapp.inspection.values import mean_value, value_of
-from measureapp.inspection.verdict import judge
+from measureapp.inspection.verdict import decide_verdict
 from measureapp.progress import NoProgress, PartOf, Progress
 
-FEW = 4  # features that are named one by one in where a value came from
+MOST_LISTED = 4  # features that are named one by one in where a value came from
 
 
 def inspect(
@@ -57,10 +56,10 @@ def inspect(
     progress.report(0, 3, "alignment")
     placed = alignment or align(points, program, surface, settings, getattr(measured, "frame", "part"), PartOf(progress, 0.0, 1 / 3))
     progress.report(1, 3, "features")
-    in_place = points.seen_from(placed.nominal_from_part).with_scale(settings.uncertainty.scale_ppm)
+    in_place = points.seen_from(placed.nominal_from_part).with_scale_uncertainty(settings.uncertainty.scale_ppm)
     if alignment is None and program.alignment.method != "none":
-        in_place = in_place.aligned()
-    found = find_all(in_place, program, surface, settings, progress)
+        in_place = in_place.remove_alignment_motion()
+    found = find_features(in_place, program, surface, settings, progress)
     _check_unit(in_place, found, program, surface, settings)
     progress.report(2, 3, "dimensions")
     dimensions = tuple(_dimension(described, found, settings) for described in program.dimensions)
@@ -71,74 +70,97 @@ def inspect(
 
 def _check_unit(
     points: MeasuredPoints,
-    found: Mapping[str, Found],
+    found: Mapping[str, FoundFeature],
     program: InspectionProgram,
     surface: NominalSurface | None,
     settings: InspectionSettings,
 ) -> None:
     """Ask about the unit of points that lie on the nominal in another unit only; without a nominal mesh, that its features are found on."""
     if surface is not None:
-        check_unit_on(points, surface)
+        check_unit_against(points, surface)
         return
 
     def agreeing(factor: float) -> float:
         if factor < 1.0:
             return 0.0  # shrunk to a speck, any points lie on a feature near the origin
-        taken = found if factor == 1.0 else find_all(replace(points, points_mm=points.points_mm * factor), program, surface, settings)
+        taken = found if factor == 1.0 else find_features(replace(points, points_mm=points.points_mm * factor), program, surface, settings)
         measured = [name for one in program.features if isinstance(one, MeasuredFeature) for name in copy_names(one.name, one.repeat)]
         return float(np.mean([taken[name].feature is not None for name in measured])) if measured else 1.0
 
     check_unit(agreeing, "of the features are found")
 
 
-def _dimension(described: DimensionProgram, found: dict[str, Found], settings: InspectionSettings) -> Dimension:
+def _dimension(described: DimensionProgram, found: dict[str, FoundFeature], settings: InspectionSettings) -> Dimension:
     try:
-        value = _combined(described, found, settings)
+        value = _evaluate(described, found, settings)
     except InspectionError as error:
-        return _stated(described, found, None, None, Verdict.NOT_MEASURED, error.message)
-    budget, assumptions = completed(value, described.unit, [found[name] for names in described.feature_sets for name in names], settings)
+        return _make_dimension(described, found, None, None, Verdict.NOT_MEASURED, error.message)
+    budget, assumptions = _complete_budget(
+        value, described.unit, [found[name] for names in described.feature_sets for name in names], settings
+    )
     uncertainty = COVERAGE_FACTOR * float(np.linalg.norm(list(budget.values())))
     if not (np.isfinite(value.value) and np.isfinite(uncertainty)):
-        return _stated(described, found, None, None, Verdict.NOT_MEASURED, "the points do not determine this value")
+        return _make_dimension(described, found, None, None, Verdict.NOT_MEASURED, "the points do not determine this value")
     lower, upper = (-np.inf if described.kind in ZONES else described.lower_tolerance), described.upper_tolerance + value.bonus
     # no zone is too narrow
-    verdict = judge(value.value - described.nominal, uncertainty, lower, upper, settings.verdict_rule)
+    verdict = decide_verdict(value.value - described.nominal, uncertainty, lower, upper, settings.verdict_rule)
     how = "; ".join(filter(None, (value.how, *assumptions)))
-    made = _stated(described, found, value.value, uncertainty, verdict, "", how, value.bonus)
+    made = _make_dimension(described, found, value.value, uncertainty, verdict, "", how, value.bonus)
     return replace(made, budget={share: COVERAGE_FACTOR * sigma for share, sigma in budget.items()})
 
 
-def _combined(described: DimensionProgram, found: dict[str, Found], settings: InspectionSettings) -> Value:
+def _evaluate(described: DimensionProgram, found: dict[str, FoundFeature], settings: InspectionSettings) -> Value:
     """The value, or mean, least or greatest value of a pattern; the noise of a mean averages out, that of an extreme does not."""
     values = [
-        value_of(described, tuple(found[name] for name in names), tuple(found[name] for name in datums), settings)
+        evaluate_dimension(described, tuple(found[name] for name in names), tuple(found[name] for name in datums), settings)
         for names, datums in zip(described.feature_sets, described.datum_sets, strict=True)
     ]
     if len(values) == 1:
         return values[0]
     numbers = np.array([v.value for v in values])
     if described.statistic == "mean":
-        together = mean_value(described, [tuple(found[name] for name in names) for names in described.feature_sets], settings)
-        return together or Value(float(numbers.mean()), _of_mean([v.budget for v in values], _apart(described)), values[0].how)
+        together = evaluate_pattern_mean(described, [tuple(found[name] for name in names) for names in described.feature_sets], settings)
+        return together or Value(
+            float(numbers.mean()), _average_budgets([v.budget for v in values], _are_disjoint(described)), values[0].how
+        )
     left = numbers - np.array([v.bonus for v in values])
     return values[int(left.argmin() if described.statistic == "min" else left.argmax())]
 
 
-def _of_mean(budgets: list[Budget], apart: bool) -> Budget:
+def _complete_budget(
+    value: Value, unit: str, found: Sequence[FoundFeature], settings: InspectionSettings
+) -> tuple[Budget, tuple[str, ...]]:
+    """Add assumed contributions to a value's uncertainty budget where the cloud has no error model; return them in words, too."""
+    budget, assumptions = dict(value.budget), []
+    chosen = settings.uncertainty
+    if any(one.view_errors is None for one in found) and chosen.placement_mm > 0:
+        assumptions.append(f"assumed: position of each view ± {chosen.placement_mm:g} mm (k = 1), as the cloud has no error model")
+    if CALIBRATION not in budget and unit == "mm" and (chosen.systematic_mm or chosen.systematic_relative):
+        budget[CALIBRATION] = assumed_calibration(value.value, chosen)
+        assumptions.append(
+            f"assumed: calibration ± {chosen.systematic_mm:g} mm and {chosen.systematic_relative * 1e6:.0f} ppm of the length (k = 1)"
+        )
+    if chosen.scale_ppm > 0 and unit == "mm":
+        budget.setdefault(SCALE, chosen.scale_ppm * 1e-6 * abs(value.value))  # without views a value scales like a length
+        assumptions.append(f"length scale ± {chosen.scale_ppm:g} ppm (k = 1), from calibration board and part temperature")
+    return budget, tuple(assumptions)
+
+
+def _average_budgets(budgets: list[Budget], apart: bool) -> Budget:
     """Shares of a mean: noise of copies that stand apart averages out; what they share may be alike in all and is taken to be."""
     means = {share: float(np.mean([budget.get(share, 0.0) for budget in budgets])) for share in sorted({NOISE}.union(*budgets))}
     return means | {NOISE: float(np.linalg.norm([budget.get(NOISE, 0.0) for budget in budgets])) / len(budgets)} if apart else means
 
 
-def _apart(described: DimensionProgram) -> bool:
+def _are_disjoint(described: DimensionProgram) -> bool:
     """Tell whether no feature or datum belongs to two copies: its noise would be in both."""
     names = [name for i in range(len(described.feature_sets)) for name in {*described.feature_sets[i], *described.datum_sets[i]}]
     return len(names) == len(set(names))
 
 
-def _stated(
+def _make_dimension(
     described: DimensionProgram,
-    found: dict[str, Found],
+    found: dict[str, FoundFeature],
     value: float | None,
     uncertainty: float | None,
     verdict: Verdict,
@@ -162,7 +184,7 @@ def _stated(
         features=features,
         kind=described.kind,
         datums=datums,
-        origin=_origin(described, [found[name] for name in (*features, *datums)], how),
+        traceability=_describe_traceability(described, [found[name] for name in (*features, *datums)], how),
     )
 
 
@@ -170,9 +192,9 @@ def _distinct(sets: tuple[tuple[str, ...], ...]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(name for names in sets for name in names))
 
 
-def _origin(described: DimensionProgram, found: list[Found], how: str) -> str:
+def _describe_traceability(described: DimensionProgram, found: list[FoundFeature], how: str) -> str:
     """Say what a value rests on: points used and left out, filter and criterion, datums in their order, copies."""
-    words = [_points_words(found)]
+    words = [_describe_points(found)]
     if how:
         words.append(how)
     if described.datums:
@@ -182,16 +204,16 @@ def _origin(described: DimensionProgram, found: list[Found], how: str) -> str:
     return "; ".join(words)
 
 
-def _points_words(found: list[Found]) -> str:
+def _describe_points(found: list[FoundFeature]) -> str:
     """Name the points of each feature; of a long pattern all together."""
     fitted = [one for one in found if one.feature is not None and len(one.points_mm)]
-    if len(found) > FEW:
+    if len(found) > MOST_LISTED:
         left_out = sum(one.feature.left_out for one in fitted if one.feature is not None)
         return f"{len(fitted)} features: {sum(len(one.points_mm) for one in fitted)} points, {left_out} left out"
-    return ", ".join(_words_of(one) for one in found)
+    return ", ".join(_describe_feature(one) for one in found)
 
 
-def _words_of(found: Found) -> str:
+def _describe_feature(found: FoundFeature) -> str:
     if found.feature is None:
         return f"{found.name}: not found"
     if len(found.points_mm) == 0:

@@ -7,7 +7,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.data.view_errors import ViewErrors
 from measureapp.inspection.settings import UncertaintySettings
-from measureapp.inspection.uncertainty import COVERAGE_FACTOR, expanded
+from measureapp.inspection.uncertainty import COVERAGE_FACTOR, expand_uncertainty
 
 
 def point_distance(
@@ -38,6 +38,6 @@ def point_distance(
         shares = {share: columns[1] - columns[0] for share, columns in errors.along(points_mm, along, np.array(views)).items()}
         known = [float(np.linalg.norm(change)) for change in shares.values()]
         noise = float(np.linalg.norm([*sigmas_mm, *known, scale_mm]))
-        return length, COVERAGE_FACTOR * noise if "calibration" in shares else expanded(noise, length, settings)
+        return length, COVERAGE_FACTOR * noise if "calibration" in shares else expand_uncertainty(noise, length, settings)
     placed = 0.0 if same_view else np.sqrt(2.0) * settings.placement_mm
-    return length, expanded(float(np.linalg.norm([*sigmas_mm, placed, scale_mm])), length, settings)
+    return length, expand_uncertainty(float(np.linalg.norm([*sigmas_mm, placed, scale_mm])), length, settings)

@@ -9,12 +9,12 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
 from measureapp.inspection.features.cells import Cells
-from measureapp.inspection.features.errors import TURN_MM, Errors, Source, moved, principal, sizes_of
-from measureapp.inspection.features.found import Found
-from measureapp.inspection.value import Budget, feature_of
+from measureapp.inspection.features.feature_errors import TURN_MM, Errors, ErrorSource, perturb, principal_errors, size_names
+from measureapp.inspection.features.found_feature import FoundFeature
+from measureapp.inspection.value import Budget, require_feature
 
 
-def propagated(value: Callable[[Sequence[Feature]], float], found: Sequence[Found]) -> tuple[float, Budget]:
+def propagate(value: Callable[[Sequence[Feature]], float], found: Sequence[FoundFeature]) -> tuple[float, Budget]:
     """Return ``value`` of the features and what each share of their errors adds to its standard uncertainty.
 
     All features are moved together by one standard deviation to either side along every principal direction of each source of
@@ -22,38 +22,42 @@ def propagated(value: Callable[[Sequence[Feature]], float], found: Sequence[Foun
     value. Where the value is smooth this is the law of propagation with correlations (JCGM 100, 5.2.2); at a kink, like a distance
     that is zero, it keeps the uncertainty that the derivative loses.
     """
-    return _propagated(lambda features, _: value(features), found, None)
+    return _propagate(lambda features, _: value(features), found, None)
 
 
-def propagated_on(value: Callable[[Sequence[Feature], FloatArray], float], found: Sequence[Found], cells: Cells) -> tuple[float, Budget]:
-    """Return the same for a value of features and of the means (K, 3) of a surface, which moves with the views it was measured in."""
-    return _propagated(lambda features, heights: value(features, cells.raised(heights)), found, cells)
-
-
-def _propagated(
-    value: Callable[[Sequence[Feature], FloatArray], float], found: Sequence[Found], cells: Cells | None
+def propagate_with_surface(
+    value: Callable[[Sequence[Feature], FloatArray], float], found: Sequence[FoundFeature], cells: Cells
 ) -> tuple[float, Budget]:
-    features = [feature_of(one) for one in found]
-    ends = np.cumsum([0, *(6 + len(sizes_of(feature)) for feature in features)])
+    """Return the same for a value of features and of the means (K, 3) of a surface, which moves with the views it was measured in."""
+    return _propagate(lambda features, heights: value(features, cells.displace(heights)), found, cells)
+
+
+def _propagate(
+    value: Callable[[Sequence[Feature], FloatArray], float], found: Sequence[FoundFeature], cells: Cells | None
+) -> tuple[float, Budget]:
+    features = [require_feature(one) for one in found]
+    ends = np.cumsum([0, *(6 + len(size_names(feature)) for feature in features)])
     still = np.zeros(0 if cells is None else len(cells))
     base = value(features, still)
     scale = np.concatenate([*(_scale(feature) for feature in features), np.ones(len(still))])
     variances: dict[str, float] = {}
-    for source, columns in _together(
-        [*(one.errors for one in found), *([] if cells is None else [cells.by_views])], [*np.diff(ends), len(still)]
+    for source, columns in _stack_errors(
+        [*(one.errors for one in found), *([] if cells is None else [cells.view_contributions])], [*np.diff(ends), len(still)]
     ):
         variance = 0.0
-        for change in principal(columns, scale).T:
+        for change in principal_errors(columns, scale).T:
             sides = [
-                ([moved(feature, sign * change[ends[i] : ends[i + 1]]) for i, feature in enumerate(features)], sign * change[ends[-1] :])
+                ([perturb(feature, sign * change[ends[i] : ends[i + 1]]) for i, feature in enumerate(features)], sign * change[ends[-1] :])
                 for sign in (1.0, -1.0)
             ]
             variance += max((value(*side) - base) ** 2 for side in sides)
-        variances[source.share] = variances.get(source.share, 0.0) + variance
+        variances[source.contribution] = variances.get(source.contribution, 0.0) + variance
     return base, {share: float(np.sqrt(variance)) for share, variance in variances.items()}
 
 
-def _together(errors: Sequence[Errors | Mapping[Source, FloatArray]], sizes: Sequence[int]) -> Iterable[tuple[Source, FloatArray]]:
+def _stack_errors(
+    errors: Sequence[Errors | Mapping[ErrorSource, FloatArray]], sizes: Sequence[int]
+) -> Iterable[tuple[ErrorSource, FloatArray]]:
     """Give the errors of everything below each other, by source; zero for what does not have them."""
     for source in dict.fromkeys(source for own in errors for source in own):
         width = next(own[source].shape[1] for own in errors if source in own)
@@ -62,4 +66,4 @@ def _together(errors: Sequence[Errors | Mapping[Source, FloatArray]], sizes: Seq
 
 def _scale(feature: Feature) -> FloatArray:
     """What makes point, direction and sizes comparable."""
-    return np.array([1.0] * 3 + [TURN_MM] * 3 + [TURN_MM if name.endswith("_rad") else 1.0 for name in sizes_of(feature)])
+    return np.array([1.0] * 3 + [TURN_MM] * 3 + [TURN_MM if name.endswith("_rad") else 1.0 for name in size_names(feature)])

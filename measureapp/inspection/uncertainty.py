@@ -3,7 +3,7 @@
 Standard uncertainties are combined in quadrature (JCGM 100), by shares:
 
 - noise: standard deviations of the fit from the points' residuals, widened by a factor when neighbouring points
-  err together (see `shared_error_factor`);
+  err together (see `correlation_factor`);
 - stitching: where the views lie, by the joint covariance of their poses; what moves features alike drops out;
 - calibration: how the cameras' calibration bends all clouds alike, while poses follow;
 - form: smooth errors that each cloud has by itself;
@@ -34,7 +34,7 @@ PLANE = 3  # unknowns of a plane's fit
 LEAST_PER_UNKNOWN = 2.5  # cells: of fewer the fit takes off too much to correct for
 
 
-def shared_error_factor(points_mm: FloatArray, residuals_mm: FloatArray, correlation_mm: float, unknowns: int = PLANE) -> float:
+def correlation_factor(points_mm: FloatArray, residuals_mm: FloatArray, correlation_mm: float, unknowns: int = PLANE) -> float:
     """Return by how much errors shared among neighbours widen the standard deviation of a mean; at least 1.
 
     With residuals r of the points in each cell c of a grid this is the square root of Σ_c (Σ r)² / Σ r²: 1 for
@@ -68,13 +68,13 @@ def _factors(
         if count >= max(least, LEAST_PER_UNKNOWN * unknowns):
             sums = np.bincount(cell.ravel(), weights=residuals_mm)
             square = count / (count - unknowns) * float(sums @ sums) / float(residuals_mm @ residuals_mm)
-            found.append(_beyond(square, chance * np.sqrt(VARIANCE / count)))
-            found.append(_beyond(2 * square - smaller, CHANCE * np.sqrt(BEYOND_VARIANCE / count)))
+            found.append(_significant_factor(square, chance * np.sqrt(VARIANCE / count)))
+            found.append(_significant_factor(2 * square - smaller, CHANCE * np.sqrt(BEYOND_VARIANCE / count)))
             smaller = square
     return found
 
 
-def _beyond(square: float, by_chance: float) -> float:
+def _significant_factor(square: float, by_chance: float) -> float:
     return float(np.sqrt(square)) if square > 1 + by_chance else 1.0
 
 
@@ -86,7 +86,7 @@ def effective_views(view: IntArray | None) -> float:
     return float(1.0 / np.sum(shares**2))
 
 
-def expanded(random_mm: float, length_mm: float, settings: UncertaintySettings) -> float:
+def expand_uncertainty(random_mm: float, length_mm: float, settings: UncertaintySettings) -> float:
     """Return the expanded uncertainty (k = 2) of a length from its random part and what is assumed of the calibration."""
     return float(COVERAGE_FACTOR * np.hypot(random_mm, assumed_calibration(length_mm, settings)))
 

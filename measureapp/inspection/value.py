@@ -10,7 +10,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
 from measureapp.errors import InspectionError
-from measureapp.inspection.features.found import Found
+from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.settings import InspectionSettings
 
 AXES = ("cylinder", "cone", "line")
@@ -35,39 +35,39 @@ class Value:
         return float(np.linalg.norm(list(self.budget.values())))
 
 
-def summed(*budgets: Budget) -> Budget:
+def combine_budgets(*budgets: Budget) -> Budget:
     """Return the shares of several independent contributions together."""
     shares = dict.fromkeys(share for budget in budgets for share in budget)
     return {share: float(np.linalg.norm([budget.get(share, 0.0) for budget in budgets])) for share in shares}
 
 
-def times(budget: Budget, factor: float) -> Budget:
+def scale_budget(budget: Budget, factor: float) -> Budget:
     """Return the shares of a value that is multiplied."""
     return {share: factor * sigma for share, sigma in budget.items()}
 
 
-def feature_of(found: Found) -> Feature:
+def require_feature(found: FoundFeature) -> Feature:
     """Return the feature. Raises InspectionError with the reason why it was not found."""
     if found.feature is None:
         raise InspectionError(found.reason)
     return found.feature
 
 
-def nominal_of(found: Found) -> Feature:
+def require_nominal(found: FoundFeature) -> Feature:
     """Return where the drawing has the feature. Raises InspectionError where the drawing does not say."""
     if found.nominal is None:
         raise InspectionError(f"{found.name} has no place in the drawing")
     return found.nominal
 
 
-def direction_of(feature: Feature) -> FloatArray:
+def require_direction(feature: Feature) -> FloatArray:
     """Return the normal or axis. Raises InspectionError for a feature that has none."""
     if feature.direction is None:
         raise InspectionError(f"{feature.name} is a {feature.shape} and has no direction")
     return feature.direction
 
 
-def placement_of(found: Found, settings: InspectionSettings) -> float:
+def assumed_placement_sigma(found: FoundFeature, settings: InspectionSettings) -> float:
     """Return the standard uncertainty in mm of where the views of a feature lie, where the settings have to tell; 0 where the cloud does."""
     if found.view_errors is not None:
         return 0.0

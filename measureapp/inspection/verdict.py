@@ -23,7 +23,9 @@ RULES: dict[VerdictRule, str] = {
 }
 
 
-def judge(error: float, expanded_uncertainty: float | None, lower: float, upper: float, rule: VerdictRule = "iso-14253-1:2017") -> Verdict:
+def decide_verdict(
+    error: float, expanded_uncertainty: float | None, lower: float, upper: float, rule: VerdictRule = "iso-14253-1:2017"
+) -> Verdict:
     """Compare a deviation from nominal with its tolerance.
 
     Parameters

@@ -28,11 +28,12 @@ from measureapp.pipeline.validity import validity_of
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder
-from measureapp.register.joint.groundwork import Groundwork
-from measureapp.register.place import stations
+from measureapp.register.joint.pose_prior import PosePrior
+from measureapp.register.joint.registration_cache import RegistrationCache
+from measureapp.register.place import number_stations
 from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
-from measureapp.register.surface.closed import surface
+from measureapp.register.surface.closed import reconstruct_surface
 
 TYPICAL_RADIUS_MM = 100.0  # typical distance of points from the table's axis
 KNOWN_STATION_MM, KNOWN_STATION_DEG = 0.03, 0.004  # repeatability of the robot and uncertainty of the board's pose, combined
@@ -45,7 +46,7 @@ def assemble(
     on_event: Callable[[Event], None],
     progress: Progress,
     watch: Stopwatch,
-    groundwork: Groundwork | None = None,
+    registration_cache: RegistrationCache | None = None,
     *,
     choices: ViewChoices | None = None,
     former: Measurement | None = None,
@@ -54,7 +55,7 @@ def assemble(
 
     Parameters
     ----------
-    groundwork : registration results prepared while the views were taken
+    registration_cache : registration results prepared while the views were taken
     choices : views accepted or refused by hand; None: as stored in the project
     former : measurement with the same clouds, whose calibration validity and settings still apply; None: both are determined anew
 
@@ -70,7 +71,7 @@ def assemble(
     choices = project.view_choices() if choices is None else choices
     good = _require_usable(views, choices, validity)
     with watch.stage("stitching"):
-        stitched = _stitch(project, calibrated, good, choices, PartOf(progress, 0.0, 0.5), groundwork)
+        stitched = _stitch(project, calibrated, good, choices, PartOf(progress, 0.0, 0.5), registration_cache)
         stitched = add_refused(stitched, views, choices)
     on_event(StitchReady(stitched))
     with watch.stage("surface"):
@@ -102,7 +103,7 @@ def assemble(
 def _compute_surface(stitched: StitchedCloud, on_event: Callable[[Event], None], progress: Progress) -> Mesh | None:
     """Compute the surface; None if that fails, for example for lack of memory: no dimension depends on it."""
     try:
-        return surface(stitched, progress=progress)
+        return reconstruct_surface(stitched, progress=progress)
     except RegistrationError as error:
         on_event(SurfaceFailed(error.message, error.hint))
         return None
@@ -113,7 +114,7 @@ def _require_usable(views: Sequence[ViewResult], choices: ViewChoices, validity:
     good = select_views(views, choices)
     if not good:
         reasons = "; ".join(sorted({view.quality.reason or "refused by hand" for view in views})) or "no view has points"
-        notes = " ".join(("", *validity.told))
+        notes = " ".join(("", *validity.all_warnings))
         raise RegistrationError(f"There is nothing to stitch: {reasons}.{notes}", "Check the images; change exposures or viewpoints.")
     return good
 
@@ -124,18 +125,18 @@ def _stitch(
     good: Sequence[ViewResult],
     choices: ViewChoices,
     progress: Progress,
-    groundwork: Groundwork | None,
+    registration_cache: RegistrationCache | None,
 ) -> StitchedCloud:
     return stitch(
         [view.cloud for view in good],
         [view.part_from_camera for view in good],
         stitch_settings(calibrated, good),
         progress,
-        stations=stations([view.readback for view in good]),
-        prior_covariance=_kinematic_covariance(project, good),
-        calibration=_camera_errors(project, good),
+        prior=PosePrior(
+            number_stations([view.readback for view in good]), _kinematic_covariance(project, good), _camera_errors(project, good)
+        ),
         accepted=choices.used,
-        groundwork=groundwork,
+        registration_cache=registration_cache,
     )
 
 

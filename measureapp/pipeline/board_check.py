@@ -11,7 +11,7 @@ from measureapp.calibrate.boards.pose import pose_of
 from measureapp.calibrate.rig.quick_check import LEAST_VIEWS, QuickCheck, quick_check
 from measureapp.data.board import BoardDescription, BoardView
 from measureapp.data.calibration import RigCalibration
-from measureapp.data.validity import CheckRecord, Standing
+from measureapp.data.validity import CheckRecord, DriftStatus
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError
 from measureapp.pipeline.validity import check_before_scan
@@ -51,9 +51,9 @@ def _checked(project: ProjectFolder, rig: Rig, progress: Progress, limit_mm: flo
     progress.report(1, 1, "checked")
     worst = max(view.deviation_mm for view in found.views)
     warm = rig.conditions(at).temperature_c
-    standing: Standing = "good" if found.good else "drifted"
+    status: DriftStatus = "good" if found.good else "drifted"
     named = calibration_id(calibration)
-    project.record_check(CheckRecord(at, "board check", named, standing, found.sentence, error_mm=worst, temperature_c=warm))
+    project.record_check(CheckRecord(at, "board check", named, status, found.sentence, error_mm=worst, temperature_c=warm))
     return found
 
 

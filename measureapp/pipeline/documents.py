@@ -8,7 +8,7 @@ from typing import Any
 
 from measureapp.data.measurement import Measurement, ViewResult
 from measureapp.project.atomic import write_json, write_text
-from measureapp.project.documents import ring_document
+from measureapp.project.documents import loop_closure_document
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.results import MESH, STITCHED
@@ -45,7 +45,7 @@ def outcome_document(measurement: Measurement, files: Mapping[str, Path], second
         "views_used": sum(placement.used for placement in stitched.placements),
         "largest_correction_mm": max((placement.correction_mm for placement in stitched.placements), default=0.0),
         "residual_mm": max((placement.residual_mm for placement in stitched.placements if placement.used), default=0.0),
-        "ring": ring_document(stitched.ring),
+        "ring": loop_closure_document(stitched.loop_closure),
         **dict(stitched.notes),
     }
     document["timings"] = {name: round(value, 3) for name, value in seconds.items()}

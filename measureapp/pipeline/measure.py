@@ -39,8 +39,8 @@ from measureapp.reconstruct.diagnosis.camera_shift import camera_shift
 from measureapp.reconstruct.diagnosis.diagnose import diagnose
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
 from measureapp.reconstruct.rectification.rectifier import Rectifier
-from measureapp.register.clouds.quality import judge
-from measureapp.register.joint.groundwork import Groundwork
+from measureapp.register.clouds.quality import assess_cloud
+from measureapp.register.joint.registration_cache import RegistrationCache
 
 OnEvent = Callable[[Event], None]
 LAST_IMAGE_TO_CLOUD = "last image to cloud"  # without the time for storing, which runs in parallel
@@ -58,13 +58,13 @@ class _Processing:
         watch: Stopwatch,
         settings: DecodeSettings,
         live: LiveDecoding | None = None,
-        groundwork: Groundwork | None = None,
+        registration_cache: RegistrationCache | None = None,
     ) -> None:
         self.views: dict[str, ViewResult] = {}
         self._project, self._calibration, self._on_event, self._watch = project, calibration, on_event, watch
         self._rectifier = None if calibration is None else Rectifier(calibration.cameras)
         self._live = None if calibration is None else live
-        self._settings, self._groundwork = settings, groundwork
+        self._settings, self._registration_cache = settings, registration_cache
         self._memory = BufferPool()
 
     def exposure_taken(self, taken: ExposureTaken) -> None:
@@ -107,8 +107,8 @@ class _Processing:
         if decoded is not None:
             view = replace(view, timings_s={LAST_IMAGE_TO_CLOUD: time.monotonic() - last_image_s})
         self.views[view.viewpoint_id] = view
-        if self._groundwork is not None and view.quality.accepted:
-            self._groundwork.add(view.cloud, view.part_from_camera)
+        if self._registration_cache is not None and view.quality.accepted:
+            self._registration_cache.add(view.cloud, view.part_from_camera)
         self._on_event(ViewReady(view))
 
 
@@ -120,11 +120,11 @@ def scan(
     progress: Progress,
     watch: Stopwatch,
     bracket_s: float | None = None,
-    groundwork: Groundwork | None = None,
+    registration_cache: RegistrationCache | None = None,
 ) -> tuple[ViewResult, ...]:
     """Run the project's plan on the rig and process every stack as it is taken; stored viewpoints are not taken again.
 
-    With ``groundwork``, every view is registered with the earlier ones during the scan. Without a calibration the images are stored
+    With ``registration_cache``, every view is registered with the earlier ones during the scan. Without a calibration the images are stored
     and no views are returned. With ``bracket_s``, the time budget per viewpoint, the exposures are chosen by a probe at the first
     viewpoint, unless some viewpoints are stored already.
 
@@ -148,7 +148,7 @@ def scan(
     check_space(project, rig.description, plan)
     settings = decode_settings_of(project)
     with LiveDecoding(settings) as live:
-        sink = _Processing(project, calibration, on_event, watch, settings, live, groundwork)
+        sink = _Processing(project, calibration, on_event, watch, settings, live, registration_cache)
         for viewpoint_id in stored:
             sink.process(project.frames.load(viewpoint_id), NoProgress())
         images = pattern_images(plan.patterns, rig.projector.width_px, rig.projector.height_px)
@@ -213,7 +213,7 @@ def compute_cloud(
     for finding in findings:
         if finding.severity == "error":
             raise finding.error()
-    quality = judge(result.cloud, completeness=_completeness(maps, result.cloud.pixel))
+    quality = assess_cloud(result.cloud, completeness=_completeness(maps, result.cloud.pixel))
     return ViewResult(
         viewpoint_id=stack.viewpoint_id,
         cloud=result.cloud,

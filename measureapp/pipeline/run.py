@@ -30,8 +30,8 @@ from measureapp.planning.calibration_views import calibration_viewpoints
 from measureapp.planning.reach import check_reach
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
-from measureapp.register.clouds.sieve import FilterChain
-from measureapp.register.joint.groundwork import Groundwork
+from measureapp.register.clouds.filter_chain import FilterChain
+from measureapp.register.joint.registration_cache import RegistrationCache
 
 OnEvent = Callable[[Event], None]
 
@@ -101,7 +101,7 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
     calibration = calibrated.calibration()
     check_space(project, request.rig, request.plan)
     watch = Stopwatch()
-    with ExitStack() as held, Groundwork() as groundwork:
+    with ExitStack() as held, RegistrationCache() as registration_cache:
         rig = connect_rig(request.rig)
         try:
             if calibration is not None:
@@ -112,12 +112,12 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
                 project.save_calibration(calibration, calibrated.rig_uncertainty())
                 project.copy_noise_from(calibrated)
             project.save_plan(request.plan)
-            views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch, request.bracket_s, groundwork)
+            views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch, request.bracket_s, registration_cache)
         finally:
             rig.close()
         if calibration is None:
             return None
-        measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, groundwork)
+        measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, registration_cache)
         return finish(project, measurement, watch)
 
 

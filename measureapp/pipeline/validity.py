@@ -59,14 +59,14 @@ def known_validity(project: ProjectFolder, calibration: RigCalibration, measured
     """Return the validity of the calibration of an opened project, from its measurement and later board checks."""
     lines = [line for line in project.calibration_history() if line.calibration == calibration_id(calibration)]
     found = measured or Validity()
-    if lines and lines[-1].kind == "board check" and lines[-1].standing != "good":
+    if lines and lines[-1].kind == "board check" and lines[-1].status != "good":
         return replace(found, warnings=(*found.warnings, lines[-1].sentence))
     return found
 
 
 def _check_record(at: str, calibration: RigCalibration, drift: Drift, temperature_c: float | None) -> CheckRecord:
-    line = CheckRecord(at, "scan", calibration_id(calibration), drift.standing, drift.sentence, temperature_c=temperature_c)
-    if drift.standing == "unknown":
+    line = CheckRecord(at, "scan", calibration_id(calibration), drift.status, drift.sentence, temperature_c=temperature_c)
+    if drift.status == "unknown":
         return line
     return replace(line, shift_px=drift.shift_px, expected_px=drift.expected_px, error_mm=drift.error_mm, cameras=drift.cameras)
 

@@ -1,4 +1,4 @@
-"""Conversion of value types to JSON documents and back."""
+"""Data classes as JSON documents, and back."""
 
 from __future__ import annotations
 
@@ -11,14 +11,23 @@ from typing import Any
 import numpy as np
 
 from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, Provenance, RigCalibration, RobotStation, RotationAxis
-from measureapp.data.cloud import RingClosure, ViewPlacement
+from measureapp.data.cloud import LoopClosure, ViewPlacement
 from measureapp.data.conditions import Conditions, LensSetting
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.feature import Feature
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.measurement import Alignment, Inspection
-from measureapp.data.validity import Drift, Validity
+from measureapp.data.validity import CheckRecord, Drift, Validity
 from measureapp.geometry.transform import RigidTransform
+
+STORED_NAMES = {  # attribute -> field of the files where the two differ
+    "unconstrained_motions": "held_by_axes",
+    "traceability": "origin",
+    "status": "standing",
+    "undetectable": "unseen",
+    "undetectable_deg": "unseen_deg",
+}
+ATTRIBUTES = {stored: name for name, stored in STORED_NAMES.items()}
 
 
 def transform_document(transform: RigidTransform) -> dict[str, Any]:
@@ -126,17 +135,17 @@ def placement_document(placement: ViewPlacement) -> dict[str, Any]:
 def placement_from(document: Mapping[str, Any]) -> ViewPlacement:
     """Return the placement of a document."""
     transforms = {name: transform_from(document[name]) for name in ("part_from_camera", "kinematic")}
-    return ViewPlacement(**{**document, **transforms, "held_by_axes": tuple(document.get("held_by_axes", ()))})
+    return ViewPlacement(**_attributes({**document, **transforms, "held_by_axes": tuple(document.get("held_by_axes", ()))}))
 
 
-def ring_document(ring: RingClosure | None) -> dict[str, Any] | None:
-    """Return the loop closure error as JSON."""
-    return None if ring is None else _plain(ring)
+def loop_closure_document(loop_closure: LoopClosure | None) -> dict[str, Any] | None:
+    """Return the worst loop closure as JSON."""
+    return None if loop_closure is None else _plain(loop_closure)
 
 
-def ring_from(document: Mapping[str, Any] | None) -> RingClosure | None:
-    """Return the loop closure error of a document."""
-    return None if document is None else RingClosure(**{**document, "viewpoints": tuple(document["viewpoints"])})
+def loop_closure_from(document: Mapping[str, Any] | None) -> LoopClosure | None:
+    """Return the loop closure of a document."""
+    return None if document is None else LoopClosure(**{**document, "viewpoints": tuple(document["viewpoints"])})
 
 
 def inspection_document(inspection: Inspection) -> dict[str, Any]:
@@ -163,11 +172,26 @@ def inspection_from(document: Mapping[str, Any]) -> Inspection:
     )
 
 
+def validity_document(validity: Validity) -> dict[str, Any]:
+    """Return the validity of a calibration as JSON."""
+    return _plain(validity) | {"drift": None if validity.drift is None else _plain(validity.drift)}
+
+
 def validity_from(document: Mapping[str, Any]) -> Validity:
-    """Return the validity of a calibration from a document; all fields are optional."""
-    entry = document.get("drift")
-    drift = None if entry is None else Drift(**{**entry, "cameras": tuple(entry["cameras"])})
+    """Return the validity of a document; without warnings and drift check for an empty one."""
+    stored = document.get("drift")
+    drift = None if stored is None else Drift(**_attributes({**stored, "cameras": tuple(stored["cameras"])}))
     return Validity(tuple(document.get("warnings", ())), drift, document.get("temperature_c"))
+
+
+def check_document(check: CheckRecord) -> dict[str, Any]:
+    """Return a line of a calibration's history as JSON."""
+    return _plain(check)
+
+
+def check_from(document: Mapping[str, Any]) -> CheckRecord:
+    """Return the line of a document."""
+    return CheckRecord(**_attributes({**document, "cameras": tuple(document["cameras"])}))
 
 
 def _feature_from(document: Mapping[str, Any]) -> Feature:
@@ -178,12 +202,17 @@ def _feature_from(document: Mapping[str, Any]) -> Feature:
 
 def _dimension_from(document: Mapping[str, Any]) -> Dimension:
     names = {key: tuple(document.get(key, ())) for key in ("features", "datums")}
-    return Dimension(**{**document, **names, "verdict": Verdict(document["verdict"])})
+    return Dimension(**_attributes({**document, **names, "verdict": Verdict(document["verdict"])}))
 
 
 def _plain(noun: Any) -> dict[str, Any]:
-    """Return the fields of a dataclass, with transforms and arrays, as JSON."""
-    return {entry.name: _plain_value(getattr(noun, entry.name)) for entry in fields(noun)}
+    """Return the fields of a frozen dataclass, under their stored names, with transforms and arrays as JSON."""
+    return {STORED_NAMES.get(entry.name, entry.name): _plain_value(getattr(noun, entry.name)) for entry in fields(noun)}
+
+
+def _attributes(document: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a document under the names of the attributes; the inverse of the naming of `_plain`."""
+    return {ATTRIBUTES.get(name, name): value for name, value in document.items()}
 
 
 def _plain_value(value: Any) -> Any:

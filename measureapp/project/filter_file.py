@@ -15,7 +15,7 @@ from measureapp.errors import InputError, RegistrationError, StorageError
 from measureapp.progress import Progress
 from measureapp.project.atomic import replacing
 from measureapp.project.geometry.files import write_cloud
-from measureapp.register.clouds.sieve import Filter, FilterChain
+from measureapp.register.clouds.filter_chain import Filter, FilterChain
 
 FILTERS, FILTERED = "filters.npz", "filtered_cloud.ply"
 SCHEMA_VERSION = 1
@@ -26,7 +26,7 @@ def save_filters(folder: Path, chain: FilterChain, stitched: StitchedCloud) -> N
     delete_filters(folder)
     if not chain.filters:
         return
-    write_cloud(folder / FILTERED, stitched.where(chain.stays))
+    write_cloud(folder / FILTERED, stitched.where(chain.kept_mask))
     filters = json.dumps([asdict(one) for one in chain.filters])
     with replacing(folder / FILTERS) as temporary, temporary.open("wb") as file:
         np.savez_compressed(file, schema_version=SCHEMA_VERSION, filters=filters, passed=chain.passed, cloud=_checksum(stitched))
@@ -53,7 +53,7 @@ def load_filters(folder: Path, stitched: StitchedCloud) -> FilterChain | None:
     if kept is None:
         return None
     chain, cloud = kept
-    if len(chain.passed) != len(stitched) or cloud != _checksum(stitched) or not chain.stays.any():
+    if len(chain.passed) != len(stitched) or cloud != _checksum(stitched) or not chain.kept_mask.any():
         raise _unusable(folder / FILTERS, "belongs to another stitched cloud")
     return chain
 
@@ -62,9 +62,9 @@ def reapply_filters(folder: Path, stitched: StitchedCloud, progress: Progress) -
     """Apply the stored filters of an earlier cloud to ``stitched``; they are deleted if no point passes or they cannot be read."""
     try:
         kept = _read(folder / FILTERS)
-        chain = FilterChain.none(0) if kept is None else FilterChain.of(kept[0].filters, stitched.points_mm, progress)
+        chain = FilterChain.empty(0) if kept is None else FilterChain.build(kept[0].filters, stitched.points_mm, progress)
     except (StorageError, InputError, RegistrationError):
-        chain = FilterChain.none(0)
+        chain = FilterChain.empty(0)
     save_filters(folder, chain, stitched)
 
 

@@ -48,7 +48,7 @@ if TYPE_CHECKING:
     from measureapp.fringe.noise.model import CameraNoise
     from measureapp.fringe.noise.photon_transfer import NoiseEstimate
     from measureapp.progress import Progress
-    from measureapp.register.clouds.sieve import FilterChain
+    from measureapp.register.clouds.filter_chain import FilterChain
 
 FORMAT = 1  # of the project's own files
 DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)

@@ -16,14 +16,15 @@ from measureapp.project.atomic import write_json
 from measureapp.project.documents import (
     inspection_document,
     inspection_from,
+    loop_closure_document,
+    loop_closure_from,
     placement_document,
     placement_from,
     readback_document,
     readback_from,
-    ring_document,
-    ring_from,
     transform_document,
     transform_from,
+    validity_document,
     validity_from,
 )
 from measureapp.project.geometry.files import read_mesh, read_point_cloud, read_stitched, write_cloud, write_mesh
@@ -57,8 +58,8 @@ def save_document(folder: Path, measurement: Measurement) -> None:
         "views": [_view_document(view) for view in measurement.views],
         "placements": [placement_document(placement) for placement in measurement.stitched.placements],
         "notes": dict(measurement.stitched.notes),
-        "ring": ring_document(measurement.stitched.ring),
-        "validity": asdict(measurement.validity),
+        "ring": loop_closure_document(measurement.stitched.loop_closure),
+        "validity": validity_document(measurement.validity),
         "inspection": None if measurement.inspection is None else inspection_document(measurement.inspection),
     }
     write_json(folder / DOCUMENT, document)
@@ -75,7 +76,7 @@ def load(folder: Path, calibration: RigCalibration) -> Measurement | None:
             read_stitched(folder / STITCHED),
             placements=tuple(placement_from(placement) for placement in document["placements"]),
             notes=document["notes"],
-            ring=ring_from(document.get("ring")),
+            loop_closure=loop_closure_from(document.get("ring")),
         )
         return Measurement(
             **{name: document[name] for name in ("project", "part", "rig", "measured_at", "settings", "timings_s")},

@@ -1,1 +1,1 @@
-"""Bringing the clouds of all views together, and the surface over them."""
+"""Registration of the clouds of all viewpoints, merging, and surface reconstruction."""

@@ -1,4 +1,4 @@
-"""Merging overlapping views: σ-weighted means of points that lie together and face the same way."""
+"""Merging of overlapping views: weighted means of points that lie together and face the same way."""
 
 from __future__ import annotations
 
@@ -13,34 +13,34 @@ from scipy.spatial import cKDTree
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.cloud import PointCloud
 from measureapp.progress import NoProgress, Progress
-from measureapp.register.clouds.filters import in_large_patches
+from measureapp.register.clouds.filters import in_large_components
 from measureapp.register.grid.voxels import VoxelSums
 
 # columns of the sums of one voxel
 WEIGHT, POSITION, NORMAL, GREY, NOISE, ALONG = 0, slice(1, 4), slice(4, 7), 7, 8, 9
 WIDTH = 10
-GRAZING = 0.15  # cosine below which a point counts no less than this
+GRAZING = 0.15  # lower limit of the cosine in a point's weight
 LEAST_SIGMA_MM = 0.005
-LAYER_GAP = 1.5  # in voxels: layers of one face nearer than this along its axis are one surface
+LAYER_GAP = 1.5  # in voxels: layers of one face closer than this along its axis are one surface
 SPARSE_FACTOR = 3.0
 GOLDEN = (5**0.5 - 1) / 2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MergedPoints:
-    """What merging gives; the arrays are those of a StitchedCloud."""
+    """Result of merging; the arrays are those of a StitchedCloud."""
 
     points_mm: FloatArray
     normals: FloatArray
     sigma_mm: FloatArray
     grey: FloatArray
     view: IntArray
-    drawn_view: IntArray
+    sampled_view: IntArray
 
     def where(self, keep: BoolArray) -> MergedPoints:
         """Return the points chosen by a mask."""
         return MergedPoints(
-            self.points_mm[keep], self.normals[keep], self.sigma_mm[keep], self.grey[keep], self.view[keep], self.drawn_view[keep]
+            self.points_mm[keep], self.normals[keep], self.sigma_mm[keep], self.grey[keep], self.view[keep], self.sampled_view[keep]
         )
 
 
@@ -53,47 +53,47 @@ def merge(
     island_mm2: float = 0.0,
     progress: Progress | None = None,
 ) -> MergedPoints:
-    """Merge clouds of one frame on a grid; points of surfaces that face different ways never mix.
+    """Merge clouds of one frame on a voxel grid; points of surfaces facing different ways are never averaged.
 
-    Points are gathered in columns of the grid along the largest component of their normals, so that noise across the
-    surface is averaged over the whole layer and not cut by the grid. A point weighs 1/σ² times the squared cosine of
-    its viewing angle. Sparse points and islands are dropped.
+    Points are collected in columns of the grid along the largest component of their normals, so that noise normal to the surface is
+    averaged over the whole layer and not cut by the grid. The weight of a point is cos²(viewing angle)/σ². Sparse points and isolated
+    patches are removed.
 
     Parameters
     ----------
-    origins_mm : where the camera stood for each cloud, in the clouds' frame
-    voxel_mm : grid step; about the spacing of the points, far below the thinnest wall
-    views : the number each cloud goes by in ``view``; None: 0, 1, 2 …
-    island_mm2 : connected patches smaller than this are dropped
+    origins_mm : camera position of each cloud, in the clouds' frame
+    voxel_mm : grid step; about the point spacing, far below the thinnest wall
+    views : number of each cloud in ``view``; None: 0, 1, 2 …
+    island_mm2 : isolated patches smaller than this are removed
     """
     progress = progress or NoProgress()
     numbers = list(views) if views is not None else list(range(len(clouds)))
     sums = VoxelSums(WIDTH)
     parts: list[tuple[IntArray, FloatArray]] = []
     placed = list(zip(clouds, origins_mm, strict=True))
-    at_once = os.cpu_count() or 1  # sums of more views than are added to would only take memory
+    at_once = os.cpu_count() or 1  # limits the memory for sums waiting to be added
     with ThreadPoolExecutor(at_once) as pool:
         for start in range(0, len(placed), at_once):
             progress.report(start, len(placed), "merging")
-            for keys, rows in pool.map(lambda one: _summed(one[0], one[1], voxel_mm), placed[start : start + at_once]):
+            for keys, rows in pool.map(lambda one: _sum_cloud(one[0], one[1], voxel_mm), placed[start : start + at_once]):
                 sums.add(keys, rows)
                 parts.append((keys, rows[:, WEIGHT].astype(np.float32)))
     keys, rows = sums.sorted()
-    merged = _layers(keys, rows, parts, numbers, voxel_mm)
-    merged = merged.where(_dense(merged.points_mm)) if len(merged.points_mm) > 10 else merged
-    merged = merged.where(in_large_patches(merged.points_mm, voxel_mm, island_mm2)) if island_mm2 > 0 else merged
+    merged = _merge_layers(keys, rows, parts, numbers, voxel_mm)
+    merged = merged.where(_not_sparse(merged.points_mm)) if len(merged.points_mm) > 10 else merged
+    merged = merged.where(in_large_components(merged.points_mm, voxel_mm, island_mm2)) if island_mm2 > 0 else merged
     progress.report(1, 1, "merged")
     return merged
 
 
-def _summed(cloud: PointCloud, origin_mm: FloatArray, voxel_mm: float) -> tuple[IntArray, FloatArray]:
+def _sum_cloud(cloud: PointCloud, origin_mm: FloatArray, voxel_mm: float) -> tuple[IntArray, FloatArray]:
     """Return the sorted voxel keys of one cloud and the sums of their rows."""
     single = VoxelSums(WIDTH)
-    single.add(*_rows(cloud, np.asarray(origin_mm), voxel_mm))
+    single.add(*_weight_points(cloud, np.asarray(origin_mm), voxel_mm))
     return single.sorted()
 
 
-def _rows(cloud: PointCloud, origin_mm: FloatArray, voxel_mm: float) -> tuple[IntArray, FloatArray]:
+def _weight_points(cloud: PointCloud, origin_mm: FloatArray, voxel_mm: float) -> tuple[IntArray, FloatArray]:
     """Return the voxel key and the row to be summed of every point."""
     from measureapp.register.grid.kernels import dominant_faces, voxel_keys
 
@@ -112,8 +112,8 @@ def _rows(cloud: PointCloud, origin_mm: FloatArray, voxel_mm: float) -> tuple[In
     return voxel_keys(points, dominant_faces(normals), voxel_mm), rows
 
 
-def _heaviest(keys: IntArray, parts: list[tuple[IntArray, FloatArray]], numbers: list[int]) -> IntArray:
-    """Return for every key the view that weighs most in it; of equals the one of the lower number."""
+def _dominant_views(keys: IntArray, parts: list[tuple[IntArray, FloatArray]], numbers: list[int]) -> IntArray:
+    """Return the view of greatest weight for every key; for equal weights the lower number."""
     best = np.full(len(keys), -1.0, np.float32)
     view = np.zeros(len(keys), np.int16)
     for number, (own, weight) in sorted(zip(numbers, parts, strict=True), key=lambda pair: pair[0]):
@@ -124,11 +124,13 @@ def _heaviest(keys: IntArray, parts: list[tuple[IntArray, FloatArray]], numbers:
     return view
 
 
-def _drawn(keys: IntArray, group: IntArray, weight: FloatArray, parts: list[tuple[IntArray, FloatArray]], numbers: list[int]) -> IntArray:
-    """Return for every group of keys, of ``weight`` (G,), one of its views, each as often as it weighs.
+def _sample_views(
+    keys: IntArray, group: IntArray, weight: FloatArray, parts: list[tuple[IntArray, FloatArray]], numbers: list[int]
+) -> IntArray:
+    """Sample one view per group of keys, of ``weight`` (G,), with probability proportional to the view's weight.
 
-    Neighbouring groups draw evenly spread numbers (multiples of the golden ratio) instead of random ones, so that the shares over few
-    points come out right already.
+    A low-discrepancy sequence (multiples of the golden ratio) replaces random numbers, so that the frequencies match already over few
+    neighbouring points.
     """
     wanted, below = np.arange(len(weight)) * GOLDEN % 1.0 * weight, np.zeros(len(weight))
     view = np.full(len(weight), numbers[0], np.int16)
@@ -139,14 +141,14 @@ def _drawn(keys: IntArray, group: IntArray, weight: FloatArray, parts: list[tupl
     return view
 
 
-def _layers(
+def _merge_layers(
     keys: IntArray, rows: FloatArray, parts: list[tuple[IntArray, FloatArray]], numbers: list[int], voxel_mm: float
 ) -> MergedPoints:
-    """Join voxels that lie on each other in one column of one face and hold the same surface."""
+    """Merge voxels of one column and face that hold the same surface."""
     if len(keys) == 0:
         none = np.empty(0, np.int16)
         return MergedPoints(np.empty((0, 3)), np.empty((0, 3)), np.empty(0), np.empty(0), none, none)
-    view = _heaviest(keys, parts, numbers)
+    view = _dominant_views(keys, parts, numbers)
     axis = (keys >> 61).astype(np.int64)
     depth = np.take_along_axis(rows[:, POSITION], axis[:, None], axis=1)[:, 0] / rows[:, WEIGHT]
     same_column = (keys[1:] >> 20) == (keys[:-1] >> 20)
@@ -158,7 +160,7 @@ def _layers(
     weight = total[:, WEIGHT]
     mean = total[:, POSITION] / weight[:, None]
     normals = total[:, NORMAL]
-    # the mean of points on a curved surface lies inside it, by half of what they lie before it along their own normals
+    # the mean of points on a curved surface lies inside it, by half their mean offset from it along their own normals
     inside = 0.5 * (total[:, ALONG] - np.einsum("ij,ij->i", normals, mean)) / weight
     normals = normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
     return MergedPoints(
@@ -167,12 +169,12 @@ def _layers(
         (np.sqrt(total[:, NOISE]) / weight).astype(np.float32),
         np.clip(total[:, GREY] / weight, 0, 1).astype(np.float32),
         view[heaviest],
-        _drawn(keys, group, weight, parts, numbers),
+        _sample_views(keys, group, weight, parts, numbers),
     )
 
 
-def _dense(points_mm: FloatArray) -> BoolArray:
-    """Return which points have neighbours no more than three times as far as is usual in the cloud."""
+def _not_sparse(points_mm: FloatArray) -> BoolArray:
+    """Return which points have a mean neighbour distance of at most three times the median."""
     distances, _ = cKDTree(points_mm).query(points_mm, 7, workers=-1)
     mean = distances[:, 1:].mean(axis=1)
     return np.asarray(mean <= SPARSE_FACTOR * np.median(mean))

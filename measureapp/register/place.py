@@ -1,4 +1,4 @@
-"""Rough stitching: every cloud goes to the part's frame through the kinematic chain."""
+"""Kinematic placement: clouds in the part's frame by the kinematic chain, and the stations of the robot."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ SAME_STATION_RAD = 3e-4
 
 
 def place(cloud: PointCloud, part_from_camera: RigidTransform) -> PointCloud:
-    """Return the cloud in the part's frame; raises FrameMismatch when it is not in the transform's ``from_frame``."""
+    """Transform a cloud to the part's frame; raises FrameMismatch unless it is in the transform's ``from_frame``."""
     return cloud.seen_from(part_from_camera)
 
 
-def stations(readbacks: Sequence[AxisReadback]) -> tuple[int, ...]:
-    """Number the places at which the robot and the guide stood, one number per view.
+def number_stations(readbacks: Sequence[AxisReadback]) -> tuple[int, ...]:
+    """Number the stations (poses of robot and guide) of views, one number per view.
 
-    Views of one station differ by the table's angle only, so that they share the robot's pose error.
+    Views of one station differ by the table angle only and share the robot's pose error.
     """
     seen: list[RigidTransform] = []
     numbers = []

@@ -1,4 +1,4 @@
-"""How far single points of the views lie from the merged surface: what fine stitching left, place by place."""
+"""Residuals of single points after registration: signed distances from the merged surface."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ from scipy.spatial import cKDTree
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.cloud import StitchedCloud
 
-REACH_MM = 2.0  # a point farther from the merged cloud than this has nothing to be compared with
+REACH_MM = 2.0  # points farther from the merged cloud have no residual
 
 
 class MergedSurface:
-    """The merged cloud, ready to be asked for distances."""
+    """The merged cloud with a search tree."""
 
     def __init__(self, stitched: StitchedCloud) -> None:
         self.stitched = stitched
         self._tree = cKDTree(stitched.points_mm)
 
     def residuals(self, points_mm: FloatArray) -> tuple[FloatArray, IntArray]:
-        """Return signed distances from the merged surface, and which of its points is the nearest.
+        """Return point-to-plane distances from the merged surface, and the index of the nearest merged point.
 
-        The distance is taken along the normal of the nearest merged point, so that the gaps between points do not count.
+        The distance is taken along the normal of the nearest merged point, so that the point spacing does not contribute.
 
         Parameters
         ----------
@@ -29,7 +29,7 @@ class MergedSurface:
 
         Returns
         -------
-        residuals_mm : (N,), outside is positive; NaN where no merged point lies within `REACH_MM`
+        residuals_mm : (N,), positive outside; NaN without a merged point within `REACH_MM`
         nearest : (N,) index into the merged cloud; its length where there is none
         """
         _, nearest = self._tree.query(points_mm, distance_upper_bound=REACH_MM, workers=-1)
@@ -40,8 +40,8 @@ class MergedSurface:
         residuals[found] = np.einsum("nd,nd->n", away, self.stitched.normals[place].astype(np.float64))
         return residuals, np.asarray(nearest)
 
-    def spread(self, residuals_mm: FloatArray, nearest: IntArray) -> FloatArray:
-        """Return for each merged point the rms of the residuals (M,) next to it; NaN where it has none."""
+    def rms_per_point(self, residuals_mm: FloatArray, nearest: IntArray) -> FloatArray:
+        """Return the rms (M,) of the residuals assigned to each merged point; NaN where there are none."""
         known = np.isfinite(residuals_mm)
         count = np.bincount(nearest[known], minlength=len(self.stitched))
         squares = np.bincount(nearest[known], weights=residuals_mm[known] ** 2, minlength=len(self.stitched))

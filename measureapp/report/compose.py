@@ -17,14 +17,14 @@ from measureapp.errors import InspectionError
 from measureapp.inspection.alignment.best_fit import best_fit
 from measureapp.inspection.settings import VerdictRule
 from measureapp.inspection.surface.deviation import Deviation
-from measureapp.inspection.surface.deviation import deviation as deviation_from
+from measureapp.inspection.surface.deviation import compute_deviation as deviation_from
 from measureapp.inspection.verdict import RULES
 from measureapp.progress import NoProgress, Progress
 from measureapp.report.model import Fact, ReportModel, Section, ViewLine
-from measureapp.report.part_pictures import deviation_summary, part_pictures
-from measureapp.report.words import moment, number, percent, setting, spoken
+from measureapp.report.part_pictures import render_part, summarise_deviation
+from measureapp.report.words import format_key, format_setting, format_time, number, percent
 
-GRAVITY = (Verdict.FAIL, Verdict.NOT_PROVEN, Verdict.NOT_MEASURED)
+SEVERITY = (Verdict.FAIL, Verdict.NOT_PROVEN, Verdict.NOT_MEASURED)
 
 
 def compose(
@@ -43,8 +43,8 @@ def compose(
     pictures : False leaves out the pictures of the part, which take a second or two
     """
     dimensions = () if measurement.inspection is None else measurement.inspection.dimensions
-    verdict, summary = overall(dimensions)
-    deviation, why_not = (None, "") if nominal is None else _deviation(measurement, nominal, progress)
+    verdict, summary = summarise_verdicts(dimensions)
+    deviation, why_not = (None, "") if nominal is None else _compute_deviation(measurement, nominal, progress)
     return ReportModel(
         measurement=measurement,
         title=measurement.part,
@@ -63,12 +63,12 @@ def compose(
             ),
             Section("Settings", _settings_facts(measurement.settings)),
         ),
-        pictures=part_pictures(measurement) if pictures else (),
-        deviation=None if deviation is None or nominal is None else deviation_summary(measurement, nominal, deviation),
+        pictures=render_part(measurement) if pictures else (),
+        deviation=None if deviation is None or nominal is None else summarise_deviation(measurement, nominal, deviation),
     )
 
 
-def _deviation(measurement: Measurement, nominal: Mesh, progress: Progress) -> tuple[Deviation | None, str]:
+def _compute_deviation(measurement: Measurement, nominal: Mesh, progress: Progress) -> tuple[Deviation | None, str]:
     """The stitched cloud's deviation from the nominal, in the inspection's alignment or else a best fit; or why there is none."""
     try:
         alignment = best_fit(measurement.stitched, nominal) if measurement.inspection is None else measurement.inspection.alignment
@@ -77,16 +77,16 @@ def _deviation(measurement: Measurement, nominal: Mesh, progress: Progress) -> t
         return None, error.message
 
 
-def overall(dimensions: tuple[Dimension, ...]) -> tuple[Verdict | None, str]:
+def summarise_verdicts(dimensions: tuple[Dimension, ...]) -> tuple[Verdict | None, str]:
     """Return the verdict on the part, the gravest of its dimensions, and how many there are of each."""
     if not dimensions:
         return None, "No inspection program: no dimension was asked for."
     counts = Counter(dimension.verdict for dimension in dimensions)
-    verdict = next((grave for grave in GRAVITY if counts[grave]), Verdict.PASS)
+    verdict = next((grave for grave in SEVERITY if counts[grave]), Verdict.PASS)
     total = len(dimensions)
     if verdict is Verdict.PASS:
         return verdict, "The one dimension passes." if total == 1 else f"All {total} dimensions pass."
-    words = [f"{counts[kind]} {kind.value}" for kind in (*GRAVITY, Verdict.PASS) if counts[kind]]
+    words = [f"{counts[kind]} {kind.value}" for kind in (*SEVERITY, Verdict.PASS) if counts[kind]]
     return verdict, f"Of {total} dimension{'s' if total > 1 else ''}: " + ", ".join(words) + "."
 
 
@@ -110,7 +110,7 @@ def view_lines(measurement: Measurement) -> tuple[ViewLine, ...]:
                 overlap=None if placed is None else placed.overlap,
                 bound_mm=None if placed is None else placed.bound_mm,
                 sigma_mm=None if placed is None else placed.sigma_mm,
-                held_by_axes=() if placed is None else placed.held_by_axes,
+                unconstrained_motions=() if placed is None else placed.unconstrained_motions,
                 used=placed is not None and placed.used,
                 verdict=quality.reason or "not stitched" if placed is None else placed.verdict,
             )
@@ -122,19 +122,22 @@ def _header(measurement: Measurement) -> tuple[Fact, ...]:
     inspection, calibration = measurement.inspection, measurement.calibration
     return (
         Fact("Project", measurement.project),
-        Fact("Measured", moment(measurement.measured_at)),
+        Fact("Measured", format_time(measurement.measured_at)),
         Fact("Rig", measurement.rig),
         Fact("Inspection program", "none" if inspection is None else inspection.program),
-        Fact("Rig calibrated", moment(calibration.provenance.created) + (" (see the warning below)" if measurement.validity.told else "")),
+        Fact(
+            "Rig calibrated",
+            format_time(calibration.provenance.created) + (" (see the warning below)" if measurement.validity.all_warnings else ""),
+        ),
         Fact("Views", f"{sum(line.used for line in view_lines(measurement))} of {len(measurement.views)} used"),
     )
 
 
 def _cloud_facts(measurement: Measurement, deviation: Deviation | None, why_not: str) -> tuple[Fact, ...]:
-    mesh, inspection, ring = measurement.mesh, measurement.inspection, measurement.stitched.ring
+    mesh, inspection, loop_closure = measurement.mesh, measurement.inspection, measurement.stitched.loop_closure
     facts = [Fact("Stitched points", f"{len(measurement.stitched):,}".replace(",", " "))]
-    if ring is not None:
-        facts.append(Fact("Closure around the part", ring.sentence))
+    if loop_closure is not None:
+        facts.append(Fact("Closure around the part", loop_closure.sentence))
     if mesh is not None:
         filled = 0.0 if mesh.measured is None or len(mesh.measured) == 0 else 1.0 - float(mesh.measured.mean())
         facts.append(
@@ -145,7 +148,7 @@ def _cloud_facts(measurement: Measurement, deviation: Deviation | None, why_not:
         facts += _alignment_facts(alignment)
     if why_not:
         facts.append(Fact("Not compared with the nominal", why_not))
-    facts += [Fact(spoken(name).capitalize(), f"{value:.4g}") for name, value in measurement.stitched.notes.items()]
+    facts += [Fact(format_key(name).capitalize(), f"{value:.4g}") for name, value in measurement.stitched.notes.items()]
     return tuple(facts)
 
 
@@ -166,10 +169,10 @@ def _alignment_facts(alignment: Alignment) -> list[Fact]:
 def _validity_facts(validity: Validity) -> tuple[Fact, ...]:
     facts = [Fact("Warning", warning) for warning in validity.warnings]
     if validity.drift is not None:
-        alarmed = validity.drift.standing in ("watch", "drifted")
+        alarmed = validity.drift.status in ("watch", "drifted")
         facts.append(Fact("Warning" if alarmed else "Cameras since then", validity.drift.sentence))
-        if validity.drift.unseen:
-            facts.append(Fact("Not seen of the cameras", validity.drift.unseen))
+        if validity.drift.undetectable:
+            facts.append(Fact("Not seen of the cameras", validity.drift.undetectable))
     warm = "not reported by the rig" if validity.temperature_c is None else f"{number(validity.temperature_c, 1)} °C"
     return (*facts, Fact("Head while scanned", warm))
 
@@ -224,7 +227,7 @@ def _settings_facts(settings: Mapping[str, Any]) -> tuple[Fact, ...]:
     facts: list[Fact] = []
     for name, value in settings.items():
         if isinstance(value, Mapping):
-            facts += [Fact(f"{spoken(name)}: {spoken(key)}".capitalize(), setting(item)) for key, item in value.items()]
+            facts += [Fact(f"{format_key(name)}: {format_key(key)}".capitalize(), format_setting(item)) for key, item in value.items()]
         else:
-            facts.append(Fact(spoken(name).capitalize(), setting(value)))
+            facts.append(Fact(format_key(name).capitalize(), format_setting(value)))
     return tuple(facts)

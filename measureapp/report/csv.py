@@ -6,7 +6,7 @@ import csv
 import io
 from pathlib import Path
 
-from measureapp.data.dimension import SHARES
+from measureapp.data.dimension import CONTRIBUTIONS
 from measureapp.project.atomic import replacing
 from measureapp.report.json_document import dimension_document
 from measureapp.report.model import ReportModel
@@ -26,7 +26,7 @@ COLUMNS = (
     "kind",
     "datums",
     "origin",
-    *(f"uncertainty_{share}" for share in SHARES),
+    *(f"uncertainty_{share}" for share in CONTRIBUTIONS),
 )
 DIGITS = 9
 
@@ -40,7 +40,7 @@ def csv_text(model: ReportModel) -> str:
         document = dimension_document(dimension)
         document["lower_tolerance"], document["upper_tolerance"] = document.pop("tolerance")
         shares = document.pop("uncertainty_budget")
-        document |= {f"uncertainty_{share}": shares.get(share) for share in SHARES}
+        document |= {f"uncertainty_{share}": shares.get(share) for share in CONTRIBUTIONS}
         document["datums"] = "|".join(document["datums"])
         writer.writerow({key: round(value, DIGITS) if isinstance(value, float) else value for key, value in document.items()})
     return text.getvalue()

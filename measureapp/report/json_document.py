@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict
 from math import degrees, isfinite
 from typing import Any
 
@@ -11,7 +10,7 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.dimension import Dimension
 from measureapp.data.feature import Feature
 from measureapp.data.measurement import Alignment, Measurement
-from measureapp.data.validity import Validity
+from measureapp.project.documents import validity_document
 from measureapp.report.model import ReportModel, ViewLine
 
 
@@ -23,15 +22,15 @@ def dimension_document(dimension: Dimension) -> dict[str, Any]:
         "datums": list(dimension.datums),
         "nominal": dimension.nominal,
         "measured": dimension.measured,
-        "error": dimension.error,
-        "relative_error": dimension.relative_error,
+        "error": dimension.deviation,
+        "relative_error": dimension.relative_deviation,
         "uncertainty": dimension.uncertainty,
         "uncertainty_budget": dict(dimension.budget),
         "tolerance": [dimension.lower_tolerance, dimension.upper_tolerance],
         "unit": dimension.unit,
         "verdict": dimension.verdict.value,
         "reason": dimension.reason,
-        "origin": dimension.origin,
+        "origin": dimension.traceability,
     }
 
 
@@ -81,7 +80,7 @@ def view_document(view: ViewLine) -> dict[str, Any]:
         "overlap": view.overlap,
         "bound_mm": view.bound_mm,
         "sigma_mm": view.sigma_mm,
-        "held_by_axes": list(view.held_by_axes),
+        "held_by_axes": list(view.unconstrained_motions),
         "used": view.used,
         "verdict": view.verdict,
     }
@@ -127,12 +126,6 @@ def calibration_document(calibration: RigCalibration) -> dict[str, Any]:
             "straightness_mm": guide.straightness_mm,
         },
     }
-
-
-def validity_document(validity: Validity) -> dict[str, Any]:
-    """Return what speaks against the calibration, and whether a camera moved since."""
-    drift = None if validity.drift is None else asdict(validity.drift)
-    return {"warnings": list(validity.warnings), "drift": drift, "temperature_c": validity.temperature_c}
 
 
 def measurement_document(measurement: Measurement) -> dict[str, Any]:

@@ -41,7 +41,7 @@ class ViewLine:
     overlap: float | None
     bound_mm: float | None
     sigma_mm: float | None
-    held_by_axes: tuple[str, ...]
+    unconstrained_motions: tuple[str, ...]
     used: bool
     verdict: str
 

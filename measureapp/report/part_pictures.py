@@ -22,7 +22,7 @@ NICE_LIMITS_MM = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 WIDE = (840, 500)
 
 
-def part_pictures(measurement: Measurement) -> tuple[Picture, ...]:
+def render_part(measurement: Measurement) -> tuple[Picture, ...]:
     """Return pictures of the measured surface (or cloud) from obliquely above and from the top."""
     mesh = measurement.mesh
     what, colours = "Measured points" if mesh is None else "Measured surface", None
@@ -34,12 +34,12 @@ def part_pictures(measurement: Measurement) -> tuple[Picture, ...]:
     )
 
 
-def deviation_summary(measurement: Measurement, nominal: Mesh, deviation: Deviation) -> DeviationSummary:
+def summarise_deviation(measurement: Measurement, nominal: Mesh, deviation: Deviation) -> DeviationSummary:
     """Return the deviation with its picture, colour scale and histogram."""
     limit = nice_limit(deviation.p95_mm)
     transform = deviation.alignment.nominal_from_part
     if measurement.mesh is None:
-        colours = diverging(deviation.distances_mm / limit)
+        colours = diverging_colours(deviation.distances_mm / limit)
     else:
         colours = _mesh_colours(measurement.mesh, transform, NominalSurface(nominal), limit)
     image = _render(measurement, transform, OBLIQUE, colours, *WIDE)
@@ -65,14 +65,14 @@ def nice_limit(p95_mm: float) -> float:
     return next((limit for limit in NICE_LIMITS_MM if limit >= 1.2 * p95_mm), 2 * p95_mm)
 
 
-def diverging(values: FloatArray) -> FloatArray:
+def diverging_colours(values: FloatArray) -> FloatArray:
     """Return colours (N, 3) of values in −1…1: blue, white, red."""
     share = np.abs(np.clip(values, -1, 1))[:, None]
     return WHITE + share * (np.where(values[:, None] < 0, BLUE, RED) - WHITE)
 
 
 def _mesh_colours(mesh: Mesh, nominal_from_part: RigidTransform, nominal: NominalSurface, limit_mm: float) -> FloatArray:
-    colours = diverging(signed_distances(nominal_from_part.apply(mesh.vertices_mm), nominal) / limit_mm)
+    colours = diverging_colours(signed_distances(nominal_from_part.apply(mesh.vertices_mm), nominal) / limit_mm)
     if mesh.measured is not None:
         colours[~mesh.measured] = NOT_MEASURED
     return colours

@@ -15,8 +15,19 @@ from measureapp.errors import StorageError
 from measureapp.project.atomic import replacing
 from measureapp.report.compose import compose
 from measureapp.report.model import DeviationSummary, Fact, ReportModel, ViewLine
-from measureapp.report.part_pictures import diverging
-from measureapp.report.words import COLOURS, NEUTRAL, SIGNS, datums, number, percent, shares, spoken, titled, tolerance
+from measureapp.report.part_pictures import diverging_colours
+from measureapp.report.words import (
+    COLOURS,
+    NEUTRAL,
+    SIGNS,
+    format_contributions,
+    format_datums,
+    format_key,
+    format_name,
+    format_tolerance,
+    number,
+    percent,
+)
 from measureapp.resources import resource
 
 TEMPLATE = "report/report.typ"
@@ -40,7 +51,7 @@ def write_pdf(model: ReportModel, path: Path, template: Path | None = None) -> P
 
 def pdf_bytes(model: ReportModel, template: Path | None = None) -> bytes:
     """Return the report as PDF. Raises StorageError when the template has an error, which is named."""
-    return _set(model, template, format="pdf")[0]
+    return _typeset(model, template, format="pdf")[0]
 
 
 def page_images(measurement: Measurement, ppi: float = 110.0) -> tuple[bytes, ...]:
@@ -50,10 +61,10 @@ def page_images(measurement: Measurement, ppi: float = 110.0) -> tuple[bytes, ..
 
 def model_page_images(model: ReportModel, ppi: float = 110.0, template: Path | None = None) -> tuple[bytes, ...]:
     """Return the pages of a report as PNG. Raises StorageError when the template has an error, which is named."""
-    return _set(model, template, format="png", ppi=ppi)
+    return _typeset(model, template, format="png", ppi=ppi)
 
 
-def _set(model: ReportModel, template: Path | None, **options: Any) -> tuple[bytes, ...]:
+def _typeset(model: ReportModel, template: Path | None, **options: Any) -> tuple[bytes, ...]:
     """Set the report in a folder of its own, which is removed again."""
     import typst
 
@@ -87,7 +98,7 @@ def typst_document(model: ReportModel) -> dict[str, Any]:
         "header": _facts(model.header),
         "pictures": [{"file": f"picture{n}.png", "caption": picture.caption} for n, picture in enumerate(model.pictures)],
         "dimensions": [_dimension(dimension) for dimension in model.dimensions],
-        "origins": [_origin(dimension) for dimension in model.dimensions if dimension.origin],
+        "origins": [_traceability(dimension) for dimension in model.dimensions if dimension.traceability],
         "deviation": None if model.deviation is None else _deviation(model.deviation),
         "views": [_view(view) for view in model.views],
         "sections": [{"title": section.title, "facts": _facts(section.facts)} for section in model.sections],
@@ -101,13 +112,13 @@ def _facts(facts: tuple[Fact, ...]) -> list[dict[str, str]]:
 def _dimension(dimension: Dimension) -> dict[str, str]:
     unit = "°" if dimension.unit == "°" else f" {dimension.unit}"
     return {
-        "name": titled(dimension.name),
+        "name": format_name(dimension.name),
         "nominal": number(dimension.nominal) + unit,
         "measured": number(dimension.measured) + (unit if dimension.measured is not None else ""),
-        "error": number(dimension.error, signed=True),
-        "relative": percent(dimension.relative_error, 3, signed=True),
-        "uncertainty": number(dimension.uncertainty_shown()),
-        "tolerance": tolerance(dimension.lower_tolerance, dimension.upper_tolerance),
+        "error": number(dimension.deviation, signed=True),
+        "relative": percent(dimension.relative_deviation, 3, signed=True),
+        "uncertainty": number(dimension.round_uncertainty()),
+        "tolerance": format_tolerance(dimension.lower_tolerance, dimension.upper_tolerance),
         "verdict": dimension.verdict.value,
         "sign": SIGNS[dimension.verdict],
         "colour": COLOURS[dimension.verdict],
@@ -115,14 +126,14 @@ def _dimension(dimension: Dimension) -> dict[str, str]:
     }
 
 
-def _origin(dimension: Dimension) -> dict[str, str]:
+def _traceability(dimension: Dimension) -> dict[str, str]:
     """What a value is and what it rests on."""
     return {
-        "name": titled(dimension.name),
-        "kind": spoken(dimension.kind),
-        "datums": datums(dimension.datums),
-        "shares": shares(dimension),
-        "origin": dimension.origin,
+        "name": format_name(dimension.name),
+        "kind": format_key(dimension.kind),
+        "datums": format_datums(dimension.datums),
+        "shares": format_contributions(dimension),
+        "origin": dimension.traceability,
     }
 
 
@@ -145,7 +156,7 @@ def _view(view: ViewLine) -> dict[str, str]:
 def _deviation(deviation: DeviationSummary) -> dict[str, Any]:
     figures = deviation.figures_mm
     facts = [(name, f"{number(figures[key], signed=key not in {'rms', 'p95'})} mm") for name, key in _FIGURES]
-    stops = np.rint(255 * diverging(np.linspace(-1, 1, SCALE_STOPS))).astype(int)
+    stops = np.rint(255 * diverging_colours(np.linspace(-1, 1, SCALE_STOPS))).astype(int)
     return {
         "file": "deviation.png",
         "low": f"{number(-deviation.limit_mm, 2)} mm",

@@ -16,7 +16,7 @@ MARGIN = 1.06
 SURFACE_COLOUR = np.array([0.74, 0.78, 0.80])
 KEY_LIGHT = np.array([-0.45, 0.55, 0.70])  # in the view's frame: right, up, towards the viewer
 FILL_LIGHT = np.array([0.70, 0.10, 0.70])
-RIM_JUMP = 0.012  # depth jump, as a share of the picture's height, that draws an outline
+OUTLINE_JUMP = 0.012  # depth jump, as a share of the picture's height, that draws an outline
 LARGEST_SPLAT_PX = 4
 
 
@@ -61,14 +61,14 @@ def surface_picture(
     """Render a mesh, (height, width, 3) uint8 on white; ``colours`` (V, 3) in 0…1 per vertex, or one for all."""
     width, height = width * SUPERSAMPLING, height * SUPERSAMPLING
     frame = _Frame.around(mesh.vertices_mm[np.unique(mesh.triangles)], direction, width, height)
-    depth, triangle, weights = _cast(mesh, frame)
+    depth, triangle, weights = _cast_rays(mesh, frame)
     hit = np.isfinite(depth)
     image = np.ones((height, width, 3), np.float32)
     seen, share = triangle[hit], weights[hit]
     normals = np.einsum("nk,nkd->nd", share, _shading_normals(mesh)[seen])
     colour = SURFACE_COLOUR if colours is None else np.einsum("nk,nkd->nd", share, colours[np.asarray(mesh.triangles)[seen]])
-    image[hit] = colour * _light(normals @ frame.axes.T)[:, None]
-    return _finished(image, np.where(hit, depth, np.inf), frame)
+    image[hit] = colour * _shade(normals @ frame.axes.T)[:, None]
+    return _finish(image, np.where(hit, depth, np.inf), frame)
 
 
 def cloud_picture(
@@ -84,7 +84,7 @@ def cloud_picture(
     frame = _Frame.around(points_mm, direction, width, height)
     facing = np.ones(len(points_mm), bool) if normals is None else np.asarray(normals) @ frame.axes[2] > 0
     seen = points_mm[facing] @ frame.axes.T - frame.centre
-    shade = np.full(len(seen), 0.9) if normals is None else _light(np.asarray(normals, float)[facing] @ frame.axes.T)
+    shade = np.full(len(seen), 0.9) if normals is None else _shade(np.asarray(normals, float)[facing] @ frame.axes.T)
     colour = (np.broadcast_to(SURFACE_COLOUR, (len(seen), 3)) if colours is None else colours[facing]) * shade[:, None]
     column = np.clip(np.rint(seen[:, 0] / frame.mm_per_px + width / 2).astype(int), 0, width - 1)
     row = np.clip(np.rint(height / 2 - seen[:, 1] / frame.mm_per_px).astype(int), 0, height - 1)
@@ -94,10 +94,10 @@ def cloud_picture(
     image[filled] = colour[nearest[filled]]
     depth = np.full((height, width), np.inf)
     depth[filled] = -seen[nearest[filled], 2]
-    return _finished(image, depth, frame)
+    return _finish(image, depth, frame)
 
 
-def _cast(mesh: Mesh, frame: _Frame) -> tuple[FloatArray, IntArray, FloatArray]:
+def _cast_rays(mesh: Mesh, frame: _Frame) -> tuple[FloatArray, IntArray, FloatArray]:
     """Depth (H, W), triangle and barycentric weights (H, W, 3) of what each pixel sees."""
     import open3d as o3d
 
@@ -132,7 +132,7 @@ def _shading_normals(mesh: Mesh) -> FloatArray:
     return (smooth / np.maximum(np.linalg.norm(smooth, axis=2, keepdims=True), 1e-30)).astype(np.float32)
 
 
-def _light(normals: FloatArray) -> FloatArray:
+def _shade(normals: FloatArray) -> FloatArray:
     """Brightness (N,) of surfaces with ``normals`` in the view's frame."""
     key = np.clip(normals @ (KEY_LIGHT / np.linalg.norm(KEY_LIGHT)), 0, 1)
     fill = np.clip(normals @ (FILL_LIGHT / np.linalg.norm(FILL_LIGHT)), 0, 1)
@@ -158,11 +158,11 @@ def _splat(row: IntArray, column: IntArray, towards: FloatArray, frame: _Frame) 
     return nearest
 
 
-def _finished(image: FloatArray, depth_mm: FloatArray, frame: _Frame) -> ImageArray:
+def _finish(image: FloatArray, depth_mm: FloatArray, frame: _Frame) -> ImageArray:
     """Darken outlines, average down and convert to 8 bit."""
     far = float(np.max(depth_mm[np.isfinite(depth_mm)], initial=0.0)) + 0.2 * frame.height * frame.mm_per_px
     filled = np.where(np.isfinite(depth_mm), depth_mm, far)
-    jump = RIM_JUMP * frame.height * frame.mm_per_px
+    jump = OUTLINE_JUMP * frame.height * frame.mm_per_px
     rim = np.zeros(depth_mm.shape, bool)
     for axis in (0, 1):
         step = np.diff(filled, axis=axis)

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
-from measureapp.data.dimension import SHARE_DIGITS, Dimension, Verdict
+from measureapp.data.dimension import CONTRIBUTION_DIGITS, Dimension, Verdict
 
 MINUS = "−"
 NONE = "–"
@@ -45,7 +45,7 @@ def percent(value: float | None, digits: int = 1, *, signed: bool = False) -> st
     return NONE if value is None else number(100 * value, digits, signed=signed) + " %"
 
 
-def tolerance(lower: float, upper: float) -> str:
+def format_tolerance(lower: float, upper: float) -> str:
     """Return a tolerance, shortly where it is symmetric.
 
     >>> tolerance(-0.1, 0.1), tolerance(-0.2, 0.05), tolerance(0.0, 0.2)
@@ -56,7 +56,7 @@ def tolerance(lower: float, upper: float) -> str:
     return " / ".join("0" if limit == 0 else f"{limit:+g}" for limit in (lower, upper)).replace("-", MINUS)
 
 
-def datums(names: Sequence[str]) -> str:
+def format_datums(names: Sequence[str]) -> str:
     """Return datums in their order with their letters; those of a pattern without.
 
     >>> datums(("gear face", "bore")), datums(())
@@ -68,7 +68,7 @@ def datums(names: Sequence[str]) -> str:
     return ", ".join(f"{letter} {name}" for letter, name in zip(DATUM_LETTERS, names, strict=False)) if lettered else ", ".join(names)
 
 
-def shares(dimension: Dimension) -> str:
+def format_contributions(dimension: Dimension) -> str:
     """Return where an uncertainty comes from: the largest share first, each k = 2, and none that would read as zero.
 
     >>> shares(Dimension("a", 10, 10, 0.05, -0.1, 0.1, Verdict.PASS, budget={"noise": 0.03, "stitching": 0.04})).replace(TOGETHER, " ")
@@ -76,24 +76,24 @@ def shares(dimension: Dimension) -> str:
     >>> shares(Dimension("a", 10, 10, 0.05, -0.1, 0.1, Verdict.PASS, budget={"noise": 0.03, "form": 0.00002})).replace(TOGETHER, " ")
     'noise 0.0300 mm'
     """
-    named = ", ".join(f"{name}{TOGETHER}{number(size, SHARE_DIGITS)}" for name, size in dimension.shares_shown())
+    named = ", ".join(f"{name}{TOGETHER}{number(size, CONTRIBUTION_DIGITS)}" for name, size in dimension.rank_contributions())
     return f"{named}{'' if dimension.unit == '°' else TOGETHER}{dimension.unit}" if named else NONE
 
 
-def setting(value: Any) -> str:
+def format_setting(value: Any) -> str:
     """Return a setting of any JSON kind as words."""
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float):
         return f"{value:g}".replace("-", MINUS)
     if isinstance(value, dict):
-        return ", ".join(f"{spoken(key)} {setting(item)}" for key, item in value.items())
+        return ", ".join(f"{format_key(key)} {format_setting(item)}" for key, item in value.items())
     if isinstance(value, (list, tuple)):
-        return ", ".join(setting(item) for item in value)
+        return ", ".join(format_setting(item) for item in value)
     return NONE if value is None else str(value)
 
 
-def spoken(key: str) -> str:
+def format_key(key: str) -> str:
     """Return a key of a document as words, its unit in brackets.
 
     >>> spoken("exposures_us"), spoken("least_points"), spoken("stitch.voxel_mm")
@@ -105,7 +105,7 @@ def spoken(key: str) -> str:
     return f"{words} ({unit})" if unit else words
 
 
-def titled(name: str) -> str:
+def format_name(name: str) -> str:
     """Return a name such as programs give as words with a capital; any other, and a letter, as it stands in the drawing.
 
     >>> titled("outer_diameter"), titled("a"), titled("P1_x, hole")
@@ -114,7 +114,7 @@ def titled(name: str) -> str:
     return name.replace("_", " ").capitalize() if re.fullmatch(r"[a-z][a-z0-9_]+", name) else name
 
 
-def moment(iso: str) -> str:
+def format_time(iso: str) -> str:
     """Return an ISO 8601 moment as date and time of day.
 
     >>> moment("2026-05-04T10:20:30.123+00:00")

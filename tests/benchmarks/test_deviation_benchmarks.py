@@ -11,8 +11,8 @@ import pytest
 
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.alignment.best_fit import no_alignment
-from measureapp.inspection.measured import MeasuredPoints, sampled
-from measureapp.inspection.surface.deviation import deviation
+from measureapp.inspection.measured_points import MeasuredPoints, sample_mesh
+from measureapp.inspection.surface.deviation import compute_deviation
 
 Benchmark = Callable[..., Any]
 pytestmark = pytest.mark.slow
@@ -30,13 +30,13 @@ def test_a_million_points_are_compared_with_200_000_triangles_in_about_open3ds_t
     assert 190_000 < len(triangles) < 210_000
     nominal = Mesh(made.vertices, triangles, "nominal")
     rng = np.random.default_rng(1)
-    points = sampled(nominal, POINTS)
+    points = sample_mesh(nominal, POINTS)
     assert points.normals is not None
     off = rng.normal(0, NOISE_MM, (POINTS, 1))
     leaning = points.normals + 0.02 * rng.standard_normal((POINTS, 3))
     measured = MeasuredPoints(points.points_mm + off * points.normals, leaning / np.linalg.norm(leaning, axis=1, keepdims=True))
     theirs = []
-    found = benchmark.pedantic(deviation, (measured, nominal, no_alignment()), rounds=ROUNDS, warmup_rounds=1)
+    found = benchmark.pedantic(compute_deviation, (measured, nominal, no_alignment()), rounds=ROUNDS, warmup_rounds=1)
     for _ in range(ROUNDS):
         start = time.perf_counter()
         scene = o3d.t.geometry.RaycastingScene()

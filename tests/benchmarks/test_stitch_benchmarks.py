@@ -16,8 +16,8 @@ import pytest
 
 from measureapp.data.cloud import PointCloud
 from measureapp.geometry.transform import RigidTransform
-from measureapp.register.joint.groundwork import in_parallel
-from measureapp.register.pairs.icp import register_pair, stepped
+from measureapp.register.joint.registration_cache import map_in_parallel
+from measureapp.register.pairs.icp import apply_motion, register_pair
 from measureapp.register.pairs.prepare import prepare
 from measureapp.register.stitch import stitch
 from tests.register.conftest import impeller, scanned
@@ -36,9 +36,9 @@ AS_EXACT_MM = 0.001
 
 
 def by_ours(target: PointCloud, source: PointCloud, start: RigidTransform) -> RigidTransform:
-    a, b = in_parallel(lambda cloud: prepare(cloud, VOXEL_MM), (target, source))
+    a, b = map_in_parallel(lambda cloud: prepare(cloud, VOXEL_MM), (target, source))
     found = register_pair(a, b, start, (0, 1), SEARCH_MM)
-    return stepped(found.target_from_source, found.change, found.centre_mm)
+    return apply_motion(found.target_from_source, found.change, found.centre_mm)
 
 
 def by_small_gicp(target: PointCloud, source: PointCloud, start: RigidTransform) -> RigidTransform:

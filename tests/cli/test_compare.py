@@ -11,7 +11,7 @@ import pytest
 from measureapp.cli import main
 from measureapp.data.cloud import PointCloud
 from measureapp.geometry.transform import RigidTransform
-from measureapp.inspection.measured import sampled
+from measureapp.inspection.measured_points import sample_mesh
 from measureapp.project.geometry.files import read_mesh, write_cloud, write_mesh
 from measureapp.project.geometry.ply import read_ply
 from measureapp.resources import resource
@@ -23,7 +23,7 @@ PLACED = RigidTransform.from_vector([0.01, -0.02, 0.5], [10, -5, 3], "part", "no
 @pytest.fixture(scope="module")
 def cloud(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("clouds") / "cloud.xyz"
-    points = sampled(read_mesh(NOMINAL), 30_000)
+    points = sample_mesh(read_mesh(NOMINAL), 30_000)
     assert points.normals is not None
     noisy = points.points_mm + np.random.default_rng(1).normal(0, 0.02, (len(points), 1)) * points.normals
     np.savetxt(path, PLACED.apply(noisy), fmt="%.6f")
@@ -151,14 +151,14 @@ def test_another_unit_of_cloud_or_nominal_is_asked_about_and_taken_once_it_is_sa
 
 def test_points_in_place_but_in_inches_are_asked_about(tmp_path: Path, capsys) -> None:
     path = tmp_path / "inches.xyz"
-    np.savetxt(path, sampled(read_mesh(NOMINAL), 5000).points_mm / 25.4, fmt="%.7f")
+    np.savetxt(path, sample_mesh(read_mesh(NOMINAL), 5000).points_mm / 25.4, fmt="%.7f")
     assert main(["compare", str(path), str(NOMINAL), "--align", "none"]) == 2
     assert "look like inches" in capsys.readouterr().err
 
 
 def test_a_file_of_our_own_is_in_millimetres_and_nothing_else(tmp_path: Path, capsys) -> None:
     path = tmp_path / "ours.ply"
-    points = sampled(read_mesh(NOMINAL), 500)
+    points = sample_mesh(read_mesh(NOMINAL), 500)
     count = len(points)
     flat = (np.full(count, 0.02), np.zeros(count), np.zeros((count, 2)), np.ones(count))
     write_cloud(path, PointCloud(points.points_mm, points.normals, *flat, "part", "v"))

@@ -51,13 +51,13 @@ def test_every_filter_says_what_it_removed_and_the_rest_keeps_all_it_had(cloud: 
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        ((), "No filter was asked for"),
-        (("--box", "900,901,0,1,0,1"), "No point is left after the filter 'box'"),
-        (("--box", "5,1,0,1,0,1"), "ends before it begins"),
-        (("--plane", "0,0,0,1"), "no sides"),
-        (("--plane", "0,0,1"), "not 4 numbers"),
-        (("--box", "a,b"), "not 6 numbers"),
-        (("--statistical", "2", "--neighbours", "9000"), "none has 9000 neighbours"),
+        ((), "No filter is given"),
+        (("--box", "900,901,0,1,0,1"), "The filter 'box' removes all points"),
+        (("--box", "5,1,0,1,0,1"), "box is empty"),
+        (("--plane", "0,0,0,1"), "normal is 0 0 0"),
+        (("--plane", "0,0,1"), "4 numbers are expected"),
+        (("--box", "a,b"), "6 numbers are expected"),
+        (("--statistical", "2", "--neighbours", "9000"), "no point with 9000 neighbours"),
     ],
 )
 def test_what_makes_no_sense_is_refused_and_nothing_is_written(cloud: Path, capsys: pytest.CaptureFixture[str], options, words):

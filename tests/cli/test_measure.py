@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from measureapp.cli import main
-from measureapp.inspection.measured import sampled
+from measureapp.inspection.measured_points import sample_mesh
 from measureapp.project.geometry.files import read_mesh
 from measureapp.resources import resource
 
@@ -17,7 +17,7 @@ PROGRAM = resource("parts/gypsum/program.toml")
 @pytest.fixture(scope="module")
 def clouds(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     folder = tmp_path_factory.mktemp("clouds")
-    points = sampled(read_mesh(resource("parts/gypsum/nominal.stl")), 40_000)
+    points = sample_mesh(read_mesh(resource("parts/gypsum/nominal.stl")), 40_000)
     rng = np.random.default_rng(2)
     seen = points.points_mm[points.points_mm[:, 2] > 0.01] + rng.normal(0, 0.01, (int(np.sum(points.points_mm[:, 2] > 0.01)), 3))
     made = {"good": seen, "grown": seen * [1.002, 1.0, 1.0], "metres": seen / 1000, "inches": seen / 25.4}

@@ -14,7 +14,7 @@ from measureapp.data.measurement import Measurement
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.dimensions import inspect
-from measureapp.inspection.measured import sampled
+from measureapp.inspection.measured_points import sample_mesh
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.program_file import read_program
@@ -39,7 +39,7 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
         RotationAxis(np.array([600, 0, 100]), np.array([0, 0, 1]), "guide"),
     )
     nominal = read_mesh(PART / "nominal.stl")
-    points = sampled(nominal, 30_000)
+    points = sample_mesh(nominal, 30_000)
     assert points.normals is not None
     count = len(points)
     cloud = StitchedCloud(points.points_mm, points.normals, np.full(count, 0.02), np.full(count, 0.5), np.zeros(count), ())

@@ -89,7 +89,7 @@ def test_clouds_that_lie_together_in_inches_only_are_asked_about_and_stitched_on
         np.savetxt(path, np.loadtxt(path) / 25.4, "%.7f")
     assert main(arguments(views)) == 2
     refusal = json.loads(capsys.readouterr().out)["error"]
-    assert "taken as inches they lie together" in refusal["message"] and "`--unit inch`" in refusal["hint"]
+    assert "read as inches, they overlap" in refusal["message"] and "`--unit inch`" in refusal["hint"]
     assert main(arguments(views, "--unit", "inch")) == 0
     assert np.abs(read_points(views / "out.ply").points_mm).max() == pytest.approx(HALF_MM, abs=0.5)
 
@@ -110,6 +110,6 @@ def test_clouds_that_share_nothing_are_refused_and_nothing_is_written(views: Pat
 
 def test_views_all_around_say_how_well_they_close(views: Path, capsys: pytest.CaptureFixture[str]):
     assert main(arguments(views)) == 0
-    ring = json.loads(capsys.readouterr().out)["ring"]
-    assert sorted(ring["viewpoints"]) == ["view0", "view1", "view2", "view3"]
-    assert ring["gap_mm"] < 3 * ring["sigma_mm"]
+    loop_closure = json.loads(capsys.readouterr().out)["ring"]
+    assert sorted(loop_closure["viewpoints"]) == ["view0", "view1", "view2", "view3"]
+    assert loop_closure["gap_mm"] < 3 * loop_closure["sigma_mm"]

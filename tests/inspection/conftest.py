@@ -12,7 +12,7 @@ import pytest
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.mesh import Mesh
 from measureapp.geometry.transform import RigidTransform
-from measureapp.inspection.measured import MeasuredPoints, sampled
+from measureapp.inspection.measured_points import MeasuredPoints, sample_mesh
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.program_file import read_program
@@ -61,7 +61,7 @@ def scan() -> ScanOf:
         seen_from: tuple[float, ...] = (),
     ) -> MeasuredPoints:
         rng = np.random.default_rng(seed)
-        points = sampled(nominal, count)
+        points = sample_mesh(nominal, count)
         assert points.normals is not None
         visible = points.normals[:, 2] > -0.5
         if seen_from:

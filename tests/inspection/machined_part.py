@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from measureapp.geometry.transform import RigidTransform, rotation_about
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.measured_points import MeasuredPoints
 
 LENGTH_MM, RADIUS_MM, BORE_MM, BALL_MM = 60.0, 40.0, 8.0, 15.0
 BORE_AT = (70.0, 25.0)

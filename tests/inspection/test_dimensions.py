@@ -9,7 +9,7 @@ from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.dimensions import inspect
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 from measureapp.project.program_file import read_program
 from measureapp.resources import resource
@@ -62,9 +62,9 @@ def test_every_dimension_of_a_sample_part_is_recovered_within_its_uncertainty(pa
     sample = samples(part)
     inspection = inspect(scan(sample.nominal, on_table(140.0), NOISE_MM, count=150_000), sample.program, sample.nominal)
     for dimension in inspection.dimensions:
-        assert dimension.error is not None and dimension.uncertainty is not None, dimension.reason
+        assert dimension.deviation is not None and dimension.uncertainty is not None, dimension.reason
         share = 1.0 if dimension.kind == "flatness" else 0.5  # noise only ever adds to a flatness
-        assert abs(dimension.error) < share * dimension.uncertainty + FACETS_MM, dimension.name
+        assert abs(dimension.deviation) < share * dimension.uncertainty + FACETS_MM, dimension.name
         assert dimension.verdict is Verdict.PASS, dimension.name
     assert inspection.alignment.name == "best fit"
 
@@ -78,8 +78,8 @@ def test_the_example_of_geometrical_tolerances_holds_on_a_true_gear(samples, sca
         dimension.kind for dimension in inspection.dimensions
     }
     for dimension, asked in zip(inspection.dimensions, described.dimensions, strict=True):
-        assert dimension.error is not None and dimension.uncertainty is not None, dimension.reason
-        assert abs(dimension.error - 2 * abs(asked.zone_offset_mm)) < dimension.uncertainty + FACETS_MM, dimension.name
+        assert dimension.deviation is not None and dimension.uncertainty is not None, dimension.reason
+        assert abs(dimension.deviation - 2 * abs(asked.zone_offset_mm)) < dimension.uncertainty + FACETS_MM, dimension.name
         assert dimension.verdict is Verdict.PASS, dimension.name
 
 
@@ -106,8 +106,8 @@ def test_the_uncertainty_holds_in_95_of_100_cases_when_the_points_err_independen
     for seed in range(120):
         inspection = inspect(block(np.random.default_rng(seed)), described, settings=ONLY_SCATTER)
         for dimension in inspection.dimensions:
-            assert dimension.error is not None and dimension.uncertainty is not None
-            within.append(abs(dimension.error) <= dimension.uncertainty)
+            assert dimension.deviation is not None and dimension.uncertainty is not None
+            within.append(abs(dimension.deviation) <= dimension.uncertainty)
     assert 0.93 <= np.mean(within) <= 0.99  # 95.4 % expected of 480 values: a standard deviation is 1 %
 
 
@@ -123,8 +123,8 @@ def test_the_uncertainty_still_nearly_holds_when_neighbouring_points_err_togethe
         points = MeasuredPoints(exact.points_mm + errors[:, None] * exact.normals, exact.normals)
         for settings, outcome in ((ONLY_SCATTER, within), (independent, plain)):
             for dimension in inspect(points, described, settings=settings).dimensions:
-                assert dimension.error is not None and dimension.uncertainty is not None
-                outcome.append(abs(dimension.error) <= dimension.uncertainty)
+                assert dimension.deviation is not None and dimension.uncertainty is not None
+                outcome.append(abs(dimension.deviation) <= dimension.uncertainty)
     assert np.mean(within) >= 0.86  # the residuals of 160 values show about 91 of 95 %
     assert np.mean(plain) < 0.7  # without looking at neighbours far too many lie outside
 

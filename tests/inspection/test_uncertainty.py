@@ -7,7 +7,7 @@ import pytest
 
 from measureapp.arrays import FloatArray
 from measureapp.inspection.features.surface_point import QUADRIC
-from measureapp.inspection.uncertainty import shared_error_factor
+from measureapp.inspection.uncertainty import correlation_factor
 
 CORRELATION_MM = 8.0
 
@@ -25,14 +25,14 @@ def patch(half_mm: float, count: int, shared_mm: float, seed: int) -> tuple[Floa
 
 @pytest.mark.parametrize("half_mm", [5.0, 40.0])
 def test_independent_errors_widen_nothing(half_mm: float) -> None:
-    found = [shared_error_factor(*patch(half_mm, 4000, 0, seed), CORRELATION_MM) for seed in range(20)]
+    found = [correlation_factor(*patch(half_mm, 4000, 0, seed), CORRELATION_MM) for seed in range(20)]
     assert 1.0 <= np.mean(found) < 1.1
 
 
 @pytest.mark.parametrize(("half_mm", "shared_mm", "count"), [(5.0, 0.5, 4000), (40.0, 4.0, 4000)])
 def test_shared_errors_show_in_small_and_in_large_patches(half_mm: float, shared_mm: float, count: int) -> None:
     per_square = count * (shared_mm / (2 * half_mm)) ** 2
-    found = [shared_error_factor(*patch(half_mm, count, shared_mm, seed), CORRELATION_MM) for seed in range(20)]
+    found = [correlation_factor(*patch(half_mm, count, shared_mm, seed), CORRELATION_MM) for seed in range(20)]
     assert np.mean(found) == pytest.approx(np.sqrt(0.5 * (1 + per_square)), rel=0.2)
 
 
@@ -50,10 +50,10 @@ def test_a_point_of_a_small_patch_errs_as_much_as_its_neighbours_share() -> None
         residuals = errors - design @ solution
         own = np.sqrt(residuals @ residuals / (len(errors) - QUADRIC) * np.linalg.inv(design.T @ design)[0, 0])
         heights.append(solution[0])
-        stated.append(own * shared_error_factor(points, residuals, CORRELATION_MM, QUADRIC))
+        stated.append(own * correlation_factor(points, residuals, CORRELATION_MM, QUADRIC))
     assert np.std(heights) == pytest.approx(np.sqrt(np.mean(np.square(stated))), rel=0.15)
 
 
 def test_a_few_points_have_no_neighbours() -> None:
-    assert shared_error_factor(np.zeros((1, 3)), np.ones(1), CORRELATION_MM) == 1.0
-    assert shared_error_factor(np.eye(3), np.zeros(3), CORRELATION_MM) == 1.0
+    assert correlation_factor(np.zeros((1, 3)), np.ones(1), CORRELATION_MM) == 1.0
+    assert correlation_factor(np.eye(3), np.zeros(3), CORRELATION_MM) == 1.0

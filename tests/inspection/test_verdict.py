@@ -1,7 +1,7 @@
 import pytest
 
 from measureapp.data.dimension import Verdict
-from measureapp.inspection.verdict import RULES, conformance_probability, judge
+from measureapp.inspection.verdict import RULES, conformance_probability, decide_verdict
 
 
 def test_the_probability_of_conformance_is_that_of_the_normal_distribution() -> None:
@@ -21,33 +21,33 @@ def test_the_probability_of_conformance_is_that_of_the_normal_distribution() -> 
     ],
 )
 def test_near_one_limit_the_guard_band_is_1_645_standard_uncertainties(error: float, verdict: Verdict) -> None:
-    assert judge(error, 0.02, -0.1, 0.1) is verdict
+    assert decide_verdict(error, 0.02, -0.1, 0.1) is verdict
 
 
 def test_an_uncertainty_as_wide_as_the_tolerance_never_passes() -> None:
-    assert judge(0.0, 0.12, -0.1, 0.1) is Verdict.NOT_PROVEN
+    assert decide_verdict(0.0, 0.12, -0.1, 0.1) is Verdict.NOT_PROVEN
 
 
 @pytest.mark.parametrize("error", [0.0, 0.1, 0.5])
 def test_an_uncertainty_far_wider_than_the_tolerance_proves_nothing(error: float) -> None:
-    assert judge(error, 100.0, -0.1, 0.1) is Verdict.NOT_PROVEN
-    assert judge(error + 200.0, 100.0, -0.1, 0.1) is Verdict.FAIL
+    assert decide_verdict(error, 100.0, -0.1, 0.1) is Verdict.NOT_PROVEN
+    assert decide_verdict(error + 200.0, 100.0, -0.1, 0.1) is Verdict.FAIL
 
 
 def test_a_value_without_uncertainty_is_not_proven_however_good_it_looks() -> None:
-    assert judge(0.0, None, -0.1, 0.1) is Verdict.NOT_PROVEN
-    assert judge(0.0, 0.0, -0.1, 0.1) is Verdict.NOT_PROVEN
+    assert decide_verdict(0.0, None, -0.1, 0.1) is Verdict.NOT_PROVEN
+    assert decide_verdict(0.0, 0.0, -0.1, 0.1) is Verdict.NOT_PROVEN
 
 
 def test_the_older_rule_keeps_the_whole_expanded_uncertainty_away_from_the_limits() -> None:
-    assert judge(0.079, 0.02, -0.1, 0.1, "guard-band") is Verdict.PASS
-    assert judge(0.081, 0.02, -0.1, 0.1, "guard-band") is Verdict.NOT_PROVEN
-    assert judge(0.121, 0.02, -0.1, 0.1, "guard-band") is Verdict.FAIL
+    assert decide_verdict(0.079, 0.02, -0.1, 0.1, "guard-band") is Verdict.PASS
+    assert decide_verdict(0.081, 0.02, -0.1, 0.1, "guard-band") is Verdict.NOT_PROVEN
+    assert decide_verdict(0.121, 0.02, -0.1, 0.1, "guard-band") is Verdict.FAIL
 
 
 def test_simple_acceptance_does_not_look_at_the_uncertainty() -> None:
-    assert judge(0.099, None, -0.1, 0.1, "simple") is Verdict.PASS
-    assert judge(0.101, 5.0, -0.1, 0.1, "simple") is Verdict.FAIL
+    assert decide_verdict(0.099, None, -0.1, 0.1, "simple") is Verdict.PASS
+    assert decide_verdict(0.101, 5.0, -0.1, 0.1, "simple") is Verdict.FAIL
 
 
 def test_every_rule_is_told_in_words() -> None:

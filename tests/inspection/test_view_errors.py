@@ -9,10 +9,10 @@ import pytest
 
 from measureapp.data.dimension import Dimension
 from measureapp.data.inspection_program import InspectionProgram
-from measureapp.data.view_errors import POWERS, CloudBends, CommonErrors, FormErrors, ViewErrors
+from measureapp.data.view_errors import POWERS, CloudDistortion, FormErrors, SystematicErrors, ViewErrors
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.dimensions import inspect
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.point_distance import point_distance
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 
@@ -62,7 +62,7 @@ class Drawn:
     def measured(self, rng: np.random.Generator) -> MeasuredPoints:
         errors, points, view = self.exact.errors, self.exact.points_mm, self.exact.view
         assert errors is not None and view is not None and self.exact.normals is not None
-        chosen = [rng.standard_normal(columns.shape[1]) for columns in (errors.by_stitching, errors.by_calibration)]
+        chosen = [rng.standard_normal(columns.shape[1]) for columns in (errors.stitching_motions, errors.calibration_motions)]
         moved, normals = np.zeros_like(points), np.asarray(self.exact.normals, float)
         for axis, direction in enumerate(np.eye(3)):
             along = errors.along(points, np.tile(direction, (len(points), 1)), view)
@@ -111,7 +111,7 @@ def errors_of(rng: np.random.Generator, own: float = 1.0) -> ViewErrors:
     held = np.zeros((6 * VIEWS, 1))  # the poses follow the scale so that the middle of the part stays in its place
     for number, pose in enumerate(poses):
         held[6 * number : 6 * number + 3, 0] = SCALE * own * pose.translation_mm
-    return ViewErrors(poses, centres, np.hstack([common, mixed]), held, CloudBends(np.zeros(3), np.full(3, 100.0), grown))
+    return ViewErrors(poses, centres, np.hstack([common, mixed]), held, CloudDistortion(np.zeros(3), np.full(3, 100.0), grown))
 
 
 def drawn(own: float = 1.0) -> Drawn:
@@ -139,7 +139,7 @@ def with_common(made: Drawn) -> Drawn:
     nodes = np.random.default_rng(3).normal(size=(12, 3))
     nodes /= np.linalg.norm(nodes, axis=1, keepdims=True)
     motions = np.random.default_rng(4).normal(size=(6 * VIEWS, 12)) * np.tile([SHIFT_MM / 4] * 3 + [TURN_RAD / 4] * 3, VIEWS)[:, None]
-    return Drawn(replace(made.exact, errors=replace(made.exact.errors, common=CommonErrors(nodes, SHIFT_MM, motions))))
+    return Drawn(replace(made.exact, errors=replace(made.exact.errors, systematic=SystematicErrors(nodes, SHIFT_MM, motions))))
 
 
 def with_scale(made: Drawn) -> Drawn:
@@ -160,7 +160,7 @@ def test_intervals_hold_the_truth_in_95_of_100_cases_when_views_and_calibration_
     scores = []
     for seed in range(DRAWS):
         found = inspected(made.measured(np.random.default_rng(seed)))
-        scores.append([2 * (one.error or 0.0) / (one.uncertainty or np.nan) for one in found])
+        scores.append([2 * (one.deviation or 0.0) / (one.uncertainty or np.nan) for one in found])
     scores = np.array(scores)
     # dimensions of one draw share errors: as if each draw counted three times, three standard deviations of a share of 95.4 %
     within, spread = np.mean(np.abs(scores) <= 2), 3 * np.sqrt(0.954 * 0.046 / (3 * DRAWS))
@@ -179,7 +179,7 @@ def test_shares_add_up_and_are_told() -> None:
     for one in found.values():
         assert set(one.budget) == {"noise", "stitching", "calibration"}
         assert np.linalg.norm(list(one.budget.values())) == pytest.approx(one.uncertainty)
-        assert "assumed" not in one.origin
+        assert "assumed" not in one.traceability
     assert found["width"].budget["calibration"] == pytest.approx(2 * SCALE * 80, rel=1e-3)
     assert found["corner"].budget["calibration"] < 1e-6  # a scale turns nothing
 
@@ -203,17 +203,21 @@ def test_a_stated_scale_is_a_share_of_lengths_and_named_in_their_origin(errors_k
     }
     for name, length_mm in {"width": 80, "half width": 40, "pin diameter": 30, "small radius": 4, "pins": 160, "foot to wall": 40}.items():
         assert found[name].budget["scale"] == pytest.approx(2e-6 * SCALE_PPM * length_mm, rel=1e-3), name
-        assert "lengths ± 200 ppm (k = 1)" in found[name].origin
-    assert found["corner"].budget.get("scale", 0.0) < 1e-9 and "ppm (k = 1), by" not in found["corner"].origin  # no scale turns anything
+        assert "lengths ± 200 ppm (k = 1)" in found[name].traceability
+    assert (
+        found["corner"].budget.get("scale", 0.0) < 1e-9 and "ppm (k = 1), by" not in found["corner"].traceability
+    )  # no scale turns anything
 
 
 def test_where_nothing_is_known_of_the_views_the_result_says_what_was_assumed() -> None:
     plain = replace(drawn().exact, errors=None)
     width = inspected(plain)[0]
-    assert "assumed: a view lies within ± 0.01 mm (k = 1)" in width.origin and "assumed of the calibration" in width.origin
-    halves = replace(plain, errors=replace(errors_of(np.random.default_rng(8)), bends=None, by_calibration=np.zeros((6 * VIEWS, 0))))
+    assert "assumed: position of each view ± 0.01 mm (k = 1)" in width.traceability and "assumed: calibration" in width.traceability
+    halves = replace(
+        plain, errors=replace(errors_of(np.random.default_rng(8)), distortion=None, calibration_motions=np.zeros((6 * VIEWS, 0)))
+    )
     width = inspected(halves)[0]
-    assert "a view lies" not in width.origin and "assumed of the calibration" in width.origin
+    assert "position of each view" not in width.traceability and "assumed: calibration" in width.traceability
 
 
 def test_two_clicked_points_stand_off_as_their_views_do() -> None:
@@ -231,7 +235,7 @@ def test_two_clicked_points_stand_off_as_their_views_do() -> None:
 def test_what_moves_the_whole_part_is_followed_by_an_alignment_by_its_surface() -> None:
     exact = drawn().exact
     assert exact.errors is not None and exact.normals is not None and exact.view is not None
-    left = exact.aligned().errors
+    left = exact.remove_alignment_motion().errors
     assert left is not None
     normals = np.asarray(exact.normals)
     before, after = (errors.along(exact.points_mm, normals, exact.view)["stitching"] for errors in (exact.errors, left))

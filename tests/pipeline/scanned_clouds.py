@@ -13,7 +13,8 @@ from measureapp.data.cloud import PointCloud, StitchedCloud
 from measureapp.data.measurement import Alignment
 from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.viewpoints import plan_around_part
-from measureapp.register.place import stations
+from measureapp.register.joint.pose_prior import PosePrior
+from measureapp.register.place import number_stations
 from measureapp.register.stitch import stitch
 from measureapp.simulate.parts import make_part
 from tests.calibrate.paper_rig import RIG, Cell, calibrated
@@ -59,9 +60,9 @@ def scanned_part(
     stitched = stitch(
         clouds,
         kinematic,
-        stations=stations(readbacks),
-        prior_covariance=view_uncertainty(rig, readbacks).pose_covariance,
-        calibration=calibration_errors(rig, readbacks, corners),
+        prior=PosePrior(
+            number_stations(readbacks), view_uncertainty(rig, readbacks).pose_covariance, calibration_errors(rig, readbacks, corners)
+        ),
     )
     return ScannedPart(truth, kinematic, clouds, stitched)
 

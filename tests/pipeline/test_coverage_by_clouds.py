@@ -52,7 +52,7 @@ def dimensions(seed: int, stitched: StitchedCloud, program: InspectionProgram) -
 
 def scores_of(found: tuple[Dimension, ...]) -> FloatArray:
     """Errors in standard uncertainties."""
-    return np.array([2 * (one.error or 0.0) / (one.uncertainty or np.nan) for one in found])
+    return np.array([2 * (one.deviation or 0.0) / (one.uncertainty or np.nan) for one in found])
 
 
 def share_and_spread(scores: FloatArray) -> tuple[float, float]:

@@ -52,5 +52,5 @@ def test_dimensions_do_not_follow_the_robots_errors(record_property: Callable[[s
     assert np.abs(stitched).max() < 3 * sigma
     assert np.sqrt(np.mean(np.square(stitched))) < np.sqrt(np.mean(np.square(by_axes))) / 3
     for part in parts:
-        assert part.ring is not None
-        assert part.ring.gap_mm < 3 * part.ring.sigma_mm and part.ring.sigma_mm < 0.0125
+        assert part.loop_closure is not None
+        assert part.loop_closure.gap_mm < 3 * part.loop_closure.sigma_mm and part.loop_closure.sigma_mm < 0.0125

@@ -78,7 +78,7 @@ def test_the_demo_finds_its_cameras_where_they_were_calibrated_and_notes_it(demo
     measurement = demo.project.measurement()
     assert measurement is not None and measurement.validity.drift is not None
     assert measurement.validity.drift.sentence == drift["sentence"]
-    assert measurement.validity.drift.unseen_deg == drift["unseen_deg"] and set(drift["unseen_deg"]) == set(CAMERAS)
+    assert measurement.validity.drift.undetectable_deg == drift["unseen_deg"] and set(drift["unseen_deg"]) == set(CAMERAS)
     for name, turns in drift["unseen_deg"].items():  # upright fringes: a camera that tips is seen least
         assert max(turns, key=turns.get) in ("pitch", "roll") and turns["yaw"] < KNOCK_DEG, (name, turns)
     assert "would not show" in drift["unseen"]
@@ -90,7 +90,7 @@ def test_a_camera_that_was_knocked_is_named(tmp_path: Path, rig: RigDescription,
     drift = validity.drift
     assert drift is not None and (drift.standing, drift.cameras) == ("drifted", (name,))
     assert drift.turn_deg == pytest.approx(KNOCK_DEG, rel=0.1)
-    assert validity.told == (drift.sentence,) and "px" in drift.sentence and "mm" in drift.sentence
+    assert validity.all_warnings == (drift.sentence,) and "px" in drift.sentence and "mm" in drift.sentence
     (line,) = project.calibration_history()
     assert (line.standing, line.cameras, line.shift_px) == ("drifted", (name,), drift.shift_px)
 
@@ -152,7 +152,7 @@ def test_over_rigs_clean_scans_are_silent_and_every_knock_is_named(tmp_path: Pat
     project = ProjectFolder.create(tmp_path / "calibrated", ProjectSettings(name="calibrated", part="gypsum", rig=clean))
     calibrated = calibrate_rig(connect_rig(clean), project, lambda _: None, NoProgress(), Stopwatch()).rig.calibration
     _, validity = scanned(tmp_path / "clean", clean, calibrated)
-    assert validity.drift is not None and (validity.drift.standing, validity.told) == ("good", ())
+    assert validity.drift is not None and (validity.drift.standing, validity.all_warnings) == ("good", ())
     for name in CAMERAS:
         for number, turn in enumerate(([0.0, KNOCK_DEG, 0.0], [0.0, -5 * KNOCK_DEG, 0.0], [0.0, 0.0, 5 * KNOCK_DEG])):
             _, validity = scanned(tmp_path / f"{name}{number}", described(rig, seed, knocked_deg={name: turn}), calibrated)

@@ -21,7 +21,7 @@ from measureapp.data.calibration import (
     RobotStation,
     RotationAxis,
 )
-from measureapp.data.cloud import CloudQuality, PointCloud, RingClosure, StitchedCloud, ViewPlacement
+from measureapp.data.cloud import CloudQuality, LoopClosure, PointCloud, StitchedCloud, ViewPlacement
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.feature import Feature
 from measureapp.data.fringe import AxisReadback
@@ -157,7 +157,7 @@ def measurement(calibration: RigCalibration, inspection: Inspection) -> Measurem
         np.arange(50) % 2,
         (placement("view01", 6), placement("view02", 7)),
         notes={"spacing_mm": 0.6},
-        ring=RingClosure(("view01", "view02", "view03"), 0.012, 0.004, 0.02),
+        loop_closure=LoopClosure(("view01", "view02", "view03"), 0.012, 0.004, 0.02),
     )
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32)
     mesh = Mesh(corners, np.array([[0, 1, 2], [0, 2, 3]]), "part", np.array([True, True, False, True]))

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from measureapp.data.cloud import PointCloud, joined
-from measureapp.register.clouds.quality import judge, point_spacing_mm
+from measureapp.data.cloud import PointCloud, concatenate_clouds
+from measureapp.register.clouds.quality import assess_cloud, point_spacing_mm
 from measureapp.register.merge import merge
 from measureapp.register.settings import QualitySettings
 
@@ -70,7 +70,7 @@ def test_islands_and_single_points_are_dropped():
 
 def test_spacing_density_and_noise_are_those_the_cloud_was_made_with():
     cloud = plane(18_000, 0.04, 1)
-    quality = judge(cloud)
+    quality = assess_cloud(cloud)
     assert quality.density_per_mm2 == pytest.approx(5.0, rel=0.1)
     assert point_spacing_mm(np.asarray(cloud.points_mm)) == pytest.approx(1 / np.sqrt(5), rel=0.05)
     assert quality.noise_mm == pytest.approx(0.04, rel=0.1)
@@ -79,13 +79,13 @@ def test_spacing_density_and_noise_are_those_the_cloud_was_made_with():
 
 
 def test_a_large_cloud_is_judged_by_a_sample_to_the_same_figures():
-    quality = judge(plane(400_000, 0.04, 2, half_mm=140.0))
+    quality = assess_cloud(plane(400_000, 0.04, 2, half_mm=140.0))
     assert quality.density_per_mm2 == pytest.approx(400_000 / 280**2, rel=0.1)
     assert quality.noise_mm == pytest.approx(0.04, rel=0.1)
 
 
 def test_a_poor_cloud_is_refused_with_every_reason():
-    quality = judge(plane(3_000, 0.3, 1, half_mm=60), QualitySettings(plane_radius_mm=6.0), completeness=0.01)
+    quality = assess_cloud(plane(3_000, 0.3, 1, half_mm=60), QualitySettings(plane_radius_mm=6.0), completeness=0.01)
     assert not quality.accepted
     assert "per mm²" in quality.reason and "noise" in quality.reason and "visible surface" in quality.reason
 
@@ -97,11 +97,11 @@ def test_outliers_are_counted():
     wrong = rng.choice(len(points), 1000, replace=False)
     points[wrong, 2] += rng.uniform(5, 40, 1000) * rng.choice([-1, 1], 1000)
     spoiled = PointCloud(points, clean.normals, clean.sigma_mm, clean.grey, clean.pixel, clean.cameras, "part", "v")
-    assert judge(spoiled).outlier_ratio == pytest.approx(0.1, abs=0.03)
+    assert assess_cloud(spoiled).outlier_ratio == pytest.approx(0.1, abs=0.03)
 
 
 def test_a_cloud_of_a_few_points_is_refused():
-    assert judge(plane(20, 0.02, 1)).reason == "only 20 points"
+    assert assess_cloud(plane(20, 0.02, 1)).reason == "only 20 points"
 
 
 def waving(cloud: PointCloud, height_mm: float, period_mm: float) -> PointCloud:
@@ -114,15 +114,15 @@ def waving(cloud: PointCloud, height_mm: float, period_mm: float) -> PointCloud:
 
 
 def test_waves_of_a_surface_are_told_from_its_noise_and_refused():
-    clean = judge(plane(18_000, 0.04, 1))
-    wavy = judge(waving(plane(18_000, 0.04, 1), 0.25, 8.0))
+    clean = assess_cloud(plane(18_000, 0.04, 1))
+    wavy = assess_cloud(waving(plane(18_000, 0.04, 1), 0.25, 8.0))
     # a cell of 4 mm² holds 18 points, whose median has σ √(π/36); the variance of 28 such medians about six terms is known to √(2/22), and
     # the worst tenth of 200 patches lies 1.3 of these deviations above the mean; twice that for cells that are not whole
     assert clean.distortion_mm < 0.04 * np.sqrt(np.pi / 36) * np.sqrt(2 * 1.3 * np.sqrt(2 / 22))
     assert clean.accepted
     # the quadric follows the wave in part, the worst patches least: no more than the wave itself, and not far less
     assert 0.6 * 0.25 / np.sqrt(2) < wavy.distortion_mm < 1.15 * 0.25
-    assert not wavy.accepted and "the surface waves by" in wavy.reason
+    assert not wavy.accepted and "surface distortion of" in wavy.reason
 
 
 def test_curvature_and_edges_are_no_distortion():
@@ -133,5 +133,5 @@ def test_curvature_and_edges_are_no_distortion():
     ball = replace(ball, points_mm=direction * (25 + rng.normal(0, 0.02, 60_000))[:, None], normals=direction)
     upright = plane(18_000, 0.02, 2)
     turned = replace(upright, points_mm=np.asarray(upright.points_mm)[:, [2, 1, 0]], normals=np.asarray(upright.normals)[:, [2, 1, 0]])
-    for cloud in (ball, joined([plane(18_000, 0.02, 1), turned])):
-        assert judge(cloud).distortion_mm < 0.05
+    for cloud in (ball, concatenate_clouds([plane(18_000, 0.02, 1), turned])):
+        assert assess_cloud(cloud).distortion_mm < 0.05

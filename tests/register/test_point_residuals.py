@@ -31,5 +31,5 @@ def test_a_point_with_nothing_near_is_not_known():
 
 def test_the_spread_at_a_merged_point_is_the_rms_of_the_residuals_next_to_it():
     surface = MergedSurface(flat_cloud(count=3))
-    spread = surface.spread(np.array([0.03, -0.04, np.nan, 0.1]), np.array([0, 0, 3, 2]))
+    spread = surface.rms_per_point(np.array([0.03, -0.04, np.nan, 0.1]), np.array([0, 0, 3, 2]))
     assert np.allclose(spread, [np.sqrt((0.03**2 + 0.04**2) / 2), np.nan, 0.1], equal_nan=True)

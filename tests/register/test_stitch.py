@@ -8,10 +8,10 @@ import pytest
 from measureapp.data.cloud import StitchedCloud
 from measureapp.errors import RegistrationError
 from measureapp.geometry.transform import RigidTransform
-from measureapp.register.joint.pose_prior import KinematicPrior
+from measureapp.register.joint.pose_prior import KinematicPrior, PosePrior
 from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
-from measureapp.register.surface.closed import surface
+from measureapp.register.surface.closed import reconstruct_surface
 
 SIXTHS = [10.0, 70.0, 130.0, 190.0, 250.0, 310.0]
 
@@ -44,7 +44,7 @@ def impeller_scan(scanned, impeller_mesh):
 
 @pytest.fixture(scope="module")
 def stitched_impeller(impeller_scan) -> StitchedCloud:
-    return stitch(impeller_scan.clouds, impeller_scan.kinematic, stations=impeller_scan.stations)
+    return stitch(impeller_scan.clouds, impeller_scan.kinematic, prior=PosePrior(impeller_scan.stations))
 
 
 def test_an_impeller_is_stitched_to_below_the_noise_of_its_points(impeller_scan, stitched_impeller):
@@ -73,7 +73,7 @@ def test_corrections_are_told_beside_the_other_views(impeller_scan, stitched_imp
 
 def test_a_cross_of_planes_is_stitched_within_eight_hundredths(scanned, cross_mesh):
     scan = scanned(cross_mesh, SIXTHS, [25.0, 60.0], step_mm=0.7, seed=4)
-    stitched = stitch(scan.clouds, scan.kinematic, stations=scan.stations)
+    stitched = stitch(scan.clouds, scan.kinematic, prior=PosePrior(scan.stations))
     surface_rms, _ = judged(scan, stitched)
     assert surface_rms < 0.08
     assert all(placement.verdict == "good" for placement in stitched.placements)
@@ -134,7 +134,7 @@ def test_clouds_without_points_are_refused_or_left_out(scanned, cross_mesh):
 
 
 def test_the_surface_follows_the_points_and_says_where_it_was_filled(impeller_scan, stitched_impeller):
-    mesh = surface(stitched_impeller)
+    mesh = reconstruct_surface(stitched_impeller)
     points = np.asarray(stitched_impeller.points_mm)
     from scipy.spatial import cKDTree
 
@@ -148,27 +148,27 @@ def test_the_surface_follows_the_points_and_says_where_it_was_filled(impeller_sc
 
 def test_a_surface_that_does_not_fit_into_memory_is_refused_before_it_is_made(stitched_impeller):
     with pytest.raises(RegistrationError, match="GiB"):
-        surface(stitched_impeller, free_bytes=lambda: 1000)
+        reconstruct_surface(stitched_impeller, free_bytes=lambda: 1000)
 
 
 @pytest.mark.parametrize("displaced", [1, 4])
 def test_tight_axes_do_not_hide_a_displaced_view(scanned, impeller_mesh, displaced):
     scan = scanned(impeller_mesh, SIXTHS, [45.0], step_mm=1.0, station_mm=0.02, station_deg=0.002)
     covariance = KinematicPrior(0.02, np.radians(0.002), 0.02, np.radians(0.002)).covariance(scan.stations)
-    clean = stitch(scan.clouds, scan.kinematic, prior_covariance=covariance)
+    clean = stitch(scan.clouds, scan.kinematic, prior=PosePrior(covariance=covariance))
     assert [placement.verdict for placement in clean.placements] == ["good"] * 6
     assert all(placement.sigma_mm < 0.05 for placement in clean.placements)
     slipped = RigidTransform.from_parts(np.eye(3), [1.2, 1.2, 1.05], "camera", "camera")  # 2 mm
     kinematic = [pose @ slipped if i == displaced else pose for i, pose in enumerate(scan.kinematic)]
-    stitched = stitch(scan.clouds, kinematic, prior_covariance=covariance)
+    stitched = stitch(scan.clouds, kinematic, prior=PosePrior(covariance=covariance))
     assert [i for i, placement in enumerate(stitched.placements) if not placement.used] == [displaced]
     assert "times as far as they allow: left out" in stitched.placements[displaced].verdict
-    accepted = stitch(scan.clouds, kinematic, prior_covariance=covariance, accepted=["v0" + str(displaced)])
+    accepted = stitch(scan.clouds, kinematic, prior=PosePrior(covariance=covariance), accepted=["v0" + str(displaced)])
     assert all(placement.used for placement in accepted.placements)
     assert accepted.placements[displaced].verdict.endswith("accepted by hand")
 
 
 def test_a_covariance_of_other_poses_is_refused(scanned, cross_mesh):
     scan = scanned(cross_mesh, [10.0, 100.0], [40.0], step_mm=1.5)
-    with pytest.raises(RegistrationError, match="covariance of shape"):
-        stitch(scan.clouds, scan.kinematic, prior_covariance=np.eye(6))
+    with pytest.raises(RegistrationError, match="covariance of"):
+        stitch(scan.clouds, scan.kinematic, prior=PosePrior(covariance=np.eye(6)))

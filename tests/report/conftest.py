@@ -24,7 +24,7 @@ from measureapp.data.measurement import Alignment, Inspection, Measurement, View
 from measureapp.data.mesh import Mesh
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
-from measureapp.inspection.measured import sampled
+from measureapp.inspection.measured_points import sample_mesh
 
 NASTY = 'part #1 "x" $a$ _b_ <i> & \\ [c] 件'
 
@@ -69,7 +69,7 @@ def views(count: int) -> tuple[tuple[ViewResult, ...], tuple[ViewPlacement, ...]
 
 SHARES_OF_LENGTH = {"noise": 0.018, "stitching": 0.024, "calibration": 0.0}
 DIMENSIONS = (
-    Dimension("length", 80.0, 80.0123456789, 0.03, -0.1, 0.1, Verdict.PASS, origin="800 points", budget=SHARES_OF_LENGTH),
+    Dimension("length", 80.0, 80.0123456789, 0.03, -0.1, 0.1, Verdict.PASS, traceability="800 points", budget=SHARES_OF_LENGTH),
     Dimension("width", 60.0, 59.8, 0.03, -0.1, 0.1, Verdict.FAIL),
     Dimension("height", 40.0, 40.095, 0.03, -0.1, 0.1, Verdict.NOT_PROVEN),
     Dimension("bore", 12.0, None, None, -0.1, 0.05, Verdict.NOT_MEASURED, reason=f"bore: no points; {NASTY}"),
@@ -80,7 +80,7 @@ DIMENSIONS = (
 @pytest.fixture(scope="session")
 def measured(block: Mesh) -> Callable[..., Measurement]:
     def make(dimensions: tuple[Dimension, ...] | None = DIMENSIONS, mesh: bool = True, view_count: int = 3) -> Measurement:
-        points = sampled(block, 20_000)
+        points = sample_mesh(block, 20_000)
         assert points.normals is not None
         results, placements = views(view_count)
         count = len(points)

@@ -13,14 +13,14 @@ from measureapp.cli.outcome import dimension_line
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.mesh import Mesh
 from measureapp.errors import StorageError
-from measureapp.report.compose import compose, overall
+from measureapp.report.compose import compose, summarise_verdicts
 from measureapp.report.csv import csv_text
 from measureapp.report.documents import ALL_KINDS, write_documents
 from measureapp.report.html import html_text
 from measureapp.report.json_document import dimension_document, report_document
-from measureapp.report.part_pictures import diverging, nice_limit, part_pictures
+from measureapp.report.part_pictures import diverging_colours, nice_limit, render_part
 from measureapp.report.pdf import model_page_images, pdf_bytes, typst_document
-from measureapp.report.words import number, titled, tolerance
+from measureapp.report.words import format_name, format_tolerance, number
 
 
 def test_pdf_csv_and_json_say_the_same_of_every_dimension(measured) -> None:
@@ -31,7 +31,7 @@ def test_pdf_csv_and_json_say_the_same_of_every_dimension(measured) -> None:
     assert len(rows) == len(document["dimensions"]) == len(printed) == len(model.dimensions)
     for row, entry, line, dimension in zip(rows, document["dimensions"], printed, model.dimensions, strict=True):
         assert row["name"] == entry["name"] == dimension.name
-        assert line["name"] == titled(dimension.name)
+        assert line["name"] == format_name(dimension.name)
         assert row["verdict"] == entry["verdict"] == line["verdict"] == dimension.verdict.value
         assert row["reason"] == entry["reason"] == dimension.reason
         for key in ("measured", "error", "uncertainty"):
@@ -74,10 +74,10 @@ def test_the_json_form_of_a_dimension_is_the_one_of_the_command_line(measured) -
 
 def test_the_gravest_dimension_decides(measured) -> None:
     dimensions = measured().inspection.dimensions
-    assert overall(dimensions) == (Verdict.FAIL, "Of 5 dimensions: 1 fail, 1 not proven, 1 not measured, 2 pass.")
-    assert overall(dimensions[2:]) == (Verdict.NOT_PROVEN, "Of 3 dimensions: 1 not proven, 1 not measured, 1 pass.")
-    assert overall(dimensions[:1]) == (Verdict.PASS, "The one dimension passes.")
-    assert overall(())[0] is None
+    assert summarise_verdicts(dimensions) == (Verdict.FAIL, "Of 5 dimensions: 1 fail, 1 not proven, 1 not measured, 2 pass.")
+    assert summarise_verdicts(dimensions[2:]) == (Verdict.NOT_PROVEN, "Of 3 dimensions: 1 not proven, 1 not measured, 1 pass.")
+    assert summarise_verdicts(dimensions[:1]) == (Verdict.PASS, "The one dimension passes.")
+    assert summarise_verdicts(())[0] is None
 
 
 def test_a_report_with_everything_becomes_pages_with_pictures(measured, block) -> None:
@@ -127,7 +127,7 @@ def test_all_documents_are_written_whole(measured, block, tmp_path: Path) -> Non
 
 
 def test_the_deviation_scale_is_symmetric_and_ends_on_a_round_number() -> None:
-    colours = diverging(np.array([-1.0, 0.0, 1.0]))
+    colours = diverging_colours(np.array([-1.0, 0.0, 1.0]))
     assert colours[0, 2] > colours[0, 0] and colours[2, 0] > colours[2, 2]  # blue below, red above
     assert np.ptp(colours[1]) < 0.01
     assert nice_limit(0.05) == 0.1
@@ -136,8 +136,8 @@ def test_the_deviation_scale_is_symmetric_and_ends_on_a_round_number() -> None:
 def test_numbers_are_printed_with_a_true_minus_and_no_negative_zero() -> None:
     assert number(-0.0001) == "0.000"
     assert number(-1.5) == "−1.500"
-    assert tolerance(-0.1, 0.1) == "± 0.1"
-    assert tolerance(-0.1, 0.05) == "−0.1 / +0.05"
+    assert format_tolerance(-0.1, 0.1) == "± 0.1"
+    assert format_tolerance(-0.1, 0.05) == "−0.1 / +0.05"
 
 
 def test_a_cloud_that_does_not_match_the_nominal_is_reported_without_deviation_and_says_why(measured, block) -> None:
@@ -150,7 +150,7 @@ def test_a_cloud_that_does_not_match_the_nominal_is_reported_without_deviation_a
 def test_the_report_says_what_a_value_is_and_what_it_rests_on(measured) -> None:
     zone = Dimension(
         "boss_position", 0.0, 0.005, 0.077, 0.0, 0.2, Verdict.PASS,
-        features=("boss",), kind="position", datums=("gear face", "bore"), origin="boss: 1372 points, 99 left out; associated axis",
+        features=("boss",), kind="position", datums=("gear face", "bore"), traceability="boss: 1372 points, 99 left out; associated axis",
     )  # fmt: skip
     model = compose(measured((zone,)), pictures=False)
     printed = typst_document(model)
@@ -173,15 +173,15 @@ def test_the_report_says_what_a_value_is_and_what_it_rests_on(measured) -> None:
 def test_surface_that_was_filled_without_points_is_told_apart_in_the_pictures(measured) -> None:
     filled, whole = measured(), measured()
     whole = replace(whole, mesh=replace(whole.mesh, measured=None))
-    assert "dark: filled without points" in part_pictures(filled)[0].caption
-    assert "filled" not in part_pictures(whole)[0].caption
-    assert part_pictures(filled)[0].png != part_pictures(whole)[0].png
+    assert "dark: filled without points" in render_part(filled)[0].caption
+    assert "filled" not in render_part(whole)[0].caption
+    assert render_part(filled)[0].png != render_part(whole)[0].png
 
 
 def test_a_small_uncertainty_is_never_printed_as_none(measured) -> None:
     first = replace(measured().inspection.dimensions[0], uncertainty=0.0002)
-    assert first.uncertainty_shown() == 0.001 and first.uncertainty_shown(4) == 0.0002
+    assert first.round_uncertainty() == 0.001 and first.round_uncertainty(4) == 0.0002
     assert "± 0.001 mm" in dimension_line(first)
-    assert replace(first, uncertainty=0.0123).uncertainty_shown() == 0.0123
-    assert replace(first, uncertainty=0.0).uncertainty_shown() == 0.0  # a drawing against itself
-    assert replace(first, uncertainty=None).uncertainty_shown() is None
+    assert replace(first, uncertainty=0.0123).round_uncertainty() == 0.0123
+    assert replace(first, uncertainty=0.0).round_uncertainty() == 0.0  # a drawing against itself
+    assert replace(first, uncertainty=None).round_uncertainty() is None

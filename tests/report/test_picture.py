@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 
 from measureapp.data.mesh import Mesh
-from measureapp.inspection.measured import sampled
+from measureapp.inspection.measured_points import sample_mesh
 from measureapp.report.picture import ViewDirection, cloud_picture, png, surface_picture
 
 TOP = ViewDirection(-90.0, 89.99)
@@ -41,7 +41,7 @@ def test_colours_of_vertices_are_seen(block: Mesh) -> None:
 
 
 def test_a_dense_cloud_looks_like_its_surface(block: Mesh) -> None:
-    points = sampled(block, 60_000)
+    points = sample_mesh(block, 60_000)
     cloud = cloud_picture(points.points_mm, points.normals, ViewDirection(-58, 34), 240, 180).astype(int)
     surface = surface_picture(block, ViewDirection(-58, 34), 240, 180).astype(int)
     assert np.mean(np.abs(cloud - surface).max(axis=2) > 30) < 0.05  # but for the outlines, where points are splats

@@ -21,7 +21,7 @@ from ui.widgets.properties_panel import Properties
 ALIGNMENT = Alignment("best fit", RigidTransform.identity("nominal", "part"), 0.021, 0.93, ("turn about z",), {"bore": 0.004})
 ZONE = Dimension(
     "boss_position", 0.0, 0.005, 0.077, 0.0, 0.2, Verdict.PASS,
-    features=("boss",), kind="position", datums=("gear face", "bore"), origin="boss: 1372 points, 99 left out; associated axis; datums gear face|bore",
+    features=("boss",), kind="position", datums=("gear face", "bore"), traceability="boss: 1372 points, 99 left out; associated axis; datums gear face|bore",
 )  # fmt: skip
 
 

@@ -82,7 +82,7 @@ def test_a_stitched_cloud_from_a_file_is_as_uncertain_as_the_command_line_says(a
     errors = ViewErrors(poses, np.zeros((2, 3)), motions, np.zeros((12, 0)))
     view, flat, names = (points[:, 0] > 5).astype(np.int16), np.zeros((count, 3)), ("left", "right")
     cloud = StitchedCloud(
-        points, flat, np.full(count, NOISE_MM), np.full(count, 0.5), view, (), view_names=names, drawn_view=view, errors=errors
+        points, flat, np.full(count, NOISE_MM), np.full(count, 0.5), view, (), view_names=names, sampled_view=view, errors=errors
     )
     path, program = tmp_path / "stitched.ply", drawing.with_name("program.toml")
     write_cloud(path, cloud)
@@ -92,7 +92,7 @@ def test_a_stitched_cloud_from_a_file_is_as_uncertain_as_the_command_line_says(a
     told = inspect(read_cloud_or_mesh(path), described, read_program_nominal(program, described)).dimensions
     for found, wanted in zip(application.session.inspection.dimensions, told, strict=True):
         assert found.budget == pytest.approx(wanted.budget) and found.budget["stitching"] > 0
-        assert "a view lies within" not in found.origin
+        assert "a view lies within" not in found.traceability
     window.pages["inspection"]._show_point(0, int(np.argmax(view)))
     assert dict(row for group in window.pages["inspection"].properties.groups for row in group.rows)["View"] == "right"
 

@@ -7,7 +7,7 @@ import pytest
 
 from measureapp.errors import InputError
 from measureapp.project.geometry.files import read_stitched, write_cloud
-from measureapp.register.clouds.sieve import Filter
+from measureapp.register.clouds.filter_chain import Filter
 from ui.look.look import Look
 from ui.widgets.filter_form import FilterForm
 

@@ -16,7 +16,7 @@ from measureapp.project.filter_file import FILTERED, FILTERS, save_filters
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.geometry.files import read_stitched, write_cloud
 from measureapp.project.results import STITCHED
-from measureapp.register.clouds.sieve import Filter, FilterChain
+from measureapp.register.clouds.filter_chain import Filter, FilterChain
 
 PATIENCE_MS = 30_000
 
@@ -81,7 +81,7 @@ def measured(project, measurement):
 
 def test_filters_come_back_with_the_project_and_can_be_taken_back_one_by_one(qtbot, application, window, project, measurement):
     stitched = measured(project, measurement).stitched
-    chain = FilterChain.of((Filter("plane", (0, 0, 1, 30.0)), Filter("plane", (0, 0, 1, 60.0))), stitched.points_mm)
+    chain = FilterChain.build((Filter("plane", (0, 0, 1, 30.0)), Filter("plane", (0, 0, 1, 60.0))), stitched.points_mm)
     save_filters(project.results, chain, stitched)
     assert opened(qtbot, application, project.path).level == "done"
     session, filtering = application.session, application.controllers.filtering
@@ -99,7 +99,7 @@ def test_filters_come_back_with_the_project_and_can_be_taken_back_one_by_one(qtb
 @pytest.mark.parametrize("harm", ["damaged", "of another cloud"])
 def test_filters_that_do_not_fit_are_told_and_the_cloud_is_shown_whole(qtbot, application, window, project, measurement, harm):
     stitched = measured(project, measurement).stitched
-    save_filters(project.results, FilterChain.of((Filter("plane", (0, 0, 1, 60.0)),), stitched.points_mm), stitched)
+    save_filters(project.results, FilterChain.build((Filter("plane", (0, 0, 1, 60.0)),), stitched.points_mm), stitched)
     if harm == "damaged":
         (project.results / FILTERS).write_bytes(b"PK\x03\x04 no archive")
     else:
@@ -112,7 +112,7 @@ def test_filters_that_do_not_fit_are_told_and_the_cloud_is_shown_whole(qtbot, ap
 
 def test_filters_are_applied_again_to_a_cloud_that_is_computed_again(project, measurement):
     before = measured(project, measurement).stitched
-    save_filters(project.results, FilterChain.of((Filter("plane", (0, 0, 1, 60.0)),), before.points_mm), before)
+    save_filters(project.results, FilterChain.build((Filter("plane", (0, 0, 1, 60.0)),), before.points_mm), before)
     after = replace(before, points_mm=before.points_mm + np.array([0, 0, 20.0]))
     project.save_measurement(replace(measurement, inspection=None, stitched=after))
     assert np.array_equal(project.filters(after).stays, after.points_mm[:, 2] >= 60.0)

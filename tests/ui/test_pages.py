@@ -250,7 +250,7 @@ def test_an_open_patch_is_joined_without_closing_it_and_a_closed_body_is_refused
     import numpy as np
     import trimesh
 
-    from measureapp.register.clouds.sieve import Filter, FilterChain
+    from measureapp.register.clouds.filter_chain import Filter, FilterChain
 
     def exported(name):
         application.controllers.documents.export("open", tmp_path / name)

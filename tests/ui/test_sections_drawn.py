@@ -8,7 +8,7 @@ import pytest
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.feature import Feature
 from measureapp.inspection.blades.curves import BladeCurves
-from measureapp.inspection.drawn_sections import DrawnSections
+from measureapp.inspection.section_curves import SectionCurves
 from measureapp.inspection.surface.section import Section
 from ui.look.look import Look
 from ui.pages.inspection.dimension_rows import feature_words
@@ -31,7 +31,7 @@ BLADE = Feature("low.1", "point", np.array([4.0, 0, 5]), points=500, rms_mm=0.01
 PROFILE = Section(
     "ridge", (line((0, 0), (100, 0)),), line(*((x, 0.02) for x in range(100))), np.full(100, 0.02), np.tile([0.0, 1.0, 0.0], (100, 1))
 )
-SECTIONS = DrawnSections({"low.1": CURVES}, {"low.1": (line((0, 2), (9, 2)),)}, {"ridge": PROFILE})
+SECTIONS = SectionCurves({"low.1": CURVES}, {"low.1": (line((0, 2), (9, 2)),)}, {"ridge": PROFILE})
 
 
 def dimension(name: str, kind: str, features: tuple[str, ...]) -> Dimension:

@@ -73,16 +73,16 @@ def comparison_of(
     """Return how far a cloud is from a nominal, what was not measured of it, and the sections of the program; for a job's thread."""
     from scipy.spatial import cKDTree
 
-    from measureapp.inspection.drawn_sections import drawn_sections
-    from measureapp.inspection.measured import sampled
-    from measureapp.inspection.surface.deviation import deviation
+    from measureapp.inspection.measured_points import sample_mesh
+    from measureapp.inspection.section_curves import find_section_curves
+    from measureapp.inspection.surface.deviation import compute_deviation
     from measureapp.inspection.surface.nominal import NominalSurface
 
-    found = deviation(stitched, nominal, alignment, near_mm=NEAR_MM, progress=progress)
-    places = sampled(nominal, PLACES)
+    found = compute_deviation(stitched, nominal, alignment, near_mm=NEAR_MM, progress=progress)
+    places = sample_mesh(nominal, PLACES)
     distance, _ = cKDTree(found.points_mm).query(places.points_mm, distance_upper_bound=NEAR_MM)
     missing = ~np.isfinite(distance)
     normals = np.zeros_like(places.points_mm) if places.normals is None else places.normals
     surface = NominalSurface(nominal)
-    sections = None if program is None else drawn_sections(found, surface, program, progress=progress)
+    sections = None if program is None else find_section_curves(found, surface, program, progress=progress)
     return Comparison(stitched, found, places.points_mm[missing], normals[missing], surface, sections)

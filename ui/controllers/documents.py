@@ -133,9 +133,9 @@ def export(kind: str, source: Path | None, measurement: Measurement, target: Pat
 def export_open(cloud: StitchedCloud, target: Path, job: Job) -> Path:
     """Write the points of one open patch joined by triangles; runs on a job's thread. Raises RegistrationError for other surfaces."""
     from measureapp.project.geometry.files import write_mesh
-    from measureapp.register.surface.open import open_surface
+    from measureapp.register.surface.open import triangulate_open_patch
 
-    write_mesh(target, open_surface(cloud, job))
+    write_mesh(target, triangulate_open_patch(cloud, job))
     return target
 
 

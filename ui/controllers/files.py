@@ -123,7 +123,7 @@ def _cloud(files: FilesToMeasure, read: PlainPoints | Mesh) -> StitchedCloud:
     import numpy as np
 
     from measureapp.data.cloud import StitchedCloud
-    from measureapp.inspection.measured import MeasuredPoints
+    from measureapp.inspection.measured_points import MeasuredPoints
     from measureapp.project.geometry.files import PlainPoints
 
     points = MeasuredPoints.of(read)
@@ -133,4 +133,4 @@ def _cloud(files: FilesToMeasure, read: PlainPoints | Mesh) -> StitchedCloud:
     view, names, grey = np.zeros(count, np.int16), (files.cloud.name,), np.full(count, np.nan)
     if isinstance(read, PlainPoints) and read.view is not None and 0 <= read.view.min() <= read.view.max() < len(read.view_names):
         view, names = read.view, read.view_names
-    return StitchedCloud(points.points_mm, normals, sigma, grey, view, (), view_names=names, drawn_view=points.view, errors=points.errors)
+    return StitchedCloud(points.points_mm, normals, sigma, grey, view, (), view_names=names, sampled_view=points.view, errors=points.errors)

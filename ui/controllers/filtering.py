@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from measureapp.data.cloud import StitchedCloud
-    from measureapp.register.clouds.sieve import Filter, FilterChain
+    from measureapp.register.clouds.filter_chain import Filter, FilterChain
     from ui.workers.job import Job
 
 
@@ -68,7 +68,7 @@ class FilteringController(QObject):
         if found.of is not session.stitched:
             return
         before = len(session.filtered or found.of)
-        if before == int(found.chain.stays.sum()):
+        if before == int(found.chain.kept_mask.sum()):
             session.tell("The filter takes no point away.", "Tighten it, or choose another kind.")
             return
         session.set_filters(found.chain)
@@ -91,11 +91,11 @@ class FilteringController(QObject):
 def filtered(cloud: StitchedCloud, chain: FilterChain | None, wanted: Filter, folder: Path | None, job: Job) -> Filtered:
     """Add a filter to those of a cloud and keep them in ``folder``; runs on a job's thread."""
     from measureapp.progress import PartOf
-    from measureapp.register.clouds.sieve import FilterChain
+    from measureapp.register.clouds.filter_chain import FilterChain
 
-    before = FilterChain.none(len(cloud)) if chain is None else chain
-    after = before.then(wanted, cloud.points_mm, PartOf(job, 0.0, 0.9))
-    return Filtered(cloud, after, None) if after.stays.sum() == before.stays.sum() else kept(cloud, after, folder, job)
+    before = FilterChain.empty(len(cloud)) if chain is None else chain
+    after = before.append(wanted, cloud.points_mm, PartOf(job, 0.0, 0.9))
+    return Filtered(cloud, after, None) if after.kept_mask.sum() == before.kept_mask.sum() else kept(cloud, after, folder, job)
 
 
 def kept(cloud: StitchedCloud, chain: FilterChain, folder: Path | None, job: Job) -> Filtered:

@@ -98,14 +98,14 @@ def grown_feature(
 ) -> GrownFeature:
     """Grow one feature; runs on a job's thread. Raises InspectionError with the reason where none grows."""
     from measureapp.data.inspection_program import InspectionProgram
-    from measureapp.inspection.find_all import find_all
-    from measureapp.inspection.measured import MeasuredPoints
+    from measureapp.inspection.find_features import find_features
+    from measureapp.inspection.measured_points import MeasuredPoints
     from measureapp.inspection.settings import InspectionSettings
 
     entry = {"name": name, "shape": shape, "grow": {"seed_mm": seed_mm}}
     program = InspectionProgram.model_validate({"name": "clicked", "alignment": "none", "features": [entry]})
     points = MeasuredPoints.of(stitched).seen_from(alignment.nominal_from_part)
-    found = find_all(points, program, None, InspectionSettings(), job)[name]
+    found = find_features(points, program, None, InspectionSettings(), job)[name]
     if found.feature is None:
         reason, _, remedy = found.reason.removeprefix(f"{name}: ").rstrip(".").partition(". ")
         raise InspectionError(f"No {shape} grows there: {reason}.", sentence(remedy) or "Click another place, or choose another shape.")

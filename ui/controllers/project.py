@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from measureapp.data.rig import RigDescription
     from measureapp.data.validity import Validity
     from measureapp.pipeline import Outcome
-    from measureapp.register.clouds.sieve import FilterChain
+    from measureapp.register.clouds.filter_chain import FilterChain
     from ui.workers.job import Job
 
 

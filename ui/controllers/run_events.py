@@ -82,8 +82,8 @@ class RunEvents(QObject):
         if drift is None:
             for warning in event.validity.warnings:
                 self._session.tell(warning, "", "warning")
-        elif drift.standing in ("watch", "drifted"):
-            self._session.tell(drift.sentence, "", "error" if drift.standing == "drifted" else "warning")
+        elif drift.status in ("watch", "drifted"):
+            self._session.tell(drift.sentence, "", "error" if drift.status == "drifted" else "warning")
 
     def _ended(self, event: RunEnded) -> None:
         if event.reason == "failed":

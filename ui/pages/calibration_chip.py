@@ -36,15 +36,15 @@ def calibration_state(
     age = when(calibration.provenance.created, now) or "before"
     reasons = _reasons(calibration, rig, validity, now)
     drift = None if validity is None else validity.drift
-    if drift is not None and drift.standing in ("watch", "drifted"):
+    if drift is not None and drift.status in ("watch", "drifted"):
         who = " or ".join(drift.cameras)
-        colour, mark = ("verdict_fail", "✗") if drift.standing == "drifted" else ("verdict_not_proven", "!")
+        colour, mark = ("verdict_fail", "✗") if drift.status == "drifted" else ("verdict_not_proven", "!")
         return ChipState(f"Camera {who} moved · {millimetres(drift.error_mm)} {mark}", colour, "\n".join(reasons))
     residual = millimetres(worst_residual_mm(calibration))
     if reasons:
         return ChipState(f"Calibrated {age} · check it !", "verdict_not_proven", "\n".join(reasons))
     good = all(found.good for found in solution_rows(calibration, rig))
-    tip = RESIDUAL_TIP if drift is None else "\n".join(line for line in (RESIDUAL_TIP, drift.sentence, drift.unseen) if line)
+    tip = RESIDUAL_TIP if drift is None else "\n".join(line for line in (RESIDUAL_TIP, drift.sentence, drift.undetectable) if line)
     return ChipState(f"Calibrated {age} · {residual} {'✓' if good else '✗'}", "verdict_pass" if good else "verdict_fail", tip)
 
 
@@ -52,7 +52,7 @@ def _reasons(calibration: RigCalibration, rig: RigDescription | None, validity: 
     """What the last scan said, and whether the calibration expired since."""
     from measureapp.calibrate.cameras.validity import shortfalls
 
-    told = () if validity is None else validity.told
+    told = () if validity is None else validity.all_warnings
     moment = now or datetime.now(UTC)
     aged = (
         shortfalls(calibration.provenance, moment)

@@ -13,7 +13,7 @@ from ui.widgets.basic import Button, column, label, row
 from ui.widgets.segments import Segments
 
 if TYPE_CHECKING:
-    from measureapp.register.clouds.sieve import Filter
+    from measureapp.register.clouds.filter_chain import Filter
 
 KINDS = {"statistical": "Statistical", "radius": "Radius", "islands": "Islands", "box": "Box", "plane": "Plane"}
 TIPS = {
@@ -92,7 +92,7 @@ class FilterForm(QWidget):
 
     def value(self) -> Filter:
         """Return the filter as chosen. Raises InputError for a box that ends before it begins."""
-        from measureapp.register.clouds.sieve import Filter
+        from measureapp.register.clouds.filter_chain import Filter
 
         kind = self.kind.value()
         if kind == "statistical":

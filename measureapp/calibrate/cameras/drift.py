@@ -10,7 +10,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.camera_shift import ShiftEvidence, sum_evidence
-from measureapp.data.validity import Drift, Standing
+from measureapp.data.validity import Drift, DriftStatus
 
 # The calibration left rms_px for one corner; a shift common to a whole image is the mean of thousands of them and, while nothing moved,
 # smaller by the square root of their number. One as large as the residual of a single corner is therefore no noise.
@@ -122,14 +122,14 @@ def _size(turn: FloatArray, square: FloatArray) -> float:
     return float(np.sqrt(max(float(turn @ square @ turn), 0.0)))
 
 
-def _standing(best: _Turn, expected_px: float, whole: ShiftEvidence) -> Standing:
+def _standing(best: _Turn, expected_px: float, whole: ShiftEvidence) -> DriftStatus:
     explained = (whole.misfit - best.misfit) / max(whole.freedom, 1)
     if best.shift_px <= WATCH_FACTOR * expected_px or explained <= TELLING:
         return "good"
     return "drifted" if best.shift_px > DRIFTED_FACTOR * expected_px else "watch"
 
 
-def _sentence(standing: Standing, named: Sequence[str], best: _Turn, expected_px: float) -> str:
+def _sentence(standing: DriftStatus, named: Sequence[str], best: _Turn, expected_px: float) -> str:
     size = f"{best.shift_px:.3f} px"
     if standing == "good":
         return f"The cameras stand as they were calibrated: none is off by more than {size}, and the calibration left {expected_px:.3f} px."

@@ -11,7 +11,7 @@ from measureapp.calibrate.cameras.uncertainty import points_by_parameters
 from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty, poses_by_cameras
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.fringe import AxisReadback
-from measureapp.data.view_errors import POWERS, CalibrationErrors, CloudBends
+from measureapp.data.view_errors import POWERS, CalibrationErrors, CloudDistortion
 
 STEPS = 9  # of the grid along each axis
 SEEN_BY = 2
@@ -32,7 +32,9 @@ def calibration_errors(rig: RigUncertainty, readbacks: Sequence[AxisReadback], c
     return None if bends is None else CalibrationErrors(bends, moved @ root)
 
 
-def cloud_bends(cameras: CameraArrayCalibration, parameters: Sequence[str], root: FloatArray, corners_mm: FloatArray) -> CloudBends | None:
+def cloud_bends(
+    cameras: CameraArrayCalibration, parameters: Sequence[str], root: FloatArray, corners_mm: FloatArray
+) -> CloudDistortion | None:
     """Return the displacements of triangulated points over a box by errors ``root`` (C, K) of the parameters; None where two cameras see none of it."""
     middle, reach = corners_mm.mean(axis=0), np.maximum(np.ptp(corners_mm, axis=0) / 2, 1.0)
     nodes = np.cos(np.pi * (np.arange(STEPS) + 0.5) / STEPS)  # Chebyshev's, for the least greatest error between them
@@ -41,7 +43,7 @@ def cloud_bends(cameras: CameraArrayCalibration, parameters: Sequence[str], root
     seen = seeing >= SEEN_BY
     if np.count_nonzero(seen) < len(POWERS):
         return None
-    empty = CloudBends(middle, reach, np.zeros((len(POWERS), 3, 0)))
+    empty = CloudDistortion(middle, reach, np.zeros((len(POWERS), 3, 0)))
     shifts = (moved[seen] @ root).reshape(np.count_nonzero(seen), -1)
     coefficients = np.linalg.lstsq(empty.products(points[seen]), shifts, rcond=None)[0]
-    return CloudBends(middle, reach, coefficients.reshape(len(POWERS), 3, -1))
+    return CloudDistortion(middle, reach, coefficients.reshape(len(POWERS), 3, -1))

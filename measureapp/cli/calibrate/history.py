@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -20,7 +19,7 @@ def register(group: typer.Typer) -> None:
     @group.command()
     def history(project: Annotated[Path, typer.Argument(help="Project folder.")], as_json: JsonOption = False) -> None:
         """List what every scan and every check with the board said about the project's calibrations, oldest first."""
-        from measureapp.project.documents import calibration_id
+        from measureapp.project.documents import calibration_id, check_document
         from measureapp.project.folder import ProjectFolder
 
         folder = ProjectFolder.open(project)
@@ -29,7 +28,7 @@ def register(group: typer.Typer) -> None:
         document = {
             "calibration": None if calibration is None else calibration_id(calibration),
             "created": None if calibration is None else calibration.provenance.created,
-            "checks": [asdict(line) for line in lines],
+            "checks": [check_document(line) for line in lines],
         }
         words = [history_line(line) for line in lines] or ["No scan or check has said anything about a calibration yet."]
         reply(document, "\n".join(words), as_json)
@@ -39,4 +38,6 @@ def history_line(line: CheckRecord) -> str:
     """Return one line of the trend."""
     shift = "" if line.shift_px is None else f"{line.shift_px:.3f} px"
     error = "" if line.error_mm is None else f"{line.error_mm:.3f} mm"
-    return f"{line.at[:19]}  {line.kind:<11}  {line.calibration}  {line.standing:<8}  {shift:>9}  {error:>9}  {', '.join(line.cameras)}".rstrip()
+    return (
+        f"{line.at[:19]}  {line.kind:<11}  {line.calibration}  {line.status:<8}  {shift:>9}  {error:>9}  {', '.join(line.cameras)}".rstrip()
+    )

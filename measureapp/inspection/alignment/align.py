@@ -10,7 +10,7 @@ from measureapp.inspection.alignment.best_fit import best_fit, no_alignment
 from measureapp.inspection.alignment.by_features import datum_alignment, reference_points, three_two_one
 from measureapp.inspection.alignment.cyclic_fit import cyclic_fit
 from measureapp.inspection.alignment.local_fit import local_fit
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.progress import NoProgress, Progress

@@ -14,14 +14,14 @@ from measureapp.errors import InspectionError
 from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.inspection.alignment.point_to_plane import Registration, cost, register
 from measureapp.inspection.alignment.starts import all_round_starts, upright_starts
-from measureapp.inspection.measured import HasPoints, MeasuredPoints
+from measureapp.inspection.measured_points import HasPoints, MeasuredPoints
 from measureapp.inspection.settings import AlignmentSettings
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.inspection.surface.units import check_size
 from measureapp.progress import NoProgress, PartOf, Progress
 
 FINALISTS = 4
-AS_GOOD = 1.1  # costs within 10 % are the same answer of a symmetric part
+EQUIVALENT_COST = 1.1  # costs within 10 % are the same answer of a symmetric part
 STILL_COARSE = 0.05  # by which costs of the same answer may differ before they are improved finely
 POOR_COST = 0.35  # share of the truncated cost above which the part has not been found
 
@@ -69,7 +69,7 @@ def best_fit(
     surface = nominal if isinstance(nominal, NominalSurface) else NominalSurface(nominal)
     check_size(points.points_mm, surface.vertices_mm)
     best = _search(points, surface, settings, progress)
-    fine = register(points.thinned(settings.fine_points), surface, best.matrix, settings)
+    fine = register(points.thin(settings.fine_points), surface, best.matrix, settings)
     _refuse_another_part(fine, surface, settings)
     transform = RigidTransform(orthonormalise(fine.matrix), "nominal", frame)
     return Alignment("best fit", transform, fine.rms_mm, fine.overlap, fine.undetermined)
@@ -77,20 +77,20 @@ def best_fit(
 
 def _search(points: MeasuredPoints, surface: NominalSurface, settings: AlignmentSettings, progress: Progress) -> _Candidate:
     """Try the starts of an upright part first; all directions only when none of those is convincing."""
-    sample, finer = points.thinned(settings.coarse_points), points.thinned(4 * settings.coarse_points)
+    sample, finer = points.thin(settings.coarse_points), points.thin(4 * settings.coarse_points)
 
     def finished(starts: list[FloatArray], part: Progress) -> list[_Candidate]:
-        improved = _improved(sample, surface, starts, settings, part)
-        return [_finish(finer, surface, candidate, settings) for candidate in _finalists(improved)]
+        improved = _improve_starts(sample, surface, starts, settings, part)
+        return [_finish(finer, surface, candidate, settings) for candidate in _select_finalists(improved)]
 
     finalists = finished(upright_starts(sample.points_mm, surface), PartOf(progress, 0.0, 0.3)) if settings.upright else []
     if not finalists or min(candidate.cost for candidate in finalists) > POOR_COST:
         finalists += finished(all_round_starts(sample.points_mm, surface), PartOf(progress, 0.3, 1.0))
-    limit = AS_GOOD * min(candidate.cost for candidate in finalists)
+    limit = EQUIVALENT_COST * min(candidate.cost for candidate in finalists)
     return min((candidate for candidate in finalists if candidate.cost <= limit), key=lambda c: c.turn_rad)
 
 
-def _improved(
+def _improve_starts(
     sample: MeasuredPoints, surface: NominalSurface, starts: list[FloatArray], settings: AlignmentSettings, progress: Progress
 ) -> list[_Candidate]:
     """Improve every start by a few coarse steps; the best come first, near-duplicates are dropped."""
@@ -107,7 +107,7 @@ def _improved(
     return distinct
 
 
-def _finalists(improved: list[_Candidate]) -> list[_Candidate]:
+def _select_finalists(improved: list[_Candidate]) -> list[_Candidate]:
     """Return the best few of candidates in order of their costs, and of those that may turn out equal to them the ones that turn least."""
     best = improved[:FINALISTS]
     alike = [candidate for candidate in improved[FINALISTS:] if candidate.cost <= best[0].cost + STILL_COARSE]

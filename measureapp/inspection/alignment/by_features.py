@@ -14,19 +14,27 @@ from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.measurement import Alignment
 from measureapp.errors import InspectionError
 from measureapp.geometry.transform import RigidTransform, orthonormalise
-from measureapp.inspection.features.found import Found
-from measureapp.inspection.find_all import find_all
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.features.found_feature import FoundFeature
+from measureapp.inspection.find_features import find_features
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.nominal import NominalSurface
-from measureapp.inspection.tolerances.datums import ARM_MM, datum_system, location_sides, nominals_of, open_motions, solver, twist
-from measureapp.inspection.value import AXES, CENTRES, feature_of, nominal_of
+from measureapp.inspection.tolerances.datums import (
+    ARM_MM,
+    datum_system,
+    describe_free_motions,
+    location_directions,
+    pseudo_inverse,
+    require_nominals,
+    twist_matrix,
+)
+from measureapp.inspection.value import AXES, CENTRES, require_feature, require_nominal
 
 ROUNDS = 6  # features are looked for anew where the round before has laid them
-STILL = 1e-4  # mm, and rad times `ARM_MM`
+CONVERGED = 1e-4  # mm, and rad times `ARM_MM`
 STEPS = 20
 
-Step = Callable[[Mapping[str, Found]], tuple[FloatArray, FloatArray]]  # found features -> motion (4, 4), motions left open (6, F)
+Step = Callable[[Mapping[str, FoundFeature]], tuple[FloatArray, FloatArray]]  # found features -> motion (4, 4), motions left open (6, F)
 
 
 def datum_alignment(
@@ -39,13 +47,13 @@ def datum_alignment(
 ) -> Alignment:
     """Lay the datums A, B, C onto the drawing's in their order. Raises InspectionError for a datum that is not found or fixes nothing."""
 
-    def step(found: Mapping[str, Found]) -> tuple[FloatArray, FloatArray]:
+    def step(found: Mapping[str, FoundFeature]) -> tuple[FloatArray, FloatArray]:
         datums = [found[name] for name in asked.datums]
-        system = datum_system(nominals_of(datums), [feature_of(one) for one in datums])
+        system = datum_system(require_nominals(datums), [require_feature(one) for one in datums])
         return system.nominal_from_measured, system.free
 
     name = f"datum system {'|'.join(asked.datums)}"
-    return _settled(name, points, program, start, surface, settings, step)
+    return _iterate(name, points, program, start, surface, settings, step)
 
 
 def three_two_one(
@@ -64,20 +72,20 @@ def three_two_one(
         A feature is not found or of the wrong shape, fixes nothing new, or a surface point should fix a turn.
     """
 
-    def step(found: Mapping[str, Found]) -> tuple[FloatArray, FloatArray]:
+    def step(found: Mapping[str, FoundFeature]) -> tuple[FloatArray, FloatArray]:
         trio = [found[name] for name in (asked.plane, asked.line, asked.point)]
-        measured = [feature_of(one) for one in trio]
-        nominals = [nominal_of(one) for one in trio]
+        measured = [require_feature(one) for one in trio]
+        nominals = [require_nominal(one) for one in trio]
         _require_shapes(measured)
         if _on_surface(trio[2]):
-            _require_no_open_turn(nominals, measured)
+            _require_fixed_rotations(nominals, measured)
             # its normal alone counts: with all turns fixed before, that is what a plane through it would hold
             nominals[2], measured[2] = (replace(one, shape="plane") for one in (nominals[2], measured[2]))
         system = datum_system(nominals, measured)
         return system.nominal_from_measured, system.free
 
     name = f"3-2-1 (plane {asked.plane}, line {asked.line}, point {asked.point})"
-    return _settled(name, points, program, start, surface, settings, step)
+    return _iterate(name, points, program, start, surface, settings, step)
 
 
 def _require_shapes(trio: Sequence[Feature]) -> None:
@@ -88,15 +96,15 @@ def _require_shapes(trio: Sequence[Feature]) -> None:
             raise InspectionError(f"{feature.name} is a {feature.shape}: 3-2-1 needs {word} there")
 
 
-def _on_surface(found: Found) -> bool:
-    return feature_of(found).shape == "point" and len(found.points_mm) > 0
+def _on_surface(found: FoundFeature) -> bool:
+    return require_feature(found).shape == "point" and len(found.points_mm) > 0
 
 
-def _require_no_open_turn(nominals: Sequence[Feature], measured: Sequence[Feature]) -> None:
+def _require_fixed_rotations(nominals: Sequence[Feature], measured: Sequence[Feature]) -> None:
     free = datum_system(nominals[:2], measured[:2]).free
     if np.abs(free[3:]).max(initial=0.0) > 1e-6:
         raise InspectionError(
-            f"{nominals[0].name} and {nominals[1].name} leave open {', '.join(open_motions(free))}, "
+            f"{nominals[0].name} and {nominals[1].name} leave open {', '.join(describe_free_motions(free))}, "
             f"and {nominals[2].name} is a point of a surface, which fixes a shift only. Take an axis or plane as the line, or use reference points"
         )
 
@@ -119,32 +127,32 @@ def reference_points(
         A point is not found, or is an axis without directions of its own.
     """
 
-    def step(found: Mapping[str, Found]) -> tuple[FloatArray, FloatArray]:
-        held = [_held(found[one.feature], one) for one in asked.points]
+    def step(found: Mapping[str, FoundFeature]) -> tuple[FloatArray, FloatArray]:
+        held = [_reference_rows(found[one.feature], one) for one in asked.points]
         return _least_squares(held)
 
     name = f"RPS ({len(asked.points)} points: {', '.join(one.feature for one in asked.points)})"
     sides = {one.feature: np.asarray(one.along, float) for one in asked.points if one.along}
-    return _settled(name, points, program, start, surface, settings, step, sides)
+    return _iterate(name, points, program, start, surface, settings, step, sides)
 
 
-def _held(found: Found, asked: ReferencePoint) -> tuple[FloatArray, FloatArray, FloatArray]:
+def _reference_rows(found: FoundFeature, asked: ReferencePoint) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Measured place, nominal place, and the directions (K, 3) it is held in."""
-    measured, nominal = feature_of(found), nominal_of(found)
+    measured, nominal = require_feature(found), require_nominal(found)
     if asked.along:
         sides = np.asarray(asked.along, float)
         return measured.point_mm, nominal.point_mm, sides / np.linalg.norm(sides, axis=1, keepdims=True)
     if measured.shape in AXES:
         raise InspectionError(f"{found.name} is a {measured.shape}: as a reference point it needs `along`, the directions it is held in")
-    return measured.point_mm, nominal.point_mm, _sides(found)
+    return measured.point_mm, nominal.point_mm, _location_directions(found)
 
 
-def _sides(found: Found) -> FloatArray:
+def _location_directions(found: FoundFeature) -> FloatArray:
     """The directions in which a feature has a place: a surface point has its normal alone."""
-    nominal = nominal_of(found)
+    nominal = require_nominal(found)
     if _on_surface(found) and nominal.direction is not None:
         return np.asarray(nominal.direction)[None]
-    return location_sides(nominal)
+    return location_directions(nominal)
 
 
 def _least_squares(held: Sequence[tuple[FloatArray, FloatArray, FloatArray]]) -> tuple[FloatArray, FloatArray]:
@@ -157,15 +165,15 @@ def _least_squares(held: Sequence[tuple[FloatArray, FloatArray, FloatArray]]) ->
             at = placed[:3, :3] @ point + placed[:3, 3]
             rows.append(np.hstack([sides, np.cross(at, sides) / ARM_MM]))
             off.append(sides @ (at - nominal))
-        inverse, free = solver(np.vstack(rows))
+        inverse, free = pseudo_inverse(np.vstack(rows))
         motion = -inverse @ np.concatenate(off)
-        placed = twist(motion) @ placed
+        placed = twist_matrix(motion) @ placed
         if np.abs(motion).max() < 1e-12:
             break
     return placed, free
 
 
-def _settled(
+def _iterate(
     name: str,
     points: MeasuredPoints,
     program: InspectionProgram,
@@ -180,7 +188,7 @@ def _settled(
     needed = alignment_features(program.alignment)
     free: FloatArray = np.zeros((6, 0))
     for _ in range(ROUNDS):
-        found = _found(name, points, program, RigidTransform(orthonormalise(matrix), "nominal", frame), surface, settings)
+        found = _find_required(name, points, program, RigidTransform(orthonormalise(matrix), "nominal", frame), surface, settings)
         try:
             moved, free = step(found)
         except InspectionError as error:
@@ -188,26 +196,26 @@ def _settled(
                 f"The alignment {name} has no answer: {error.message}.", "Choose other features, or another alignment."
             ) from error
         matrix = moved @ matrix
-        if np.abs(moved - np.eye(4))[:3].max(axis=0) @ [ARM_MM, ARM_MM, ARM_MM, 1.0] < STILL:
+        if np.abs(moved - np.eye(4))[:3].max(axis=0) @ [ARM_MM, ARM_MM, ARM_MM, 1.0] < CONVERGED:
             break
     transform = RigidTransform(orthonormalise(matrix), "nominal", frame)
-    found = _found(name, points, program, transform, surface, settings)
+    found = _find_required(name, points, program, transform, surface, settings)
     residuals = {one: _residual(found[one], (sides or {}).get(one)) for one in needed}
     rms = float(np.sqrt(np.mean(np.square(list(residuals.values())))))
     notes = (f"What the features leave open stays as found by: {start.name}",) if free.shape[1] else ()
-    return Alignment(name, transform, rms, 1.0, open_motions(free), residuals, notes)
+    return Alignment(name, transform, rms, 1.0, describe_free_motions(free), residuals, notes)
 
 
-def _found(
+def _find_required(
     name: str,
     points: MeasuredPoints,
     program: InspectionProgram,
     transform: RigidTransform,
     surface: NominalSurface | None,
     settings: InspectionSettings,
-) -> Mapping[str, Found]:
+) -> Mapping[str, FoundFeature]:
     needed = alignment_features(program.alignment)
-    found = find_all(points.seen_from(transform), program, surface, settings, only=needed)
+    found = find_features(points.seen_from(transform), program, surface, settings, only=needed)
     for one in needed:
         if found[one].feature is None:
             raise InspectionError(
@@ -216,7 +224,7 @@ def _found(
     return found
 
 
-def _residual(found: Found, sides: FloatArray | None) -> float:
+def _residual(found: FoundFeature, sides: FloatArray | None) -> float:
     """How far a feature stays from its nominal place, in the directions it has one."""
-    unit = _sides(found) if sides is None else sides / np.linalg.norm(sides, axis=1, keepdims=True)
-    return float(np.linalg.norm(unit @ (feature_of(found).point_mm - nominal_of(found).point_mm)))
+    unit = _location_directions(found) if sides is None else sides / np.linalg.norm(sides, axis=1, keepdims=True)
+    return float(np.linalg.norm(unit @ (require_feature(found).point_mm - require_nominal(found).point_mm)))

@@ -13,13 +13,13 @@ from measureapp.data.measurement import Alignment
 from measureapp.geometry.transform import RigidTransform, orthonormalise, rotation_about
 from measureapp.inspection.alignment.best_fit import best_fit
 from measureapp.inspection.alignment.point_to_plane import Registration, register
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.deviation import signed_distances
 from measureapp.inspection.surface.nominal import NominalSurface
-from measureapp.inspection.uncertainty import shared_error_factor
+from measureapp.inspection.uncertainty import correlation_factor
 
-SURE = 3.0  # standard deviations by which a position must fit better
+SIGNIFICANT = 3.0  # standard deviations by which a position must fit better
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -53,10 +53,10 @@ def cyclic_fit(
     """
     assert asked.fold is not None
     first = best_fit(measured, surface, settings.alignment, frame)
-    sample = measured.thinned(settings.alignment.fine_points)
-    positions = [_fitted(sample, surface, asked, k, first.nominal_from_part.matrix, settings) for k in range(asked.fold)]
+    sample = measured.thin(settings.alignment.fine_points)
+    positions = [_fit_position(sample, surface, asked, k, first.nominal_from_part.matrix, settings) for k in range(asked.fold)]
     best = min(positions, key=lambda position: position.rms_mm)
-    alike = [one for one in positions if one is best or not _told_apart(best, one, sample.points_mm, settings)]
+    alike = [one for one in positions if one is best or not _are_distinguishable(best, one, sample.points_mm, settings)]
     chosen = min(alike, key=lambda position: position.turn_rad)
     transform = RigidTransform(orthonormalise(chosen.fit.matrix), "nominal", frame)
     open_motions = chosen.fit.undetermined
@@ -64,10 +64,10 @@ def cyclic_fit(
         open_motions += (f"which of {len(alike)} positions about the axis",)
     name = f"best fit, {asked.fold} positions about the axis"
     fit = chosen.fit
-    return Alignment(name, transform, fit.rms_mm, fit.overlap, open_motions, notes=(_said(positions, best, alike, asked.fold),))
+    return Alignment(name, transform, fit.rms_mm, fit.overlap, open_motions, notes=(_describe(positions, best, alike, asked.fold),))
 
 
-def _fitted(
+def _fit_position(
     sample: MeasuredPoints, surface: NominalSurface, asked: BestFit, k: int, matrix: FloatArray, settings: InspectionSettings
 ) -> _Position:
     point = np.asarray(asked.axis_point_mm, float)
@@ -80,15 +80,15 @@ def _fitted(
     return _Position(fit, np.clip(signed_distances(moved, surface), -near, near))
 
 
-def _told_apart(best: _Position, other: _Position, points_mm: FloatArray, settings: InspectionSettings) -> bool:
+def _are_distinguishable(best: _Position, other: _Position, points_mm: FloatArray, settings: InspectionSettings) -> bool:
     squared = other.rms_mm**2 - best.rms_mm**2
     if squared <= settings.alignment.told_apart_mm**2:
         return False
-    sigma = best.rms_mm * shared_error_factor(points_mm, best.distances_mm, settings.uncertainty.correlation_mm)
-    return bool(np.sqrt(squared * len(points_mm)) > SURE * 2 * sigma)
+    sigma = best.rms_mm * correlation_factor(points_mm, best.distances_mm, settings.uncertainty.correlation_mm)
+    return bool(np.sqrt(squared * len(points_mm)) > SIGNIFICANT * 2 * sigma)
 
 
-def _said(positions: list[_Position], best: _Position, alike: list[_Position], fold: int) -> str:
+def _describe(positions: list[_Position], best: _Position, alike: list[_Position], fold: int) -> str:
     if len(alike) == 1:
         others = min(one.rms_mm for one in positions if one is not best)
         return f"Of {fold} positions about the axis one fits: {best.rms_mm:.4f} mm rms, the next best {others:.4f} mm"

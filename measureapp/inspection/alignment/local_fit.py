@@ -13,7 +13,7 @@ from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.inspection.alignment.best_fit import best_fit
 from measureapp.inspection.alignment.point_to_plane import register
 from measureapp.inspection.features.cut import cut_points, nominal_features
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.nominal import NominalSurface
 
@@ -55,7 +55,7 @@ def local_fit(
                 "Scan these places, or choose others.",
             )
         fine = register(
-            points.where(chosen).thinned(settings.alignment.fine_points), surface, matrix, settings.alignment, reach_mm=_reach(surface)
+            points.where(chosen).thin(settings.alignment.fine_points), surface, matrix, settings.alignment, reach_mm=_reach(surface)
         )
         matrix = fine.matrix
     names = [*asked.features, *([f"{len(asked.regions)} regions"] if asked.regions else [])]

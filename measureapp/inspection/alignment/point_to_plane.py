@@ -8,7 +8,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import BoolArray, FloatArray
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import AlignmentSettings
 from measureapp.inspection.surface.nominal import Closest, NominalSurface
 
@@ -16,7 +16,7 @@ ROBUST_SIGMA = 1.4826  # median absolute deviation of a normal distribution to i
 TUKEY = 4.685
 COOLING = 0.6
 DETERMINED = 2e-4  # eigenvalue over the greatest, below which a motion is left open
-STILL_MM = 1e-5
+CONVERGED_MM = 1e-5
 MOTIONS = ("turn about x", "turn about y", "turn about z", "shift along x", "shift along y", "shift along z")
 
 
@@ -53,7 +53,7 @@ def register(
     annealed = reach  # wide at first: where half of the points fit already, the scatter alone would leave the other half out for good
     undetermined: tuple[str, ...] = ()
     for _ in range(settings.iterations if iterations is None else iterations):
-        moved, closest, residual, counts = _matched(points, surface, matrix, settings, reach)
+        moved, closest, residual, counts = _match(points, surface, matrix, settings, reach)
         if counts.sum() < 12:
             reach *= 2
             continue
@@ -67,14 +67,14 @@ def register(
         reach = max(0.7 * reach, 3 * width, 0.01 * surface.diagonal_mm)
         if (
             width == narrow
-            and np.linalg.norm(step[:3, 3]) < STILL_MM
-            and np.abs(step[:3, :3] - np.eye(3)).max() * surface.diagonal_mm < STILL_MM
+            and np.linalg.norm(step[:3, 3]) < CONVERGED_MM
+            and np.abs(step[:3, :3] - np.eye(3)).max() * surface.diagonal_mm < CONVERGED_MM
         ):
             break
     return _summary(points, surface, matrix, settings, undetermined)
 
 
-def _matched(
+def _match(
     points: MeasuredPoints, surface: NominalSurface, matrix: FloatArray, settings: AlignmentSettings, reach_mm: float
 ) -> tuple[FloatArray, Closest, FloatArray, BoolArray]:
     """Moved points, nearest surface, signed distances along its normals, and which of them count."""
@@ -109,7 +109,7 @@ def _step(
 
 def cost(points: MeasuredPoints, surface: NominalSurface, matrix: FloatArray, limit_mm: float, settings: AlignmentSettings) -> float:
     """Return the mean squared distance, each truncated at ``limit_mm``, as a share of the truncation (0…1)."""
-    moved, closest, _, counts = _matched(points, surface, matrix, settings, limit_mm)
+    moved, closest, _, counts = _match(points, surface, matrix, settings, limit_mm)
     squared = np.sum((moved - closest.points_mm) ** 2, axis=1)
     return float(np.mean(np.where(counts, squared, limit_mm**2)) / limit_mm**2)
 
@@ -118,6 +118,6 @@ def _summary(
     points: MeasuredPoints, surface: NominalSurface, matrix: FloatArray, settings: AlignmentSettings, undetermined: tuple[str, ...]
 ) -> Registration:
     near = settings.near_share * surface.diagonal_mm
-    _, _, residual, counts = _matched(points, surface, matrix, settings, near)
+    _, _, residual, counts = _match(points, surface, matrix, settings, near)
     rms = float(np.sqrt(np.mean(residual[counts] ** 2))) if counts.any() else float("inf")
     return Registration(matrix, rms, float(counts.mean()), undetermined)

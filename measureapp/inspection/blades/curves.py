@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.inspection.blades.cut import SectionFrame
 from measureapp.inspection.blades.edge import Edge
 from measureapp.inspection.blades.profile import EDGE_SHARE, Profile
+from measureapp.inspection.blades.section_frame import SectionFrame
 
 STEPS = 200
 ARC_STEPS = 40
@@ -32,7 +32,7 @@ class BladeCurves:
         return (*self.sides, *self.edges.values())
 
 
-def blade_curves(made: Profile, frame: SectionFrame, number: int) -> BladeCurves:
+def trace_blade_curves(made: Profile, frame: SectionFrame, number: int) -> BladeCurves:
     """Return the curves of the profile of blade ``number`` (from 0), on the surface it was cut with."""
     line, ends = made.line, made.line.feet(made.ends_mm)[0]
     first, last = (
@@ -45,16 +45,16 @@ def blade_curves(made: Profile, frame: SectionFrame, number: int) -> BladeCurves
     above, below = foot + upper[:, None] * normals, foot + lower[:, None] * normals
     thick = int((upper - lower).argmax())
     edges = {
-        name: frame.lifted(_half_circle(edge, sign * _direction(made, at)), number)
+        name: frame.lift(_half_circle(edge, sign * _direction(made, at)), number)
         for name, edge, at, sign in (("leading", made.leading, ends[0], 1.0), ("trailing", made.trailing, ends[1], -1.0))
         if edge.apex_mm is not None
     }
     return BladeCurves(
-        (frame.lifted(above, number), frame.lifted(below, number)),
+        (frame.lift(above, number), frame.lift(below, number)),
         edges,
-        frame.lifted(line.points(np.linspace(ends[0], ends[1], STEPS)), number),
-        frame.lifted(made.ends_mm, number) if len(edges) == 2 else None,
-        frame.lifted(np.stack([above[thick], below[thick]]), number),
+        frame.lift(line.points(np.linspace(ends[0], ends[1], STEPS)), number),
+        frame.lift(made.ends_mm, number) if len(edges) == 2 else None,
+        frame.lift(np.stack([above[thick], below[thick]]), number),
     )
 
 

@@ -59,7 +59,7 @@ def fit_edge(points_mm: FloatArray, start_mm: FloatArray, inwards: FloatArray, h
         if len(chosen) == count:
             break
         count = len(chosen)
-    if reason := _unfit((chosen[:, 1] - centre[1]) / radius, radius, distances, half_thickness_mm, scatter_mm):
+    if reason := _implausible((chosen[:, 1] - centre[1]) / radius, radius, distances, half_thickness_mm, scatter_mm):
         return Edge(None, reason=reason)
     return Edge(start_mm + (centre - [radius, 0.0]) @ frame, float(radius), len(chosen))
 
@@ -74,7 +74,7 @@ def _circle(points_mm: FloatArray, centre: FloatArray, radius: float) -> tuple[F
     return centre, radius, np.linalg.norm(points_mm - centre, axis=1) - radius
 
 
-def _unfit(across: FloatArray, radius_mm: float, distances: FloatArray, half_thickness_mm: float, scatter_mm: float) -> str:
+def _implausible(across: FloatArray, radius_mm: float, distances: FloatArray, half_thickness_mm: float, scatter_mm: float) -> str:
     thirds = (np.mean(across < -0.33), np.mean(np.abs(across) <= 0.33), np.mean(across > 0.33))
     if min(thirds) < LEAST_SHARE:
         return "its edge was measured in part only"

@@ -61,7 +61,7 @@ class MeanLine:
         return np.asarray(np.interp(x_mm, grid, length) - np.interp(0.0, grid, length))
 
 
-def first_mean_line(points_mm: FloatArray) -> MeanLine:
+def initial_mean_line(points_mm: FloatArray) -> MeanLine:
     """Return a mean line through the middles between the uppermost and lowest points (N, 2) of strips across the chord.
 
     Raises
@@ -79,16 +79,16 @@ def first_mean_line(points_mm: FloatArray) -> MeanLine:
             middles.append(float(np.percentile(inside[:, 1], [3, 97]).mean()))
     if len(places) < BINS / 2:
         raise FitError("the points do not cover the section from one edge to the other", "Scan the blade more densely.")
-    return _line(np.array(places), np.array(middles), 4, float(low), float(high))
+    return _fit_line(np.array(places), np.array(middles), 4, float(low), float(high))
 
 
-def moved_line(line: MeanLine, x_mm: FloatArray, shifts_mm: FloatArray) -> MeanLine:
+def shift_mean_line(line: MeanLine, x_mm: FloatArray, shifts_mm: FloatArray) -> MeanLine:
     """Return the line moved along its normals by ``shifts_mm`` (N,) at ``x_mm`` (N,), which run from its new first to its new last place."""
     moved = line.points(x_mm) + shifts_mm[:, None] * line.normals(x_mm)
     first, last = float(moved[0, 0]), float(moved[-1, 0])
-    return _line(moved[:, 0], moved[:, 1], DEGREE, first, last)
+    return _fit_line(moved[:, 0], moved[:, 1], DEGREE, first, last)
 
 
-def _line(x_mm: FloatArray, y_mm: FloatArray, degree: int, first_mm: float, last_mm: float) -> MeanLine:
+def _fit_line(x_mm: FloatArray, y_mm: FloatArray, degree: int, first_mm: float, last_mm: float) -> MeanLine:
     height = Chebyshev.fit(x_mm, y_mm, degree, domain=[first_mm, last_mm])
     return MeanLine(height, height.deriv(), first_mm, last_mm)

@@ -10,12 +10,12 @@ from numpy.polynomial import chebyshev
 from measureapp.arrays import BoolArray, FloatArray
 from measureapp.errors import FitError
 from measureapp.inspection.blades.edge import Edge, fit_edge
-from measureapp.inspection.blades.mean_line import MeanLine, first_mean_line, moved_line
+from measureapp.inspection.blades.mean_line import MeanLine, initial_mean_line, shift_mean_line
 
 SIDE_DEGREE = 7
 ROUNDS = 15
 LEAST_ON_SIDE = 40
-STILL_MM = 1e-5
+CONVERGED_MM = 1e-5
 GRID = 400
 EDGE_DEPTHS = 1.2  # radii of an edge that do not belong to the sides
 EDGE_SHARE = 0.04  # of the length, before the radius is known
@@ -80,7 +80,7 @@ def side_basis(lengths_mm: FloatArray, first_mm: float, last_mm: float, roots: t
     return np.hstack(columns)
 
 
-def profile(points_mm: FloatArray, shape: Shape, start: Profile | None = None, rounds: int = ROUNDS) -> Profile:
+def fit_profile(points_mm: FloatArray, shape: Shape, start: Profile | None = None, rounds: int = ROUNDS) -> Profile:
     """Find mean line, thickness and edges of a section.
 
     The mean line is moved until both sides lie equally far from it, at right angles to it (as the thickness of NACA
@@ -96,9 +96,9 @@ def profile(points_mm: FloatArray, shape: Shape, start: Profile | None = None, r
     FitError
         The points do not cover the section, or lie on one side of it only.
     """
-    line = first_mean_line(points_mm) if start is None else start.line
-    leading = _unknown(shape.open_leading) if start is None else start.leading
-    trailing = _unknown(shape.open_trailing) if start is None else start.trailing
+    line = initial_mean_line(points_mm) if start is None else start.line
+    leading = _missing_edge(shape.open_leading) if start is None else start.leading
+    trailing = _missing_edge(shape.open_trailing) if start is None else start.trailing
     low, high = _extent(points_mm, line, shape)
     for number in range(rounds):
         ends = _ends_x(line, leading, trailing, low, high, shape)
@@ -107,18 +107,18 @@ def profile(points_mm: FloatArray, shape: Shape, start: Profile | None = None, r
         x = np.linspace(ends[0] + caps[0], ends[1] - caps[1], GRID)
         upper, lower = sides.heights(line.lengths(x))
         middles = (upper + lower) / 2
-        line = moved_line(line, x, middles)
+        line = shift_mean_line(line, x, middles)
         scatter = float(np.std(residuals))
         leading, trailing = _edges(points_mm, line, x, (upper - lower) / 2, ends, scatter, shape)
-        if number > 1 and np.abs(middles).max() < STILL_MM:
+        if number > 1 and np.abs(middles).max() < CONVERGED_MM:
             break
     ends = _ends_x(line, leading, trailing, low, high, shape)
     caps = _caps(leading, trailing, ends, shape)
     sides, on_side, residuals, _ = _fit_sides(points_mm, line, ends, caps, shape)
-    return _measured(line, sides, leading, trailing, ends, caps, residuals, on_side)
+    return _make_profile(line, sides, leading, trailing, ends, caps, residuals, on_side)
 
 
-def _unknown(is_open: bool) -> Edge:
+def _missing_edge(is_open: bool) -> Edge:
     return Edge(None, reason="the blade goes on there" if is_open else "its edge was not measured")
 
 
@@ -165,7 +165,7 @@ def _fit_sides(
             raise FitError("only one side of the blade was measured", "Scan its other side too.")
         used = side
         for _ in range(3):
-            solution = _solved(basis[used], heights[used])
+            solution = _solve(basis[used], heights[used])
             residuals[side] = heights[side] - basis[side] @ solution
             limit = TRIM * 1.4826 * float(np.median(np.abs(residuals[used]))) + 1e-9
             used = side & (np.abs(residuals) <= limit)
@@ -174,7 +174,7 @@ def _fit_sides(
     return Sides(float(first), float(last), roots, solutions[0], solutions[1]), kept, residuals[kept], lengths
 
 
-def _solved(basis: FloatArray, heights: FloatArray) -> FloatArray:
+def _solve(basis: FloatArray, heights: FloatArray) -> FloatArray:
     """Least squares by the normal equations: the basis is well conditioned, and this is done thousands of times."""
     normal = basis.T @ basis
     return np.asarray(np.linalg.solve(normal + 1e-10 * np.trace(normal) * np.eye(len(normal)), basis.T @ heights))
@@ -186,7 +186,7 @@ def _edges(
     found = []
     for is_open, at, inner, sign in ((shape.open_leading, 0, x[0], 1.0), (shape.open_trailing, 1, x[-1], -1.0)):
         if is_open:
-            found.append(_unknown(True))
+            found.append(_missing_edge(True))
             continue
         start = line.points(np.array([ends[at]]))[0]
         slope = float(line.slopes(np.array([inner]))[0])
@@ -195,7 +195,7 @@ def _edges(
     return found[0], found[1]
 
 
-def _measured(
+def _make_profile(
     line: MeanLine,
     sides: Sides,
     leading: Edge,

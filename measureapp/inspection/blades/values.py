@@ -9,12 +9,12 @@ import numpy as np
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.inspection_program import DimensionProgram
 from measureapp.errors import InspectionError
-from measureapp.inspection.blades.find import FoundBlade, numbers
-from measureapp.inspection.features.cells import LEAST_IN_CELL, noise_reach
-from measureapp.inspection.features.errors import NOISE, STITCHING
-from measureapp.inspection.features.found import Found
+from measureapp.inspection.blades.find_blades import FoundBlade, profile_values
+from measureapp.inspection.features.cells import LEAST_IN_CELL, greatest_noise_factor
+from measureapp.inspection.features.feature_errors import NOISE, STITCHING
+from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.settings import InspectionSettings
-from measureapp.inspection.value import Budget, Value, placement_of, summed, times
+from measureapp.inspection.value import Budget, Value, assumed_placement_sigma, combine_budgets, scale_budget
 
 LEAST_CELLS = 6
 GAUSSIAN = 1.4826  # standard deviation over the median absolute deviation of normal errors
@@ -29,7 +29,7 @@ MISSING = {
 }
 
 
-def blade_value(described: DimensionProgram, found: tuple[Found, ...], settings: InspectionSettings) -> Value:
+def evaluate_blade(described: DimensionProgram, found: tuple[FoundFeature, ...], settings: InspectionSettings) -> Value:
     """Return the value of a blade dimension from its sections.
 
     Raises
@@ -52,22 +52,22 @@ def blade_value(described: DimensionProgram, found: tuple[Found, ...], settings:
 def _twist(one: FoundBlade, other: FoundBlade, settings: InspectionSettings) -> Value:
     """Difference of two staggers; what moves both sections alike drops out."""
     first, second = (_single("stagger", blade, settings) for blade in (one, other))
-    budget = summed(first.budget, second.budget)
+    budget = combine_budgets(first.budget, second.budget)
     if one.by_errors is not None and other.by_errors is not None:
-        budget = {**budget, **_between(one.by_errors.stagger_rad, other.by_errors.stagger_rad)}
+        budget = {**budget, **_angle_difference(one.by_errors.stagger_rad, other.by_errors.stagger_rad)}
     return Value((second.value - first.value + 180) % 360 - 180, budget, "Monte Carlo")
 
 
-def _between(one: Mapping[str, FloatArray], other: Mapping[str, FloatArray]) -> Budget:
+def _angle_difference(one: Mapping[str, FloatArray], other: Mapping[str, FloatArray]) -> Budget:
     """Shares in degrees of the difference of two angles that share their errors."""
     return {share: DEGREES * float(np.linalg.norm(other[share] - one[share])) for share in one}
 
 
-def _apart(blade: FoundBlade, settings: InspectionSettings, factor: float) -> Budget:
+def _deformation_budget(blade: FoundBlade, settings: InspectionSettings, factor: float) -> Budget:
     """Shares of a length in the section whose ends move by ``factor`` times what moves the sides on their own."""
     if blade.by_errors is None:
-        return {STITCHING: factor * placement_of(blade, settings)}
-    return times(blade.by_errors.apart_mm, factor)
+        return {STITCHING: factor * assumed_placement_sigma(blade, settings)}
+    return scale_budget(blade.by_errors.deformation_mm, factor)
 
 
 def _single(kind: str, blade: FoundBlade, settings: InspectionSettings) -> Value:
@@ -79,70 +79,70 @@ def _single(kind: str, blade: FoundBlade, settings: InspectionSettings) -> Value
             raise InspectionError(f"{blade.name} has no {kind.replace('_', ' ')}: at its {name} end {edge.reason}")
     if kind not in sigmas:
         raise InspectionError(f"{blade.name}: its points do not determine the {kind.replace('_', ' ')}, simulated noise made it fail")
-    value, sigma = numbers(made, frame)[kind], sigmas[kind]
+    value, sigma = profile_values(made, frame)[kind], sigmas[kind]
     how = f"Monte Carlo, {settings.blade_trials} trials"
     sides = 1.0 if kind.endswith("radius") else float(np.sqrt(2))  # two places, each seen by views of its own
     if kind != "stagger":
-        return Value(value, {NOISE: sigma, **_apart(blade, settings, sides)}, how)
-    lean = times(_apart(blade, settings, sides), 1 / float(np.linalg.norm(made.chord)))
+        return Value(value, {NOISE: sigma, **_deformation_budget(blade, settings, sides)}, how)
+    lean = scale_budget(_deformation_budget(blade, settings, sides), 1 / float(np.linalg.norm(made.chord)))
     if blade.by_errors is not None:
         lean = {share: float(np.linalg.norm(columns)) for share, columns in blade.by_errors.stagger_rad.items()}
-    return Value(float(np.degrees(value)), times({NOISE: sigma, **lean}, DEGREES), how)
+    return Value(float(np.degrees(value)), scale_budget({NOISE: sigma, **lean}, DEGREES), how)
 
 
 def _pitch(one: FoundBlade, other: FoundBlade, settings: InspectionSettings) -> Value:
     """Turn about the axis that lays one blade onto the other."""
     for blade in (one, other):
-        if blade.against is None:
+        if blade.comparison is None:
             raise InspectionError(f"{blade.name}: a pitch needs at least two measured blades of one section")
     if one.frame is not other.frame:
         raise InspectionError(f"{one.name} and {other.name} are blades of different sections: they have no pitch")
-    assert one.against is not None and other.against is not None and one.frame is not None
+    assert one.comparison is not None and other.comparison is not None and one.frame is not None
     count = one.frame.described.count
     steps = (other.number - one.number) % count or count
-    turn = 2 * np.pi * steps / count + other.against.turn_rad - one.against.turn_rad
-    budget = times(summed(_turn_budget(one, settings), _turn_budget(other, settings)), DEGREES)
+    turn = 2 * np.pi * steps / count + other.comparison.turn_rad - one.comparison.turn_rad
+    budget = scale_budget(combine_budgets(_turn_budget(one, settings), _turn_budget(other, settings)), DEGREES)
     if one.by_errors is not None and other.by_errors is not None:
-        budget = {**budget, **_between(one.by_errors.turn_rad, other.by_errors.turn_rad)}
+        budget = {**budget, **_angle_difference(one.by_errors.turn_rad, other.by_errors.turn_rad)}
     return Value(float(np.degrees(turn)), budget)
 
 
 def _turn_budget(blade: FoundBlade, settings: InspectionSettings) -> Budget:
     """Shares of the standard uncertainty in rad of how far a blade is turned about the axis."""
-    assert blade.against is not None and blade.frame is not None
-    points = blade.frame.turned_back(blade.points_mm[blade.against.on_side], blade.number)
+    assert blade.comparison is not None and blade.frame is not None
+    points = blade.frame.rotate_to_first(blade.points_mm[blade.comparison.on_side], blade.number)
     lever = float(np.sqrt(np.mean(np.sum(blade.frame.effect_of_turn(points) ** 2, axis=1))))
-    return {NOISE: blade.error_factor * blade.against.turn_sigma_rad, STITCHING: placement_of(blade, settings) / lever}
+    return {NOISE: blade.correlation_factor * blade.comparison.turn_sigma_rad, STITCHING: assumed_placement_sigma(blade, settings) / lever}
 
 
 def _form(blade: FoundBlade, settings: InspectionSettings) -> Value:
     """Width of the zone about the part's average blade, once the blade is turned onto it about the axis."""
-    if blade.against is None:
+    if blade.comparison is None:
         raise InspectionError(f"{blade.name}: an average blade needs at least two measured blades of this section")
-    against = blade.against
+    against = blade.comparison
     where = np.floor(against.lengths_mm / settings.form_cell_mm).astype(int) * 2 + against.upper
     return _zone(
         blade,
         where,
         against.deviations_mm,
         settings,
-        _apart(blade, settings, 2.0),
+        _deformation_budget(blade, settings, 2.0),
         "about the average blade, turned onto it about the axis",
     )
 
 
 def _profile(blade: FoundBlade, settings: InspectionSettings) -> Value:
     """Width of the zone about the nominal, as the alignment lays the part."""
-    if blade.to_nominal_mm is None:
+    if blade.deviations_mm is None:
         raise InspectionError(f"{blade.name}: a blade profile needs the nominal mesh, and the program names none")
     assert blade.profile is not None and blade.frame is not None
-    flat = blade.frame.flat(blade.frame.turned_back(blade.points_mm, blade.number))
+    flat = blade.frame.flatten(blade.frame.rotate_to_first(blade.points_mm, blade.number))
     x, heights = blade.profile.line.feet(flat)
     where = np.floor(blade.profile.line.lengths(x) / settings.form_cell_mm).astype(int) * 2 + (heights > 0)
     line = blade.profile.line
     on_side = (x > line.first_mm) & (x < line.last_mm)
-    moved = _apart(blade, settings, 2.0) if blade.by_errors is None else times(blade.by_errors.total_mm, 2.0)
-    return _zone(blade, where[on_side], blade.to_nominal_mm[on_side], settings, moved, "about the nominal, placed by the alignment")
+    moved = _deformation_budget(blade, settings, 2.0) if blade.by_errors is None else scale_budget(blade.by_errors.total_mm, 2.0)
+    return _zone(blade, where[on_side], blade.deviations_mm[on_side], settings, moved, "about the nominal, placed by the alignment")
 
 
 def _zone(
@@ -162,5 +162,5 @@ def _zone(
     medians = np.array([np.median(piece) for piece in chosen])
     scatter = [GAUSSIAN * np.median(np.abs(piece - median)) for piece, median in zip(chosen, medians, strict=True)]
     noise = OF_A_MEDIAN * float(np.median(scatter / np.sqrt(counts[full])))
-    budget = {NOISE: noise_reach(int(full.sum())) * noise, **by_views}
+    budget = {NOISE: greatest_noise_factor(int(full.sum())) * noise, **by_views}
     return Value(2 * float(np.abs(medians).max()), budget, f"medians over {settings.form_cell_mm:g} mm, {what}")

@@ -13,8 +13,8 @@ from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.feature import Feature
 from measureapp.errors import InspectionError
 from measureapp.geometry.shapes import tangents
-from measureapp.inspection.features.errors import Source
-from measureapp.inspection.features.found import Found
+from measureapp.inspection.features.feature_errors import ErrorSource
+from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.features.shapes import along_and_off, outward_normals, signed_distances
 
 LEAST_CELLS = 12
@@ -24,9 +24,9 @@ RANK = 1e-6  # the normal's own direction has no extent
 WELL_FILLED = 0.25  # of the median count: cells at the rim hold fewer points, whose mean is noisier
 LEAST_AROUND = 24  # cells about an axis, whatever the radius
 COVERAGE = 0.95
-ALIKE = 1e-9
+EQUAL_NOISE = 1e-9
 
-Beside = Callable[
+SurfaceDistance = Callable[
     [FloatArray], tuple[FloatArray, FloatArray]
 ]  # of points (N, 3) their signed distances (N,) from a surface and its unit normals (N, 3) there
 
@@ -41,12 +41,14 @@ class Cells:
     noise_mm: float  # typical standard deviation of a mean, from the scatter within the cells
     noises_mm: FloatArray  # (K,), of each mean: cells at the rim hold fewer points
     normals: FloatArray  # (K, 3), of the surface
-    by_views: Mapping[Source, FloatArray] = field(default_factory=dict)  # (K, M), errors of the means along the normals by their views
+    view_contributions: Mapping[ErrorSource, FloatArray] = field(
+        default_factory=dict
+    )  # (K, M), errors of the means along the normals by their views
 
     def __len__(self) -> int:
         return len(self.points_mm)
 
-    def raised(self, heights_mm: FloatArray) -> FloatArray:
+    def displace(self, heights_mm: FloatArray) -> FloatArray:
         """Return the means (K, 3) displaced along their normals."""
         return np.asarray(self.points_mm + heights_mm[:, None] * self.normals)
 
@@ -60,20 +62,20 @@ class Cells:
         return greatest_noise(self.noises_mm)
 
 
-def noise_reach(count: int) -> float:
+def greatest_noise_factor(count: int) -> float:
     """Return the multiple of σ that the greatest of ``count`` normal errors does not exceed in 95 of 100 cases."""
     return float(ndtri((1 + COVERAGE ** (1 / max(count, 1))) / 2))
 
 
 def greatest_noise(noises_mm: FloatArray) -> float:
     """Return what the greatest of independent normal errors with these standard deviations does not exceed in 95 of 100 cases."""
-    least, most = (noise_reach(len(noises_mm)) * float(noise) for noise in (noises_mm.min(), noises_mm.max()))
-    if most - least <= ALIKE * most:
+    least, most = (greatest_noise_factor(len(noises_mm)) * float(noise) for noise in (noises_mm.min(), noises_mm.max()))
+    if most - least <= EQUAL_NOISE * most:
         return most
     return float(brentq(lambda reach: np.log(2 * ndtr(reach / noises_mm) - 1).sum() - np.log(COVERAGE), least, most))
 
 
-def cell_means(found: Found, feature: Feature, keys: IntArray, chosen: BoolArray | None = None) -> Cells:
+def cell_means(found: FoundFeature, feature: Feature, keys: IntArray, chosen: BoolArray | None = None) -> Cells:
     """Return the means over all cells that hold enough points.
 
     Parameters
@@ -88,10 +90,10 @@ def cell_means(found: Found, feature: Feature, keys: IntArray, chosen: BoolArray
     InspectionError
         Fewer than twelve cells are filled.
     """
-    return means_over(found, lambda points: (signed_distances(feature, points), outward_normals(feature, points)), keys, chosen)
+    return surface_means(found, lambda points: (signed_distances(feature, points), outward_normals(feature, points)), keys, chosen)
 
 
-def means_over(found: Found, beside: Beside, keys: IntArray, chosen: BoolArray | None = None) -> Cells:
+def surface_means(found: FoundFeature, beside: SurfaceDistance, keys: IntArray, chosen: BoolArray | None = None) -> Cells:
     """Return the means from any surface; see `cell_means`."""
     points_mm = found.points_mm if chosen is None else found.points_mm[chosen]
     deviations, _ = beside(points_mm)
@@ -116,8 +118,8 @@ def means_over(found: Found, beside: Beside, keys: IntArray, chosen: BoolArray |
 
 
 def _by_views(
-    found: Found, places_mm: FloatArray, normals: FloatArray, number: IntArray, chosen: BoolArray | None
-) -> dict[Source, FloatArray]:
+    found: FoundFeature, places_mm: FloatArray, normals: FloatArray, number: IntArray, chosen: BoolArray | None
+) -> dict[ErrorSource, FloatArray]:
     """Return the errors of means at ``places_mm`` by the views of their points; ``number`` (N,) says which mean each is part of, -1 none."""
     if found.view_errors is None or found.view is None:
         return {}
@@ -128,7 +130,7 @@ def _by_views(
     share = counts / np.bincount(place, counts)[place]
     begins = np.flatnonzero(np.diff(place, prepend=-1))
     moved = found.view_errors.along(places_mm[place], normals[place], pairs[:, 1])
-    return {Source(name): np.add.reduceat(share[:, None] * columns, begins) for name, columns in moved.items()}
+    return {ErrorSource(name): np.add.reduceat(share[:, None] * columns, begins) for name, columns in moved.items()}
 
 
 def _scatter(cell: IntArray, offsets_mm: FloatArray, deviations_mm: FloatArray, normals: FloatArray) -> FloatArray:

@@ -14,7 +14,7 @@ from measureapp.data.free_form import FreeForm
 from measureapp.data.inspection_program import MeasuredFeature
 from measureapp.geometry.transform import rotation_about
 from measureapp.inspection.features.shapes import along_and_off, outward_normals, signed_distances
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.measured_points import MeasuredPoints
 
 
 @dataclass(frozen=True, slots=True, eq=False)

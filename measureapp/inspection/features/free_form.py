@@ -14,41 +14,41 @@ from measureapp.data.free_form import FreeForm
 from measureapp.data.inspection_program import copy_names
 from measureapp.geometry.transform import rotation_about
 from measureapp.inspection.features.cut import within_box
-from measureapp.inspection.features.found import Found
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.features.found_feature import FoundFeature
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.deviation import signed_distances
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.inspection.uncertainty import effective_views
 
-BEYOND_MM = 0.02  # a point whose nearest place lies farther aside than above lies beyond the rim of the mesh
+BORDER_MM = 0.02  # a point whose nearest place lies farther aside than above lies beyond the rim of the mesh
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class FoundSurface(Found):
+class FoundSurface(FoundFeature):
     """A region of the nominal mesh: the points measured of it, and the surface they are compared with."""
 
-    drawn: NominalSurface | None = None
+    nominal_surface: NominalSurface | None = None
 
-    def beside(self, points_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def distances_and_normals(self, points_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return distances (N,) of points from the drawn surface, positive out of the material, and its normals (N, 3) there."""
-        assert self.drawn is not None
-        return signed_distances(points_mm, self.drawn), self.drawn.closest(points_mm).normals
+        assert self.nominal_surface is not None
+        return signed_distances(points_mm, self.nominal_surface), self.nominal_surface.closest(points_mm).normals
 
-    def feet(self) -> FloatArray:
+    def closest_points(self) -> FloatArray:
         """Return the nearest places (N, 3) of the drawn surface."""
-        assert self.drawn is not None
-        return self.drawn.closest(self.points_mm).points_mm
+        assert self.nominal_surface is not None
+        return self.nominal_surface.closest(self.points_mm).points_mm
 
 
 def find_free_forms(
     described: FreeForm, points: MeasuredPoints, surface: NominalSurface | None, edges: cKDTree | None, settings: InspectionSettings
-) -> Mapping[str, Found]:
+) -> Mapping[str, FoundFeature]:
     """Find a region and all copies of its pattern on ``points`` (in the nominal's frame)."""
     names = copy_names(described.name, described.repeat)
     if surface is None:
         reason = "is a region of the nominal mesh, and the program names no `nominal`"
-        return {name: Found(name, None, f"{name} {reason}") for name in names}
+        return {name: FoundFeature(name, None, f"{name} {reason}") for name in names}
     step = 0.0 if described.repeat is None else float(np.radians(described.repeat.angle_deg))
     turns = [rotation_about([0, 0, 1], k * step) for k in range(len(names))]
     return {name: _find_one(name, described, turn, points, surface, edges, settings) for name, turn in zip(names, turns, strict=True)}
@@ -62,12 +62,12 @@ def _find_one(
     surface: NominalSurface,
     edges: cKDTree | None,
     settings: InspectionSettings,
-) -> Found:
+) -> FoundFeature:
     near = points.where(np.flatnonzero(within_box(points.points_mm, described, turn)))
-    near = near.where(_belonging(described, turn, near, surface, edges)) if len(near) else near
+    near = near.where(_select_points(described, turn, near, surface, edges)) if len(near) else near
     if len(near) < settings.least_points:
-        return Found(name, None, f"{name}: only {len(near)} points were measured there, {settings.least_points} are needed")
-    used = near.thinned(settings.fit_points)
+        return FoundFeature(name, None, f"{name}: only {len(near)} points were measured there, {settings.least_points} are needed")
+    used = near.thin(settings.fit_points)
     away = signed_distances(used.points_mm, surface)
     feature = Feature(
         name,
@@ -79,16 +79,20 @@ def _find_one(
         boundary_mm=np.stack([used.points_mm.min(axis=0), used.points_mm.max(axis=0)]),
     )
     views = effective_views(used.view)
-    return FoundSurface(name, feature, "", 1.0, views, used.points_mm, None, drawn=surface, view=used.view, view_errors=used.errors)
+    return FoundSurface(
+        name, feature, "", 1.0, views, used.points_mm, None, nominal_surface=surface, view=used.view, view_errors=used.errors
+    )
 
 
-def _belonging(described: FreeForm, turn: FloatArray, points: MeasuredPoints, surface: NominalSurface, edges: cKDTree | None) -> BoolArray:
+def _select_points(
+    described: FreeForm, turn: FloatArray, points: MeasuredPoints, surface: NominalSurface, edges: cKDTree | None
+) -> BoolArray:
     """Return which points (N,) lie near the nominal, on its side, on a face that looks the way asked, and away from its edges."""
     closest = surface.closest(points.points_mm)
     offset = points.points_mm - closest.points_mm
     along = np.einsum("nd,nd->n", offset, closest.normals)
     aside = np.linalg.norm(offset - along[:, None] * closest.normals, axis=1)
-    chosen = (np.abs(along) < described.band_mm) & (aside < np.abs(along) + BEYOND_MM)
+    chosen = (np.abs(along) < described.band_mm) & (aside < np.abs(along) + BORDER_MM)
     if points.normals is not None:
         facing = np.einsum("nd,nd->n", closest.normals, np.asarray(points.normals, float))
         chosen &= facing > np.cos(np.radians(described.normals_within_deg))

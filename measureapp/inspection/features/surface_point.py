@@ -7,12 +7,12 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
 from measureapp.errors import FitError
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.measured_points import MeasuredPoints
 
 QUADRIC = 6  # unknowns
 
 
-def surface_point(nominal: Feature, used: MeasuredPoints, all_points_mm: FloatArray) -> tuple[Feature, FloatArray]:
+def fit_surface_point(nominal: Feature, used: MeasuredPoints, all_points_mm: FloatArray) -> tuple[Feature, FloatArray]:
     """Fit a quadric height field to a patch and read it at the nominal point.
 
     A plane would lie off a curved surface by the mean sagitta of the patch (patch²/8R); the quadric does not.
@@ -53,7 +53,7 @@ def surface_point(nominal: Feature, used: MeasuredPoints, all_points_mm: FloatAr
     return feature, every_height - every @ solution
 
 
-def surface_point_following(nominal: Feature, used: MeasuredPoints) -> tuple[FloatArray, MeasuredPoints, FloatArray]:
+def linearise_surface_point(nominal: Feature, used: MeasuredPoints) -> tuple[FloatArray, MeasuredPoints, FloatArray]:
     """Return how point and direction (6, N) follow the points' displacements, the points, and along what (N, 3): upright to the fitted patch.
 
     The height of a displaced point is read where it is displaced to, so that what it moves along the patch does not count.

@@ -35,12 +35,12 @@ class CuttingPlane:
         """Return the plane's normal at each point (N, 3)."""
         return np.broadcast_to(self.normal, points_mm.shape)
 
-    def flat(self, points_mm: FloatArray) -> FloatArray:
+    def flatten(self, points_mm: FloatArray) -> FloatArray:
         """Return coordinates (N, 2) in the plane, in mm."""
         offset = points_mm - self.point_mm
         return np.column_stack([offset @ self.across, offset @ np.cross(self.normal, self.across)])
 
-    def lifted(self, flat_mm: FloatArray) -> FloatArray:
+    def lift(self, flat_mm: FloatArray) -> FloatArray:
         """Return the points (N, 3) of the plane that lie at these coordinates (N, 2)."""
         return np.asarray(self.point_mm + flat_mm @ np.stack([self.across, np.cross(self.normal, self.across)]))
 
@@ -72,13 +72,13 @@ class CuttingCylinder:
         radial = self._radial(points_mm)
         return radial / np.maximum(np.linalg.norm(radial, axis=1, keepdims=True), 1e-12)
 
-    def flat(self, points_mm: FloatArray) -> FloatArray:
+    def flatten(self, points_mm: FloatArray) -> FloatArray:
         """Return unrolled coordinates (N, 2) in mm."""
         radial = self._radial(points_mm)
         angle = np.arctan2(radial @ np.cross(self.axis, self.zero), radial @ self.zero)
         return np.column_stack([self.radius_mm * angle, (points_mm - self.point_mm) @ self.axis])
 
-    def lifted(self, flat_mm: FloatArray) -> FloatArray:
+    def lift(self, flat_mm: FloatArray) -> FloatArray:
         """Return the points (N, 3) of the cylinder that lie at these unrolled coordinates (N, 2)."""
         angle = flat_mm[:, :1] / self.radius_mm
         outwards = np.cos(angle) * self.zero + np.sin(angle) * np.cross(self.axis, self.zero)

@@ -10,10 +10,10 @@ from scipy.spatial import cKDTree
 from measureapp.arrays import FloatArray, read_only
 from measureapp.data.measurement import Alignment
 from measureapp.data.mesh import Mesh
-from measureapp.inspection.measured import HasPoints, MeasuredPoints, sampled
-from measureapp.inspection.surface.along_normals import distances_along_normals
+from measureapp.inspection.measured_points import HasPoints, MeasuredPoints, sample_mesh
 from measureapp.inspection.surface.nominal import NominalSurface
-from measureapp.inspection.surface.units import NEAR_SHARE, check_unit_on
+from measureapp.inspection.surface.ray_distances import distances_along_normals
+from measureapp.inspection.surface.units import NEAR_SHARE, check_unit_against
 from measureapp.progress import NoProgress, Progress
 
 CHUNK = 200_000
@@ -41,7 +41,7 @@ class Deviation:
         object.__setattr__(self, "distances_mm", read_only(self.distances_mm, np.float64, (len(self.points_mm),)))
 
 
-def deviation(
+def compute_deviation(
     measured: MeasuredPoints | HasPoints | Mesh,
     nominal: Mesh,
     alignment: Alignment,
@@ -70,7 +70,7 @@ def deviation(
         distances[chunk], normals[chunk] = distances_and_normals(points.points_mm[chunk], own, surface)
     unmeasured = unmeasured_share(points.points_mm, nominal, near_mm)
     if unmeasured > 0.5 or np.median(np.abs(distances)) > NEAR_SHARE * surface.diagonal_mm:
-        check_unit_on(points, surface)  # a cloud that lies on most of its nominal is in the right unit
+        check_unit_against(points, surface)  # a cloud that lies on most of its nominal is in the right unit
     progress.report(1, 1, "distances from the nominal")
     return Deviation(
         points.points_mm,
@@ -116,7 +116,7 @@ def _from_closest(points_mm: FloatArray, surface: NominalSurface) -> tuple[Float
 
 def unmeasured_share(points_mm: FloatArray, nominal: Mesh, near_mm: float) -> float:
     """Return the share of the nominal's area that no point lies near."""
-    places = sampled(nominal, COVERAGE_SAMPLES).points_mm
+    places = sample_mesh(nominal, COVERAGE_SAMPLES).points_mm
     tree = cKDTree(points_mm, balanced_tree=False, compact_nodes=False)  # built three times as fast
     distance, _ = tree.query(places, distance_upper_bound=near_mm, workers=-1)
     return float(np.mean(~np.isfinite(distance)))

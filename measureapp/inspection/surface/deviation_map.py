@@ -29,7 +29,7 @@ class DeviationMap:
         object.__setattr__(self, "measured", read_only(self.measured, np.bool_, (len(self.mesh.vertices_mm),)))
 
 
-def deviation_map(found: Deviation, nominal: Mesh, reach_mm: float = 2.0) -> DeviationMap:
+def map_deviation(found: Deviation, nominal: Mesh, reach_mm: float = 2.0) -> DeviationMap:
     """Average, at each vertex of the nominal, the nearest points within ``reach_mm`` that were measured against this side of it.
 
     Vertices are kept apart at sharp edges, so that a face does not take the value of the face behind a thin wall.
@@ -39,7 +39,7 @@ def deviation_map(found: Deviation, nominal: Mesh, reach_mm: float = 2.0) -> Dev
     InspectionError
         The nominal has no surface.
     """
-    mesh, normals = _divided(NominalSurface(nominal))
+    mesh, normals = _subdivide(NominalSurface(nominal))
     tree = cKDTree(found.points_mm)
     count = min(NEIGHBOURS, len(found.points_mm))
     away, which = tree.query(mesh.vertices_mm, k=count, distance_upper_bound=reach_mm)
@@ -52,7 +52,7 @@ def deviation_map(found: Deviation, nominal: Mesh, reach_mm: float = 2.0) -> Dev
     return DeviationMap(mesh, means, held > 0)
 
 
-def _divided(surface: NominalSurface) -> tuple[Mesh, FloatArray]:
+def _subdivide(surface: NominalSurface) -> tuple[Mesh, FloatArray]:
     """Triangles no longer than `FINEST_SHARE`, each with corners of its own face, and the normals of the corners."""
     from trimesh.remesh import subdivide_to_size
 

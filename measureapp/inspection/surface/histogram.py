@@ -23,7 +23,7 @@ class Histogram:
     above: float
 
 
-def histogram(distances_mm: FloatArray, lower_mm: float, upper_mm: float) -> Histogram:
+def bin_deviations(distances_mm: FloatArray, lower_mm: float, upper_mm: float) -> Histogram:
     """Sort deviations into ten bands within the tolerance and five on each side of it, the outermost open.
 
     Raises

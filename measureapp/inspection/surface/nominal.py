@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
-from measureapp.inspection.surface.slivers import divided
+from measureapp.inspection.surface.slivers import split_slivers
 
 SHARP_DEG = 25.0
 ON_EDGE = 1e-4
@@ -43,7 +43,7 @@ class NominalSurface:
     """
 
     def __init__(self, mesh: Mesh) -> None:
-        self.vertices_mm, self.triangles = _welded(mesh)
+        self.vertices_mm, self.triangles = _weld(mesh)
         if len(self.triangles) == 0:
             raise InspectionError("The nominal mesh has no surface.", "Export the nominal again as STL, PLY or OBJ with triangles.")
         corners = self.vertices_mm[self.triangles]
@@ -54,7 +54,7 @@ class NominalSurface:
         self.low_mm, self.high_mm = self.vertices_mm.min(axis=0), self.vertices_mm.max(axis=0)
         self.diagonal_mm = float(np.linalg.norm(self.high_mm - self.low_mm))
         self._offset = (self.low_mm + self.high_mm) / 2
-        self._pieces = divided(corners)
+        self._pieces = split_slivers(corners)
         self._scene = self._build_scene()
         self._vertex_normals = _angle_weighted_normals(corners, self.triangles, self.normals, len(self.vertices_mm))
 
@@ -134,7 +134,7 @@ class NominalSurface:
         return cKDTree(start[which] + share * (end[which] - start[which]))
 
 
-def _welded(mesh: Mesh) -> tuple[FloatArray, IntArray]:
+def _weld(mesh: Mesh) -> tuple[FloatArray, IntArray]:
     """Join equal vertices and drop triangles without area."""
     keys = np.round(mesh.vertices_mm / WELD_MM).astype(np.int64)
     _, first, inverse = np.unique(keys, axis=0, return_index=True, return_inverse=True)

@@ -26,7 +26,7 @@ class Section:
     nominal_normals: FloatArray  # (N, 3), of the nominal where each point was measured against it
 
 
-def section(name: str, found: Deviation, surface: NominalSurface, cut: CuttingSurface, half_width_mm: float) -> Section:
+def cut_section(name: str, found: Deviation, surface: NominalSurface, cut: CuttingSurface, half_width_mm: float) -> Section:
     """Cut the nominal, and take the measured points within ``half_width_mm`` of the cutting surface with their deviations.
 
     Raises
@@ -34,20 +34,20 @@ def section(name: str, found: Deviation, surface: NominalSurface, cut: CuttingSu
     InspectionError
         The cutting surface meets neither the nominal nor measured points.
     """
-    curves = cut_curves(surface.vertices_mm, surface.triangles, cut)
+    curves = intersect_mesh(surface.vertices_mm, surface.triangles, cut)
     offsets = cut.offsets_mm(found.points_mm)
     near = np.flatnonzero(np.abs(offsets) < half_width_mm)
     if not curves and len(near) == 0:
         raise InspectionError(
             f"The section {name} meets neither the nominal nor measured points.",
-            f"The nominal reaches from {_words(surface.low_mm)} to {_words(surface.high_mm)} mm: cut inside it.",
+            f"The nominal reaches from {_format_point(surface.low_mm)} to {_format_point(surface.high_mm)} mm: cut inside it.",
         )
     moved = found.points_mm[near] - offsets[near, None] * cut.normals(found.points_mm[near])
-    order = _along(moved, curves)
+    order = _order_along_curves(moved, curves)
     return Section(name, curves, moved[order], found.distances_mm[near][order], np.asarray(found.nominal_normals[near][order], np.float64))
 
 
-def cut_curves(vertices_mm: FloatArray, triangles: IntArray, cut: CuttingSurface) -> tuple[FloatArray, ...]:
+def intersect_mesh(vertices_mm: FloatArray, triangles: IntArray, cut: CuttingSurface) -> tuple[FloatArray, ...]:
     """Return the curves (K, 3) in which ``cut`` meets a triangle mesh, joined from triangle to triangle.
 
     An edge is cut where the offset of its ends changes sign; a vertex on the surface counts as outside, so that every
@@ -60,11 +60,11 @@ def cut_curves(vertices_mm: FloatArray, triangles: IntArray, cut: CuttingSurface
     edges = np.sort(np.stack([crossed[:, [0, 1]], crossed[:, [1, 2]], crossed[:, [2, 0]]], axis=1), axis=2)
     changes = outside[edges[..., 0]] != outside[edges[..., 1]]
     unique, numbers = np.unique(edges[changes], axis=0, return_inverse=True)
-    places = _crossings(vertices_mm[unique[:, 0]], vertices_mm[unique[:, 1]], cut)
-    return tuple(places[chain] for chain in _chains(numbers.reshape(-1, 2)))
+    places = _edge_intersections(vertices_mm[unique[:, 0]], vertices_mm[unique[:, 1]], cut)
+    return tuple(places[chain] for chain in _chain_segments(numbers.reshape(-1, 2)))
 
 
-def _crossings(start: FloatArray, end: FloatArray, cut: CuttingSurface) -> FloatArray:
+def _edge_intersections(start: FloatArray, end: FloatArray, cut: CuttingSurface) -> FloatArray:
     """Return where edges meet the cutting surface, by bisection."""
     low, high = np.zeros(len(start)), np.ones(len(start))
     sign = np.where(cut.offsets_mm(start) >= 0, 1.0, -1.0)
@@ -75,7 +75,7 @@ def _crossings(start: FloatArray, end: FloatArray, cut: CuttingSurface) -> Float
     return np.asarray(start + ((low + high) / 2)[:, None] * (end - start))
 
 
-def _chains(segments: IntArray) -> list[list[int]]:
+def _chain_segments(segments: IntArray) -> list[list[int]]:
     """Join segments (S, 2) of point numbers to chains; open ones first begin at their ends."""
     at: dict[int, list[int]] = {}
     for number, (one, other) in enumerate(segments.tolist()):
@@ -99,21 +99,21 @@ def _walk(start: int, segments: IntArray, at: dict[int, list[int]], used: np.nda
     return chain
 
 
-def _along(points_mm: FloatArray, curves: tuple[FloatArray, ...]) -> IntArray:
+def _order_along_curves(points_mm: FloatArray, curves: tuple[FloatArray, ...]) -> IntArray:
     """Return the order of points along the curves they lie next to; without curves as they are."""
     if not curves or len(points_mm) == 0:
         return np.arange(len(points_mm))
     from scipy.spatial import cKDTree
 
-    dense = [_dense(curve) for curve in curves]
+    dense = [_densify(curve) for curve in curves]
     return np.argsort(cKDTree(np.vstack(dense)).query(points_mm)[1], kind="stable")
 
 
-def _dense(curve: FloatArray, steps: int = 2000) -> FloatArray:
+def _densify(curve: FloatArray, steps: int = 2000) -> FloatArray:
     length = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(curve, axis=0), axis=1))])
     at = np.union1d(np.linspace(0, length[-1], steps), length)
     return np.column_stack([np.interp(at, length, curve[:, k]) for k in range(3)])
 
 
-def _words(corner: FloatArray) -> str:
+def _format_point(corner: FloatArray) -> str:
     return "(" + ", ".join(f"{value:.1f}" for value in corner) + ")"

@@ -30,23 +30,23 @@ class Pieces:
         return np.asarray(np.matmul(self.weights, corners_mm[self.parents]))
 
 
-def divided(corners_mm: FloatArray) -> Pieces:
+def split_slivers(corners_mm: FloatArray) -> Pieces:
     """Cut triangles (T, 3, 3) until the closest points of their pieces are right to 5e-5 mm."""
     whole = Pieces(np.arange(len(corners_mm)), np.broadcast_to(np.eye(3), (len(corners_mm), 3, 3)))
-    slender = _slender(corners_mm)
+    slender = _is_slender(corners_mm)
     if not slender.any():
         return whole
-    needles = _needles(Pieces(whole.parents[slender], whole.weights[slender]), corners_mm)
-    still = _slender(needles.corners_mm(corners_mm))
+    needles = _orient_needles(Pieces(whole.parents[slender], whole.weights[slender]), corners_mm)
+    still = _is_slender(needles.corners_mm(corners_mm))
     parts = (
         Pieces(whole.parents[~slender], whole.weights[~slender]),
         Pieces(needles.parents[~still], needles.weights[~still]),
         _cut_across(Pieces(needles.parents[still], needles.weights[still]), corners_mm),
     )
-    return _joined(parts)
+    return _concatenate(parts)
 
 
-def _slender(corners_mm: FloatArray) -> BoolArray:
+def _is_slender(corners_mm: FloatArray) -> BoolArray:
     """Tell which triangles are too long for their height; those without area have no closest point that could be better."""
     longest, height = _size(corners_mm)
     return np.asarray((longest > SLENDER * height) & (longest**3 > LARGEST * height**2) & (height > 0))
@@ -60,7 +60,7 @@ def _size(corners_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
     return longest, np.divide(twice_area, longest, out=np.zeros(len(longest)), where=longest > 0)
 
 
-def _needles(triangles: Pieces, corners_mm: FloatArray) -> Pieces:
+def _orient_needles(triangles: Pieces, corners_mm: FloatArray) -> Pieces:
     """Turn triangles so that the first corner is the tip of a needle; cut those with two tips at the foot of their height."""
     places = triangles.corners_mm(corners_mm)
     rows = np.arange(len(places))
@@ -76,7 +76,7 @@ def _needles(triangles: Pieces, corners_mm: FloatArray) -> Pieces:
     from_start = np.stack([weights[:, 1], np.where(two[:, None], middle, weights[:, 2]), weights[:, 0]], axis=1)
     from_end = np.stack([weights[:, 2], weights[:, 0], np.where(two[:, None], middle, weights[:, 1])], axis=1)
     one = ~two
-    return _joined(
+    return _concatenate(
         (
             Pieces(triangles.parents[two], from_start[two]),
             Pieces(triangles.parents[two], from_end[two]),
@@ -104,7 +104,7 @@ def _cut_across(needles: Pieces, corners_mm: FloatArray) -> Pieces:
         left[going] = after
     tips = needles.weights.copy()
     tips[:, 1:] = _toward_base(needles.weights, left)
-    return _joined((*parts, Pieces(needles.parents, tips)))
+    return _concatenate((*parts, Pieces(needles.parents, tips)))
 
 
 def _toward_base(weights: FloatArray, share: FloatArray) -> FloatArray:
@@ -121,5 +121,5 @@ def _slices(needles: Pieces, before: FloatArray, after: FloatArray) -> tuple[Pie
     )
 
 
-def _joined(parts: tuple[Pieces, ...]) -> Pieces:
+def _concatenate(parts: tuple[Pieces, ...]) -> Pieces:
     return Pieces(np.concatenate([part.parents for part in parts]), np.concatenate([part.weights for part in parts]))

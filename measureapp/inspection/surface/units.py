@@ -11,7 +11,7 @@ from measureapp.arrays import FloatArray
 from measureapp.data.length_unit import OTHER_UNITS, LengthUnit
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError, UnitQuestion
-from measureapp.inspection.measured import MeasuredPoints, sampled
+from measureapp.inspection.measured_points import MeasuredPoints, sample_mesh
 from measureapp.inspection.surface.nominal import NominalSurface
 
 UNIT_TOLERANCE = 0.2
@@ -41,9 +41,9 @@ def check_size(points_mm: FloatArray, nominal_vertices_mm: FloatArray) -> None:
     ratio = cloud / nominal
     for unit in OTHER_UNITS:
         if abs(ratio * unit.in_mm - 1) < UNIT_TOLERANCE:
-            raise points_look_like(unit, f"The points span {cloud:.4g}, the nominal {nominal:.4g} mm")
+            raise ask_points_unit(unit, f"The points span {cloud:.4g}, the nominal {nominal:.4g} mm")
         if abs(ratio / unit.in_mm - 1) < UNIT_TOLERANCE:
-            raise _nominal_looks_like(unit, f"The points span {cloud:.4g} mm, the nominal {nominal:.4g}")
+            raise _ask_nominal_unit(unit, f"The points span {cloud:.4g} mm, the nominal {nominal:.4g}")
     if not SMALLEST < ratio < LARGEST:
         raise InspectionError(
             f"The points span {cloud:.4g} mm, the nominal {nominal:.4g} mm: this is not the part of the nominal.",
@@ -70,13 +70,13 @@ def check_unit(agreeing: Callable[[float], float], what: str) -> None:
     shares = {unit: agreeing(unit.in_mm) for unit in OTHER_UNITS}
     unit = max(shares, key=lambda one: shares[one])
     if shares[unit] >= max(FITS, BETTER * as_given):
-        raise points_look_like(unit, f"Taken as {unit.words}, {shares[unit]:.0%} {what}; taken as millimetres, {as_given:.0%}")
+        raise ask_points_unit(unit, f"Taken as {unit.words}, {shares[unit]:.0%} {what}; taken as millimetres, {as_given:.0%}")
 
 
-def check_unit_on(points: MeasuredPoints, surface: NominalSurface) -> None:
+def check_unit_against(points: MeasuredPoints, surface: NominalSurface) -> None:
     """Ask about the unit of points that lie on the nominal, and cover it, in another unit only. Raises InspectionError."""
     few = points.points_mm[:: -(-len(points) // SAMPLES)]
-    places = sampled(Mesh(surface.vertices_mm, surface.triangles, "nominal"), SAMPLES).points_mm
+    places = sample_mesh(Mesh(surface.vertices_mm, surface.triangles, "nominal"), SAMPLES).points_mm
     near_mm = NEAR_SHARE * surface.diagonal_mm
 
     def agreeing(factor: float) -> float:
@@ -87,13 +87,13 @@ def check_unit_on(points: MeasuredPoints, surface: NominalSurface) -> None:
     check_unit(agreeing, "of the nominal and of the points meet")
 
 
-def points_look_like(unit: LengthUnit, finding: str) -> UnitQuestion:
+def ask_points_unit(unit: LengthUnit, finding: str) -> UnitQuestion:
     """Return the question whether the points are in ``unit``."""
     hint = f"Say so with `--unit {unit}`, or scale the cloud to millimetres."
     return UnitQuestion(f"{finding}: the points look like {unit.words}.", hint, "points", unit, finding)
 
 
-def _nominal_looks_like(unit: LengthUnit, finding: str) -> UnitQuestion:
+def _ask_nominal_unit(unit: LengthUnit, finding: str) -> UnitQuestion:
     hint = f'Say so with `--nominal-unit {unit}`, in a program with `nominal_unit = "{unit}"`, or export the nominal in millimetres.'
     return UnitQuestion(f"{finding}: the nominal looks like {unit.words}.", hint, "nominal", unit, finding)
 

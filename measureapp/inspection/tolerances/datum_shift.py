@@ -17,11 +17,11 @@ from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
 from measureapp.data.material import DatumMaterial
 from measureapp.errors import InspectionError
-from measureapp.inspection.features.found import Found
+from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.tolerances.datums import DatumSystem, datum_system
-from measureapp.inspection.tolerances.material import bonus_of
-from measureapp.inspection.value import direction_of
+from measureapp.inspection.tolerances.material import compute_bonus
+from measureapp.inspection.value import require_direction
 
 STEP_MM = 0.01  # of a shift, for its effect: motions are linear over what a size leaves
 ROUNDS = 100
@@ -42,30 +42,30 @@ class Play:
     noise_mm: float  # standard uncertainty of that radius by the noise of the means
 
     @classmethod
-    def of(cls, number: int, material: DatumMaterial, datum: Found, nominal: Feature, settings: InspectionSettings) -> Play:
+    def of(cls, number: int, material: DatumMaterial, datum: FoundFeature, nominal: Feature, settings: InspectionSettings) -> Play:
         """Take the play from the datum's size. Raises InspectionError where it has none."""
-        bonus, noise = bonus_of(material.condition, material.size_limits_mm, datum, settings)
-        along = (datum.points_mm - nominal.point_mm) @ direction_of(nominal)
+        bonus, noise = compute_bonus(material.condition, material.size_limits_mm, datum, settings)
+        along = (datum.points_mm - nominal.point_mm) @ require_direction(nominal)
         return cls(number, np.array([along.min(), along.max()]), nominal, lambda feature: bonus(feature) / 2, noise / 2)
 
     def offsets(self, system: DatumSystem, feature: Feature) -> FloatArray:
         """Return by how far (2, 3) both ends of the measured axis lie beside that of the drawing."""
-        axis = direction_of(self.nominal)
-        middle, direction = system.apply(feature.point_mm), system.rotate(direction_of(feature))
+        axis = require_direction(self.nominal)
+        middle, direction = system.apply(feature.point_mm), system.rotate(require_direction(feature))
         heights = self.nominal.point_mm @ axis + self.ends_mm
         ends = middle + ((heights - middle @ axis) / (direction @ axis))[:, None] * direction
-        return across(ends - self.nominal.point_mm, axis)
+        return perpendicular_part(ends - self.nominal.point_mm, axis)
 
 
-def across(offsets_mm: FloatArray, axis: FloatArray) -> FloatArray:
+def perpendicular_part(offsets_mm: FloatArray, axis: FloatArray) -> FloatArray:
     """Return offsets (N, 3) without their part along an axis."""
     return offsets_mm - np.outer(offsets_mm @ axis, axis)
 
 
-def plays_of(
+def find_plays(
     materials: Sequence[DatumMaterial],
     names: Sequence[str],
-    datums: Sequence[Found],
+    datums: Sequence[FoundFeature],
     nominals: Sequence[Feature],
     settings: InspectionSettings,
 ) -> tuple[Play, ...]:
@@ -87,7 +87,7 @@ def plays_of(
     return tuple(made)
 
 
-def shifted_system(
+def shift_datum_system(
     drawn: Sequence[Feature], measured: Sequence[Feature], plays: Sequence[Play], offsets: Offsets, more_mm: float = 0.0
 ) -> DatumSystem:
     """Return the datum system shifted within all plays so that the greatest of the offsets is as small as it can be.
@@ -100,7 +100,7 @@ def shifted_system(
     """
     start = datum_system(drawn, measured)
     radii = [max(play.radius_mm(measured[play.number]) + more_mm, 0.0) for play in plays]
-    counts = [start.held[play.number].shape[1] for play in plays]
+    counts = [start.fixed[play.number].shape[1] for play in plays]
 
     def shifted(motion: FloatArray) -> DatumSystem:
         parts = np.split(motion, np.cumsum(counts)[:-1])
@@ -114,10 +114,10 @@ def shifted_system(
         return start
     moved = [off(shifted(STEP_MM * one)) for one in np.eye(sum(counts))]
     slopes = [np.stack([(step[k] - place) / STEP_MM for step in moved], axis=-1) for k, place in enumerate(places)]
-    return shifted(_best(places, slopes, radii))
+    return shifted(_minimise_greatest_offset(places, slopes, radii))
 
 
-def _best(places: Sequence[FloatArray], slopes: Sequence[FloatArray], radii: Sequence[float]) -> FloatArray:
+def _minimise_greatest_offset(places: Sequence[FloatArray], slopes: Sequence[FloatArray], radii: Sequence[float]) -> FloatArray:
     """Return the motion (P,) that makes the first places (M, 3) least far off while all others stay within their radii.
 
     A second-order cone program, small enough for sequential quadratic programming: the greatest distance itself is an unknown.

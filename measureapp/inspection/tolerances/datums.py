@@ -12,8 +12,8 @@ from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
 from measureapp.errors import InspectionError
 from measureapp.geometry.shapes import tangents
-from measureapp.inspection.features.found import Found
-from measureapp.inspection.value import AXES, CENTRES, direction_of, feature_of, nominal_of
+from measureapp.inspection.features.found_feature import FoundFeature
+from measureapp.inspection.value import AXES, CENTRES, require_direction, require_feature, require_nominal
 
 ARM_MM = 100.0  # a turn counts as what it moves a point this far away
 OPEN = 1e-3  # a motion that moves a feature by less than this share of itself does not move it
@@ -30,7 +30,7 @@ class DatumSystem:
     names: tuple[str, ...]
     nominal_from_measured: FloatArray  # 4×4
     free: FloatArray  # (6, F): shifts in mm, turns in rad times `ARM_MM`
-    held: tuple[FloatArray, ...] = ()  # (6, H) of each datum: the motions that it holds and those before it did not
+    fixed: tuple[FloatArray, ...] = ()  # (6, H) of each datum: the motions that it holds and those before it did not
 
     def apply(self, points_mm: FloatArray) -> FloatArray:
         """Return points (..., 3) as the drawing has them."""
@@ -55,11 +55,11 @@ class DatumSystem:
     def _require(self, rows: FloatArray, what: str, name: str) -> None:
         if len(rows) and self.free.shape[1] and np.abs(rows @ self.free).max() > OPEN:
             raise InspectionError(
-                f"The datums {'|'.join(self.names)} do not fix the {what} of {name}: they leave open {', '.join(open_motions(self.free))}"
+                f"The datums {'|'.join(self.names)} do not fix the {what} of {name}: they leave open {', '.join(describe_free_motions(self.free))}"
             )
 
 
-def open_motions(free: FloatArray) -> tuple[str, ...]:
+def describe_free_motions(free: FloatArray) -> tuple[str, ...]:
     """Return the motions (6, F) that are left open, in words."""
     if free.shape[1] == 0:
         return ()
@@ -67,13 +67,13 @@ def open_motions(free: FloatArray) -> tuple[str, ...]:
     return tuple(axes) if axes else ("a turn or shift along no axis of the drawing",)
 
 
-def nominals_of(datums: Sequence[Found]) -> list[Feature]:
+def require_nominals(datums: Sequence[FoundFeature]) -> list[Feature]:
     """Return the datums of the drawing. Raises InspectionError for what cannot be a datum."""
     for one in datums:
-        shape, patch = feature_of(one).shape, len(one.points_mm) > 0
+        shape, patch = require_feature(one).shape, len(one.points_mm) > 0
         if (shape == "point" and patch) or shape not in ("plane", *AXES, *CENTRES):
             raise InspectionError(f"{one.name} is a single point of a surface: a datum is a plane, an axis or a centre")
-    return [nominal_of(one) for one in datums]
+    return [require_nominal(one) for one in datums]
 
 
 def datum_system(nominals: Sequence[Feature], measured: Sequence[Feature], shifts: Mapping[int, FloatArray] = NO_SHIFTS) -> DatumSystem:
@@ -85,7 +85,7 @@ def datum_system(nominals: Sequence[Feature], measured: Sequence[Feature], shift
 
     Parameters
     ----------
-    shifts : by which motion (H,), in the columns of `held`, datums (by number) are then moved away from the drawing's; later ones follow
+    shifts : by which motion (H,), in the columns of `fixed`, datums (by number) are then moved away from the drawing's; later ones follow
 
     Raises
     ------
@@ -94,51 +94,51 @@ def datum_system(nominals: Sequence[Feature], measured: Sequence[Feature], shift
     """
     placed: FloatArray = np.eye(4)
     free: FloatArray = np.eye(6)
-    held: list[FloatArray] = []
+    fixed_motions: list[FloatArray] = []
     names = tuple(one.name for one in nominals)
     for number, (nominal, feature) in enumerate(zip(nominals, measured, strict=True)):
         fixed = np.vstack([_orientations(nominal), _locations(nominal, nominal.point_mm)]) @ free
         if np.abs(fixed).max(initial=0.0) < OPEN:
             raise InspectionError(f"Datum {nominal.name} fixes nothing that {'|'.join(names[: names.index(nominal.name)])} has not fixed")
-        placed = _laid(placed, free, nominal, feature)
-        _, rest = solver(fixed)
-        held.append(free @ np.linalg.svd(fixed)[2][: free.shape[1] - rest.shape[1]].T)
+        placed = _align_datum(placed, free, nominal, feature)
+        _, rest = pseudo_inverse(fixed)
+        fixed_motions.append(free @ np.linalg.svd(fixed)[2][: free.shape[1] - rest.shape[1]].T)
         if number in shifts:
-            placed = twist(held[-1] @ shifts[number]) @ placed
+            placed = twist_matrix(fixed_motions[-1] @ shifts[number]) @ placed
         free = free @ rest
-    return DatumSystem(names, placed, free, tuple(held))
+    return DatumSystem(names, placed, free, tuple(fixed_motions))
 
 
-def _laid(placed: FloatArray, free: FloatArray, nominal: Feature, feature: Feature) -> FloatArray:
+def _align_datum(placed: FloatArray, free: FloatArray, nominal: Feature, feature: Feature) -> FloatArray:
     for _ in range(ROUNDS):
         orientations = _orientations(nominal)
         turn = np.zeros(6)
         turning = free
         if len(orientations):
-            direction = placed[:3, :3] @ direction_of(feature)
-            expected = direction_of(nominal)
+            direction = placed[:3, :3] @ require_direction(feature)
+            expected = require_direction(nominal)
             direction = direction * (np.sign(direction @ expected) or 1.0)  # an axis has no sense
             off = ARM_MM * (tangents(expected) @ (direction - expected))
-            inverse, rest = solver(orientations @ free)
+            inverse, rest = pseudo_inverse(orientations @ free)
             turn, turning = -free @ inverse @ off, free @ rest
-        placed = twist(turn) @ placed
+        placed = twist_matrix(turn) @ placed
         point = placed[:3, :3] @ feature.point_mm + placed[:3, 3]
-        inverse, _ = solver(_locations(nominal, point) @ turning)
-        shift = -turning @ inverse @ (location_sides(nominal) @ (point - nominal.point_mm))
-        placed = twist(shift) @ placed
+        inverse, _ = pseudo_inverse(_locations(nominal, point) @ turning)
+        shift = -turning @ inverse @ (location_directions(nominal) @ (point - nominal.point_mm))
+        placed = twist_matrix(shift) @ placed
         if np.abs(turn).max() + np.abs(shift).max() < 1e-12:
             break
     return placed
 
 
-def solver(rows: FloatArray) -> tuple[FloatArray, FloatArray]:
+def pseudo_inverse(rows: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return the inverse of ``rows`` for the motions they fix, and the motions (columns) that they leave open."""
     u, sizes, vt = np.linalg.svd(rows)
     rank = int(np.count_nonzero(sizes > OPEN))
     return vt[:rank].T @ (u[:, :rank] / sizes[:rank]).T, vt[rank:].T
 
 
-def twist(motion: FloatArray) -> FloatArray:
+def twist_matrix(motion: FloatArray) -> FloatArray:
     """Return the 4×4 motion of a screw: shift and turn at once, so that a group of motions is not left."""
     x, y, z = motion[3:] / ARM_MM
     angle = float(np.sqrt(x * x + y * y + z * z))
@@ -153,16 +153,16 @@ def twist(motion: FloatArray) -> FloatArray:
     return made
 
 
-def location_sides(nominal: Feature) -> FloatArray:
+def location_directions(nominal: Feature) -> FloatArray:
     """The directions (K, 3) in which a feature of the drawing has a place."""
     if nominal.shape == "plane":
-        return direction_of(nominal)[None]
-    return tangents(direction_of(nominal)) if nominal.shape in AXES else np.eye(3)  # a cone counts as its axis
+        return require_direction(nominal)[None]
+    return tangents(require_direction(nominal)) if nominal.shape in AXES else np.eye(3)  # a cone counts as its axis
 
 
 def _locations(nominal: Feature, point_mm: FloatArray) -> FloatArray:
     """What a motion (shift, turn times `ARM_MM`) does to a point of the feature, in its sides (K, 6)."""
-    sides = location_sides(nominal)
+    sides = location_directions(nominal)
     return np.hstack([sides, np.cross(point_mm, sides) / ARM_MM])
 
 

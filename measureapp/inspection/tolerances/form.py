@@ -14,12 +14,12 @@ from measureapp.geometry.fits import fit
 from measureapp.geometry.minimum_zone import fit_minimum_zone
 from measureapp.geometry.shapes import tangents
 from measureapp.inspection.features.cells import Cells, angles, around_count, cell_means, surface_keys
-from measureapp.inspection.features.errors import NOISE, STITCHING, Source
-from measureapp.inspection.features.found import Found
+from measureapp.inspection.features.feature_errors import NOISE, STITCHING, ErrorSource
+from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.features.shapes import along_and_off
 from measureapp.inspection.settings import InspectionSettings
-from measureapp.inspection.tolerances.zone_noise import Zone, width_without_noise, widths_by_views
-from measureapp.inspection.value import Value, direction_of, feature_of, placement_of, summed
+from measureapp.inspection.tolerances.zone_noise import Zone, estimate_noise_free_width, propagate_view_errors
+from measureapp.inspection.value import Value, assumed_placement_sigma, combine_budgets, require_direction, require_feature
 
 LEAST_SECTIONS = 5
 LEAST_ON_LINE = 6
@@ -27,7 +27,7 @@ LEAST_SLANT_DEG = 5.0
 WORDS = {"minimum-zone": "minimum zone", "least-squares": "least squares"}
 
 
-def form_value(described: DimensionProgram, found: Found, settings: InspectionSettings) -> Value:
+def evaluate_form(described: DimensionProgram, found: FoundFeature, settings: InspectionSettings) -> Value:
     """Return the form deviation of one feature without what the noise of the means adds to it, and how sure that is.
 
     Raises
@@ -35,8 +35,8 @@ def form_value(described: DimensionProgram, found: Found, settings: InspectionSe
     InspectionError
         The feature has not this kind of form, or too little of it was measured.
     """
-    feature = feature_of(found)
-    cells = extracted(found, settings)
+    feature = require_feature(found)
+    cells = extract_cells(found, settings)
     if described.kind == "flatness":
         _require(found, "flatness", "plane")
         made = _zone("plane", cells, described.criterion, found.name, settings)
@@ -49,32 +49,36 @@ def form_value(described: DimensionProgram, found: Found, settings: InspectionSe
         made = _roundness(described.criterion, found, cells, settings)
     else:
         _require(found, "straightness", "plane", "cylinder", "cone")
-        made = _of_lines(described, found, settings) if feature.shape == "plane" else _of_axis(described.criterion, found, cells, settings)
+        made = (
+            _line_straightness(described, found, settings)
+            if feature.shape == "plane"
+            else _axis_straightness(described.criterion, found, cells, settings)
+        )
     how = f"{filter_words(settings)}, {WORDS[described.criterion]}{made.how}; Monte Carlo, {settings.form_trials} draws"
-    return Value(made.value, summed(made.budget, {STITCHING: across_views(found, settings)}), how)
+    return Value(made.value, combine_budgets(made.budget, {STITCHING: assumed_view_spread(found, settings)}), how)
 
 
-def across_views(found: Found, settings: InspectionSettings) -> float:
+def assumed_view_spread(found: FoundFeature, settings: InspectionSettings) -> float:
     """Return what several views add to the form of one surface where it is not known how they lie."""
-    return placement_of(found, settings) if found.views > 1 else 0.0
+    return assumed_placement_sigma(found, settings) if found.views > 1 else 0.0
 
 
 def _zone(shape: Shape, cells: Cells, criterion: Criterion, name: str, settings: InspectionSettings) -> Value:
     width = zone_width(shape, cells.points_mm, criterion, name)
-    return _without_noise([Zone.of(shape, cells.points_mm, cells.noises_mm, cells.by_views)], width, criterion, settings, "")
+    return _remove_noise([Zone.of(shape, cells.points_mm, cells.noises_mm, cells.view_contributions)], width, criterion, settings, "")
 
 
-def _without_noise(zones: list[Zone], width: float, criterion: Criterion, settings: InspectionSettings, how: str) -> Value:
-    true = width_without_noise(zones, width, criterion, settings.form_trials)
+def _remove_noise(zones: list[Zone], width: float, criterion: Criterion, settings: InspectionSettings, how: str) -> Value:
+    true = estimate_noise_free_width(zones, width, criterion, settings.form_trials)
     words = f"{how}; {width:.4f} mm less {true.shift_mm:.4f} mm that noise adds"
     if true.by_noise:
         words += f"; noise alone could have made it: one-sided, at most {true.value_mm + 2 * true.sigma_mm:.4f} mm"
-    return Value(true.value_mm, summed({NOISE: true.sigma_mm}, widths_by_views(zones, criterion)), words)
+    return Value(true.value_mm, combine_budgets({NOISE: true.sigma_mm}, propagate_view_errors(zones, criterion)), words)
 
 
-def extracted(found: Found, settings: InspectionSettings) -> Cells:
+def extract_cells(found: FoundFeature, settings: InspectionSettings) -> Cells:
     """Return the means of a feature's points over the cells of its surface. Raises InspectionError."""
-    feature = feature_of(found)
+    feature = require_feature(found)
     if len(found.points_mm) == 0:
         raise InspectionError(f"{found.name} was made from other features and has no measured surface")
     return cell_means(found, feature, surface_keys(found.points_mm, feature, settings.form_cell_mm))
@@ -94,7 +98,7 @@ def zone_width(shape: Shape, points_mm: FloatArray, criterion: Criterion, name: 
     return made.form_error_mm
 
 
-def sections(cells: Cells, around: int, settings: InspectionSettings, name: str) -> list[BoolArray]:
+def find_full_sections(cells: Cells, around: int, settings: InspectionSettings, name: str) -> list[BoolArray]:
     """Return which cells (K,) make each section that is measured all round. Raises InspectionError when there is none."""
     masks = [cells.keys[:, 0] == key for key in np.unique(cells.keys[:, 0])]
     shares = [len(np.unique(cells.keys[mask, 1])) / around for mask in masks]
@@ -106,26 +110,26 @@ def sections(cells: Cells, around: int, settings: InspectionSettings, name: str)
     return whole
 
 
-def around_of(feature: Feature, settings: InspectionSettings) -> int:
+def cells_per_turn(feature: Feature, settings: InspectionSettings) -> int:
     """Return into how many cells a turn of a round feature is divided."""
     return around_count(feature.radius_mm or settings.form_cell_mm, settings.form_cell_mm)
 
 
-def _require(found: Found, kind: str, *shapes: str) -> None:
-    shape = feature_of(found).shape
+def _require(found: FoundFeature, kind: str, *shapes: str) -> None:
+    shape = require_feature(found).shape
     if shape not in shapes:
         raise InspectionError(f"{found.name} is a {shape}: {kind} is defined for a {' or '.join(shapes)}")
 
 
 def _require_turn(cells: Cells, feature: Feature, settings: InspectionSettings, name: str) -> None:
-    share = len(np.unique(cells.keys[:, 1])) / around_of(feature, settings)
+    share = len(np.unique(cells.keys[:, 1])) / cells_per_turn(feature, settings)
     if share < settings.least_turn:
         raise InspectionError(f"{name}: only {share:.0%} of the turn is measured, {settings.least_turn:.0%} are needed")
 
 
 def _profile(feature: Feature, cells: Cells, section: BoolArray) -> tuple[FloatArray, float]:
     """Points (K, 3) of one section laid into a plane across the axis, and where that plane lies along it."""
-    axis = direction_of(feature)
+    axis = require_direction(feature)
     along, _, _ = along_and_off(cells.points_mm[section], feature.point_mm, axis)
     turn = angles(cells.points_mm[section], feature.point_mm, axis)
     tilt = feature.half_angle_rad or 0.0
@@ -134,50 +138,53 @@ def _profile(feature: Feature, cells: Cells, section: BoolArray) -> tuple[FloatA
     return np.column_stack([radius * np.cos(turn), radius * np.sin(turn), np.zeros_like(turn)]), height
 
 
-def _roundness(criterion: Criterion, found: Found, cells: Cells, settings: InspectionSettings) -> Value:
-    feature = feature_of(found)
-    whole = sections(cells, around_of(feature, settings), settings, found.name)
+def _roundness(criterion: Criterion, found: FoundFeature, cells: Cells, settings: InspectionSettings) -> Value:
+    feature = require_feature(found)
+    whole = find_full_sections(cells, cells_per_turn(feature, settings), settings, found.name)
     profiles = [_profile(feature, cells, section)[0] for section in whole]
     widths = [zone_width("circle", profile, criterion, found.name) for profile in profiles]
     lean = np.cos(feature.half_angle_rad or 0.0)
     zones = [
         Zone.of(
-            "circle", profile, cells.noises_mm[section] / lean, {source: rows[section] / lean for source, rows in cells.by_views.items()}
+            "circle",
+            profile,
+            cells.noises_mm[section] / lean,
+            {source: rows[section] / lean for source, rows in cells.view_contributions.items()},
         )
         for profile, section in zip(profiles, whole, strict=True)
     ]
-    return _without_noise(zones, max(widths), criterion, settings, f", the worst of {len(whole)} sections")
+    return _remove_noise(zones, max(widths), criterion, settings, f", the worst of {len(whole)} sections")
 
 
-def _of_axis(criterion: Criterion, found: Found, cells: Cells, settings: InspectionSettings) -> Value:
+def _axis_straightness(criterion: Criterion, found: FoundFeature, cells: Cells, settings: InspectionSettings) -> Value:
     """Diameter of the cylinder about the centres of all sections (the derived median line of ISO 14660-2)."""
-    feature = feature_of(found)
-    whole = sections(cells, around_of(feature, settings), settings, found.name)
+    feature = require_feature(found)
+    whole = find_full_sections(cells, cells_per_turn(feature, settings), settings, found.name)
     if len(whole) < LEAST_SECTIONS:
         raise InspectionError(f"{found.name}: its axis has only {len(whole)} whole sections, {LEAST_SECTIONS} are needed")
-    side, lean = tangents(direction_of(feature)), np.cos(feature.half_angle_rad or 0.0)
+    side, lean = tangents(require_direction(feature)), np.cos(feature.half_angle_rad or 0.0)
     centres, spreads = [], []
-    moved: dict[Source, list[FloatArray]] = {source: [] for source in cells.by_views}
+    moved: dict[ErrorSource, list[FloatArray]] = {source: [] for source in cells.view_contributions}
     for section in whole:
         flat, height = _profile(feature, cells, section)
         turn = np.arctan2(flat[:, 1], flat[:, 0])
         design = np.column_stack([np.cos(turn), np.sin(turn), np.ones_like(turn)])
         centre = np.linalg.lstsq(design, np.hypot(flat[:, 0], flat[:, 1]), rcond=None)[0][:2]
         spreads.append(np.sqrt(np.linalg.inv(design.T @ design)[[0, 1], [0, 1]].max()))
-        centres.append(feature.point_mm + height * direction_of(feature) + centre @ side)
-        for source, rows in cells.by_views.items():
+        centres.append(feature.point_mm + height * require_direction(feature) + centre @ side)
+        for source, rows in cells.view_contributions.items():
             moved[source].append(side.T @ (np.linalg.pinv(design)[:2] @ rows[section] / lean))
     width = zone_width("line", np.array(centres), criterion, found.name)
-    across = tangents(direction_of(fit("line", np.array(centres))))
+    across = tangents(require_direction(fit("line", np.array(centres))))
     by_views = {source: np.vstack([across[k] @ np.array(shifts) for k in range(2)]) for source, shifts in moved.items()}
     zone = Zone.of("line", np.array(centres), cells.noise_mm / lean * np.array(spreads), by_views)
-    return _without_noise([zone], width, criterion, settings, f", the axis through {len(whole)} sections")
+    return _remove_noise([zone], width, criterion, settings, f", the axis through {len(whole)} sections")
 
 
-def _of_lines(described: DimensionProgram, found: Found, settings: InspectionSettings) -> Value:
+def _line_straightness(described: DimensionProgram, found: FoundFeature, settings: InspectionSettings) -> Value:
     """Greatest straightness of the lines of a plane that run along the direction asked for."""
-    feature = feature_of(found)
-    normal = direction_of(feature)
+    feature = require_feature(found)
+    normal = require_direction(feature)
     if described.along is None:
         raise InspectionError(f"{found.name} is a plane: its straightness needs `along`, the direction of the lines")
     wanted = np.asarray(described.along, float)
@@ -199,11 +206,11 @@ def _of_lines(described: DimensionProgram, found: Found, settings: InspectionSet
             position[mask],
             cells.deviations_mm[mask],
             cells.noises_mm[mask],
-            {source: rows[mask] for source, rows in cells.by_views.items()},
+            {source: rows[mask] for source, rows in cells.view_contributions.items()},
         )
         for mask in lines
     ]
-    return _without_noise(zones, max(widths), described.criterion, settings, f", the worst of {len(lines)} lines")
+    return _remove_noise(zones, max(widths), described.criterion, settings, f", the worst of {len(lines)} lines")
 
 
 def _line_width(position: FloatArray, height: FloatArray, criterion: Criterion) -> float:

@@ -10,21 +10,23 @@ from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import DimensionProgram
 from measureapp.errors import InspectionError
-from measureapp.inspection.features.errors import NOISE
-from measureapp.inspection.features.found import Found
-from measureapp.inspection.propagation import propagated
+from measureapp.inspection.features.feature_errors import NOISE
+from measureapp.inspection.features.found_feature import FoundFeature
+from measureapp.inspection.propagation import propagate
 from measureapp.inspection.settings import InspectionSettings
-from measureapp.inspection.tolerances.datum_shift import Play, across, plays_of, shifted_system
-from measureapp.inspection.tolerances.datums import DatumSystem, datum_system, nominals_of
-from measureapp.inspection.tolerances.form import extracted
-from measureapp.inspection.tolerances.material import WORDS, bonus_of
-from measureapp.inspection.tolerances.profiles import surface_value
-from measureapp.inspection.value import AXES, CENTRES, Value, direction_of, feature_of, nominal_of, summed
+from measureapp.inspection.tolerances.datum_shift import Play, find_plays, perpendicular_part, shift_datum_system
+from measureapp.inspection.tolerances.datums import DatumSystem, datum_system, require_nominals
+from measureapp.inspection.tolerances.form import extract_cells
+from measureapp.inspection.tolerances.material import WORDS, compute_bonus
+from measureapp.inspection.tolerances.profiles import evaluate_surface_zone
+from measureapp.inspection.value import AXES, CENTRES, Value, combine_budgets, require_direction, require_feature, require_nominal
 
 Width = Callable[[Sequence[Feature]], float]
 
 
-def position(described: DimensionProgram, found: Found, datums: tuple[Found, ...], settings: InspectionSettings) -> Value:
+def evaluate_position(
+    described: DimensionProgram, found: FoundFeature, datums: tuple[FoundFeature, ...], settings: InspectionSettings
+) -> Value:
     """Return the width of the zone about the exact place: of a sphere for a centre, a cylinder for an axis, two planes for a plane.
 
     Raises
@@ -32,16 +34,16 @@ def position(described: DimensionProgram, found: Found, datums: tuple[Found, ...
     InspectionError
         The datums do not fix the place, the feature has no position, or a material condition is asked of what has no size.
     """
-    feature, nominal, drawn = feature_of(found), nominal_of(found), nominals_of(datums)
-    datum_system(drawn, [feature_of(one) for one in datums]).require_place(nominal, found.name)
+    feature, nominal, drawn = require_feature(found), require_nominal(found), require_nominals(datums)
+    datum_system(drawn, [require_feature(one) for one in datums]).require_place(nominal, found.name)
     if feature.shape == "plane" and not described.datum_material:
-        return surface_value(found, datums, extracted(found, settings), settings)
+        return evaluate_surface_zone(found, datums, extract_cells(found, settings), settings)
     if feature.shape not in (*AXES, *CENTRES):
         shapes = "axes and centres where a datum has a material condition" if described.datum_material else "planes, axes and centres"
         raise InspectionError(f"{found.name} is a {feature.shape}: position is defined for {shapes}")
-    zone = _Zone(nominal, drawn, ends_of(found, feature), plays_of(described.datum_material, described.datums, datums, drawn, settings))
-    made = _widened(described, zone.width, found, datums, settings, _words(feature, zone.ends_mm))
-    return zone.with_shift(made, [feature, *(feature_of(one) for one in datums)])
+    zone = _Zone(nominal, drawn, ends_of(found, feature), find_plays(described.datum_material, described.datums, datums, drawn, settings))
+    made = _add_material_bonus(described, zone.width, found, datums, settings, _describe(feature, zone.ends_mm))
+    return zone.with_shift(made, [feature, *(require_feature(one) for one in datums)])
 
 
 class _Zone:
@@ -53,7 +55,7 @@ class _Zone:
     def width(self, features: Sequence[Feature], more_mm: float = 0.0) -> float:
         """Width of the zone that the feature needs, the part shifted as best it can be."""
         points = points_of(features[0], self.ends_mm)
-        system = shifted_system(self.drawn, features[1:], self.plays, lambda made: self._offsets(made, points), more_mm)
+        system = shift_datum_system(self.drawn, features[1:], self.plays, lambda made: self._offsets(made, points), more_mm)
         return self._width(system, points)
 
     def with_shift(self, made: Value, features: Sequence[Feature]) -> Value:
@@ -66,34 +68,34 @@ class _Zone:
         unshifted = self._width(datum_system(self.drawn, features[1:]), points_of(features[0], self.ends_mm))
         sizes = ", ".join(f"{play.nominal.name} loose by {2 * play.radius_mm(features[1 + play.number]):.4f} mm" for play in self.plays)
         words = f"{made.how}; datum shift: {sizes}, {unshifted:.4f} mm without it"
-        return Value(made.value, summed(made.budget, {NOISE: change}), words, made.bonus)
+        return Value(made.value, combine_budgets(made.budget, {NOISE: change}), words, made.bonus)
 
     def _width(self, system: DatumSystem, points_mm: FloatArray) -> float:
         return 2 * float(np.linalg.norm(self._offsets(system, points_mm), axis=1).max())
 
     def _offsets(self, system: DatumSystem, points_mm: FloatArray) -> FloatArray:
         away = system.apply(points_mm) - self.nominal.point_mm
-        return across(away, direction_of(self.nominal)) if self.nominal.shape in AXES else away
+        return perpendicular_part(away, require_direction(self.nominal)) if self.nominal.shape in AXES else away
 
 
-def _widened(
-    described: DimensionProgram, width: Width, found: Found, datums: tuple[Found, ...], settings: InspectionSettings, how: str
+def _add_material_bonus(
+    described: DimensionProgram, width: Width, found: FoundFeature, datums: tuple[FoundFeature, ...], settings: InspectionSettings, how: str
 ) -> Value:
     """Return the width with the bonus that the feature's own size gives."""
     if described.size_limits_mm is None or described.material_condition == "regardless":
-        return placed_value(width, found, datums, how)
-    bonus, noise = bonus_of(described.material_condition, described.size_limits_mm, found, settings)
-    left = placed_value(lambda features: width(features) - bonus(features[0]), found, datums, how)
-    gained = bonus(feature_of(found))
+        return evaluate_width(width, found, datums, how)
+    bonus, noise = compute_bonus(described.material_condition, described.size_limits_mm, found, settings)
+    left = evaluate_width(lambda features: width(features) - bonus(features[0]), found, datums, how)
+    gained = bonus(require_feature(found))
     words = f"{how}; {WORDS[described.material_condition]}: {gained:.4f} mm more than {described.upper_tolerance:g} mm"
-    return Value(left.value + gained, summed(left.budget, {NOISE: noise}), words, gained)
+    return Value(left.value + gained, combine_budgets(left.budget, {NOISE: noise}), words, gained)
 
 
-def _words(feature: Feature, ends_mm: FloatArray) -> str:
+def _describe(feature: Feature, ends_mm: FloatArray) -> str:
     return "associated centre" if feature.shape in CENTRES else f"associated axis over {float(np.ptp(ends_mm)):.1f} mm"
 
 
-def common_centre(kind: str, found: Found, datum: Found) -> Value:
+def evaluate_coaxiality(kind: str, found: FoundFeature, datum: FoundFeature) -> Value:
     """Return twice the greatest distance of an axis (coaxiality) or a centre (concentricity) from the datum's axis or centre.
 
     Raises
@@ -101,7 +103,7 @@ def common_centre(kind: str, found: Found, datum: Found) -> Value:
     InspectionError
         The feature or its datum has no axis or centre.
     """
-    feature, base = feature_of(found), feature_of(datum)
+    feature, base = require_feature(found), require_feature(datum)
     wanted = AXES if kind == "coaxiality" else CENTRES
     if feature.shape not in wanted:
         raise InspectionError(f"{found.name} is a {feature.shape}: {kind} is defined for {'axes' if kind == 'coaxiality' else 'centres'}")
@@ -112,18 +114,18 @@ def common_centre(kind: str, found: Found, datum: Found) -> Value:
     def width(features: Sequence[Feature]) -> float:
         away: FloatArray = points_of(features[0], ends) - features[1].point_mm
         if base.shape in AXES:
-            away = across(away, direction_of(features[1]))
+            away = perpendicular_part(away, require_direction(features[1]))
         return 2 * float(np.linalg.norm(away, axis=1).max())
 
-    return placed_value(width, found, (datum,), _words(feature, ends))
+    return evaluate_width(width, found, (datum,), _describe(feature, ends))
 
 
-def placed_value(width: Width, found: Found, datums: tuple[Found, ...], how: str) -> Value:
+def evaluate_width(width: Width, found: FoundFeature, datums: tuple[FoundFeature, ...], how: str) -> Value:
     """Return the width with its uncertainty from all that the feature and its datums err by."""
-    return Value(*propagated(width, (found, *datums)), how)
+    return Value(*propagate(width, (found, *datums)), how)
 
 
-def ends_of(found: Found, feature: Feature) -> FloatArray:
+def ends_of(found: FoundFeature, feature: Feature) -> FloatArray:
     """Return where the measured part of an axis begins and ends along it (2,); a centre and a constructed axis are their point alone."""
     if feature.shape in CENTRES or feature.direction is None or len(found.points_mm) == 0:
         return np.zeros(1)

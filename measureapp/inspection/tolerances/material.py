@@ -15,16 +15,16 @@ from measureapp.data.cut import Range
 from measureapp.data.feature import Feature
 from measureapp.data.material import MaterialCondition
 from measureapp.errors import InspectionError
-from measureapp.inspection.features.found import Found
+from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.settings import InspectionSettings
-from measureapp.inspection.tolerances.form import extracted
-from measureapp.inspection.value import feature_of
+from measureapp.inspection.tolerances.form import extract_cells
+from measureapp.inspection.value import require_feature
 
 WORDS = {"maximum": "maximum material", "least": "least material"}
 
 
-def bonus_of(
-    condition: MaterialCondition, limits_mm: Range, found: Found, settings: InspectionSettings
+def compute_bonus(
+    condition: MaterialCondition, limits_mm: Range, found: FoundFeature, settings: InspectionSettings
 ) -> tuple[Callable[[Feature], float], float]:
     """Return what gives the bonus in mm from the feature, and its standard uncertainty by the noise of the means alone.
 
@@ -33,10 +33,10 @@ def bonus_of(
     InspectionError
         The feature is no measured cylinder, or too little of it was measured.
     """
-    if feature_of(found).shape != "cylinder":
-        raise InspectionError(f"{found.name} is a {feature_of(found).shape}: a material condition is taken of a measured cylinder")
+    if require_feature(found).shape != "cylinder":
+        raise InspectionError(f"{found.name} is a {require_feature(found).shape}: a material condition is taken of a measured cylinder")
     least, most = limits_mm
-    cells = extracted(found, settings)
+    cells = extract_cells(found, settings)
     inner = found.hole == (condition == "maximum")  # the size that lies inside all means
     extreme = float(cells.deviations_mm.min() if inner else cells.deviations_mm.max())
 

@@ -10,21 +10,23 @@ from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import DimensionProgram, Section
 from measureapp.errors import InspectionError
-from measureapp.inspection.features.cells import Cells, cell_means, grid_keys, means_over, surface_keys
-from measureapp.inspection.features.errors import NOISE, STITCHING
-from measureapp.inspection.features.found import Found
+from measureapp.inspection.features.cells import Cells, cell_means, grid_keys, surface_keys, surface_means
+from measureapp.inspection.features.feature_errors import NOISE, STITCHING
+from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.features.free_form import FoundSurface
 from measureapp.inspection.features.shapes import signed_distances
-from measureapp.inspection.propagation import propagated_on
+from measureapp.inspection.propagation import propagate_with_surface
 from measureapp.inspection.settings import InspectionSettings
-from measureapp.inspection.tolerances.datums import DatumSystem, datum_system, nominals_of
-from measureapp.inspection.tolerances.form import extracted, filter_words
-from measureapp.inspection.value import Value, feature_of, nominal_of, placement_of, summed
+from measureapp.inspection.tolerances.datums import DatumSystem, datum_system, require_nominals
+from measureapp.inspection.tolerances.form import extract_cells, filter_words
+from measureapp.inspection.value import Value, assumed_placement_sigma, combine_budgets, require_feature, require_nominal
 
 NO_DATUM = DatumSystem((), np.eye(4), np.empty((6, 0)))
 
 
-def profile_value(described: DimensionProgram, found: Found, datums: tuple[Found, ...], settings: InspectionSettings) -> Value:
+def evaluate_profile(
+    described: DimensionProgram, found: FoundFeature, datums: tuple[FoundFeature, ...], settings: InspectionSettings
+) -> Value:
     """Return twice the greatest distance of the means from the middle of the zone: of all of them, or where a plane cuts the surface.
 
     Raises
@@ -33,13 +35,13 @@ def profile_value(described: DimensionProgram, found: Found, datums: tuple[Found
         The datums do not fix the zone, the drawing has no such surface, or too little of it was measured.
     """
     if datums:
-        system = datum_system(nominals_of(datums), [feature_of(one) for one in datums])
+        system = datum_system(require_nominals(datums), [require_feature(one) for one in datums])
         if isinstance(found, FoundSurface):
             system.require_nothing_open(found.name)
         else:
-            system.require_place(nominal_of(found), found.name)
+            system.require_place(require_nominal(found), found.name)
     cells = _cells(found, described.section, settings)
-    made = surface_value(found, datums, cells, settings, described.zone_offset_mm)
+    made = evaluate_surface_zone(found, datums, cells, settings, described.zone_offset_mm)
     words = [made.how]
     if described.zone_offset_mm:
         side = "out of" if described.zone_offset_mm > 0 else "into"
@@ -49,37 +51,37 @@ def profile_value(described: DimensionProgram, found: Found, datums: tuple[Found
     return Value(made.value, made.budget, ", ".join(words))
 
 
-def surface_value(
-    found: Found, datums: tuple[Found, ...], cells: Cells, settings: InspectionSettings, zone_offset_mm: float = 0.0
+def evaluate_surface_zone(
+    found: FoundFeature, datums: tuple[FoundFeature, ...], cells: Cells, settings: InspectionSettings, zone_offset_mm: float = 0.0
 ) -> Value:
     """Return twice the greatest distance of means from the drawn surface as the datums place it, moved out of the material."""
     distances = _distances(found)
-    drawn = nominals_of(datums)
+    drawn = require_nominals(datums)
 
     def width(features: Sequence[Feature], points_mm: FloatArray) -> float:
         system = datum_system(drawn, features) if datums else NO_DATUM
         return 2 * float(np.abs(distances(system.apply(points_mm)) - zone_offset_mm).max())
 
-    value, budget = propagated_on(width, datums, cells)
+    value, budget = propagate_with_surface(width, datums, cells)
     # the greatest distance is off by no more than the greatest noise, the width by twice that: the range of the noise
-    own = {NOISE: cells.form_sigma_mm, STITCHING: 2 * placement_of(found, settings)}
-    return Value(value, summed(budget, own), filter_words(settings))
+    own = {NOISE: cells.form_sigma_mm, STITCHING: 2 * assumed_placement_sigma(found, settings)}
+    return Value(value, combine_budgets(budget, own), filter_words(settings))
 
 
-def _distances(found: Found) -> Callable[[FloatArray], FloatArray]:
+def _distances(found: FoundFeature) -> Callable[[FloatArray], FloatArray]:
     """Return what gives the distances of points (N, 3) from the drawn surface, positive out of the material."""
     if isinstance(found, FoundSurface):
-        return lambda points: found.beside(points)[0]
-    if feature_of(found).shape not in ("plane", "cylinder", "cone", "sphere"):
-        raise InspectionError(f"{found.name} is a {feature_of(found).shape}: it has no surface that the drawing places")
-    nominal, side = nominal_of(found), -1.0 if found.hole else 1.0
+        return lambda points: found.distances_and_normals(points)[0]
+    if require_feature(found).shape not in ("plane", "cylinder", "cone", "sphere"):
+        raise InspectionError(f"{found.name} is a {require_feature(found).shape}: it has no surface that the drawing places")
+    nominal, side = require_nominal(found), -1.0 if found.hole else 1.0
     return lambda points: side * signed_distances(nominal, points)
 
 
-def _cells(found: Found, section: Section | None, settings: InspectionSettings) -> Cells:
+def _cells(found: FoundFeature, section: Section | None, settings: InspectionSettings) -> Cells:
     """Return the means of the points, with a section of those within half a cell of its plane."""
     if section is None and not isinstance(found, FoundSurface):
-        return extracted(found, settings)
+        return extract_cells(found, settings)
     near = np.ones(len(found.points_mm), bool)
     if section is not None:
         normal = np.asarray(section.normal, float)
@@ -88,6 +90,6 @@ def _cells(found: Found, section: Section | None, settings: InspectionSettings) 
         if not near.any():
             raise InspectionError(f"{found.name} was not measured where the section cuts it")
     if isinstance(found, FoundSurface):
-        return means_over(found, found.beside, grid_keys(found.feet()[near], settings.form_cell_mm), near)
-    feature = feature_of(found)
+        return surface_means(found, found.distances_and_normals, grid_keys(found.closest_points()[near], settings.form_cell_mm), near)
+    feature = require_feature(found)
     return cell_means(found, feature, surface_keys(found.points_mm[near], feature, settings.form_cell_mm), near)

@@ -10,18 +10,18 @@ from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.feature import Feature
 from measureapp.errors import InspectionError
 from measureapp.inspection.features.cells import LEAST_AROUND, Cells, angles, around_count, cell_means, round_keys
-from measureapp.inspection.features.errors import NOISE, STITCHING
-from measureapp.inspection.features.found import Found
+from measureapp.inspection.features.feature_errors import NOISE, STITCHING
+from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.features.shapes import along_and_off
-from measureapp.inspection.propagation import propagated_on
+from measureapp.inspection.propagation import propagate_with_surface
 from measureapp.inspection.settings import InspectionSettings
-from measureapp.inspection.tolerances.form import across_views, filter_words, sections
-from measureapp.inspection.value import AXES, Value, direction_of, feature_of, summed
+from measureapp.inspection.tolerances.form import assumed_view_spread, filter_words, find_full_sections
+from measureapp.inspection.value import AXES, Value, combine_budgets, require_direction, require_feature
 
 GREATEST_LEAN_DEG = 10.0
 
 
-def run_out(kind: str, found: Found, datum: Found, settings: InspectionSettings) -> Value:
+def evaluate_run_out(kind: str, found: FoundFeature, datum: FoundFeature, settings: InspectionSettings) -> Value:
     """Return how far a gauge moves while the part turns about the datum axis.
 
     Of a cylinder across the axis (radial), of a plane along it (axial): circular in the worst single section or ring,
@@ -32,35 +32,35 @@ def run_out(kind: str, found: Found, datum: Found, settings: InspectionSettings)
     InspectionError
         The datum has no axis, the surface does not lie about it, or no section is measured all round.
     """
-    feature, base = feature_of(found), feature_of(datum)
+    feature, base = require_feature(found), require_feature(datum)
     _require(found, feature, datum, base)
     axial = feature.shape == "plane"
-    cells, around = _extracted(found, base, axial, settings)
-    whole = sections(cells, around, settings, found.name)
+    cells, around = _extract_cells(found, base, axial, settings)
+    whole = find_full_sections(cells, around, settings, found.name)
     parts = whole if kind == "circular_runout" else [np.any(whole, axis=0)]
 
     def width(features: Sequence[Feature], points_mm: FloatArray) -> float:
-        along, off, _ = along_and_off(points_mm, features[0].point_mm, direction_of(features[0]))
+        along, off, _ = along_and_off(points_mm, features[0].point_mm, require_direction(features[0]))
         read = along if axial else off
         return max(float(np.ptp(read[part])) for part in parts)
 
-    value, budget = propagated_on(width, (datum,), cells)
+    value, budget = propagate_with_surface(width, (datum,), cells)
     how = f"{filter_words(settings)}, {'axial' if axial else 'radial'}, {len(whole)} {'rings' if axial else 'sections'}"
-    return Value(value, summed(budget, {NOISE: cells.form_sigma_mm, STITCHING: across_views(found, settings)}), how)
+    return Value(value, combine_budgets(budget, {NOISE: cells.form_sigma_mm, STITCHING: assumed_view_spread(found, settings)}), how)
 
 
-def _require(found: Found, feature: Feature, datum: Found, base: Feature) -> None:
+def _require(found: FoundFeature, feature: Feature, datum: FoundFeature, base: Feature) -> None:
     if base.shape not in AXES:
         raise InspectionError(f"{datum.name} is a {base.shape}: run-out needs an axis as its datum")
     if feature.shape not in ("cylinder", "plane") or len(found.points_mm) == 0:
         raise InspectionError(f"{found.name} is a {feature.shape}: run-out is taken of measured cylinders and planes")
-    lean = float(np.degrees(np.arccos(min(1.0, abs(float(direction_of(feature) @ direction_of(base)))))))
+    lean = float(np.degrees(np.arccos(min(1.0, abs(float(require_direction(feature) @ require_direction(base)))))))
     if lean > GREATEST_LEAN_DEG:
         raise InspectionError(f"{found.name} is {lean:.0f}° from lying about the axis of {datum.name}: it has no run-out")
 
 
-def _extracted(found: Found, base: Feature, axial: bool, settings: InspectionSettings) -> tuple[Cells, int]:
-    feature, points, axis = feature_of(found), found.points_mm, direction_of(base)
+def _extract_cells(found: FoundFeature, base: Feature, axial: bool, settings: InspectionSettings) -> tuple[Cells, int]:
+    feature, points, axis = require_feature(found), found.points_mm, require_direction(base)
     if not axial:
         radius = feature.radius_mm or settings.form_cell_mm
         keys = round_keys(points, base.point_mm, axis, settings.form_cell_mm, radius)

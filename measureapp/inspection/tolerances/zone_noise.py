@@ -2,7 +2,7 @@
 
 The propagation of small changes knows of no such shift (JCGM 101, clause 5.10: where the model is not linear, distributions
 are propagated by Monte Carlo). The shift depends on how many places lie nearly furthest, which is estimated from the heights
-themselves, see `noise_free_heights`.
+themselves, see `estimate_noise_free_heights`.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ from measureapp.geometry.feature import Shape
 from measureapp.geometry.fits import Scaled, fit, state_of
 from measureapp.geometry.shapes import MODELS
 from measureapp.geometry.zone_models import ZONES
-from measureapp.inspection.features.errors import Source, principal
-from measureapp.inspection.tolerances.noise_free import noise_free_heights
+from measureapp.inspection.features.feature_errors import ErrorSource, principal_errors
+from measureapp.inspection.tolerances.empirical_bayes import estimate_noise_free_heights
 from measureapp.inspection.value import Budget
 
 SHIFT_DRAWS = 40  # for the mean shift: known to a sixth of the scatter of a single width
@@ -37,10 +37,12 @@ class Zone:
     distances_mm: FloatArray  # (K, N): K = 2 for an axis in space
     derivatives: FloatArray  # (K, N, P)
     noise_mm: FloatArray  # (N,), standard deviations of the distances
-    by_views: Mapping[Source, FloatArray] = field(default_factory=dict)  # (K N, M), errors of the distances because of the views
+    view_contributions: Mapping[ErrorSource, FloatArray] = field(
+        default_factory=dict
+    )  # (K N, M), errors of the distances because of the views
 
     @classmethod
-    def of(cls, shape: Shape, points_mm: FloatArray, noise_mm: FloatArray, by_views: Mapping[Source, FloatArray]) -> Zone:
+    def of(cls, shape: Shape, points_mm: FloatArray, noise_mm: FloatArray, by_views: Mapping[ErrorSource, FloatArray]) -> Zone:
         """Linearise at the least-squares fit; form errors are small beside the shape. Raises FitError."""
         points = np.asarray(points_mm, np.float64)
         scaled = Scaled.of(points)
@@ -49,19 +51,21 @@ class Zone:
         return cls(distances * scaled.scale_mm, derivatives, noise_mm, by_views)
 
     @classmethod
-    def of_profile(cls, position: FloatArray, height_mm: FloatArray, noise_mm: FloatArray, by_views: Mapping[Source, FloatArray]) -> Zone:
+    def of_profile(
+        cls, position: FloatArray, height_mm: FloatArray, noise_mm: FloatArray, by_views: Mapping[ErrorSource, FloatArray]
+    ) -> Zone:
         """The strip about a profile over a straight line."""
         return cls(height_mm[None], np.stack([position, np.ones_like(position)], axis=1)[None], noise_mm, by_views)
 
-    def fitted(self, heights_mm: FloatArray) -> FloatArray:
+    def fit_residuals(self, heights_mm: FloatArray) -> FloatArray:
         """Return heights (D, K, N) from their own least-squares fits."""
         return self._rest(heights_mm, np.ones((len(heights_mm), heights_mm.shape[2])))
 
     def widths(self, heights_mm: FloatArray, criterion: Criterion) -> FloatArray:
         """Return the widths (D,) of the zones of heights (D, K, N) above the shape."""
-        return self.tightened(heights_mm, criterion)[0]
+        return self.fit_lawson(heights_mm, criterion)[0]
 
-    def tightened(self, heights_mm: FloatArray, criterion: Criterion) -> tuple[FloatArray, FloatArray]:
+    def fit_lawson(self, heights_mm: FloatArray, criterion: Criterion) -> tuple[FloatArray, FloatArray]:
         """Return the widths (D,) of zones, and the weights (D, N) whose least-squares fits lie in their middle.
 
         The least greatest distance is approached by C. L. Lawson's reweighting (thesis, UCLA, 1961), for all draws at once: in
@@ -103,7 +107,7 @@ class Zone:
 
 
 @dataclass(frozen=True, slots=True)
-class TrueWidth:
+class NoiseFreeWidth:
     """The width that a zone would have without noise."""
 
     value_mm: float
@@ -112,7 +116,7 @@ class TrueWidth:
     by_noise: bool = False  # noise alone could have made it: the interval reaches down to zero
 
 
-def width_without_noise(zones: Sequence[Zone], width_mm: float, criterion: Criterion, draws: int) -> TrueWidth:
+def estimate_noise_free_width(zones: Sequence[Zone], width_mm: float, criterion: Criterion, draws: int) -> NoiseFreeWidth:
     """Estimate the greatest of some widths as it would be without noise.
 
     A parametric bootstrap (B. Efron and R. J. Tibshirani, An Introduction to the Bootstrap, 1993, 6.5): the heights without
@@ -128,33 +132,33 @@ def width_without_noise(zones: Sequence[Zone], width_mm: float, criterion: Crite
     width_mm : greatest of the zones' widths as measured
     """
     if max(float(zone.noise_mm.max()) for zone in zones) <= TINY:
-        return TrueWidth(width_mm, 0.0, 0.0)
+        return NoiseFreeWidth(width_mm, 0.0, 0.0)
     rng = np.random.default_rng(SEED)
     shifted = _Shift.of(zones, criterion, rng)
-    form = noise_free(zones, [zone.distances_mm for zone in zones])
+    form = separate_noise(zones, [zone.distances_mm for zone in zones])
     noise = [zone.noise_mm * rng.standard_normal((draws, *zone.distances_mm.shape)) for zone in zones]
     made = [one[None] + added for one, added in zip(form, noise, strict=True)]
     true = _greatest(zones, [one[None] for one in form], criterion)[0]
-    shifts = shifted.by([zone.fitted(one) for zone, one in zip(zones, made, strict=True)])
+    shifts = shifted.by([zone.fit_residuals(one) for zone, one in zip(zones, made, strict=True)])
     errors = _greatest(zones, made, criterion) - shifts - true
     shift = shifted.by([zone.distances_mm[None] for zone in zones])[0]
     value, reach = max(width_mm - shift, 0.0), float(np.quantile(np.abs(errors), COVERAGE))
     by_noise = width_mm <= float(np.quantile(_greatest(zones, noise, criterion), NOISE_ALONE))
-    return TrueWidth(value, (max(reach, value) if by_noise else reach) / 2, width_mm - value, by_noise)
+    return NoiseFreeWidth(value, (max(reach, value) if by_noise else reach) / 2, width_mm - value, by_noise)
 
 
-def widths_by_views(zones: Sequence[Zone], criterion: Criterion) -> Budget:
+def propagate_view_errors(zones: Sequence[Zone], criterion: Criterion) -> Budget:
     """Return what the errors of the views add to the standard uncertainty of the greatest of some widths, by shares.
 
     Along every principal direction of the errors the larger change to either side counts, as in `propagated`.
     """
     heights = [zone.distances_mm[None] for zone in zones]
-    base = _greatest(zones, heights, criterion)[0] if zones[0].by_views else 0.0
+    base = _greatest(zones, heights, criterion)[0] if zones[0].view_contributions else 0.0
     variances: dict[str, float] = {}
-    for source in zones[0].by_views:
-        columns = np.vstack([zone.by_views[source] for zone in zones])
+    for source in zones[0].view_contributions:
+        columns = np.vstack([zone.view_contributions[source] for zone in zones])
         rows = np.cumsum([zone.distances_mm.size for zone in zones])[:-1]
-        changes = np.split(principal(columns, np.ones(len(columns))).T, rows, axis=1)
+        changes = np.split(principal_errors(columns, np.ones(len(columns))).T, rows, axis=1)
         sides = [
             _greatest(
                 zones, [at + sign * change.reshape(-1, *at.shape[1:]) for at, change in zip(heights, changes, strict=True)], criterion
@@ -162,7 +166,7 @@ def widths_by_views(zones: Sequence[Zone], criterion: Criterion) -> Budget:
             for sign in (1.0, -1.0)
         ]
         larger = np.max([np.abs(side - base) for side in sides], axis=0)
-        variances[source.share] = variances.get(source.share, 0.0) + float(larger @ larger)
+        variances[source.contribution] = variances.get(source.contribution, 0.0) + float(larger @ larger)
     return {share: float(np.sqrt(variance)) for share, variance in variances.items()}
 
 
@@ -171,9 +175,9 @@ def _greatest(zones: Sequence[Zone], heights_mm: Sequence[FloatArray], criterion
     return np.asarray(np.max([zone.widths(one, criterion) for zone, one in zip(zones, heights_mm, strict=True)], axis=0))
 
 
-def noise_free(zones: Sequence[Zone], heights_mm: Sequence[FloatArray]) -> list[FloatArray]:
+def separate_noise(zones: Sequence[Zone], heights_mm: Sequence[FloatArray]) -> list[FloatArray]:
     """Return the heights (K, N) of all zones without noise: those of all zones come from one distribution."""
-    together = noise_free_heights(np.concatenate(heights_mm, axis=1), np.concatenate([zone.noise_mm for zone in zones]))
+    together = estimate_noise_free_heights(np.concatenate(heights_mm, axis=1), np.concatenate([zone.noise_mm for zone in zones]))
     return np.split(together, np.cumsum([one.shape[1] for one in heights_mm[:-1]]), axis=1)
 
 
@@ -195,8 +199,8 @@ class _Shift:
         A zone follows the noise of its contacts, so that the fewer they are the less noise widens it: the fits of all draws weigh
         the contacts that the form has without noise.
         """
-        forms = [noise_free(self.zones, [one[number] for one in heights_mm]) for number in range(len(heights_mm[0]))]
-        weights = [zone.tightened(np.stack(own), self.criterion)[1] for zone, *own in zip(self.zones, *forms, strict=True)]
+        forms = [separate_noise(self.zones, [one[number] for one in heights_mm]) for number in range(len(heights_mm[0]))]
+        weights = [zone.fit_lawson(np.stack(own), self.criterion)[1] for zone, *own in zip(self.zones, *forms, strict=True)]
         return np.array([self._mean(form, [one[number] for one in weights]) for number, form in enumerate(forms)])
 
     def _mean(self, form_mm: Sequence[FloatArray], weights: Sequence[FloatArray]) -> float:

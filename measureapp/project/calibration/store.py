@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 import os
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +17,7 @@ from measureapp.data.validity import CheckRecord
 from measureapp.errors import InputError, StorageError
 from measureapp.project.atomic import write_json
 from measureapp.project.calibration.camera_file import cameras_document, read_cameras, write_cameras
-from measureapp.project.documents import calibration_id, digest, rig_calibration_document, rig_calibration_from
+from measureapp.project.documents import calibration_id, check_document, check_from, digest, rig_calibration_document, rig_calibration_from
 
 CAMERAS, RIG, FORMER, HISTORY = "cameras.json", "rig.json", "former", "history.jsonl"
 RIG_UNCERTAINTY = "rig_uncertainty.npz"  # uncertainty of the calibration, if stored
@@ -67,7 +66,7 @@ def record(folder: Path, line: CheckRecord) -> None:
     try:
         torn = path.exists() and path.read_bytes()[-1:] not in (b"", b"\n")
         with path.open("a", encoding="utf-8") as file:
-            file.write(("\n" if torn else "") + json.dumps(asdict(line), ensure_ascii=False) + "\n")
+            file.write(("\n" if torn else "") + json.dumps(check_document(line), ensure_ascii=False) + "\n")
             file.flush()
             os.fsync(file.fileno())
     except OSError as error:
@@ -82,8 +81,7 @@ def history(folder: Path) -> tuple[CheckRecord, ...]:
     lines = []
     for text in path.read_text(encoding="utf-8", errors="replace").splitlines():
         try:
-            document = json.loads(text)
-            lines.append(CheckRecord(**{**document, "cameras": tuple(document["cameras"])}))
+            lines.append(check_from(json.loads(text)))
         except (ValueError, TypeError, KeyError):
             continue
     return tuple(lines)

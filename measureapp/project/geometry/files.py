@@ -47,7 +47,7 @@ class PlainPoints:
     frame: str = ""  # as our own files say
     viewpoint_id: str = ""
     view_names: tuple[str, ...] = ()  # what `view` counts, as our own files say
-    drawn_view: IntArray | None = None  # (N,) int16, a view of each point as often as it weighs in it
+    sampled_view: IntArray | None = None  # (N,) int16, a view of each point as often as it weighs in it
     errors: ViewErrors | None = None  # of those views, as our own files say
 
     def __post_init__(self) -> None:
@@ -159,7 +159,7 @@ def read_stitched(path: Path) -> StitchedCloud:
         (),
         frame,
         view_names=plain.view_names,
-        drawn_view=plain.drawn_view,
+        sampled_view=plain.sampled_view,
         errors=plain.errors,
     )
 
@@ -244,7 +244,7 @@ def _ply_points(path: Path, ply: Ply) -> PlainPoints:
         "pixel": _stacked(ply, ("row", "col"), np.int32),
         "cameras": _single(ply, "cameras", np.uint8),
         "view": _single(ply, "view", np.int16),
-        "drawn_view": _single(ply, "drawn_view", np.int16),
+        "sampled_view": _single(ply, "drawn_view", np.int16),
     }
     frame = _label(ply, "frame")
     errors = None if columns["view"] is None else errors_from(path, ply, frame or "part")
@@ -256,7 +256,7 @@ def _ply_points(path: Path, ply: Ply) -> PlainPoints:
 def _check_views(path: Path, plain: PlainPoints) -> None:
     if plain.errors is None:
         return
-    counted = [views for views in (plain.view, plain.drawn_view) if views is not None]
+    counted = [views for views in (plain.view, plain.sampled_view) if views is not None]
     if min(int(views.min()) for views in counted) < 0 or max(int(views.max()) for views in counted) >= len(plain.errors.poses):
         raise InputError(f"{path} has points of views that it does not describe.", EXPORT_AGAIN)
 
@@ -360,4 +360,4 @@ def _cloud_columns(cloud: PointCloud | StitchedCloud) -> dict[str, Any]:
     if isinstance(cloud, PointCloud):
         return columns | {"row": cloud.pixel[:, 0], "col": cloud.pixel[:, 1], "cameras": cloud.cameras}
     columns |= {"view": cloud.view}
-    return columns if cloud.drawn_view is None else columns | {"drawn_view": cloud.drawn_view}
+    return columns if cloud.sampled_view is None else columns | {"drawn_view": cloud.sampled_view}

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.data.view_errors import POSE, POWERS, CloudBends, CommonErrors, FormErrors, ViewErrors
+from measureapp.data.view_errors import POSE, POWERS, CloudDistortion, FormErrors, SystematicErrors, ViewErrors
 from measureapp.errors import FrameMismatch, InputError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.geometry.ply import Ply
@@ -27,18 +27,18 @@ def error_elements(errors: ViewErrors | None) -> dict[str, dict[str, Any]]:
         return {}
     table = np.hstack([np.array([pose.matrix.ravel() for pose in errors.poses]), errors.centres_mm])
     elements = {VIEW: dict(zip((*MATRIX, *CENTRE), table.T, strict=True))}
-    arrays = {STITCHING: errors.by_stitching, CALIBRATION: errors.by_calibration}
-    if errors.bends is not None:
-        arrays[BEND] = errors.bends.coefficients_mm
-        elements[BOX] = dict(zip(CENTRE, np.stack([errors.bends.middle_mm, errors.bends.reach_mm]).T, strict=True))
+    arrays = {STITCHING: errors.stitching_motions, CALIBRATION: errors.calibration_motions}
+    if errors.distortion is not None:
+        arrays[BEND] = errors.distortion.coefficients_mm
+        elements[BOX] = dict(zip(CENTRE, np.stack([errors.distortion.middle_mm, errors.distortion.reach_mm]).T, strict=True))
     if errors.form is not None:
         arrays[FOLLOWING] = errors.form.motions
         elements[FORM] = {"size": errors.form.sizes_mm, "reach": errors.form.reaches_mm}
         elements[NODE] = dict(zip((*CENTRE, "view"), np.column_stack([errors.form.nodes_mm, errors.form.view]).T, strict=True))
-    if errors.common is not None:
-        arrays[COMMON_FOLLOWING] = errors.common.motions
-        sizes = np.full(errors.common.count, errors.common.size_mm)
-        elements[COMMON] = dict(zip((*CENTRE, "size"), np.column_stack([errors.common.nodes, sizes]).T, strict=True))
+    if errors.systematic is not None:
+        arrays[COMMON_FOLLOWING] = errors.systematic.motions
+        sizes = np.full(errors.systematic.count, errors.systematic.size_mm)
+        elements[COMMON] = dict(zip((*CENTRE, "size"), np.column_stack([errors.systematic.nodes, sizes]).T, strict=True))
     return elements | {name: {"value": array.ravel()} for name, array in arrays.items() if array.size}
 
 
@@ -50,11 +50,11 @@ def errors_from(path: Path, ply: Ply, frame: str) -> ViewErrors | None:
         table = _table(ply.elements[VIEW], (*MATRIX, *CENTRE))
         rows = POSE * len(table)
         poses = tuple(RigidTransform(row[:16].reshape(4, 4), frame, "camera") for row in table)
-        by_stitching, by_calibration = (_numbers(ply, name).reshape(rows, -1) for name in (STITCHING, CALIBRATION))
-        bends = None
+        stitching_motions, calibration_motions = (_numbers(ply, name).reshape(rows, -1) for name in (STITCHING, CALIBRATION))
+        distortion = None
         if BEND in ply.elements:
             middle, reach = _table(ply.elements[BOX], CENTRE)
-            bends = CloudBends(middle, reach, _numbers(ply, BEND).reshape(len(POWERS), 3, by_calibration.shape[1]))
+            distortion = CloudDistortion(middle, reach, _numbers(ply, BEND).reshape(len(POWERS), 3, calibration_motions.shape[1]))
         form = None
         if FORM in ply.elements:
             sizes, reaches = _table(ply.elements[FORM], ("size", "reach")).T
@@ -63,15 +63,15 @@ def errors_from(path: Path, ply: Ply, frame: str) -> ViewErrors | None:
         common = None
         if COMMON in ply.elements:
             nodes = _table(ply.elements[COMMON], (*CENTRE, "size"))
-            common = CommonErrors(nodes[:, :3], float(nodes[0, 3]), _numbers(ply, COMMON_FOLLOWING).reshape(rows, len(nodes)))
-        made = ViewErrors(poses, table[:, 16:], by_stitching, by_calibration, bends, form, common)
+            common = SystematicErrors(nodes[:, :3], float(nodes[0, 3]), _numbers(ply, COMMON_FOLLOWING).reshape(rows, len(nodes)))
+        made = ViewErrors(poses, table[:, 16:], stitching_motions, calibration_motions, distortion, form, common)
     except (LookupError, ValueError, FrameMismatch) as error:
         raise InputError(
             f"{path} is damaged: what it says of its views' errors is not whole.", "Stitch again, or copy the file again."
         ) from error
-    numbers = [made.by_stitching, made.by_calibration, made.centres_mm]
+    numbers = [made.stitching_motions, made.calibration_motions, made.centres_mm]
     numbers += [] if made.form is None else [made.form.nodes_mm, made.form.sizes_mm, made.form.reaches_mm, made.form.motions]
-    numbers += [] if made.common is None else [made.common.nodes, np.array(made.common.size_mm), made.common.motions]
+    numbers += [] if made.systematic is None else [made.systematic.nodes, np.array(made.systematic.size_mm), made.systematic.motions]
     if not all(np.isfinite(array).all() for array in numbers):
         raise InputError(f"{path} says of its views what is not a number.", "Stitch again, or copy the file again.")
     return made

@@ -9,7 +9,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray, read_only
 from measureapp.data.calibration import CameraArrayCalibration
-from measureapp.data.cloud import PROJECTOR_BIT, PointCloud, joined
+from measureapp.data.cloud import PROJECTOR_BIT, PointCloud, concatenate_clouds
 from measureapp.data.phase import PhaseMap
 from measureapp.data.point_state import PointState
 from measureapp.progress import NoProgress, PartOf, Progress
@@ -68,7 +68,7 @@ def reconstruct_view_with_projector(
         fates[name] = read_only(np.where(filled.filled, np.uint8(PointState.VALID), fate))
         rejected["unmatched"] = rejected.get("unmatched", 0) - len(filled.cloud)
         added += len(filled.cloud)
-    return ProjectorView(replace(made, cloud=joined(clouds), fates=fates, rejected=rejected), agreement, added)
+    return ProjectorView(replace(made, cloud=concatenate_clouds(clouds), fates=fates, rejected=rejected), agreement, added)
 
 
 def _alone(lit: LitCamera) -> ProjectorView:

@@ -1,1 +1,1 @@
-"""Single clouds: what they are worth, their unit, their normals, and filters of their points."""
+"""Single clouds: quality, unit check, normals, and point filters."""

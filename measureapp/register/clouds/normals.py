@@ -1,4 +1,4 @@
-"""Normals for points that came without."""
+"""Normal estimation by local plane fits."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from measureapp.errors import RegistrationError
 NEIGHBOURS = 16
 
 
-def estimated_normals(points_mm: FloatArray, towards_mm: FloatArray) -> FloatArray:
-    """Return unit normals (N, 3) of the planes through the nearest 16 points, turned towards ``towards_mm`` (3,).
+def estimate_normals(points_mm: FloatArray, towards_mm: FloatArray) -> FloatArray:
+    """Estimate unit normals (N, 3) by principal components of the 16 nearest points, oriented towards ``towards_mm`` (3,).
 
     Raises
     ------
@@ -20,11 +20,11 @@ def estimated_normals(points_mm: FloatArray, towards_mm: FloatArray) -> FloatArr
         Fewer than three points.
     """
     if len(points_mm) < 3:
-        raise RegistrationError(f"A cloud of {len(points_mm)} points has no surface.", "Leave it out or measure it again.")
+        raise RegistrationError(f"A cloud of {len(points_mm)} points has no surface.", "Exclude it or measure it again.")
     count = min(NEIGHBOURS, len(points_mm))
     normals = np.empty((len(points_mm), 3))
     tree = cKDTree(points_mm)
-    for start in range(0, len(points_mm), 200_000):  # bounds the memory for neighbourhoods
+    for start in range(0, len(points_mm), 200_000):  # limits the memory for neighbourhoods
         chosen = slice(start, start + 200_000)
         _, index = tree.query(points_mm[chosen], count, workers=-1)
         near = points_mm[index]

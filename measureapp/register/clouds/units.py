@@ -1,4 +1,4 @@
-"""Whether clouds are in millimetres, as their poses are: only then do the placed views lie on one part."""
+"""Unit check of clouds against their poses: in millimetres, the placed views must overlap on one part."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from measureapp.data.length_unit import OTHER_UNITS
 from measureapp.errors import RegistrationError
 from measureapp.geometry.transform import RigidTransform
 
-APART, TOGETHER = 3.0, 1.0  # spread of the placed views, in their own size
-CLOSER = 0.5  # times as far apart as in millimetres: views side by side stay as far apart, however large they are taken to be
+APART, TOGETHER = 3.0, 1.0  # spread of the placed views over their own size
+CLOSER = 0.5  # the spread in another unit must be below this multiple of that in millimetres
 
 
 def check_unit(clouds: Sequence[PointCloud], poses: Sequence[RigidTransform]) -> None:
-    """Ask about the unit of clouds (frame camera) that lie apart in millimetres and come together in another unit.
+    """Refuse clouds (frame camera) that lie apart in millimetres but overlap in another unit.
 
     Raises
     ------
     RegistrationError
-        Naming the unit.
+        Names the likely unit.
     """
     middles = np.stack([np.median(cloud.points_mm, axis=0) for cloud in clouds])
     sizes = np.array([np.linalg.norm(np.subtract(*np.percentile(cloud.points_mm, [95, 5], axis=0))) for cloud in clouds])
@@ -38,6 +38,6 @@ def check_unit(clouds: Sequence[PointCloud], poses: Sequence[RigidTransform]) ->
     unit = min(OTHER_UNITS, key=lambda one: spread(one.in_mm))
     if spread(unit.in_mm) < TOGETHER and apart_mm(unit.in_mm) < CLOSER * apart_mm(1.0):
         raise RegistrationError(
-            f"Placed by their poses the clouds lie {spread(1.0):.0f} times their own size apart; taken as {unit.words} they lie together.",
-            f"Say so with `--unit {unit}`, or export the clouds in millimetres.",
+            f"Placed by their poses, the clouds lie {spread(1.0):.0f} times their own size apart; read as {unit.words}, they overlap.",
+            f"If they are in {unit.words}, use `--unit {unit}`; otherwise export the clouds in millimetres.",
         )

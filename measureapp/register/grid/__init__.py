@@ -1,1 +1,1 @@
-"""Points sorted into cells and voxels, and the compiled loops over them."""
+"""Voxel grids: points sorted by cell, sums per voxel, and their compiled kernels."""

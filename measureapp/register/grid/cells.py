@@ -1,4 +1,4 @@
-"""Points sorted into the cells of a grid, in which compiled loops look for neighbours."""
+"""Cell index: points sorted by grid cell, for neighbour searches in compiled kernels."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from measureapp.arrays import FloatArray, IntArray
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CellIndex:
-    """Where the points of each cell lie in an array that is sorted by cell."""
+    """Start of each cell's points in an array sorted by cell."""
 
     edge_mm: float
     keys: IntArray  # (C,), of the occupied cells
-    starts: IntArray  # (C + 1,), points starts[c] … starts[c + 1] - 1 lie in cell c
-    table: IntArray  # hash table of the keys, its length a power of two
+    starts: IntArray  # (C + 1,), points starts[c] … starts[c + 1] - 1 are in cell c
+    table: IntArray  # hash table of the keys; its length is a power of two
 
     @classmethod
-    def sorting(cls, points_mm: FloatArray, edge_mm: float) -> tuple[Self, IntArray]:
-        """Return the index of points (M, 3) and the order in which they have to be brought for it."""
+    def build(cls, points_mm: FloatArray, edge_mm: float) -> tuple[Self, IntArray]:
+        """Return the index of points (M, 3), and the order (M,) that sorts them for it."""
         from measureapp.register.grid.kernels import rehash, voxel_keys
 
         keys = voxel_keys(np.ascontiguousarray(points_mm), np.zeros(len(points_mm), np.uint8), edge_mm)

@@ -1,4 +1,4 @@
-"""Compiled loops over points: sums per voxel in a hash table."""
+"""Compiled kernels: voxel keys, and sums per voxel in a hash table."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ BITS = 20
 
 @numba.njit(cache=True, nogil=True)
 def voxel_keys(points: FloatArray, faces: IntArray, voxel: float) -> IntArray:
-    """Return one number per point made of its face and its voxel. With face f the order is (f, u, v, w), w along the face's axis."""
+    """Return one key per point from its face and its voxel: (f, u, v, w) from the highest bits, w along the axis of face f."""
     keys = np.empty(len(points), np.int64)
     for i in range(len(points)):
         axis = faces[i] >> 1
@@ -42,7 +42,7 @@ def dominant_faces(normals: FloatArray) -> IntArray:
 def facing_rows(
     points: FloatArray, normals: FloatArray, sigma: FloatArray, voxel: float, least_cosine: float
 ) -> tuple[IntArray, FloatArray]:
-    """Return voxel keys (K,) and rows (K, 8) to be summed of the points that are seen under less than a limiting angle.
+    """Return voxel keys (K,) and rows (K, 8) to be summed, for the points viewed at less than a limiting angle.
 
     A row is 1, the point, its normal, its variance; the points are in the camera's frame.
     """

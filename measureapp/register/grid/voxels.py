@@ -1,4 +1,4 @@
-"""Sums of values per voxel, gathered view by view without ever holding all points."""
+"""Voxel sums, accumulated view by view so that all points are never in memory at once."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ CHUNK = 262_144
 
 
 class VoxelSums:
-    """Adds rows of values by key; the order in which points come does not change the sums (but for rounding)."""
+    """Sums of rows by key; the order of the points changes them by rounding only."""
 
     def __init__(self, width: int) -> None:
         self._keys = np.empty(CHUNK, np.int64)

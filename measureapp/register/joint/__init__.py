@@ -1,1 +1,1 @@
-"""All views: their poses by axes and pairs together, how they close around the part, and which contradict."""
+"""Joint registration of all views: pose graph, loop closure, innovation test, and error models."""

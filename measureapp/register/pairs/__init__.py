@@ -1,1 +1,1 @@
-"""Two views: made ready, registered to each other, and what their common surface does not hold."""
+"""Pairs of views: preparation, pairwise registration, its uncertainty, and unconstrained motions."""

@@ -1,6 +1,8 @@
-"""Compiled loops over two views' points: neighbours, corresponding points and the normal equations of a pair."""
+"""Compiled kernels of pairwise registration: nearest neighbours, correspondences and normal equations."""
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 import numba
 import numpy as np
@@ -11,9 +13,28 @@ from measureapp.register.grid.kernels import BITS, EMPTY, MULTIPLIER, OFFSET
 NONE = -1
 
 
+class SortedPoints(NamedTuple):
+    """Points sorted by the cells of a `CellIndex`, as kernels take them."""
+
+    points: FloatArray  # (M, 3)
+    normals: FloatArray  # (M, 3)
+    edge: float
+    keys: IntArray
+    starts: IntArray
+    table: IntArray
+
+
+class MatchLimits(NamedTuple):
+    """Limits of corresponding points."""
+
+    search: float  # largest distance
+    least_agreement: float  # cosine between the normals
+    sideways: float  # largest offset along the surface
+
+
 @numba.njit(cache=True, nogil=True)
 def _cell(x: int, y: int, z: int, keys: IntArray, table: IntArray) -> int:
-    """Return the number of a cell; -1 when no point lies in it. The key is that of ``voxel_keys`` with face 0."""
+    """Return the index of a cell; -1 when it is empty. The key is that of ``voxel_keys`` with face 0."""
     field = (np.int64(1) << BITS) - 1
     key = ((y + OFFSET) & field) << (2 * BITS) | ((z + OFFSET) & field) << BITS | ((x + OFFSET) & field)
     mask = len(table) - 1
@@ -27,7 +48,7 @@ def _cell(x: int, y: int, z: int, keys: IntArray, table: IntArray) -> int:
 
 @numba.njit(cache=True, nogil=True)
 def _gap(x: float, cell: int, edge: float) -> float:
-    """Return how far a coordinate lies outside of a cell; zero inside."""
+    """Return the distance of a coordinate from a cell; zero inside."""
     return max(cell * edge - x, x - (cell + 1) * edge, 0.0)
 
 
@@ -37,13 +58,12 @@ def _squared(x: float, y: float, z: float) -> float:
 
 
 @numba.njit(cache=True, nogil=True)
-def nearest(
-    x: float, y: float, z: float, points: FloatArray, edge: float, keys: IntArray, starts: IntArray, table: IntArray, search: float
-) -> tuple[np.int64, float]:
-    """Return the nearest of the sorted points within ``search`` and its squared distance; -1 when there is none.
+def find_nearest(x: float, y: float, z: float, target: SortedPoints, search: float) -> tuple[np.int64, float]:
+    """Nearest-neighbour search: return the index of the nearest point within ``search`` (-1: none) and its squared distance.
 
-    Shells of cells are searched from the inside until no cell outside can hold a nearer point.
+    Shells of cells are searched outwards until no further cell can contain a nearer point.
     """
+    points, edge, starts = target.points, target.edge, target.starts
     i, j, k = np.int64(np.floor(x / edge)), np.int64(np.floor(y / edge)), np.int64(np.floor(z / edge))
     margin = min(x - i * edge, (i + 1) * edge - x, y - j * edge, (j + 1) * edge - y, z - k * edge, (k + 1) * edge - z)
     best, found = search * search, np.int64(NONE)
@@ -58,7 +78,7 @@ def nearest(
                     gap = _squared(_gap(x, a, edge), _gap(y, b, edge), _gap(z, c, edge))
                     if gap >= best:
                         continue
-                    cell = _cell(a, b, c, keys, table)
+                    cell = _cell(a, b, c, target.keys, target.table)
                     if cell == NONE:
                         continue
                     for n in range(starts[cell], starts[cell + 1]):
@@ -70,35 +90,26 @@ def nearest(
 
 
 @numba.njit(cache=True, nogil=True)
-def surrounded(
-    points: FloatArray,
-    normals: FloatArray,
-    edge: float,
-    keys: IntArray,
-    starts: IntArray,
-    table: IntArray,
-    least: int,
-    same_face: float,
-    offset: float,
-) -> BoolArray:
-    """Return which of the sorted points have neighbours of their own face on all sides, among those within one ``edge``.
+def find_interior(cloud: SortedPoints, least: int, same_face: float, offset: float) -> BoolArray:
+    """Return which points have neighbours of their own face on all sides, within the radius of one ``edge``.
 
-    That is: at least ``least`` of them and half of all, whose centre lies nearer than ``offset`` of their mean distance.
+    These are at least ``least`` neighbours and half of all, with their centroid closer than ``offset`` of their mean distance.
     """
+    points, normals, edge, starts = cloud.points, cloud.normals, cloud.edge, cloud.starts
     inner = np.zeros(len(points), np.bool_)
     firsts, ends = np.empty(27, np.int64), np.empty(27, np.int64)
-    for own in range(len(keys)):
+    for own in range(len(cloud.keys)):
         first = starts[own]
         i, j, k = (
             np.int64(np.floor(points[first, 0] / edge)),
             np.int64(np.floor(points[first, 1] / edge)),
             np.int64(np.floor(points[first, 2] / edge)),
         )
-        around = 0  # the cells around are looked up once for all points of a cell
+        around = 0  # neighbouring cells, found once for all points of a cell
         for a in range(i - 1, i + 2):
             for b in range(j - 1, j + 2):
                 for c in range(k - 1, k + 2):
-                    cell = _cell(a, b, c, keys, table)
+                    cell = _cell(a, b, c, cloud.keys, cloud.table)
                     if cell != NONE:
                         firsts[around], ends[around] = starts[cell], starts[cell + 1]
                         around += 1
@@ -122,29 +133,16 @@ def surrounded(
 
 
 @numba.njit(cache=True, nogil=True)
-def corresponding(
-    points: FloatArray,
-    normals: FloatArray,
-    stride: int,
-    rotation: FloatArray,
-    shift: FloatArray,
-    target: FloatArray,
-    target_normals: FloatArray,
-    edge: float,
-    keys: IntArray,
-    starts: IntArray,
-    table: IntArray,
-    search: float,
-    least_agreement: float,
-    sideways: float,
+def match_points(
+    points: FloatArray, normals: FloatArray, stride: int, rotation: FloatArray, shift: FloatArray, target: SortedPoints, limits: MatchLimits
 ) -> tuple[IntArray, IntArray, FloatArray, float]:
-    """Return corresponding points of a source (moved by rotation and shift) and a sorted target.
+    """Find corresponding points of a source (moved by rotation and shift) and a sorted target.
 
     Returns
     -------
     own, other : (K,) indices of source and target points
-    rows : (K, 7), moved source point, mean normal (unit), distance from the target along it
-    disagreement : mean square of half the normals' difference along each of their two tangents
+    rows : (K, 7), moved source point, unit mean normal, distance from the target along it
+    disagreement : mean square of half the difference of the normals, along each of their two tangents
     """
     most = (len(points) + stride - 1) // stride
     own, other, rows = np.empty(most, np.int64), np.empty(most, np.int64), np.empty((most, 7))
@@ -155,22 +153,22 @@ def corresponding(
             rotation[1, 0] * points[p, 0] + rotation[1, 1] * points[p, 1] + rotation[1, 2] * points[p, 2] + shift[1],
             rotation[2, 0] * points[p, 0] + rotation[2, 1] * points[p, 1] + rotation[2, 2] * points[p, 2] + shift[2],
         )
-        q, square = nearest(moved[0], moved[1], moved[2], target, edge, keys, starts, table, search)
+        q, square = find_nearest(moved[0], moved[1], moved[2], target, limits.search)
         if q == NONE:
             continue
         agreement, length, across = 0.0, 0.0, 0.0
         for c in range(3):
             turned = rotation[c, 0] * normals[p, 0] + rotation[c, 1] * normals[p, 1] + rotation[c, 2] * normals[p, 2]
-            agreement += turned * target_normals[q, c]
-            both = turned + target_normals[q, c]
+            agreement += turned * target.normals[q, c]
+            both = turned + target.normals[q, c]
             rows[count, 3 + c] = both
             length += both * both
-            across += (moved[c] - target[q, c]) * both
+            across += (moved[c] - target.points[q, c]) * both
         length = np.sqrt(length)
-        if agreement <= least_agreement:
+        if agreement <= limits.least_agreement:
             continue
         across /= length
-        if square - across * across >= sideways * sideways:
+        if square - across * across >= limits.sideways * limits.sideways:
             continue
         for c in range(3):
             rows[count, c] = moved[c]
@@ -186,10 +184,10 @@ def corresponding(
 def normal_equations(
     arm: FloatArray, normal: FloatArray, residual: FloatArray, weight: FloatArray, tilt: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the normal matrix (6, 6) of point-to-plane distances and its right side (6,), about the point that ``arm`` starts from.
+    """Return the normal matrix (6, 6) and right side (6,) of point-to-plane distances, about the origin of ``arm``.
 
-    Normals that err by ``tilt`` (rad) make a plane look as if it held motion along itself; that much is taken off the matrix:
-    it is ``tilt``² times the same sum with both tangents in place of the normal.
+    Errors of the normals (standard deviation ``tilt``, rad) make a plane appear to constrain motion along itself. This bias is
+    subtracted from the matrix: ``tilt``² times the same sum with both tangents in place of the normal.
     """
     matrix, right, j = np.zeros((6, 6)), np.zeros(6), np.empty(6)
     whole = np.zeros((6, 6))
@@ -207,7 +205,7 @@ def normal_equations(
             right[a] -= wa * residual[i]
             for b in range(a, 6):
                 matrix[a, b] += wa * j[b]
-        # normal and tangents together: motions of the point in all three directions
+        # sum over the normal and both tangents
         whole[0, 0] += w
         whole[0, 4] += w * z
         whole[0, 5] -= w * y

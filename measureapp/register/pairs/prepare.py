@@ -1,8 +1,9 @@
-"""A cloud made ready for registration: thinned to one mean point per voxel, sorted into cells."""
+"""Preparation of a cloud for registration: voxel thinning to mean points, border removal, cell index."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -11,14 +12,17 @@ from measureapp.data.cloud import PointCloud
 from measureapp.register.grid.cells import CellIndex
 from measureapp.register.grid.voxels import VoxelSums
 
-LEAST_COHERENCE = 0.985  # length of the mean normal below which a voxel straddles an edge or a thin wall
+if TYPE_CHECKING:
+    from measureapp.register.pairs.kernels import SortedPoints
+
+LEAST_COHERENCE = 0.985  # a shorter mean normal means that the voxel straddles an edge or a thin wall
 LEAST_COSINE = 0.26  # viewing angles beyond 75° are too noisy to register by
 LEAST_COUNT = 2  # points per voxel
 GICP_NEIGHBOURS = 15
-CELL_VOXELS = 2.0  # edge of the cells in which neighbours are searched
-RIM_VOXELS = 2.5  # neighbours within this tell a rim: about 20 on a closed surface
-RIM_LEAST = 6  # of them at least
-RIM_OFFSET = 0.3  # distance of the neighbours' centre over their mean distance; about 0.6 at a straight border
+CELL_VOXELS = 2.0  # edge of the cells of the neighbour search
+BORDER_VOXELS = 2.5  # radius of the neighbourhood for border detection: about 20 neighbours inside a surface
+BORDER_LEAST_NEIGHBOURS = 6
+BORDER_OFFSET = 0.3  # distance of the neighbours' centroid over their mean distance; about 0.6 at a straight border
 SAME_FACE_COSINE = 0.9
 
 
@@ -28,12 +32,17 @@ class PreparedCloud:
 
     points_mm: FloatArray  # (M, 3)
     normals: FloatArray  # (M, 3)
-    variance_mm2: FloatArray  # (M,), of the mean point along its ray
+    variance_mm2: FloatArray  # (M,), of the mean point along its viewing ray
     index: CellIndex
     voxel_mm: float
 
     def __len__(self) -> int:
         return len(self.points_mm)
+
+    @property
+    def sorted_points(self) -> SortedPoints:
+        """The points with their index, for kernels."""
+        return _sorted_points(self.points_mm, self.normals, self.index)
 
     @property
     def centroid_mm(self) -> FloatArray:
@@ -47,7 +56,7 @@ class PreparedCloud:
 
 
 def prepare(cloud: PointCloud, voxel_mm: float) -> PreparedCloud:
-    """Thin a cloud in its camera's frame; voxels over edges, with single points or seen at a grazing angle are left out."""
+    """Voxel thinning in the camera's frame, without voxels on edges or borders, with single points, or viewed at a grazing angle."""
     from measureapp.register.grid.kernels import facing_rows
 
     sums = VoxelSums(8)
@@ -60,28 +69,33 @@ def prepare(cloud: PointCloud, voxel_mm: float) -> PreparedCloud:
     means = rows[good, 1:4] / count[good, None]
     unit = mean_normal[good] / length[good, None]
     variances = rows[good, 7] / count[good] ** 2
-    inner = _without_rims(means, unit, voxel_mm)
-    index, order = CellIndex.sorting(means[inner], CELL_VOXELS * voxel_mm)
+    inner = _find_interior_points(means, unit, voxel_mm)
+    index, order = CellIndex.build(means[inner], CELL_VOXELS * voxel_mm)
     chosen = inner[order]
     return PreparedCloud(means[chosen], unit[chosen], variances[chosen], index, voxel_mm)
 
 
-def _without_rims(points_mm: FloatArray, normals: FloatArray, voxel_mm: float) -> IntArray:
-    """Return the points that have neighbours of their own face on all sides.
+def _find_interior_points(points_mm: FloatArray, normals: FloatArray, voxel_mm: float) -> IntArray:
+    """Return the indices of points with neighbours of their own face on all sides.
 
-    At the border of a face pixels mix it with what lies behind, so that its rim is displaced, and in one direction.
+    At occlusion edges a pixel mixes foreground and background, which displaces the border of a face in one direction.
     """
-    from measureapp.register.pairs.kernels import surrounded
+    from measureapp.register.pairs.kernels import find_interior
 
-    cells, order = CellIndex.sorting(points_mm, RIM_VOXELS * voxel_mm)
-    inner = surrounded(
-        points_mm[order], normals[order], cells.edge_mm, cells.keys, cells.starts, cells.table, RIM_LEAST, SAME_FACE_COSINE, RIM_OFFSET
-    )
+    cells, order = CellIndex.build(points_mm, BORDER_VOXELS * voxel_mm)
+    sorted_points = _sorted_points(points_mm[order], normals[order], cells)
+    inner = find_interior(sorted_points, BORDER_LEAST_NEIGHBOURS, SAME_FACE_COSINE, BORDER_OFFSET)
     return np.asarray(order[inner])
 
 
+def _sorted_points(points_mm: FloatArray, normals: FloatArray, index: CellIndex) -> SortedPoints:
+    from measureapp.register.pairs.kernels import SortedPoints
+
+    return SortedPoints(points_mm, normals, index.edge_mm, index.keys, index.starts, index.table)
+
+
 def occupied_cells(prepared: PreparedCloud, points_mm: FloatArray, normals: FloatArray, cell_mm: float) -> IntArray:
-    """Return the sorted keys of the cells (with the way the surface faces) that placed points lie in."""
+    """Return the sorted keys (face and cell) of the cells that contain placed points."""
     from measureapp.register.grid.kernels import dominant_faces, voxel_keys
 
     if len(prepared) == 0:

@@ -1,1 +1,1 @@
-"""The surface over the merged points, never where nothing was measured."""
+"""Surface reconstruction from the merged points, limited to the measured area."""

@@ -1,7 +1,7 @@
-"""Poisson reconstruction in a process of its own.
+"""Poisson reconstruction in a separate process.
 
-Open3D keeps the interpreter to itself as long as it works, prints what it likes and ends the process on some input. Beside
-ours it can do all three, and can be stopped at any moment.
+Open3D holds the interpreter lock, prints to the terminal and terminates the process on some input. In a separate process this is
+harmless, and the reconstruction can be cancelled at any time.
 """
 
 from __future__ import annotations
@@ -20,46 +20,46 @@ from measureapp.progress import Progress
 from measureapp.register.surface.poisson_worker import EXIT_OUT_OF_MEMORY
 
 WORKER = Path(__file__).with_name("poisson_worker.py")
-LOOK_EVERY_S = 0.1
-HINT = "Merge on a coarser grid or close other programs, and look at the cloud's normals."
+POLL_INTERVAL_S = 0.1
+HINT = "Merge on a coarser grid, close other programs, and check the cloud's normals."
 
 
-def poisson(
+def run_poisson(
     points_mm: FloatArray, normals: FloatArray, depth: int, scale: float, progress: Progress, worker: Path = WORKER
 ) -> tuple[FloatArray, IntArray]:
-    """Return vertices (V, 3) and triangles (T, 3) of the surface through oriented points.
+    """Screened Poisson reconstruction of oriented points; return vertices (V, 3) and triangles (T, 3).
 
     Parameters
     ----------
     points_mm, normals : (N, 3)
     depth : of the octree
-    scale : side of the octree, in sizes of the points' box
-    progress : asked ten times a second whether to go on; when it raises, the process is killed
-    worker : the program that does it
+    scale : side of the octree over the size of the points' bounding box
+    progress : called ten times a second; when it raises, the process is killed
+    worker : program to run
 
     Raises
     ------
     RegistrationError
-        The process died, ran out of memory or left no surface.
+        The process failed, ran out of memory or gave no surface.
     """
     with TemporaryDirectory(prefix="measureapp-surface-", ignore_cleanup_errors=True) as folder:
-        source, target, told = (Path(folder) / name for name in ("in.npz", "out.npz", "told.txt"))
+        source, target, log = (Path(folder) / name for name in ("in.npz", "out.npz", "log.txt"))
         try:
             np.savez(source, points=points_mm, normals=normals, depth=depth, scale=scale)
         except OSError as error:
             raise RegistrationError(
-                f"The points of the surface cannot be written to {folder}: {error.strerror or error}.", "Free some space there."
+                f"The points of the surface cannot be written to {folder}: {error.strerror or error}.", "Free disk space there."
             ) from error
-        code = _run([sys.executable, "-P", str(worker), str(source), str(target)], told, progress)
+        code = _run([sys.executable, "-P", str(worker), str(source), str(target)], log, progress)
         if code != 0 or not target.is_file():
-            raise RegistrationError(f"The surface could not be made: {_reason(code, told)}.", HINT)
+            raise RegistrationError(f"The surface reconstruction failed: {_describe_failure(code, log)}.", HINT)
         with np.load(target) as made:
             return made["vertices"], made["triangles"]
 
 
-def _run(command: list[str], told: Path, progress: Progress) -> int:
-    """Run a program to its end and return its exit code; whatever it prints goes to the file ``told``."""
-    with told.open("wb") as output:
+def _run(command: list[str], log: Path, progress: Progress) -> int:
+    """Run a program and return its exit code; its output goes to the file ``log``."""
+    with log.open("wb") as output:
         try:
             process = subprocess.Popen(
                 command,
@@ -69,12 +69,12 @@ def _run(command: list[str], told: Path, progress: Progress) -> int:
                 creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
             )
         except OSError as error:
-            raise RegistrationError(f"The surface could not be started: {error.strerror or error}.", HINT) from error
+            raise RegistrationError(f"The surface reconstruction could not be started: {error.strerror or error}.", HINT) from error
         try:
             while True:
-                progress.report(0, 1, "making the surface")
+                progress.report(0, 1, "reconstructing the surface")
                 try:
-                    return process.wait(LOOK_EVERY_S)
+                    return process.wait(POLL_INTERVAL_S)
                 except subprocess.TimeoutExpired:
                     continue
         finally:
@@ -82,8 +82,8 @@ def _run(command: list[str], told: Path, progress: Progress) -> int:
             process.wait()
 
 
-def _reason(code: int, told: Path) -> str:
-    """Say in words how a process ended without a surface."""
+def _describe_failure(code: int, log: Path) -> str:
+    """Describe why a process gave no surface."""
     if code == EXIT_OUT_OF_MEMORY:
-        return "the memory did not suffice"
-    return describe_exit(code, told)
+        return "out of memory"
+    return describe_exit(code, log)

@@ -1,6 +1,6 @@
-"""Poisson reconstruction as a program of its own: `python poisson_worker.py in.npz out.npz`. Started by `measureapp.register.surface.poisson`.
+"""Poisson reconstruction as a stand-alone program: `python poisson_worker.py in.npz out.npz`, started by `measureapp.register.surface.poisson`.
 
-It needs nothing of the application, so that it starts from its file alone.
+It imports nothing of the application.
 """
 
 from __future__ import annotations

@@ -90,7 +90,7 @@ def seen_from_upright_fringes(generator, turned=None):
 @pytest.mark.parametrize("motion", [0, 1, 2])
 def test_a_turn_is_seen_from_the_size_on_that_is_said(calibrated, generator, motion):
     clean = camera_drift([seen_from_upright_fringes(generator)], calibrated)
-    least = list(clean.unseen_deg["left"].values())[motion]
+    least = list(clean.undetectable_deg["left"].values())[motion]
     for share, standings in ((1.2, ("watch", "drifted")), (0.5, ("good",))):
         turn = np.zeros(3)
         turn[motion] = np.deg2rad(share * least)
@@ -101,9 +101,9 @@ def test_a_turn_is_seen_from_the_size_on_that_is_said(calibrated, generator, mot
 def test_the_blindness_along_the_fringes_is_told(calibrated, generator):
     blind, seeing = (camera_drift([one], calibrated) for one in (seen_from_upright_fringes(generator), evidence(generator)))
     for name in NAMES:
-        assert blind.unseen_deg[name]["pitch"] == pytest.approx(20 * seeing.unseen_deg[name]["pitch"], rel=0.1)
-        assert f"a pitch of {name} below" in blind.unseen
-    assert "would not show" in blind.unseen and "fringes of both directions" in blind.unseen
+        assert blind.undetectable_deg[name]["pitch"] == pytest.approx(20 * seeing.undetectable_deg[name]["pitch"], rel=0.1)
+        assert f"a pitch of {name} below" in blind.undetectable
+    assert "would not show" in blind.undetectable and "fringes of both directions" in blind.undetectable
 
 
 def test_without_evidence_nothing_is_claimed(calibrated):

@@ -10,7 +10,7 @@ from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.alignment.best_fit import best_fit
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import AlignmentSettings
 from measureapp.progress import CallbackProgress, Cancelled
 

@@ -12,7 +12,7 @@ from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.alignment.align import align
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.nominal import NominalSurface
 from tests.inspection.machined_part import Part, cylinder, plane

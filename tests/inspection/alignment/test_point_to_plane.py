@@ -3,7 +3,7 @@ import trimesh
 
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.alignment.point_to_plane import register
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import AlignmentSettings
 from measureapp.inspection.surface.nominal import NominalSurface
 

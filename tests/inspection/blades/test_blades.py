@@ -9,7 +9,7 @@ from pydantic import ValidationError
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.inspection.dimensions import inspect
-from measureapp.inspection.measured import MeasuredPoints, sampled
+from measureapp.inspection.measured_points import MeasuredPoints, sample_mesh
 from measureapp.inspection.settings import InspectionSettings
 from tests.inspection.blade_shapes import RoundBlade, scattered
 
@@ -74,10 +74,10 @@ def test_the_values_of_a_wheel_lie_within_their_stated_uncertainties() -> None:
     }
     found = measured(wheel(), SECTIONS, *(dimension(kind, *names, nominal=value) for (kind, names), value in wanted.items()))
     for one in found:
-        assert one.error is not None and one.uncertainty is not None, one.reason
-        assert abs(one.error) < 1.5 * one.uncertainty, one.name  # three standard uncertainties
+        assert one.deviation is not None and one.uncertainty is not None, one.reason
+        assert abs(one.deviation) < 1.5 * one.uncertainty, one.name  # three standard uncertainties
         assert one.uncertainty < 0.15
-        assert "Monte Carlo" in one.origin and "points" in one.origin
+        assert "Monte Carlo" in one.traceability and "points" in one.traceability
     assert [one.unit for one in found[-2:]] == ["°", "°"]
 
 
@@ -85,7 +85,7 @@ def test_the_pitch_of_neighbouring_blades_is_told_to_a_hundredth_of_a_degree() -
     found = measured(wheel(), SECTIONS, *(dimension("pitch", f"low.{k}", f"low.{k % COUNT + 1}", nominal=90) for k in range(1, COUNT + 1)))
     truth = np.roll(PITCH_OFF_DEG, -1) - np.array(PITCH_OFF_DEG)
     # 4000 points on a lever of about 80 mm: 0.02 / sqrt(4000) / 80 rad is far less than the 0.01 mm a view may stand off
-    assert [one.error for one in found] == pytest.approx(list(truth), abs=0.005)
+    assert [one.deviation for one in found] == pytest.approx(list(truth), abs=0.005)
     assert sum(one.measured for one in found) == pytest.approx(360)
     assert all(0.005 < one.uncertainty < 0.05 for one in found)
 
@@ -127,7 +127,7 @@ def test_a_cylinder_about_the_axis_cuts_the_blades_of_an_axial_wheel() -> None:
         MeasuredPoints(np.vstack(points)), [section], *(dimension(kind, "c.2", nominal=value) for kind, value in kinds.items())
     )
     for one in found:
-        assert abs(one.error) < 1.5 * one.uncertainty, one.name
+        assert abs(one.deviation) < 1.5 * one.uncertainty, one.name
 
 
 def test_the_stated_uncertainty_is_the_scatter_of_repeated_scans() -> None:
@@ -160,7 +160,7 @@ def on_mid_line(rho: float) -> list[float]:
 
 def test_the_blades_of_the_sample_impeller_have_their_thickness_pitch_and_form(samples) -> None:
     nominal, rng = samples("impeller").nominal, np.random.default_rng(3)
-    points = sampled(nominal, 800_000)
+    points = sample_mesh(nominal, 800_000)
     noisy = MeasuredPoints(points.points_mm + NOISE_MM * rng.standard_normal((len(points), 1)) * points.normals, points.normals)
     section = {**IMPELLER, "leading_mm": on_mid_line(55.0), "trailing_mm": on_mid_line(120.0)}
     found = measured(
@@ -175,8 +175,8 @@ def test_the_blades_of_the_sample_impeller_have_their_thickness_pitch_and_form(s
         nominal=nominal,
     )
     thickness, pitch, form, outline, chord, trailing = found
-    assert abs(thickness.error) < thickness.uncertainty
-    assert abs(pitch.error) < pitch.uncertainty
+    assert abs(thickness.deviation) < thickness.uncertainty
+    assert abs(pitch.deviation) < pitch.uncertainty
     assert form.measured < form.uncertainty and outline.measured < outline.uncertainty  # the zones of a true part are noise alone
     assert chord.verdict is Verdict.NOT_MEASURED and "at its leading end the blade goes on there" in chord.reason
     assert trailing.verdict is Verdict.NOT_MEASURED and "at its trailing end" in trailing.reason

@@ -9,9 +9,9 @@ import pytest
 
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.inspection.dimensions import inspect
-from measureapp.inspection.features.found import Found
-from measureapp.inspection.find_all import find_all
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.features.found_feature import FoundFeature
+from measureapp.inspection.find_features import find_features
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 
 SPACING_MM, HALF_MM, FORM_MM = 0.5, 20.0, 0.02
@@ -70,13 +70,13 @@ def bent(noise_mm: float, seed: int = 1) -> Faces:
     return made
 
 
-def grown(points: MeasuredPoints, shape: str, seed_mm, cut=None, **more) -> Found:
+def grown(points: MeasuredPoints, shape: str, seed_mm, cut=None, **more) -> FoundFeature:
     described = {"name": "f", "shape": shape, "grow": {"seed_mm": list(seed_mm), "form_mm": FORM_MM, **more}, "cut": cut or {}}
     program = InspectionProgram.model_validate({"name": "p", "alignment": "none", "features": [described]})
-    return find_all(points, program, None, ALL_POINTS)["f"]
+    return find_features(points, program, None, ALL_POINTS)["f"]
 
 
-def members(found: Found, points: MeasuredPoints) -> np.ndarray:
+def members(found: FoundFeature, points: MeasuredPoints) -> np.ndarray:
     """Which points the region holds, those left out of the fit aside."""
     held = {tuple(point) for point in found.points_mm}
     return np.array([tuple(point) in held for point in points.points_mm])
@@ -140,7 +140,7 @@ def test_a_ball_is_grown_and_measured_with_its_origin_in_words() -> None:
     diameter, position = inspect(made.measured(), program).dimensions
     assert diameter.measured is not None and diameter.uncertainty is not None
     assert abs(diameter.measured - 20) < diameter.uncertainty
-    assert "grown from its seed to" in diameter.origin and "it ended" in diameter.origin
+    assert "grown from its seed to" in diameter.traceability and "it ended" in diameter.traceability
     assert position.measured is None and "has no place in the drawing" in position.reason
 
 
@@ -161,7 +161,7 @@ def test_copies_of_a_pattern_grow_from_turned_seeds() -> None:
         "repeat": {"count": 3, "angle_deg": 120},
     }
     program = InspectionProgram.model_validate({"name": "p", "alignment": "none", "features": [described]})
-    found = find_all(made.measured(), program, None, ALL_POINTS)
+    found = find_features(made.measured(), program, None, ALL_POINTS)
     assert set(found) == {"pin.1", "pin.2", "pin.3"}
     for one in found.values():
         assert one.feature is not None and one.feature.radius_mm is not None, one.reason

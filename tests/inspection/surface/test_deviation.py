@@ -6,8 +6,8 @@ import pytest
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
 from measureapp.inspection.alignment.best_fit import no_alignment
-from measureapp.inspection.measured import MeasuredPoints, sampled
-from measureapp.inspection.surface.deviation import deviation, distances_and_normals, signed_distances
+from measureapp.inspection.measured_points import MeasuredPoints, sample_mesh
+from measureapp.inspection.surface.deviation import compute_deviation, distances_and_normals, signed_distances
 from measureapp.inspection.surface.nominal import NominalSurface
 
 
@@ -39,10 +39,10 @@ def test_an_open_surface_has_signs_on_both_sides(samples) -> None:
 
 def test_noise_and_offset_of_a_cloud_come_back_as_rms_and_mean(samples) -> None:
     nominal, rng = samples("gypsum").nominal, np.random.default_rng(3)
-    points = sampled(nominal, 50_000)
+    points = sample_mesh(nominal, 50_000)
     assert points.normals is not None
     moved = points.points_mm + (0.1 + 0.03 * rng.standard_normal(len(points)))[:, None] * points.normals
-    found = deviation(MeasuredPoints(moved), nominal, no_alignment())
+    found = compute_deviation(MeasuredPoints(moved), nominal, no_alignment())
     assert found.mean_mm == pytest.approx(0.1, abs=0.002)
     assert found.rms_mm == pytest.approx(np.hypot(0.1, 0.03), abs=0.002)
     assert found.min_mm < found.mean_mm < found.p95_mm < found.max_mm
@@ -51,18 +51,18 @@ def test_noise_and_offset_of_a_cloud_come_back_as_rms_and_mean(samples) -> None:
 
 def test_the_unmeasured_share_is_the_area_without_points() -> None:
     half = np.array([50.0, 30.0, 20.0])
-    points = sampled(box(half), 60_000)
+    points = sample_mesh(box(half), 60_000)
     seen = points.points_mm[points.points_mm[:, 2] > -19.99]  # all but the underside and what lies near it
     share = 60 * 100 / (2 * (100 * 60 + 100 * 40 + 60 * 40))
     border = 2 * (100 + 60) * 2.0 / (2 * (100 * 60 + 100 * 40 + 60 * 40))  # a strip 2 mm wide counts as near
-    found = deviation(MeasuredPoints(seen), box(half), no_alignment())
+    found = compute_deviation(MeasuredPoints(seen), box(half), no_alignment())
     assert share - border - 0.01 < found.unmeasured_share < share
 
 
 def test_a_nominal_without_area_is_refused() -> None:
     line = Mesh([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]], "nominal")
     with pytest.raises(InspectionError, match="no surface"):
-        deviation(MeasuredPoints(np.zeros((3, 3))), line, no_alignment())
+        compute_deviation(MeasuredPoints(np.zeros((3, 3))), line, no_alignment())
 
 
 def test_points_with_normals_are_measured_as_those_without() -> None:
@@ -73,7 +73,7 @@ def test_points_with_normals_are_measured_as_those_without() -> None:
     vertices = np.array(made.vertices)
     vertices[:, 2] += 2 * np.sin(vertices[:, 0] / 10)
     nominal = Mesh(vertices, made.faces, "nominal")
-    points = sampled(nominal, 40_000)
+    points = sample_mesh(nominal, 40_000)
     assert points.normals is not None
     lifted = points.points_mm + rng.normal(0, 0.2, (40_000, 1)) * points.normals
     leaning = points.normals + rng.normal(0, 0.04, (40_000, 3))
@@ -108,7 +108,7 @@ def test_closest_points_on_long_narrow_triangles_are_as_near_as_in_double_precis
     triangles = np.array([[0, k, k + 1] for k in range(1, len(rim))])
     rng = np.random.default_rng(2)
     nominal = Mesh(vertices, triangles, "nominal")
-    points = sampled(nominal, 4000).points_mm + rng.normal(0, 0.05, (4000, 3))
+    points = sample_mesh(nominal, 4000).points_mm + rng.normal(0, 0.05, (4000, 3))
     exact = foot_distances(points, vertices[triangles])
     single = 2.0**-23 * 120  # of a coordinate
     assert np.abs(np.abs(signed_distances(points, NominalSurface(nominal))) - exact).max() < 20 * single
@@ -117,7 +117,7 @@ def test_closest_points_on_long_narrow_triangles_are_as_near_as_in_double_precis
 def test_no_place_of_the_impeller_is_nearer_along_a_ray_than_its_closest_point(samples) -> None:
     """They differ only in a corner, where the closest point may lie on the other face."""
     surface, rng = samples("impeller").surface, np.random.default_rng(5)
-    points = sampled(samples("impeller").nominal, 60_000)
+    points = sample_mesh(samples("impeller").nominal, 60_000)
     assert points.normals is not None
     lifted = points.points_mm + rng.normal(0, 0.03, (len(points), 1)) * points.normals
     by_rays = np.abs(distances_and_normals(lifted, np.array(points.normals), surface)[0])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from measureapp.inspection.surface.slivers import LARGEST, SLENDER, divided
+from measureapp.inspection.surface.slivers import LARGEST, SLENDER, split_slivers
 
 
 def longest_and_height(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -32,7 +32,7 @@ def slender(count: int, foot: float, rng: np.random.Generator) -> np.ndarray:
 @pytest.mark.parametrize("foot", [0.0, 0.001, 0.3, 0.5, 1.0])
 def test_the_pieces_of_slender_triangles_are_short_few_and_add_up(foot: float) -> None:
     whole = slender(200, foot, np.random.default_rng(3))
-    pieces = divided(whole)
+    pieces = split_slivers(whole)
     parts = pieces.corners_mm(whole)
     longest, height = longest_and_height(parts)
     assert ((longest**3 <= LARGEST * height**2 * (1 + 1e-6)) | (longest <= SLENDER * height)).all()
@@ -49,6 +49,6 @@ def test_stout_and_empty_triangles_stay_whole() -> None:
     stout = np.array(
         [[[0, 0, 0], [900, 0, 0], [400, 700, 0]], [[0, 0, 0], [3, 0, 0], [0, 0.5, 0]], [[0, 0, 0], [1, 1, 1], [3, 3, 3]]], float
     )
-    pieces = divided(stout)
+    pieces = split_slivers(stout)
     assert list(pieces.parents) == [0, 1, 2]
     assert np.array_equal(pieces.corners_mm(stout), stout)

@@ -67,7 +67,7 @@ def best_of_bore(play_mm: float) -> float:
 def test_the_part_shifts_to_where_its_bore_lies_best_within_the_play_of_its_shaft(play_mm, condition):
     (found,) = measured(part(0, 0.0), {**ASKED, **loose(play_mm, condition=condition)})
     assert found.measured == pytest.approx(best_of_bore(play_mm), abs=LOST_MM + 1e-3), found.reason
-    assert "datum shift: shaft loose by" in found.origin and found.upper_tolerance == 0.5
+    assert "datum shift: shaft loose by" in found.traceability and found.upper_tolerance == 0.5
 
 
 def best_of_collar(play_mm: float) -> float:
@@ -106,7 +106,7 @@ def test_its_own_material_size_and_that_of_its_datum_both_count():
     )
     assert plain.verdict is Verdict.FAIL and shifted.verdict is not Verdict.PASS and both.verdict is Verdict.PASS
     assert both.measured == pytest.approx(shifted.measured)
-    assert "maximum material" in both.origin and "datum shift" in both.origin
+    assert "maximum material" in both.traceability and "datum shift" in both.traceability
 
 
 @pytest.mark.parametrize("times", [3, pytest.param(40, marks=pytest.mark.slow)])

@@ -10,11 +10,11 @@ from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.geometry.fits import fit
 from measureapp.inspection.dimensions import inspect
-from measureapp.inspection.features.cells import cell_means, greatest_noise, noise_reach, surface_keys
-from measureapp.inspection.features.found import Found
+from measureapp.inspection.features.cells import cell_means, greatest_noise, greatest_noise_factor, surface_keys
+from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
-from measureapp.inspection.tolerances.noise_free import noise_free_heights
-from measureapp.inspection.tolerances.zone_noise import Zone, width_without_noise
+from measureapp.inspection.tolerances.empirical_bayes import estimate_noise_free_heights
+from measureapp.inspection.tolerances.zone_noise import Zone, estimate_noise_free_width
 
 ONLY_NOISE = InspectionSettings(uncertainty=UncertaintySettings(placement_mm=0, systematic_mm=0, systematic_relative=0))
 NOISE_MM = 0.02
@@ -72,7 +72,7 @@ def enough(times: int) -> float:
 
 def range_of_noise(noise_mm: float, cells: int, points: int) -> float:
     """The range that noise alone spans over means of so many points of a face, in 95 of 100 cases at most."""
-    return 2 * noise_reach(cells) * noise_mm / np.sqrt(points / cells)
+    return 2 * greatest_noise_factor(cells) * noise_mm / np.sqrt(points / cells)
 
 
 CELL_ANGLE = 5.0 / RADIUS_MM
@@ -92,9 +92,9 @@ CASES = {
 def test_form_without_noise_is_the_known_one(make, feature, asked, truth, loss):
     found = measured(make(1, noise_mm=0.0), [feature], **asked)
     # slopes scatter the points within a cell, whose places are random: by 0.0015·5 mm/√12 on the shaft, by 0.0005 mm of a mean of 20
-    assert found.uncertainty < 2 * noise_reach(600) * 0.0005
+    assert found.uncertainty < 2 * greatest_noise_factor(600) * 0.0005
     assert found.measured == pytest.approx(truth, abs=loss + found.uncertainty + 2e-4), found.reason
-    assert found.kind == asked["kind"] and "cells" in found.origin and "minimum zone" in found.origin
+    assert found.kind == asked["kind"] and "cells" in found.traceability and "minimum zone" in found.traceability
 
 
 @pytest.mark.parametrize(
@@ -103,7 +103,7 @@ def test_form_without_noise_is_the_known_one(make, feature, asked, truth, loss):
 @TIMES
 def test_the_uncertainty_of_form_holds_in_95_of_100_cases(make, feature, asked, truth, loss, times):
     found = [measured(make(seed, NOISE_MM), [feature], **asked) for seed in range(times)]
-    assert sum(abs(one.error - truth) <= one.uncertainty + loss for one in found) >= enough(times)
+    assert sum(abs(one.deviation - truth) <= one.uncertainty + loss for one in found) >= enough(times)
     assert all(one.verdict is Verdict.PASS for one in found)  # within 0.2 mm, uncertainty included
 
 
@@ -127,7 +127,7 @@ def test_intervals_of_form_are_narrower_than_what_noise_could_do_at_most(make, f
     """Whatever the form is, noise adds between nothing and its own range: an interval of that width would need no estimate."""
     found = measured(make(7), [feature], **asked)
     assert 2 * found.uncertainty < range_of_noise(NOISE_MM, cells, points)
-    assert "that noise adds" in found.origin
+    assert "that noise adds" in found.traceability
 
 
 FORMS_OF_FACES = {
@@ -147,11 +147,11 @@ def test_the_shift_by_noise_is_taken_off_whatever_the_form(form, cells, times):
         u, v = rng.uniform(-30, 30, (2, cells))
         design = np.column_stack([u / 30, v / 30, np.ones(cells)])
         true, noisy = (
-            Zone(np.zeros((1, cells)), design[None], np.full(cells, noise_mm)).fitted(heights[None, None])[0]
+            Zone(np.zeros((1, cells)), design[None], np.full(cells, noise_mm)).fit_residuals(heights[None, None])[0]
             for heights in (form(u, v), form(u, v) + noise_mm * rng.standard_normal(cells))
         )
         zone = Zone(noisy, design[None], np.full(cells, noise_mm))
-        found = width_without_noise([zone], float(np.ptp(noisy)), "least-squares", 40)
+        found = estimate_noise_free_width([zone], float(np.ptp(noisy)), "least-squares", 40)
         errors[number], sigmas[number] = found.value_mm - float(np.ptp(true)), found.sigma_mm
     assert np.count_nonzero(np.abs(errors) <= 2 * sigmas) >= enough(times)
     # what is left of the shift is part of the standard uncertainty
@@ -161,17 +161,17 @@ def test_the_shift_by_noise_is_taken_off_whatever_the_form(form, cells, times):
 def test_heights_that_noise_alone_tells_apart_come_out_equal():
     rng = np.random.default_rng(3)
     true = np.repeat([0.0, 1.0, 4.0], 40)
-    found = noise_free_heights((true + 0.1 * rng.standard_normal(120))[None], np.full(120, 0.1))
+    found = estimate_noise_free_heights((true + 0.1 * rng.standard_normal(120))[None], np.full(120, 0.1))
     # each level is the mean of 40 heights, known to 0.016; the likeliest distribution leaves some of their scatter
     assert np.sqrt(np.mean((found[0] - true) ** 2)) < 0.05
-    flat = noise_free_heights(rng.standard_normal((2, 60)), np.ones(60))
+    flat = estimate_noise_free_heights(rng.standard_normal((2, 60)), np.ones(60))
     assert np.sqrt(np.mean(np.sum(flat**2, axis=0))) < 0.6  # of offsets that are noise alone, √2 at first
 
 
 def test_least_squares_form_is_never_less_than_the_minimum_zone():
     zone, squares = (measured(wavy_top(3), [TOP], kind="flatness", criterion=name) for name in ("minimum-zone", "least-squares"))
     assert zone.measured <= squares.measured < 1.3 * zone.measured
-    assert "least squares" in squares.origin
+    assert "least squares" in squares.traceability
 
 
 def test_the_noise_of_means_is_that_of_their_points():
@@ -179,7 +179,7 @@ def test_the_noise_of_means_is_that_of_their_points():
     part.square([0, 0, 0], [0, 0, 1], [1, 0, 0], count=20_000)
     points = part.at_its_place().points_mm
     feature = fit("plane", points)
-    cells = cell_means(Found("top", feature, points_mm=points), feature, surface_keys(points, feature, 5.0))
+    cells = cell_means(FoundFeature("top", feature, points_mm=points), feature, surface_keys(points, feature, 5.0))
     # 12 × 12 to 13 × 13 cells; the scatter of 140 means is known to 6 %
     assert np.std(cells.deviations_mm) == pytest.approx(cells.noise_mm, rel=0.2)
     assert cells.noise_mm == pytest.approx(NOISE_MM / np.sqrt(20_000 / 144), rel=0.1)
@@ -192,7 +192,7 @@ def test_the_slope_of_a_form_across_a_cell_is_no_noise():
     part.square([0, 0, 0], [0, 0, 1], [1, 0, 0], height=lambda u, v: amplitude * np.sin(u / length), count=20_000)
     points = part.at_its_place().points_mm
     feature = fit("plane", points)
-    cells = cell_means(Found("top", feature, points_mm=points), feature, surface_keys(points, feature, 5.0))
+    cells = cell_means(FoundFeature("top", feature, points_mm=points), feature, surface_keys(points, feature, 5.0))
     slope = amplitude / length * 5.0 / np.sqrt(12)  # scatter about the mean of a cell at the steepest places
     bend = amplitude / length**2 * 5.0**2 / np.sqrt(720)  # of a parabola about its straight line, where it bends most
     alone = noise_mm / np.sqrt(20_000 / 144)
@@ -204,20 +204,20 @@ def test_the_greatest_noise_of_unlike_means_is_exceeded_in_5_of_100_cases():
     noises = np.r_[np.full(60, 1.0), np.full(20, 2.0)]
     greatest = np.abs(noises * np.random.default_rng(1).standard_normal((4000, 80))).max(axis=1)
     assert np.mean(greatest > greatest_noise(noises)) == pytest.approx(0.05, abs=0.015)
-    assert greatest_noise(np.ones(80)) == pytest.approx(noise_reach(80))
+    assert greatest_noise(np.ones(80)) == pytest.approx(greatest_noise_factor(80))
 
 
 def test_a_form_that_noise_alone_could_have_made_says_that_its_interval_is_one_sided():
     part = Part(np.random.default_rng(0), NOISE_MM)
     part.square([0, 0, 0], [0, 0, 1], [1, 0, 0])
     flat, wavy = measured(part, [TOP], kind="flatness"), measured(wavy_top(0), [TOP], kind="flatness")
-    assert f"one-sided, at most {flat.measured + flat.uncertainty:.4f} mm" in flat.origin
-    assert flat.measured <= flat.uncertainty and "one-sided" not in wavy.origin
+    assert f"one-sided, at most {flat.measured + flat.uncertainty:.4f} mm" in flat.traceability
+    assert flat.measured <= flat.uncertainty and "one-sided" not in wavy.traceability
 
 
 def test_the_reach_of_noise_is_exceeded_in_5_of_100_cases():
     greatest = np.abs(np.random.default_rng(0).standard_normal((4000, 50))).max(axis=1)
-    assert np.mean(greatest > noise_reach(50)) == pytest.approx(0.05, abs=0.015)
+    assert np.mean(greatest > greatest_noise_factor(50)) == pytest.approx(0.05, abs=0.015)
 
 
 @pytest.mark.parametrize(

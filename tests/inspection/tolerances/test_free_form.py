@@ -82,14 +82,14 @@ def measured(points: Part, nominal: Mesh | None, *asked: dict, features=(*DATUMS
 def test_the_profile_of_a_free_form_is_twice_its_greatest_deviation_wherever_the_part_lies(nominal):
     (found,) = measured(part(0, 0.0), nominal, ASKED)
     assert found.measured == pytest.approx(0.16, abs=2 * FACET_MM + 1e-3), found.reason
-    assert "means of 5 mm cells" in found.origin and "datums base|front|side" in found.origin
+    assert "means of 5 mm cells" in found.traceability and "datums base|front|side" in found.traceability
 
 
 def test_without_datums_the_alignment_places_it(nominal):
     (found,) = measured(part(0, 0.0, lambda x, y: np.full_like(x, 0.05)), nominal, {**ASKED, "datums": []})
     # the displaced part is not where the drawing has it: z + 0.1 mm + tilts of 0.002 rad over up to 200 mm, all within a millimetre
     assert found.measured is not None and 0.1 < found.measured < 2
-    assert "placed by the alignment" in found.origin
+    assert "placed by the alignment" in found.traceability
 
 
 @pytest.mark.parametrize(("offset_mm", "truth"), [(0.0, 0.16), (-0.04, 0.08), (-0.1, 0.2), (0.05, 0.26)])
@@ -97,7 +97,7 @@ def test_the_middle_of_the_zone_may_lie_off_the_drawing(nominal, offset_mm, trut
     """The deviations run from −0.08 to 0: a zone into the material by half of that is 0.08 wide, one to either side wider."""
     (found,) = measured(part(0, 0.0), nominal, {**ASKED, "zone_offset_mm": offset_mm})
     assert found.measured == pytest.approx(truth, abs=2 * FACET_MM + 1e-3)
-    assert ("the material" in found.origin) == bool(offset_mm)
+    assert ("the material" in found.traceability) == bool(offset_mm)
 
 
 def test_a_zone_on_one_side_only_passes_what_lies_there_and_fails_the_other_side(nominal):
@@ -148,7 +148,7 @@ def test_a_line_profile_sees_only_what_its_section_cuts(nominal):
 def test_only_what_faces_the_way_asked_belongs_to_it(nominal):
     whole = {"name": "wave", "shape": "free_form", "z_mm": [-10, 300]}
     up = {**whole, "facing": [0, 0, 1]}
-    named = [measured(part(0, 0.0), nominal, {**ASKED}, features=(*DATUMS, one))[0].origin for one in (whole, up)]
+    named = [measured(part(0, 0.0), nominal, {**ASKED}, features=(*DATUMS, one))[0].traceability for one in (whole, up)]
     counts = [int(one.split("wave: ")[1].split(" points")[0]) for one in named]
     assert counts[0] > counts[1] > 8000  # of four faces two look upwards: the wave and the base
 

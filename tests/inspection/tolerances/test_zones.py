@@ -117,7 +117,7 @@ def test_without_noise_the_width_of_the_zone_is_the_known_one_wherever_the_part_
     found = exact[name]
     assert found.measured == pytest.approx(truth, abs=loss + 1e-4), found.reason
     assert found.kind == asked["kind"] and found.datums == tuple(asked.get("datums", ()))
-    assert "datums " + "|".join(asked["datums"]) in found.origin and "points" in found.origin
+    assert "datums " + "|".join(asked["datums"]) in found.traceability and "points" in found.traceability
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -206,7 +206,7 @@ def test_a_step_has_a_sign_and_a_projection_lies_in_its_plane(without_noise):
     )
     assert up.measured == pytest.approx(60, abs=0.15) and down.measured == pytest.approx(-60, abs=0.15)  # the shelf is tilted
     assert height.measured == pytest.approx(400, abs=1e-3)
-    assert "constructed" in height.origin
+    assert "constructed" in height.traceability
 
 
 def test_a_constructed_feature_has_its_place_in_the_drawing_too(without_noise):
@@ -261,8 +261,8 @@ def test_a_bore_larger_than_its_maximum_material_size_may_lie_further_off():
     )
     for found, bonus in ((at_maximum, OPENED_MM), (at_least, 0.1)):
         assert found.measured == pytest.approx(plain.measured)
-        assert bonus - LOST_MM - 1e-3 <= found.upper_tolerance - 0.5 <= bonus + 1e-3, found.origin
-    assert "maximum material" in at_maximum.origin and "least material" in at_least.origin
+        assert bonus - LOST_MM - 1e-3 <= found.upper_tolerance - 0.5 <= bonus + 1e-3, found.traceability
+    assert "maximum material" in at_maximum.traceability and "least material" in at_least.traceability
 
 
 def test_the_bonus_can_turn_a_fail_into_a_pass_but_not_where_the_bore_is_at_its_limit():

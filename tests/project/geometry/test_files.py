@@ -9,7 +9,7 @@ import pytest
 
 from measureapp.data.cloud import PointCloud, StitchedCloud
 from measureapp.data.mesh import Mesh
-from measureapp.data.view_errors import POWERS, CloudBends, CommonErrors, FormErrors, ViewErrors
+from measureapp.data.view_errors import POWERS, CloudDistortion, FormErrors, SystematicErrors, ViewErrors
 from measureapp.errors import InputError, StorageError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.geometry.files import (
@@ -76,12 +76,12 @@ def test_a_stitched_cloud_comes_back_as_it_was_written(tmp_path: Path, view: Poi
 def errors_of(count: int, frame: str = "part") -> ViewErrors:
     rng = np.random.default_rng(5)
     poses = tuple(RigidTransform.from_vector(rng.normal(size=3), rng.normal(size=3), frame, "camera") for _ in range(count))
-    bends = CloudBends(np.array([1.0, 2.0, 500.0]), np.array([90.0, 80.0, 70.0]), rng.normal(size=(len(POWERS), 3, 4)))
-    by_stitching, by_calibration = rng.normal(size=(6 * count, 9)), rng.normal(size=(6 * count, 4))
+    bends = CloudDistortion(np.array([1.0, 2.0, 500.0]), np.array([90.0, 80.0, 70.0]), rng.normal(size=(len(POWERS), 3, 4)))
+    stitching_motions, calibration_motions = rng.normal(size=(6 * count, 9)), rng.normal(size=(6 * count, 4))
     nodes, sizes = 20 * rng.normal(size=(3 * count, 3)), rng.uniform(0.001, 0.002, count)
     form = FormErrors(nodes, np.repeat(np.arange(count), 3), sizes, 20 + 1000 * sizes, 1e-3 * rng.normal(size=(6 * count, 3 * count)))
-    common = CommonErrors(rng.normal(size=(5, 3)), 0.002, 1e-3 * rng.normal(size=(6 * count, 5)))
-    return ViewErrors(poses, rng.normal(size=(count, 3)), by_stitching, by_calibration, bends, form, common)
+    common = SystematicErrors(rng.normal(size=(5, 3)), 0.002, 1e-3 * rng.normal(size=(6 * count, 5)))
+    return ViewErrors(poses, rng.normal(size=(count, 3)), stitching_motions, calibration_motions, bends, form, common)
 
 
 @pytest.mark.parametrize("calibrated", [True, False])
@@ -89,15 +89,15 @@ def errors_of(count: int, frame: str = "part") -> ViewErrors:
 def test_what_the_views_err_by_comes_back_with_the_stitched_cloud(tmp_path: Path, view: PointCloud, calibrated: bool, formed: bool):
     errors = errors_of(3)
     if not calibrated:
-        errors = replace(errors, bends=None, by_calibration=np.zeros((18, 0)))
+        errors = replace(errors, distortion=None, calibration_motions=np.zeros((18, 0)))
     if not formed:
-        errors = replace(errors, form=None, common=None)
+        errors = replace(errors, form=None, systematic=None)
     number = np.arange(50) % 3
-    cloud = StitchedCloud(view.points_mm, view.normals, view.sigma_mm, view.grey, number, (), drawn_view=(number + 1) % 3, errors=errors)
+    cloud = StitchedCloud(view.points_mm, view.normals, view.sigma_mm, view.grey, number, (), sampled_view=(number + 1) % 3, errors=errors)
     write_cloud(tmp_path / "s.ply", cloud)
     back = read_stitched(tmp_path / "s.ply")
-    assert back.errors is not None and back.drawn_view is not None
-    np.testing.assert_array_equal(back.drawn_view, cloud.drawn_view)
+    assert back.errors is not None and back.sampled_view is not None
+    np.testing.assert_array_equal(back.sampled_view, cloud.sampled_view)
     one, other = (each.along(cloud.points_mm, np.asarray(cloud.normals, float), number) for each in (errors, back.errors))
     assert one.keys() == other.keys() and ("calibration" in one, "form" in one, "common" in one) == (calibrated, formed, formed)
     for share, columns in one.items():

@@ -33,7 +33,7 @@ def around() -> list[RigidTransform]:
 
 @pytest.mark.parametrize(("unit_mm", "word"), [(1000.0, "metres"), (25.4, "inches")])
 def test_clouds_that_meet_in_another_unit_are_asked_for_it(unit_mm: float, word: str) -> None:
-    with pytest.raises(RegistrationError, match=f"taken as {word}"):
+    with pytest.raises(RegistrationError, match=f"read as {word}"):
         check_unit([seen(unit_mm)] * 6, around())
 
 

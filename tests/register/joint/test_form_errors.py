@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from measureapp.data.cloud import PointCloud
-from measureapp.data.view_errors import ViewErrors, smooth_patterns
+from measureapp.data.view_errors import ViewErrors, smooth_basis
 from measureapp.geometry.transform import RigidTransform
-from measureapp.register.joint.form_errors import form_errors
+from measureapp.register.joint.form_errors import estimate_form_errors
 from measureapp.register.pairs.prepare import PreparedCloud, prepare
-from measureapp.register.pairs.smooth_errors import LENGTH
+from measureapp.register.pairs.smooth_errors import CORRELATION_LENGTH
 
 SIZES_MM = np.array([0.001, 0.003])
 
@@ -29,7 +29,7 @@ def known() -> tuple[list[PreparedCloud], ViewErrors]:
     clouds = [saddle(1), saddle(2)]
     poses = tuple(RigidTransform.from_vector([0.0, 0.4 * k, 0.1], [20.0, 0, -500], "part", "camera") for k in range(2))
     centres = np.stack([pose.apply(cloud.centroid_mm) for pose, cloud in zip(poses, clouds, strict=True)])
-    form = form_errors(clouds, SIZES_MM, poses, centres)
+    form = estimate_form_errors(clouds, SIZES_MM, poses, centres)
     return clouds, ViewErrors(poses, centres, np.zeros((12, 0)), np.zeros((12, 0)), form=form)
 
 
@@ -42,7 +42,7 @@ def test_form_is_what_a_motion_of_the_view_leaves_of_a_smooth_error() -> None:
         lever = np.hstack([normals, np.cross(points - errors.centres_mm[number], normals) / 50])
         left = np.eye(len(points)) - lever @ np.linalg.pinv(lever)
         squared = np.sum((points[:, None] - points) ** 2, axis=2)
-        exact = left @ (SIZES_MM[number] ** 2 * np.exp(-squared / (2 * (LENGTH * cloud.radius_mm) ** 2))) @ left
+        exact = left @ (SIZES_MM[number] ** 2 * np.exp(-squared / (2 * (CORRELATION_LENGTH * cloud.radius_mm) ** 2))) @ left
         size = float(exact.diagonal().max())
         np.testing.assert_allclose(columns @ columns.T, exact, atol=0.11 * SIZES_MM[number] ** 2)  # a tenth is left out at most
         assert size > 0.05 * SIZES_MM[number] ** 2
@@ -61,6 +61,6 @@ def test_views_have_their_own_form_wherever_the_part_is_seen_from() -> None:
 
 def test_nodes_that_lie_on_each_other_do_no_harm() -> None:
     nodes = np.array([[0.0, 0, 0], [0, 0, 1e-9], [50, 0, 0]])
-    patterns = smooth_patterns(np.array([[0.0, 0, 0], [500, 0, 0]]), nodes, 30.0)
+    patterns = smooth_basis(np.array([[0.0, 0, 0], [500, 0, 0]]), nodes, 30.0)
     variance = np.sum(patterns**2, axis=1)
     assert abs(variance[0] - 1) < 1e-6 and variance[1] < 1e-6

@@ -6,11 +6,11 @@ import pytest
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import FrameMismatch
 from measureapp.geometry.transform import RigidTransform
-from measureapp.register.joint.pose_graph import moved_to, solve, turned
+from measureapp.register.joint.pose_graph import optimise_pose_graph, twist_rotation, twist_shift
 from measureapp.register.joint.pose_prior import KinematicPrior
 from measureapp.register.pairs.icp import measure_pair, register_pair
 from measureapp.register.pairs.prepare import prepare
-from measureapp.register.place import place, stations
+from measureapp.register.place import number_stations, place
 
 PRIOR = KinematicPrior(0.5, 1e-3, 0.02, 1e-4)
 
@@ -59,14 +59,16 @@ def test_a_motion_that_all_views_have_in_common_is_not_uncertainty_beside_each_o
     poses = [RigidTransform.from_vector(generator.uniform(-1, 1, 3), generator.uniform(-50, 50, 3), "part", "camera") for _ in range(5)]
     centres = generator.uniform(-40, 40, (5, 3))
     own = np.diag([0.02**2] * 3 + [1e-8] * 3)
-    seen = np.vstack([turned(pose.rotation.T) @ moved_to(pose.translation_mm, np.zeros(3)) for pose in poses])
+    seen = np.vstack([twist_rotation(pose.rotation.T) @ twist_shift(pose.translation_mm, np.zeros(3)) for pose in poses])
     common = seen @ np.diag([25.0] * 3 + [1e-4] * 3) @ seen.T
-    about = [turned(pose.rotation.T) @ moved_to(pose.translation_mm, centre) for pose, centre in zip(poses, centres, strict=True)]
+    about = [
+        twist_rotation(pose.rotation.T) @ twist_shift(pose.translation_mm, centre) for pose, centre in zip(poses, centres, strict=True)
+    ]
     apart = np.zeros((30, 30))
     for k, change in enumerate(about):
         apart[6 * k : 6 * k + 6, 6 * k : 6 * k + 6] = change @ own @ change.T
-    solution = solve(poses, poses, np.linalg.inv(common + apart), [], centres)
-    found = [solution.of_view(index) for index in range(len(poses))]
+    solution = optimise_pose_graph(poses, poses, np.linalg.inv(common + apart), [], centres)
+    found = [solution.covariance_of(index) for index in range(len(poses))]
     shift = np.mean([np.trace(one[:3, :3]) for one in found])
     assert shift < 3 * 0.02**2  # less than before: what the views' errors have in common is gone as well
     assert shift > 3 * 0.02**2 * (1 - 6 / 15)  # at most six of the fifteen shifts
@@ -74,7 +76,7 @@ def test_a_motion_that_all_views_have_in_common_is_not_uncertainty_beside_each_o
 
 def test_without_pairs_the_poses_are_the_axes_own():
     poses = [RigidTransform.from_vector([0.1 * i, 0, 0], [i, 2.0, 3.0], "part", "camera") for i in range(3)]
-    solution = solve(poses, poses, np.linalg.inv(PRIOR.covariance([0, 1, 2])), [], np.zeros((3, 3)))
+    solution = optimise_pose_graph(poses, poses, np.linalg.inv(PRIOR.covariance([0, 1, 2])), [], np.zeros((3, 3)))
     for found, given in zip(solution.part_from_camera, poses, strict=True):
         np.testing.assert_allclose(found.matrix, given.matrix, atol=1e-12)
 
@@ -92,4 +94,4 @@ def test_stations_differ_by_robot_and_guide_but_not_by_the_table():
     pose = RigidTransform.from_vector([0, 1.0, 0], [400.0, 0, 600.0], "base", "flange")
     other = RigidTransform.from_vector([0, 1.2, 0], [400.0, 0, 600.0], "base", "flange")
     states = [AxisReadback(pose, 10, 0), AxisReadback(pose, 10, 1), AxisReadback(pose, 50, 0), AxisReadback(other, 10, 0)]
-    assert stations(states) == (0, 0, 1, 2)
+    assert number_stations(states) == (0, 0, 1, 2)

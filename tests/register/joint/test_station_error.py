@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from measureapp.geometry.transform import RigidTransform
-from measureapp.register.joint.pose_prior import KinematicPrior
+from measureapp.register.joint.pose_prior import KinematicPrior, PosePrior
 from measureapp.register.stitch import stitch
 from tests.register.test_stitch import best_fit
 
@@ -45,7 +45,9 @@ def test_a_camera_that_stands_too_far_away_does_not_shrink_the_part(scan) -> Non
     kinematic = too_deep(scan, 1)
     turns = np.radians(1e-3)
     shared, alone = (
-        stitch(scan.clouds, kinematic, prior_covariance=KinematicPrior(DEEP_MM, turns, TABLE_MM, turns / 10).covariance(stations))
+        stitch(
+            scan.clouds, kinematic, prior=PosePrior(covariance=KinematicPrior(DEEP_MM, turns, TABLE_MM, turns / 10).covariance(stations))
+        )
         for stations in (scan.stations, list(range(len(kinematic))))
     )
     axes, together, apart = (

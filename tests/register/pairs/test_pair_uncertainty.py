@@ -9,7 +9,7 @@ import pytest
 from scipy.ndimage import gaussian_filter
 
 from measureapp.data.cloud import PointCloud
-from measureapp.register.pairs.icp import register_pair, stepped
+from measureapp.register.pairs.icp import apply_motion, register_pair
 from measureapp.register.pairs.prepare import prepare
 
 VOXEL_MM, STEP_MM = 1.4, 0.6
@@ -37,7 +37,7 @@ def test_pairs_are_off_as_far_as_they_say(scanned, request, mesh, length_mm):
         for i, j in PAIRS:
             truth = scan.truth[i].inverse() @ scan.truth[j]
             found = register_pair(views[i], views[j], truth, (i, j), 3.0)
-            off = stepped(found.target_from_source, found.change, found.centre_mm) @ truth.inverse()
+            off = apply_motion(found.target_from_source, found.change, found.centre_mm) @ truth.inverse()
             error = np.concatenate([off.apply(found.centre_mm) - found.centre_mm, off.rotation_vector])
             squares += error @ found.information @ error
             directions += int(np.linalg.matrix_rank(found.information))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from measureapp.register.pairs.smooth_errors import smooth_errors
+from measureapp.register.pairs.smooth_errors import estimate_smooth_errors
 
 NOISE_MM, SMOOTH_MM = 0.006, 0.005
 DRAWS, POINTS = 30, 500
@@ -45,7 +45,7 @@ def fitted(length_mm: float | None, scale: float = 1.0) -> np.ndarray:
         if root is not None:
             error += SMOOTH_MM * scale * root @ rng.normal(size=root.shape[1])
         change = -inverse @ (jacobian.T @ (weight * error))
-        _, scatter = smooth_errors(points, normal, jacobian, weight, error + jacobian @ change)
+        _, scatter = estimate_smooth_errors(points, normal, jacobian, weight, error + jacobian @ change)
         squares.append(change @ np.linalg.solve(inverse + inverse @ scatter @ inverse, change) / 6)
     return np.array(squares)
 
@@ -70,5 +70,5 @@ def test_the_unit_of_length_does_not_matter() -> None:
 
 def test_a_surface_of_one_place_claims_nothing() -> None:
     normal = np.tile([0.0, 0.0, 1.0], (40, 1))
-    deviation, scatter = smooth_errors(np.zeros((40, 3)), normal, np.hstack([normal, np.zeros((40, 3))]), np.ones(40), np.ones(40))
+    deviation, scatter = estimate_smooth_errors(np.zeros((40, 3)), normal, np.hstack([normal, np.zeros((40, 3))]), np.ones(40), np.ones(40))
     assert deviation == 0 and not scatter.any()

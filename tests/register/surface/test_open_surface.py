@@ -7,7 +7,7 @@ import pytest
 
 from measureapp.data.cloud import StitchedCloud
 from measureapp.errors import RegistrationError
-from measureapp.register.surface.open import LONGEST_SPACINGS, open_surface
+from measureapp.register.surface.open import LONGEST_SPACINGS, triangulate_open_patch
 
 SPACING_MM, NOISE_MM, HALF_MM, SAGITTA_MM = 0.5, 0.02, 20.0, 4.0
 HOLE_MM = 5.0
@@ -48,7 +48,7 @@ def borders(triangles: np.ndarray) -> int:
 
 def test_a_sheet_keeps_its_rim_and_its_hole_and_every_corner_is_a_measured_point() -> None:
     points = sheet()
-    mesh = open_surface(points)
+    mesh = triangulate_open_patch(points)
     assert mesh.measured is not None and mesh.measured.all()
     known = {tuple(point) for point in points.points_mm}
     assert all(tuple(vertex) in known for vertex in mesh.vertices_mm)
@@ -71,15 +71,15 @@ def test_a_sheet_keeps_its_rim_and_its_hole_and_every_corner_is_a_measured_point
 
 
 def test_a_gap_of_a_few_points_is_no_hole() -> None:
-    assert borders(open_surface(sheet(hole_mm=0.7)).triangles) == 1
+    assert borders(triangulate_open_patch(sheet(hole_mm=0.7)).triangles) == 1
 
 
 def test_a_body_seen_all_round_is_refused() -> None:
     rng = np.random.default_rng(2)
     normals = rng.standard_normal((5000, 3))
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    with pytest.raises(RegistrationError, match="no single open patch") as caught:
-        open_surface(cloud(20 * normals, normals))
+    with pytest.raises(RegistrationError, match="not a single open patch") as caught:
+        triangulate_open_patch(cloud(20 * normals, normals))
     assert "poisson" in caught.value.hint
 
 
@@ -88,19 +88,19 @@ def test_sheets_over_one_another_are_refused() -> None:
     other = sheet(0.0, 2)
     lifted = np.asarray(other.points_mm) + np.array([0, 0, 10.0])
     both = np.vstack([one.points_mm, lifted])
-    with pytest.raises(RegistrationError, match="lie over one another"):
-        open_surface(cloud(both, np.vstack([one.normals, other.normals])))
+    with pytest.raises(RegistrationError, match="surfaces overlap"):
+        triangulate_open_patch(cloud(both, np.vstack([one.normals, other.normals])))
 
 
 def test_memory_is_judged_before_anything_is_done() -> None:
-    with pytest.raises(RegistrationError, match=r"of memory and 0\.0 GiB are free"):
-        open_surface(sheet(), free_bytes=lambda: 1000)
+    with pytest.raises(RegistrationError, match=r"of memory, and 0\.0 GiB are free"):
+        triangulate_open_patch(sheet(), free_bytes=lambda: 1000)
 
 
 def test_few_points_and_points_on_a_line_are_refused() -> None:
     line = np.column_stack([np.arange(300.0), np.zeros(300), np.zeros(300)])
     up = np.tile([0.0, 0.0, 1.0], (300, 1))
     with pytest.raises(RegistrationError, match="too few"):
-        open_surface(cloud(line[:50], up[:50]))
+        triangulate_open_patch(cloud(line[:50], up[:50]))
     with pytest.raises(RegistrationError, match="on one line"):
-        open_surface(cloud(line, up))
+        triangulate_open_patch(cloud(line, up))

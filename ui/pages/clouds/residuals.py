@@ -33,7 +33,7 @@ class Residuals:
         surface = self._of(stitched)
         if not found:
             return np.full(len(stitched), np.nan)
-        return surface.spread(np.concatenate([one for one, _ in found]), np.concatenate([one for _, one in found]))
+        return surface.rms_per_point(np.concatenate([one for one, _ in found]), np.concatenate([one for _, one in found]))
 
     def _of(self, stitched: StitchedCloud) -> MergedSurface:
         from measureapp.register.point_residuals import MergedSurface

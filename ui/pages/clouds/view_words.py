@@ -81,8 +81,8 @@ def view_properties(view: ViewResult, placement: ViewPlacement | None) -> Proper
                 ),
             )
         )
-        if placement.held_by_axes:
-            groups.append(Group("Held by the axes alone", tuple(("", sentence(motion)) for motion in placement.held_by_axes)))
+        if placement.unconstrained_motions:
+            groups.append(Group("Held by the axes alone", tuple(("", sentence(motion)) for motion in placement.unconstrained_motions)))
     if view.decode:
         groups.append(decoding_group(view))
     left_out = sorted(((count, name) for name, count in view.rejected.items() if count), reverse=True)

@@ -62,12 +62,12 @@ class DeviationCard(QFrame):
 
     def _show_bands(self) -> None:
         """Mark the tolerance, and tell how many of the points lie within it."""
-        from measureapp.inspection.surface.histogram import histogram
+        from measureapp.inspection.surface.histogram import bin_deviations
 
         limit = self.tolerance.value()
         self.histogram.mark(limit)
         if len(self._distances_mm):
-            found = histogram(self._distances_mm, -limit, limit)
+            found = bin_deviations(self._distances_mm, -limit, limit)
             self.bands.setText(f"{percent(found.within)} within, {percent(found.below)} below, {percent(found.above)} above")
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from measureapp.data.dimension import SHARE_DIGITS
+from measureapp.data.dimension import CONTRIBUTION_DIGITS
 from ui.look.wording import counted, millimetres, percent, quantity, sentence, sentence_case, several
 from ui.widgets.data_table import Cell, number, verdict_cell
 from ui.widgets.data_tree import Branch
@@ -40,8 +40,8 @@ def dimension_cells(dimension: Dimension) -> list[Cell]:
         Cell(dimension_words(dimension.name)),
         number(quantity(dimension.nominal, unit, digits)),
         number(quantity(dimension.measured, unit, digits)),
-        number(quantity(dimension.error, unit, digits, signed=True)),
-        number(quantity(dimension.uncertainty_shown(digits), unit, digits)),
+        number(quantity(dimension.deviation, unit, digits, signed=True)),
+        number(quantity(dimension.round_uncertainty(digits), unit, digits)),
         verdict_cell(str(dimension.verdict), tip=dimension.reason),
     ]
 
@@ -161,15 +161,15 @@ def dimension_properties(dimension: Dimension, features: Sequence[Feature], alig
             ("Nominal", quantity(dimension.nominal, unit)),
             ("Tolerance", tolerance(dimension.lower_tolerance, dimension.upper_tolerance, unit)),
             ("Measured", quantity(dimension.measured, unit)),
-            ("Error", quantity(dimension.error, unit, signed=True)),
-            ("Relative error", percent(dimension.relative_error, 3, signed=True)),
-            ("Uncertainty (k = 2)", quantity(dimension.uncertainty_shown(), unit)),
+            ("Error", quantity(dimension.deviation, unit, signed=True)),
+            ("Relative error", percent(dimension.relative_deviation, 3, signed=True)),
+            ("Uncertainty (k = 2)", quantity(dimension.round_uncertainty(), unit)),
         ),
     )
-    taken = tuple(("", sentence(part)) for part in dimension.origin.split("; ") if part and not part.startswith("datums "))
+    taken = tuple(("", sentence(part)) for part in dimension.traceability.split("; ") if part and not part.startswith("datums "))
     groups = [values]
-    if shares := dimension.shares_shown():
-        rows = tuple((sentence_case(name), quantity(size, unit, SHARE_DIGITS)) for name, size in shares)
+    if shares := dimension.rank_contributions():
+        rows = tuple((sentence_case(name), quantity(size, unit, CONTRIBUTION_DIGITS)) for name, size in shares)
         groups.append(Group("Shares of the uncertainty (k = 2)", rows))
     if taken:
         groups.append(Group("Where the value comes from", taken))

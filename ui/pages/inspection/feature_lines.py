@@ -18,7 +18,7 @@ from ui.viewport.layers import Label, LineLayer
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
     from measureapp.data.feature import Feature
-    from measureapp.inspection.drawn_sections import DrawnSections
+    from measureapp.inspection.section_curves import SectionCurves
 
 OUTLINE = (70, 82, 90)  # seen on the part in both themes
 Colour = tuple[int, int, int]
@@ -31,7 +31,7 @@ def verdict_rgb(theme: Theme, dimension: Dimension) -> Colour:
 
 
 def feature_lines(
-    features: Sequence[Feature], mine: Collection[Feature], dimension: Dimension | None, sections: DrawnSections | None, colour: Colour
+    features: Sequence[Feature], mine: Collection[Feature], dimension: Dimension | None, sections: SectionCurves | None, colour: Colour
 ) -> list[LineLayer]:
     """Return all features quietly and ``mine`` in colour; of a dimension also what it measures between or on them."""
     blades = {} if sections is None else sections.blades
@@ -51,7 +51,7 @@ def feature_lines(
     return [layer for layer in layers if layer.lines]
 
 
-def _lines(feature: Feature, sections: DrawnSections | None) -> list[np.ndarray]:
+def _lines(feature: Feature, sections: SectionCurves | None) -> list[np.ndarray]:
     if sections is not None and feature.name in sections.blades:
         return list(sections.blades[feature.name].outline)
     line = outline(feature)
@@ -59,7 +59,7 @@ def _lines(feature: Feature, sections: DrawnSections | None) -> list[np.ndarray]
 
 
 def dimension_labels(
-    theme: Theme, dimensions: Sequence[Dimension], features: Sequence[Feature], sections: DrawnSections | None
+    theme: Theme, dimensions: Sequence[Dimension], features: Sequence[Feature], sections: SectionCurves | None
 ) -> list[Label]:
     """Return value and verdict of each dimension that has features in the picture, in the colour of its verdict."""
     known = {feature.name: feature for feature in features}

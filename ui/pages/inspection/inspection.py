@@ -33,7 +33,7 @@ from ui.widgets.properties_panel import Properties
 from ui.widgets.segments import Segments
 
 if TYPE_CHECKING:
-    from measureapp.inspection.drawn_sections import DrawnSections
+    from measureapp.inspection.section_curves import SectionCurves
 
 EMPTY = (
     "Nothing measured yet",
@@ -207,7 +207,7 @@ class InspectionPage(ViewportPage):
             layers = feature_lines(chosen.features, chosen.features, chosen.dimension, self._sections(), OUTLINE)
             self.view.look_at(np.vstack([line for layer in layers for line in layer.lines]))
 
-    def _sections(self) -> DrawnSections | None:
+    def _sections(self) -> SectionCurves | None:
         return None if self.session.comparison is None else self.session.comparison.sections
 
     def _show_undo(self) -> None:

@@ -97,13 +97,15 @@ def cut_lines(comparison: Comparison, plane: CutPlane) -> tuple[list[LineLayer],
     """Return the curve of the drawing in a plane with the deviations of the points beside it, and what that is in words."""
     from measureapp.errors import InspectionError
     from measureapp.inspection.surface.cutting_surface import CuttingPlane
-    from measureapp.inspection.surface.section import section
+    from measureapp.inspection.surface.section import cut_section
 
     assert comparison.surface is not None
     axis = np.eye(3)[AXES[plane.axis]]
     where = f"{plane.axis} = {millimetres(plane.place_mm, 1)}"
     try:
-        found = section(where, comparison.deviation, comparison.surface, CuttingPlane.through(plane.place_mm * axis, axis), HALF_WIDTH_MM)
+        found = cut_section(
+            where, comparison.deviation, comparison.surface, CuttingPlane.through(plane.place_mm * axis, axis), HALF_WIDTH_MM
+        )
     except InspectionError:
         return [], f"{where}: nothing there"
     whiskers = Whiskers.of(found)

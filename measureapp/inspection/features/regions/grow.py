@@ -19,8 +19,8 @@ from measureapp.errors import FitError, InspectionError
 from measureapp.geometry.feature import Shape
 from measureapp.geometry.fits import fit
 from measureapp.inspection.features.regions.neighbours import Neighbourhood, local_spacing
-from measureapp.inspection.features.regions.surfaces import LocalSurface, Patch, ShapeSurface, bend
-from measureapp.inspection.measured import MeasuredPoints, thinned_indices
+from measureapp.inspection.features.regions.surfaces import LocalSurface, Patch, ShapeSurface, measure_bending
+from measureapp.inspection.measured_points import MeasuredPoints, thin_indices
 
 FIRST_POINTS = 100
 LEAST_POINTS = 30
@@ -30,8 +30,8 @@ WIDER = 1.5  # of the sphere about the seed from round to round
 ROUNDS, SETTLING = 60, 6
 SIGMAS = 3.5
 DETERMINED = 0.1  # relative standard deviation of a radius from which on the shape is known
-AS_WELL = 1.5  # the shape must fit a patch this well, compared with the quadric
-WHOLE = 0.95  # share of the part at which a region is no feature of it
+COMPARABLE_FIT = 1.5  # the shape must fit a patch this well, compared with the quadric
+WHOLE_PART = 0.95  # share of the part at which a region is no feature of it
 BENT_SIGMAS = 4.0
 
 
@@ -43,16 +43,16 @@ class Region:
     feature: Feature  # the shape as it was compared with at last
     noise_mm: float
     limit_mm: float  # greatest distance from the shape
-    ends: Mapping[str, float]  # why it stopped -> share of its border
+    border_reasons: Mapping[str, float]  # why it stopped -> share of its border
 
     @property
-    def why_it_stopped(self) -> str:
+    def stop_reason(self) -> str:
         """The ends in words, the most frequent first."""
-        ordered = sorted(self.ends.items(), key=lambda end: -end[1])
+        ordered = sorted(self.border_reasons.items(), key=lambda end: -end[1])
         return ", ".join(f"{share:.0%} {end}" for end, share in ordered if share >= 0.005)
 
 
-RIM, TURNED, DEPARTED = "where the measured points end", "where the surface turns away", "where it departs from the shape"
+BORDER, TILTED, DEPARTED = "where the measured points end", "where the surface turns away", "where it departs from the shape"
 
 
 def grow_region(points: MeasuredPoints, allowed: BoolArray, shape: Shape, seed_mm: FloatArray, asked: Grow) -> Region:
@@ -73,16 +73,16 @@ def grow_region(points: MeasuredPoints, allowed: BoolArray, shape: Shape, seed_m
         No surface at the seed, an edge there, another shape, or a region that runs over the whole part.
     """
     grower = _Grower.at(points, allowed, shape, seed_mm, asked)
-    surface, chosen, region = grower.grown()
+    surface, chosen, region = grower.grow()
     indices = grower.at_full_density(surface, chosen, region)
-    if len(indices) > WHOLE * len(points):
+    if len(indices) > WHOLE_PART * len(points):
         raise InspectionError(
             f"the region that grows from its seed runs over the whole part ({len(indices)} of {len(points)} points)",
             "Limit it by x_mm, y_mm or z_mm of its cut, or take the points around a nominal.",
         )
     if len(indices) < LEAST_POINTS:
         raise InspectionError(f"only {len(indices)} points grow from its seed as one {shape}, {LEAST_POINTS} are needed")
-    return Region(indices, surface.feature, grower.noise_mm, grower.limit_mm, grower.ends(surface, chosen, region))
+    return Region(indices, surface.feature, grower.noise_mm, grower.limit_mm, grower.border_reasons(surface, chosen, region))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -123,16 +123,16 @@ class _Grower:
         """Greatest distance of a point from the shape."""
         return self.asked.form_mm + SIGMAS * self.noise_mm
 
-    def grown(self) -> tuple[ShapeSurface, Neighbourhood, BoolArray]:
+    def grow(self) -> tuple[ShapeSurface, Neighbourhood, BoolArray]:
         """Widen the sphere about the seed until the region ends within it."""
         surface: LocalSurface = self.patch
         radius, largest = self.radius_mm, float(self.away_mm[np.isfinite(self.away_mm)].max())
         for _ in range(ROUNDS):
             around, start = self._around(radius)
-            region = self._selected(surface, around, start)
+            region = self._select(surface, around, start)
             for _ in range(SETTLING):
-                surface = self._refitted(surface, around.points_mm[region])
-                before, region = region, self._selected(surface, around, start)
+                surface = self._refit(surface, around.points_mm[region])
+                before, region = region, self._select(surface, around, start)
                 if np.array_equal(before, region):
                     break
             reached = float(np.linalg.norm(around.points_mm[region] - around.points_mm[start], axis=1).max())
@@ -146,16 +146,16 @@ class _Grower:
 
     def _around(self, radius_mm: float) -> tuple[Neighbourhood, int]:
         near = np.flatnonzero(self.away_mm <= radius_mm)
-        chosen = near[thinned_indices(self.points.points_mm[near], MOST_POINTS)]
+        chosen = near[thin_indices(self.points.points_mm[near], MOST_POINTS)]
         spacing = self.spacing_mm * np.sqrt(len(near) / len(chosen))
         made = Neighbourhood.of(self.points.points_mm[chosen], spacing, self.noise_mm)
         return made, int(made.tree.query(self.points.points_mm[self.start])[1])
 
-    def _selected(self, surface: LocalSurface, around: Neighbourhood, start: int) -> BoolArray:
+    def _select(self, surface: LocalSurface, around: Neighbourhood, start: int) -> BoolArray:
         distances = np.abs(surface.distances(around.points_mm))
         agreeing = distances <= self.limit_mm
         which = np.flatnonzero(agreeing)
-        agreeing[which[self._turned(surface, around, which)]] = False
+        agreeing[which[self._is_tilted(surface, around, which)]] = False
         if not agreeing[start]:  # an outlier itself: the nearest point that agrees stands for it
             others = np.flatnonzero(agreeing)
             off = np.linalg.norm(around.points_mm[others] - around.points_mm[start], axis=1)
@@ -164,9 +164,9 @@ class _Grower:
                     f"its seed lies on an edge, or the surface there is no {self.shape}", "Put it further inside the surface."
                 )
             start = int(others[off.argmin()])
-        return around.hanging_together(agreeing, start)
+        return around.connected_component(agreeing, start)
 
-    def _turned(self, surface: LocalSurface, around: Neighbourhood, which: IntArray) -> BoolArray:
+    def _is_tilted(self, surface: LocalSurface, around: Neighbourhood, which: IntArray) -> BoolArray:
         """Which of some points lie where the surface is turned against the one compared with."""
         if len(which) == 0:
             return np.zeros(0, bool)
@@ -174,23 +174,27 @@ class _Grower:
         beside = surface.normals(around.points_mm[which])
         return np.asarray(np.abs(np.einsum("nd,nd->n", beside, around.normals(which))) < np.cos(most))
 
-    def _refitted(self, surface: LocalSurface, region_mm: FloatArray) -> LocalSurface:
+    def _refit(self, surface: LocalSurface, region_mm: FloatArray) -> LocalSurface:
         used = region_mm[:: -(-len(region_mm) // FITTED_POINTS)]
         if len(used) < LEAST_POINTS:
             raise InspectionError(f"only {len(used)} points grow from its seed as one {self.shape}, {LEAST_POINTS} are needed")
         if isinstance(surface, ShapeSurface):
             return ShapeSurface(fit(self.shape, used, start=surface.feature))
-        patch = Patch.fitted(used, self.patch.axes[2], self.patch.point_mm)
+        patch = Patch.fit(used, self.patch.axes[2], self.patch.point_mm)
         try:
             made = fit(self.shape, used)
         except FitError:
             return patch
         radius_sigma = made.standard_deviations.get("radius_mm", 0.0)
         known = made.radius_mm is None or radius_sigma < DETERMINED * made.radius_mm
-        return ShapeSurface(made) if known and made.rms_mm < AS_WELL * max(patch.scatter_mm, self.noise_mm) + self.asked.form_mm else patch
+        return (
+            ShapeSurface(made)
+            if known and made.rms_mm < COMPARABLE_FIT * max(patch.scatter_mm, self.noise_mm) + self.asked.form_mm
+            else patch
+        )
 
     def _refuse_another_shape(self, surface: ShapeSurface, points_mm: FloatArray, region: BoolArray) -> None:
-        bent, noise = bend(surface.feature, points_mm, region)
+        bent, noise = measure_bending(surface.feature, points_mm, region)
         if bent > self.asked.form_mm + BENT_SIGMAS * noise:
             raise InspectionError(
                 f"the surface at its seed is no {self.shape}: over the region that grows there it bends away by {bent:.3f} mm",
@@ -211,11 +215,11 @@ class _Grower:
         off, _ = cKDTree(grown).query(self.points.points_mm[near], distance_upper_bound=0.6 * around.spacing_mm * np.sqrt(2))
         return near[np.isfinite(off)]
 
-    def ends(self, surface: ShapeSurface, around: Neighbourhood, region: BoolArray) -> Mapping[str, float]:
+    def border_reasons(self, surface: ShapeSurface, around: Neighbourhood, region: BoolArray) -> Mapping[str, float]:
         """Return by which shares of its border the region ended why."""
         at_rim, outside = around.border(region)
-        turned = self._turned(surface, around, outside)
-        counts = {RIM: len(at_rim), TURNED: int(turned.sum()), DEPARTED: int((~turned).sum())}
+        turned = self._is_tilted(surface, around, outside)
+        counts = {BORDER: len(at_rim), TILTED: int(turned.sum()), DEPARTED: int((~turned).sum())}
         return {end: count / max(sum(counts.values()), 1) for end, count in counts.items()}
 
 
@@ -230,4 +234,4 @@ def _first_patch(points: MeasuredPoints, first: IntArray, start: int, facing: Fl
             f"only {len(places)} points about its seed make one surface, {LEAST_POINTS} are needed", "Put it further inside the surface."
         )
     normal = np.linalg.svd(places - places.mean(axis=0), full_matrices=False)[2][2]
-    return Patch.fitted(places, normal, points.points_mm[start])
+    return Patch.fit(places, normal, points.points_mm[start])

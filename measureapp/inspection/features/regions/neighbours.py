@@ -51,7 +51,7 @@ class Neighbourhood:
         offset = offset - offset.mean(axis=1, keepdims=True)
         return np.asarray(np.linalg.eigh(np.einsum("nki,nkj->nij", offset, offset))[1][:, :, 0])
 
-    def hanging_together(self, allowed: BoolArray, start: int) -> BoolArray:
+    def connected_component(self, allowed: BoolArray, start: int) -> BoolArray:
         """Return which allowed points (N,) can be reached from one of them by short steps."""
         which = np.flatnonzero(allowed)
         pairs = cKDTree(self.points_mm[which]).query_pairs(self.link_mm, output_type="ndarray")

@@ -39,7 +39,7 @@ class Patch:
     scatter_mm: float  # standard deviation of its points from it, their number of freedoms taken into account
 
     @classmethod
-    def fitted(cls, points_mm: FloatArray, normal: FloatArray, point_mm: FloatArray) -> Patch:
+    def fit(cls, points_mm: FloatArray, normal: FloatArray, point_mm: FloatArray) -> Patch:
         """Fit to (N, 3) points by least squares of their heights, without what lies far off."""
         axes = np.vstack([tangents(normal), normal])
         u, v, height = ((points_mm - point_mm) @ axes.T).T
@@ -87,14 +87,14 @@ class ShapeSurface:
         return outward_normals(self.feature, points_mm)
 
 
-def bend(feature: Feature, points_mm: FloatArray, kept: BoolArray) -> tuple[float, float]:
+def measure_bending(feature: Feature, points_mm: FloatArray, kept: BoolArray) -> tuple[float, float]:
     """Return how far (range, mm) a quadratic of the residuals over the surface bends away from the shape, and the bend's noise.
 
     A region that was cut out of another shape, like a strip of a cylinder taken as a plane, keeps such a bend however
     well its points keep to the limits.
     """
     points = points_mm[kept]
-    u, v = _unrolled(feature, points)
+    u, v = _unroll(feature, points)
     residuals = signed_distances(feature, points)
     design = _design(u, v)
     inverse = np.linalg.pinv(design.T @ design)
@@ -105,19 +105,19 @@ def bend(feature: Feature, points_mm: FloatArray, kept: BoolArray) -> tuple[floa
     return float(np.ptp(bent)), noise
 
 
-def _unrolled(feature: Feature, points_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _unroll(feature: Feature, points_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Coordinates along the surface, between -1 and 1."""
     if feature.shape in ("cylinder", "cone") and feature.direction is not None:
         along, _, _ = along_and_off(points_mm, feature.point_mm, feature.direction)
         turn = angles(points_mm, feature.point_mm, feature.direction)
         start = _gap_end(turn)
-        return _spread((turn - start) % (2 * np.pi)), _spread(along)
+        return _normalise((turn - start) % (2 * np.pi)), _normalise(along)
     normal = feature.direction
     if normal is None:
         normal = points_mm.mean(axis=0) - feature.point_mm
         normal = normal / max(float(np.linalg.norm(normal)), 1e-12)
     across = tangents(normal)
-    return _spread((points_mm - feature.point_mm) @ across[0]), _spread((points_mm - feature.point_mm) @ across[1])
+    return _normalise((points_mm - feature.point_mm) @ across[0]), _normalise((points_mm - feature.point_mm) @ across[1])
 
 
 def _gap_end(turn: FloatArray) -> float:
@@ -127,7 +127,7 @@ def _gap_end(turn: FloatArray) -> float:
     return float(ordered[(int(gaps.argmax()) + 1) % len(ordered)])
 
 
-def _spread(values: FloatArray) -> FloatArray:
+def _normalise(values: FloatArray) -> FloatArray:
     low, high = float(values.min()), float(values.max())
     return (2 * values - low - high) / max(high - low, 1e-9)
 

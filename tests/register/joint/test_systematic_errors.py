@@ -10,8 +10,9 @@ import pytest
 
 from measureapp.arrays import FloatArray
 from measureapp.data.cloud import PointCloud, StitchedCloud
-from measureapp.data.view_errors import CommonErrors
-from measureapp.register.joint.pose_graph import beside_each_other
+from measureapp.data.view_errors import SystematicErrors
+from measureapp.register.joint.pose_graph import relative_motion_projector
+from measureapp.register.joint.pose_prior import PosePrior
 from measureapp.register.stitch import stitch
 from tests.register.conftest import Scan, impeller
 
@@ -19,10 +20,10 @@ DRAWN_MM = 0.005  # far above what is found to be common, and small enough for w
 
 
 def stitched(scan: Scan, clouds: list[PointCloud]) -> StitchedCloud:
-    return stitch(clouds, scan.truth, stations=scan.stations)
+    return stitch(clouds, scan.truth, prior=PosePrior(scan.stations))
 
 
-def displaced(cloud: PointCloud, common: CommonErrors, drawn: FloatArray) -> PointCloud:
+def displaced(cloud: PointCloud, common: SystematicErrors, drawn: FloatArray) -> PointCloud:
     normals = np.asarray(cloud.normals, float)
     along = common.along(cloud.points_mm, normals) @ drawn
     return replace(cloud, points_mm=cloud.points_mm + along[:, None] * normals)
@@ -35,7 +36,7 @@ def moved(before: StitchedCloud, after: StitchedCloud) -> FloatArray:
     for old, new, centre in zip(before.placements, after.placements, before.errors.centres_mm, strict=True):
         change = new.part_from_camera @ old.part_from_camera.inverse()
         motions.append(np.concatenate([change.apply(centre) - centre, change.rotation_vector]))
-    return np.asarray(beside_each_other(before.errors.centres_mm) @ np.concatenate(motions))
+    return np.asarray(relative_motion_projector(before.errors.centres_mm) @ np.concatenate(motions))
 
 
 @pytest.fixture(scope="module")
@@ -49,8 +50,8 @@ def before(scan: Scan) -> StitchedCloud:
 
 
 def test_common_errors_are_as_large_as_those_of_form_whichever_way_a_surface_is_turned(before: StitchedCloud) -> None:
-    assert before.errors is not None and before.errors.form is not None and before.errors.common is not None
-    common, form = before.errors.common, before.errors.form
+    assert before.errors is not None and before.errors.form is not None and before.errors.systematic is not None
+    common, form = before.errors.systematic, before.errors.form
     assert common.size_mm == pytest.approx(np.sqrt(np.mean(form.sizes_mm**2)))
     turned = np.random.default_rng(1).normal(size=(200, 3)) + np.array([0, 0, -1.5])
     turned /= np.linalg.norm(turned, axis=1, keepdims=True)
@@ -62,8 +63,8 @@ def test_common_errors_are_as_large_as_those_of_form_whichever_way_a_surface_is_
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_views_follow_common_errors_as_told(scan: Scan, before: StitchedCloud, seed: int) -> None:
-    assert before.errors is not None and before.errors.common is not None
-    common = before.errors.common
+    assert before.errors is not None and before.errors.systematic is not None
+    common = before.errors.systematic
     drawn = np.random.default_rng(seed).standard_normal(common.count) * DRAWN_MM / common.size_mm
     after = stitched(scan, [displaced(cloud, common, drawn) for cloud in scan.clouds])
     told, found = common.motions @ drawn, moved(before, after)

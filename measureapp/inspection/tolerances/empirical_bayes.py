@@ -12,7 +12,7 @@ GREATEST = 1000  # heights that the distribution is estimated from; also bounds 
 TINY = 1e-300
 
 
-def noise_free_heights(heights_mm: FloatArray, noise_mm: FloatArray) -> FloatArray:
+def estimate_noise_free_heights(heights_mm: FloatArray, noise_mm: FloatArray) -> FloatArray:
     """Return the expected heights without noise, given the measured ones and that all come from one distribution.
 
     The distribution is the most likely one of any kind (J. Kiefer and J. Wolfowitz, Ann. Math. Stat. 27, 1956), found by

@@ -1,4 +1,4 @@
-"""What stitching needs of single views and of pairs of them: made once, and during a scan as soon as a view is there."""
+"""Registration cache: prepared clouds and pairwise registrations, computed once, in the background while a scan is running."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ from measureapp.register.settings import StitchSettings
 
 LEAST_POINTS = 100
 VOXEL_PER_SPACING = 2.2
-LEAST_VOXEL_MM = 0.7  # finer thinning registers no better, but takes its time
-VOXEL_STEPS = 4  # per factor of two; so that one view more seldom asks for another voxel
+LEAST_VOXEL_MM = 0.7  # finer voxels take longer without better registration
+VOXEL_STEPS = 4  # per factor of two; quantised so that an additional view rarely changes the voxel
 CELL_PER_VOXEL = 5.0
 T = TypeVar("T")
 A = TypeVar("A")
@@ -30,43 +30,43 @@ A = TypeVar("A")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PlacedCloud:
-    """A cloud and where the axes put it."""
+    """A cloud with its kinematic pose."""
 
     cloud: PointCloud
     kinematic: RigidTransform  # part_from_camera
 
 
-class Groundwork:
-    """Remembers what was made of clouds; views that are added beforehand are worked on by a thread of its own, which the context ends.
+class RegistrationCache:
+    """Cache of prepared clouds and pair registrations; views added during a scan are processed by a worker thread, ended by the context.
 
-    It never changes what stitching gives: what was made ahead is taken where stitching would make the same, and else made anew.
+    The result of stitching is the same with and without it: an entry is used only where stitching would compute the same.
     """
 
     def __init__(self, settings: StitchSettings | None = None) -> None:
         self.settings = settings or StitchSettings()
-        self._made: dict[Hashable, Any] = {}
-        self._kept: dict[int, PointCloud] = {}  # keeps the identities in the keys of `_made` from being given away again
+        self._entries: dict[Hashable, Any] = {}
+        self._clouds: dict[int, PointCloud] = {}  # keeps clouds alive, whose identities are part of the keys of `_entries`
         self._added: list[PlacedCloud] = []
-        self._ahead = ThreadPoolExecutor(1, "stitching-ahead")
-        self._begun: list[Future[None]] = []
+        self._worker = ThreadPoolExecutor(1, "registration-cache")
+        self._futures: list[Future[None]] = []
 
-    def __enter__(self) -> Groundwork:
+    def __enter__(self) -> RegistrationCache:
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
-        self._ahead.shutdown(wait=True, cancel_futures=True)
+        self._worker.shutdown(wait=True, cancel_futures=True)
 
     def add(self, cloud: PointCloud, kinematic: RigidTransform) -> None:
-        """Begin to prepare a view and to register it with the earlier ones; returns at once."""
-        self._begun.append(self._ahead.submit(self._work_on, PlacedCloud(cloud, kinematic)))
+        """Prepare a view and register it with the earlier ones in the background; returns immediately."""
+        self._futures.append(self._worker.submit(self._prepare_view, PlacedCloud(cloud, kinematic)))
 
     def finish(self) -> None:
-        """Wait for what was begun; raises what failed in it."""
-        begun, self._begun = self._begun, []
-        for future in begun:
+        """Wait for the background tasks; raises their exceptions."""
+        pending, self._futures = self._futures, []
+        for future in pending:
             future.result()
 
-    def _work_on(self, new: PlacedCloud) -> None:
+    def _prepare_view(self, new: PlacedCloud) -> None:
         if len(new.cloud) < LEAST_POINTS:
             return
         earlier, self._added = self._added, sorted([*self._added, new], key=lambda placed: placed.cloud.viewpoint_id)
@@ -74,68 +74,68 @@ class Groundwork:
         for other in earlier:
             if self.overlap(new, other, voxel) >= self.settings.least_overlap:
                 pair = sorted((new, other), key=lambda placed: placed.cloud.viewpoint_id)
-                self.registered(pair[0], pair[1], (0, 1), voxel, self.settings)
+                self.register_pair(pair[0], pair[1], (0, 1), voxel, self.settings)
 
     def voxel_mm(self, clouds: Iterable[PointCloud], settings: StitchSettings) -> float:
-        """Return the edge of the voxels in which clouds are thinned, by the usual spacing of their points."""
+        """Return the voxel size for thinning, from the median point spacing."""
         if settings.registration_voxel_mm is not None:
             return settings.registration_voxel_mm
         wanted = VOXEL_PER_SPACING * float(np.median([self.spacing_mm(cloud) for cloud in clouds])) / LEAST_VOXEL_MM
         return LEAST_VOXEL_MM * float(2.0 ** (np.ceil(VOXEL_STEPS * np.log2(max(wanted, 1.0))) / VOXEL_STEPS))
 
     def spacing_mm(self, cloud: PointCloud) -> float:
-        """Return the usual distance of neighbouring points of a cloud."""
+        """Return the median point spacing of a cloud."""
         return self._once(cloud, ("spacing",), lambda: point_spacing_mm(np.asarray(cloud.points_mm)))
 
-    def prepared(self, cloud: PointCloud, voxel_mm: float) -> PreparedCloud:
-        """Return the thinned cloud."""
+    def prepare(self, cloud: PointCloud, voxel_mm: float) -> PreparedCloud:
+        """Return the cloud prepared for registration."""
         return self._once(cloud, ("prepared", voxel_mm), lambda: prepare(cloud, voxel_mm))
 
     def overlap(self, a: PlacedCloud, b: PlacedCloud, voxel_mm: float) -> float:
-        """Return the share of the smaller view's surface that lies in cells of the other's, where the axes put them."""
+        """Return the overlap at the kinematic positions: share of the smaller view's occupied cells that the other view occupies too."""
         first, second = self._cells(a, voxel_mm), self._cells(b, voxel_mm)
         return len(np.intersect1d(first, second, assume_unique=True)) / max(1, min(len(first), len(second)))
 
     def _cells(self, placed: PlacedCloud, voxel_mm: float) -> IntArray:
         def work() -> IntArray:
-            prepared, pose = self.prepared(placed.cloud, voxel_mm), placed.kinematic
+            prepared, pose = self.prepare(placed.cloud, voxel_mm), placed.kinematic
             return occupied_cells(prepared, pose.apply(prepared.points_mm), pose.rotate(prepared.normals), CELL_PER_VOXEL * voxel_mm)
 
         return self._once(placed.cloud, ("cells", voxel_mm, _bytes(placed.kinematic)), work)
 
-    def registered(
+    def register_pair(
         self, target: PlacedCloud, source: PlacedCloud, indices: tuple[int, int], voxel_mm: float, settings: StitchSettings
     ) -> PairMeasurement:
-        """Return the registration of two views from where the axes put them."""
+        """Return the registration of two views, started from their kinematic positions."""
         start = target.kinematic.inverse() @ source.kinematic
 
         def work() -> PairMeasurement:
-            a, b = self.prepared(target.cloud, voxel_mm), self.prepared(source.cloud, voxel_mm)
+            a, b = self.prepare(target.cloud, voxel_mm), self.prepare(source.cloud, voxel_mm)
             return register_pair(a, b, start, indices, settings.search_mm)
 
-        self._kept[id(source.cloud)] = source.cloud
+        self._clouds[id(source.cloud)] = source.cloud
         key = ("pair", id(source.cloud), voxel_mm, _bytes(start), settings.search_mm)
         return replace(self._once(target.cloud, key, work), target=indices[0], source=indices[1])
 
     def _once(self, cloud: PointCloud, what: tuple[Hashable, ...], work: Callable[[], T]) -> T:
-        """Return what is remembered; two threads that ask at once may both make it, and make the same."""
-        self._kept[id(cloud)] = cloud
+        """Return a cached value, or compute it; two threads may compute the same value concurrently."""
+        self._clouds[id(cloud)] = cloud
         key = (id(cloud), *what)
-        if key not in self._made:
-            self._made[key] = work()
-        return cast(T, self._made[key])
+        if key not in self._entries:
+            self._entries[key] = work()
+        return cast(T, self._entries[key])
 
 
-def in_parallel(work: Callable[[A], T], items: Iterable[A], tell: Callable[[int], None] | None = None) -> list[T]:
-    """Return what ``work`` gives for every item, in their order, by one thread per processor; ``tell`` hears how many are done."""
+def map_in_parallel(work: Callable[[A], T], items: Iterable[A], report: Callable[[int], None] | None = None) -> list[T]:
+    """Return ``work`` of every item, in order, on one thread per processor; ``report`` gets the number of finished items."""
     results: list[T] = []
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         pending = [pool.submit(work, item) for item in items]
         try:
             for future in pending:
                 results.append(future.result())
-                if tell is not None:
-                    tell(len(results))
+                if report is not None:
+                    report(len(results))
         finally:
             for future in pending:
                 future.cancel()

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray
-from measureapp.inspection.blades.cut import SectionFrame
-from measureapp.inspection.blades.profile import Profile, profile
+from measureapp.inspection.blades.profile import Profile, fit_profile
+from measureapp.inspection.blades.section_frame import SectionFrame
 
 ROUNDS = 3
 STEPS = 4
@@ -17,7 +17,7 @@ STRAY = 10.0  # median absolute deviations
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Against:
+class AverageComparison:
     """One blade against the average of all."""
 
     turn_rad: float  # by which it stands ahead of its even place, about the axis
@@ -28,7 +28,7 @@ class Against:
     on_side: IntArray  # (K,), indices of the points
 
 
-def against_average(blades: list[FloatArray], frame: SectionFrame) -> list[Against]:
+def compare_with_average(blades: list[FloatArray], frame: SectionFrame) -> list[AverageComparison]:
     """Compare blades with their average.
 
     The points of all blades are turned onto each other about the axis, and one profile is laid through them; then each
@@ -39,29 +39,29 @@ def against_average(blades: list[FloatArray], frame: SectionFrame) -> list[Again
     blades : points (N, 3) of each blade, turned back to the first
     """
     turns = np.zeros(len(blades))
-    found: list[Against] = []
+    found: list[AverageComparison] = []
     for _ in range(ROUNDS):
-        turned = [frame.turned(points, -turn) for points, turn in zip(blades, turns, strict=True)]
-        flat = np.vstack([frame.flat(points) for points in turned])
-        average = profile(flat[:: max(1, len(flat) // POOLED)], frame.shape)
-        found = [_against(points, frame, average) for points in blades]
+        turned = [frame.rotate(points, -turn) for points, turn in zip(blades, turns, strict=True)]
+        flat = np.vstack([frame.flatten(points) for points in turned])
+        average = fit_profile(flat[:: max(1, len(flat) // POOLED)], frame.shape)
+        found = [_compare(points, frame, average) for points in blades]
         turns = np.array([one.turn_rad for one in found])
         turns -= turns.mean()
     return found
 
 
-def _against(points_mm: FloatArray, frame: SectionFrame, average: Profile) -> Against:
+def _compare(points_mm: FloatArray, frame: SectionFrame, average: Profile) -> AverageComparison:
     turn = 0.0
     for _ in range(STEPS):
-        moved = frame.turned(points_mm, -turn)
-        on_side, lengths, upper, off, normals = _offsets(frame.flat(moved), average)
+        moved = frame.rotate(points_mm, -turn)
+        on_side, lengths, upper, off, normals = _offsets(frame.flatten(moved), average)
         effect = np.einsum("nd,nd->n", frame.effect_of_turn(moved[on_side]), normals)
         sure = _not_stray(off)
         turn += float(effect[sure] @ off[sure] / (effect[sure] @ effect[sure]))
-    moved = frame.turned(points_mm, -turn)
-    on_side, lengths, upper, off, _ = _offsets(frame.flat(moved), average)
+    moved = frame.rotate(points_mm, -turn)
+    on_side, lengths, upper, off, _ = _offsets(frame.flatten(moved), average)
     sigma = float(np.std(off[sure]) / np.linalg.norm(effect[sure]))
-    return Against(turn, sigma, lengths, upper, np.where(upper, off, -off), on_side)
+    return AverageComparison(turn, sigma, lengths, upper, np.where(upper, off, -off), on_side)
 
 
 def _not_stray(off_mm: FloatArray) -> BoolArray:

@@ -35,39 +35,39 @@ class SectionFrame:
             surface: CuttingSurface = CuttingCylinder.about(axis_point, axis, described.radius_mm, ends.mean(axis=0) - axis_point)
         else:
             surface = CuttingPlane.through(np.asarray(described.plane_point_mm, float), np.asarray(described.plane_normal, float), axis)
-        flat = surface.flat(ends)
+        flat = surface.flatten(ends)
         chord = flat[1] - flat[0]
         length = float(np.linalg.norm(chord))
         along = chord / length
         shape = Shape(length, "leading" in described.open_ends, "trailing" in described.open_ends)
         return cls(described, surface, flat[0], np.stack([along, [-along[1], along[0]]]), shape)
 
-    def turned_back(self, points_mm: FloatArray, number: int) -> FloatArray:
+    def rotate_to_first(self, points_mm: FloatArray, number: int) -> FloatArray:
         """Return points (N, 3) turned about the axis so that blade ``number`` (from 0) comes where the first one is."""
-        return self.turned(points_mm, -2 * np.pi * number / self.described.count)
+        return self.rotate(points_mm, -2 * np.pi * number / self.described.count)
 
-    def turned(self, points_mm: FloatArray, angle_rad: float) -> FloatArray:
+    def rotate(self, points_mm: FloatArray, angle_rad: float) -> FloatArray:
         """Return points (N, 3) turned about the axis."""
         point = np.asarray(self.described.axis_point_mm, float)
         return np.asarray((points_mm - point) @ rotation_about(self.described.axis, angle_rad).T + point)
 
-    def flat(self, points_mm: FloatArray) -> FloatArray:
+    def flatten(self, points_mm: FloatArray) -> FloatArray:
         """Return coordinates (N, 2) along the nominal chord from the leading edge, and to its left."""
-        return np.asarray((self.surface.flat(points_mm) - self.origin_mm) @ self.axes.T)
+        return np.asarray((self.surface.flatten(points_mm) - self.origin_mm) @ self.axes.T)
 
-    def lifted(self, flat_mm: FloatArray, number: int) -> FloatArray:
+    def lift(self, flat_mm: FloatArray, number: int) -> FloatArray:
         """Return the points (N, 3) on blade ``number`` (from 0) that lie at these coordinates (N, 2) of the section."""
-        return self.turned(self.surface.lifted(flat_mm @ self.axes + self.origin_mm), 2 * np.pi * number / self.described.count)
+        return self.rotate(self.surface.lift(flat_mm @ self.axes + self.origin_mm), 2 * np.pi * number / self.described.count)
 
-    def points_of(self, points_mm: FloatArray, number: int, most: int) -> IntArray:
+    def select_points(self, points_mm: FloatArray, number: int, most: int) -> IntArray:
         """Return which points (N, 3) belong to the section of blade ``number`` (from 0), at most ``most`` of them, evenly chosen."""
-        chosen = self.chosen(self.turned_back(points_mm, number))
+        chosen = self.chosen(self.rotate_to_first(points_mm, number))
         return chosen if len(chosen) <= most else chosen[np.linspace(0, len(chosen) - 1, most).astype(int)]
 
     def chosen(self, points_mm: FloatArray) -> IntArray:
         """Return which points, turned back, belong to the section of the first blade."""
         near = np.flatnonzero(np.abs(self.surface.offsets_mm(points_mm)) < self.described.width_mm / 2)
-        flat = self.flat(points_mm[near])
+        flat = self.flatten(points_mm[near])
         length, described = self.shape.chord_mm, self.described
         low = 0.0 if self.shape.open_leading else -BEYOND * length
         high = length if self.shape.open_trailing else (1 + BEYOND) * length
@@ -79,7 +79,7 @@ class SectionFrame:
 
     def effect_of_turn(self, points_mm: FloatArray) -> FloatArray:
         """Return how fast points move in the section (N, 2), in mm per rad, when the part turns about the axis."""
-        return (self.flat(self.turned(points_mm, TURN)) - self.flat(points_mm)) / TURN
+        return (self.flatten(self.rotate(points_mm, TURN)) - self.flatten(points_mm)) / TURN
 
     def stagger_rad(self, chord: FloatArray, start_mm: FloatArray) -> float:
         """Return the angle from the axis to the chord, or where the plane lies across the axis, from the ray out through the leading end.
@@ -94,7 +94,7 @@ class SectionFrame:
             across = np.stack([self.surface.across, np.cross(self.surface.normal, self.surface.across)])
             reference = across @ axis
             if np.linalg.norm(reference) < 1e-6:
-                centre = self.surface.flat(np.asarray(self.described.axis_point_mm, float)[None])[0]
+                centre = self.surface.flatten(np.asarray(self.described.axis_point_mm, float)[None])[0]
                 reference = start_mm @ self.axes + self.origin_mm - centre
         cross = reference[0] * flat[1] - reference[1] * flat[0]
         return float(np.arctan2(cross, reference @ flat))

@@ -11,21 +11,21 @@ from measureapp.arrays import BoolArray, FloatArray
 from measureapp.data.blade_section import BladeSection
 from measureapp.data.inspection_program import InspectionProgram, copy_names
 from measureapp.errors import FitError, InspectionError
-from measureapp.inspection.blades.curves import BladeCurves, blade_curves
-from measureapp.inspection.blades.cut import SectionFrame
-from measureapp.inspection.blades.profile import profile
+from measureapp.inspection.blades.curves import BladeCurves, trace_blade_curves
+from measureapp.inspection.blades.profile import fit_profile
+from measureapp.inspection.blades.section_frame import SectionFrame
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.cutting_surface import CuttingPlane
 from measureapp.inspection.surface.deviation import Deviation
 from measureapp.inspection.surface.nominal import NominalSurface
-from measureapp.inspection.surface.section import Section, cut_curves, section
+from measureapp.inspection.surface.section import Section, cut_section, intersect_mesh
 from measureapp.progress import NoProgress, Progress
 
 LEAST_RUN = 2  # points of a curve
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class DrawnSections:
+class SectionCurves:
     """Sections by name, in the nominal's frame; what could not be found is left out."""
 
     blades: Mapping[str, BladeCurves]  # by feature: "middle.3"
@@ -33,13 +33,13 @@ class DrawnSections:
     profiles: Mapping[str, Section]  # by dimension: line profiles
 
 
-def drawn_sections(
+def find_section_curves(
     found: Deviation,
     surface: NominalSurface,
     program: InspectionProgram,
     settings: InspectionSettings = InspectionSettings(),  # noqa: B008 - frozen
     progress: Progress = NoProgress(),  # noqa: B008 - stateless
-) -> DrawnSections:
+) -> SectionCurves:
     """Find the curves of every section of ``program`` on measured points that lie on their nominal."""
     blades: dict[str, BladeCurves] = {}
     nominal: dict[str, tuple[FloatArray, ...]] = {}
@@ -52,10 +52,10 @@ def drawn_sections(
         if dimension.section is not None:
             cut = CuttingPlane.through(np.asarray(dimension.section.point_mm, float), np.asarray(dimension.section.normal, float))
             try:
-                profiles[dimension.name] = section(dimension.name, found, surface, cut, settings.form_cell_mm / 2)
+                profiles[dimension.name] = cut_section(dimension.name, found, surface, cut, settings.form_cell_mm / 2)
             except InspectionError:  # it meets nothing: the dimension is not measured, and says so
                 continue
-    return DrawnSections(blades, nominal, profiles)
+    return SectionCurves(blades, nominal, profiles)
 
 
 def _add_blades(
@@ -68,17 +68,17 @@ def _add_blades(
 ) -> None:
     frame = SectionFrame.of(described)
     for number, name in enumerate(copy_names(described.name, described.repeat)):
-        curves = cut_curves(frame.turned_back(surface.vertices_mm, number), surface.triangles, frame.surface)
+        curves = intersect_mesh(frame.rotate_to_first(surface.vertices_mm, number), surface.triangles, frame.surface)
         turn = 2 * np.pi * number / described.count
-        nominal[name] = tuple(frame.turned(run, turn) for curve in curves for run in _runs(curve, _inside(curve, frame)))
-        chosen = frame.points_of(found.points_mm, number, settings.blade_points)
+        nominal[name] = tuple(frame.rotate(run, turn) for curve in curves for run in _runs(curve, _inside(curve, frame)))
+        chosen = frame.select_points(found.points_mm, number, settings.blade_points)
         if len(chosen) < 4 * settings.least_points:
             continue
         try:
-            made = profile(frame.flat(frame.turned_back(found.points_mm[chosen], number)), frame.shape)
+            made = fit_profile(frame.flatten(frame.rotate_to_first(found.points_mm[chosen], number)), frame.shape)
         except FitError:  # its dimensions are not measured, and say why
             continue
-        blades[name] = blade_curves(made, frame, number)
+        blades[name] = trace_blade_curves(made, frame, number)
 
 
 def _inside(curve_mm: FloatArray, frame: SectionFrame) -> BoolArray:

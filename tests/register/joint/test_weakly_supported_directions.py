@@ -57,7 +57,7 @@ def test_stray_points_of_a_wall_do_not(seed: int) -> None:
     rng = np.random.default_rng(seed)
     a, b = (prepare(step(12 * NOISE_MM, rng), VOXEL_MM) for _ in range(2))
     found = measure_pair(a, b, start(), (0, 1), 3.0)
-    assert found.found
+    assert found.is_valid
     assert across_the_wall(found) < 0.1**-2
     assert np.linalg.matrix_rank(found.information) == 3  # the plane holds what it can
 

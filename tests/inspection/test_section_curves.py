@@ -8,11 +8,11 @@ from scipy.spatial import cKDTree
 
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.inspection.alignment.best_fit import no_alignment
-from measureapp.inspection.blades.cut import SectionFrame
-from measureapp.inspection.drawn_sections import drawn_sections
-from measureapp.inspection.measured import MeasuredPoints, sampled
+from measureapp.inspection.blades.section_frame import SectionFrame
+from measureapp.inspection.measured_points import MeasuredPoints, sample_mesh
+from measureapp.inspection.section_curves import find_section_curves
 from measureapp.inspection.surface.cutting_surface import CuttingCylinder, CuttingPlane
-from measureapp.inspection.surface.deviation import deviation
+from measureapp.inspection.surface.deviation import compute_deviation
 from measureapp.inspection.surface.nominal import NominalSurface
 from tests.inspection.blade_shapes import RoundBlade
 from tests.inspection.blades.test_blades import (
@@ -41,8 +41,8 @@ def program(features: list[dict], dimensions: list[dict]) -> InspectionProgram:
 def of_wheel():
     blade = {"name": "t", "kind": "max_thickness", "features": ["low.1"], "nominal": 1.0}
     surface = box(np.array([200.0, 200.0, 100.0]))
-    found = deviation(wheel(), surface, no_alignment())
-    return drawn_sections(found, NominalSurface(surface), program([wheel_section("low", HEIGHTS[0])], [blade]), QUICK)
+    found = compute_deviation(wheel(), surface, no_alignment())
+    return find_section_curves(found, NominalSurface(surface), program([wheel_section("low", HEIGHTS[0])], [blade]), QUICK)
 
 
 def test_outline_mean_line_and_chord_of_every_blade_lie_where_its_form_has_them():
@@ -68,22 +68,22 @@ def test_a_blade_without_points_has_no_curves_and_the_others_keep_theirs():
     points = wheel().points_mm
     kept = np.degrees(np.arctan2(points[:, 1], points[:, 0])) % 360 < 250
     surface = box(np.array([200.0, 200.0, 100.0]))
-    found = deviation(MeasuredPoints(points[kept]), surface, no_alignment())
-    drawn = drawn_sections(found, NominalSurface(surface), program([wheel_section("low", HEIGHTS[0])], []), QUICK)
+    found = compute_deviation(MeasuredPoints(points[kept]), surface, no_alignment())
+    drawn = find_section_curves(found, NominalSurface(surface), program([wheel_section("low", HEIGHTS[0])], []), QUICK)
     assert sorted(drawn.blades) == ["low.1", "low.2", "low.3"]
 
 
 def test_a_line_profile_has_the_curve_of_the_nominal_and_the_points_beside_it_with_their_deviations():
     surface, lift = box(HALF), 0.03
-    points = sampled(surface, 60_000)
+    points = sample_mesh(surface, 60_000)
     top = points.points_mm[points.points_mm[:, 2] > HALF[2] - 1e-6] + [0, 0, lift]
-    found = deviation(MeasuredPoints(top), surface, no_alignment())
+    found = compute_deviation(MeasuredPoints(top), surface, no_alignment())
     feature = {"name": "top", "shape": "plane", "point_mm": [0, 0, HALF[2]], "direction": [0, 0, 1]}
     line = {
         "name": "ridge", "kind": "line_profile", "features": ["top"], "upper_tolerance": 0.1,
         "section": {"point_mm": [5, 0, 0], "normal": [1, 0, 0]},
     }  # fmt: skip
-    drawn = drawn_sections(found, NominalSurface(surface), program([feature], [line]))
+    drawn = find_section_curves(found, NominalSurface(surface), program([feature], [line]))
     found_line = drawn.profiles["ridge"]
     (curve,) = found_line.nominal
     assert np.allclose(curve[:, 0], 5.0)
@@ -102,17 +102,17 @@ def test_a_line_profile_has_the_curve_of_the_nominal_and_the_points_beside_it_wi
 )
 def test_what_is_laid_flat_and_lifted_again_is_where_it_was(surface):
     flat = np.random.default_rng(2).uniform(-60, 60, (50, 2))
-    lifted = surface.lifted(flat)
+    lifted = surface.lift(flat)
     assert np.allclose(surface.offsets_mm(lifted), 0, atol=1e-9)
-    assert np.allclose(surface.flat(lifted), flat, atol=1e-9)
+    assert np.allclose(surface.flatten(lifted), flat, atol=1e-9)
 
 
 def test_the_nominal_section_of_a_turned_blade_is_the_first_one_turned():
     surface = box(np.array([60.0, 12.0, 30.0]))
     described = program([wheel_section("low", HEIGHTS[0])], []).features[0]
-    found = deviation(sampled(surface, 20_000), surface, no_alignment())
-    drawn = drawn_sections(found, NominalSurface(surface), program([wheel_section("low", HEIGHTS[0])], []), QUICK)
+    found = compute_deviation(sample_mesh(surface, 20_000), surface, no_alignment())
+    drawn = find_section_curves(found, NominalSurface(surface), program([wheel_section("low", HEIGHTS[0])], []), QUICK)
     frame = SectionFrame.of(described)
     first, third = drawn.nominal_blades["low.1"], drawn.nominal_blades["low.3"]
     assert len(first) == len(third) > 0
-    assert frame.turned(np.vstack(first), np.pi) == pytest.approx(np.vstack(third), abs=1e-6)
+    assert frame.rotate(np.vstack(first), np.pi) == pytest.approx(np.vstack(third), abs=1e-6)

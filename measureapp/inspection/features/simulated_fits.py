@@ -15,7 +15,7 @@ from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
 from measureapp.geometry.fits import LARGEST_RATIO, LEAST_POINTS, Scaled, state_of
 from measureapp.geometry.shapes import MODELS, Model, State
-from measureapp.inspection.features.found import Found
+from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.features.shapes import outward_normals, signed_distances
 from measureapp.inspection.settings import InspectionSettings
 
@@ -28,7 +28,7 @@ COVERAGE = 0.95
 SEED = 15
 
 
-def needs_draws(found: Found) -> bool:
+def needs_simulation(found: FoundFeature) -> bool:
     """Whether the linear uncertainty of a round feature is not enough.
 
     For a curvature with the relative standard deviation u the interval of ± 2 σ, taken at the radius found, holds the true
@@ -42,12 +42,12 @@ def needs_draws(found: Found) -> bool:
     return found.radius_sigma > NONLINEAR * feature.radius_mm or found.direction_sigma > TILTED_RAD
 
 
-def with_draws(found: Mapping[str, Found], settings: InspectionSettings) -> dict[str, Found]:
+def simulate_uncertainties(found: Mapping[str, FoundFeature], settings: InspectionSettings) -> dict[str, FoundFeature]:
     """Return the features, those of small pieces with the spread of fits to simulated points instead of the linear one."""
-    return {name: _simulated(one, settings.radius_trials) if needs_draws(one) else one for name, one in found.items()}
+    return {name: _simulate(one, settings.radius_trials) if needs_simulation(one) else one for name, one in found.items()}
 
 
-def _simulated(found: Found, draws: int) -> Found:
+def _simulate(found: FoundFeature, draws: int) -> FoundFeature:
     """Spread of the fits to simulated points on the shape found (JCGM 101); a feature whose fits reach too far is not found.
 
     At most 200 of its points are used, with the noise reduced so that they determine the shape as well as all of them. The
@@ -61,35 +61,37 @@ def _simulated(found: Found, draws: int) -> Found:
         what = "a radius" if feature.direction is None else "a radius and an axis"
         return replace(found, feature=None, reason=f"{found.name}: its points cover too small a piece to determine {what} at their noise")
     directions = np.linalg.eigh(feature.covariance)[1]
-    sigmas = np.quantile(np.abs(off @ directions), COVERAGE, axis=0) / 2 / found.error_factor
+    sigmas = np.quantile(np.abs(off @ directions), COVERAGE, axis=0) / 2 / found.correlation_factor
     covariance = (directions * sigmas**2) @ directions.T
     known = {
         "position_mm": _largest(covariance[:3, :3]),
         "direction_rad": _largest(covariance[3:6, 3:6]),
-        "radius_mm": reach / 2 / found.error_factor,
+        "radius_mm": reach / 2 / found.correlation_factor,
     }
     if feature.half_angle_rad is not None:
-        known["half_angle_rad"] = float(np.quantile(np.abs(off[:, 7]), COVERAGE)) / 2 / found.error_factor
+        known["half_angle_rad"] = float(np.quantile(np.abs(off[:, 7]), COVERAGE)) / 2 / found.correlation_factor
     deviations = {name: known.get(name, value) for name, value in feature.standard_deviations.items()}
     return replace(found, feature=replace(feature, covariance=covariance, standard_deviations=deviations), draws=draws)
 
 
-def _offsets(found: Found, feature: Feature, draws: int) -> FloatArray:
+def _offsets(found: FoundFeature, feature: Feature, draws: int) -> FloatArray:
     """Return by how much point, direction and sizes (D, 6 + S) of the fits are off; fewer than ``draws`` where fits fail."""
     points = found.points_mm[:: -(-len(found.points_mm) // SIMULATED_POINTS)]
     normals = outward_normals(feature, points)
     feet = points - signed_distances(feature, points)[:, None] * normals
     freedoms = max(len(found.points_mm) - LEAST_POINTS[feature.shape], 1)
-    noise = feature.rms_mm * np.sqrt(len(found.points_mm) / freedoms) * found.error_factor * np.sqrt(len(points) / len(found.points_mm))
+    noise = (
+        feature.rms_mm * np.sqrt(len(found.points_mm) / freedoms) * found.correlation_factor * np.sqrt(len(points) / len(found.points_mm))
+    )
     rng, scaled = np.random.default_rng(SEED), Scaled.of(feet)
     model, start = MODELS[feature.shape], state_of(feature, scaled)
     across = normals * (noise / scaled.scale_mm)
-    true = _reported(feature, start, scaled)
-    made = [_stepped(model, start, scaled.points + rng.standard_normal((len(feet), 1)) * across) for _ in range(draws)]
-    return np.array([_reported(feature, one, scaled) - true for one in made if one is not None]).reshape(-1, len(true))
+    true = _parameters(feature, start, scaled)
+    made = [_fit_by_gauss_newton(model, start, scaled.points + rng.standard_normal((len(feet), 1)) * across) for _ in range(draws)]
+    return np.array([_parameters(feature, one, scaled) - true for one in made if one is not None]).reshape(-1, len(true))
 
 
-def _stepped(model: Model, state: State, points: FloatArray) -> State | None:
+def _fit_by_gauss_newton(model: Model, state: State, points: FloatArray) -> State | None:
     """Return the least-squares state by Gauss-Newton steps from the true one; None where they do not settle."""
     for _ in range(STEPS):
         distances, derivatives = model.evaluate(state, points)
@@ -102,7 +104,7 @@ def _stepped(model: Model, state: State, points: FloatArray) -> State | None:
     return None
 
 
-def _reported(feature: Feature, state: State, scaled: Scaled) -> FloatArray:
+def _parameters(feature: Feature, state: State, scaled: Scaled) -> FloatArray:
     """Point in mm, direction and sizes (6 + S,) of a state, the point at the height of the feature's own along the axis."""
     if feature.direction is None:
         return np.concatenate([state.point * scaled.scale_mm, np.zeros(3), np.abs(state.sizes) * scaled.scale_mm])

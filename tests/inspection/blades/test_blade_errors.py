@@ -9,7 +9,7 @@ import pytest
 
 from measureapp.data.view_errors import ViewErrors
 from measureapp.geometry.transform import RigidTransform
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 from tests.inspection.blades.test_blades import COUNT, INNER_MM, SECTIONS, dimension, measured, wheel
 
@@ -58,4 +58,4 @@ def test_angles_of_blades_change_with_their_views_as_they_say() -> None:
 
 def test_without_normals_what_views_do_to_a_blade_is_assumed_and_said() -> None:
     (thick,) = measured(replace(in_views(), normals=None), SECTIONS[:1], dimension("max_thickness", "low.1"), settings=SETTINGS)
-    assert thick.budget["stitching"] > 0 and "assumed: a view lies within" in thick.origin
+    assert thick.budget["stitching"] > 0 and "assumed: position of each view" in thick.traceability

@@ -14,13 +14,13 @@ from measureapp.data.inspection_program import MeasuredFeature, copy_names
 from measureapp.errors import FitError, InspectionError
 from measureapp.geometry.transform import rotation_about
 from measureapp.inspection.features.cut import NominalFeature, nominal_features, within_box
-from measureapp.inspection.features.found import Found, fitted
+from measureapp.inspection.features.found_feature import FoundFeature, fit_feature
 from measureapp.inspection.features.regions.grow import Region, grow_region
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 
 
-def find_grown(described: MeasuredFeature, points: MeasuredPoints, settings: InspectionSettings) -> Mapping[str, Found]:
+def grow_features(described: MeasuredFeature, points: MeasuredPoints, settings: InspectionSettings) -> Mapping[str, FoundFeature]:
     """Grow a feature, or every copy of its pattern, from its seed; ``points`` are in the nominal's frame."""
     assert described.grow is not None
     nominals = {one.feature.name: one for one in nominal_features(described)} if described.placed else {}
@@ -28,11 +28,11 @@ def find_grown(described: MeasuredFeature, points: MeasuredPoints, settings: Ins
     found = {}
     for number, name in enumerate(copy_names(described.name, described.repeat)):
         turn = rotation_about([0, 0, 1], number * angle)
-        found[name] = _grow_one(described, described.grow, name, turn, nominals.get(name), points, settings)
+        found[name] = _grow_copy(described, described.grow, name, turn, nominals.get(name), points, settings)
     return found
 
 
-def _grow_one(
+def _grow_copy(
     described: MeasuredFeature,
     asked: Grow,
     name: str,
@@ -40,23 +40,25 @@ def _grow_one(
     nominal: NominalFeature | None,
     points: MeasuredPoints,
     settings: InspectionSettings,
-) -> Found:
+) -> FoundFeature:
     drawn = None if nominal is None else nominal.feature
     allowed = within_box(points.points_mm, described.cut, turn)
     assert described.shape != "surface_point"  # the program refuses one that grows
     try:
         region = grow_region(points, allowed, described.shape, turn @ np.asarray(asked.seed_mm, float), asked)
     except (InspectionError, FitError) as error:
-        return Found(name, None, " ".join(filter(None, [f"{name}: {error.message.rstrip('.')}.", error.hint])).rstrip("."), nominal=drawn)
-    expected = nominal or NominalFeature(_towards_outside(region, name, points), described.cut, described.hole, False, 0.0)
-    made = fitted(expected, points, region.indices, settings, drawn)
+        return FoundFeature(
+            name, None, " ".join(filter(None, [f"{name}: {error.message.rstrip('.')}.", error.hint])).rstrip("."), nominal=drawn
+        )
+    expected = nominal or NominalFeature(_orient_outwards(region, name, points), described.cut, described.hole, False, 0.0)
+    made = fit_feature(expected, points, region.indices, settings, drawn)
     if made.feature is None:
         return made
     words = f"grown from its seed to {len(region.indices)} points within {region.limit_mm:.3f} mm (noise {region.noise_mm:.3f} mm)"
-    return replace(made, feature=replace(made.feature, how=f"{words}; it ended {region.why_it_stopped}"))
+    return replace(made, feature=replace(made.feature, how=f"{words}; it ended {region.stop_reason}"))
 
 
-def _towards_outside(region: Region, name: str, points: MeasuredPoints) -> Feature:
+def _orient_outwards(region: Region, name: str, points: MeasuredPoints) -> Feature:
     """The region's shape under the feature's name; a plane's normal looks to where its points were seen from."""
     feature = replace(region.feature, name=name)
     if feature.shape != "plane" or feature.direction is None or points.normals is None:

@@ -1,4 +1,4 @@
-"""Filters as values: what to keep of a cloud, one after the other, each saying how many points it removed."""
+"""Filter chain of a cloud: filters as values, applied one after the other, with undo."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ NUMBERS: dict[FilterKind, int] = {"box": 6, "plane": 4, "radius": 2, "statistica
 
 @dataclass(frozen=True, slots=True)
 class Filter:
-    """One filter with its numbers.
+    """One filter with its parameters.
 
-    Box: x0, x1, y0, y1, z0, z1 in mm. Plane: its normal, showing to the side that stays, and its distance from the origin in
-    mm. Radius: in mm, and how many others a point needs within it. Statistical: standard deviations, and to how many
-    neighbours the mean distance is taken. Islands: least area of a connected patch in mm².
+    Box: x0, x1, y0, y1, z0, z1 in mm. Plane: normal towards the side to keep, and distance from the origin in mm. Radius: radius in mm,
+    and least number of other points within it. Statistical: standard deviations, and number of neighbours of the mean distance.
+    Islands: least area of an isolated patch in mm².
     """
 
     kind: FilterKind
@@ -33,26 +33,30 @@ class Filter:
 
     def __post_init__(self) -> None:
         if len(self.numbers) != NUMBERS[self.kind] or not np.isfinite(self.numbers).all():
-            raise InputError(f"The filter {self.kind!r} needs {NUMBERS[self.kind]} numbers.", "Give numbers with commas between them.")
+            raise InputError(f"The filter {self.kind!r} needs {NUMBERS[self.kind]} numbers.", "Separate the numbers by commas.")
         if self.kind == "box" and not all(low <= high for low, high in zip(self.numbers[::2], self.numbers[1::2], strict=True)):
-            raise InputError("The box ends before it begins.", "Give each axis from the smaller to the larger coordinate.")
+            raise InputError(
+                "The box is empty: a lower limit exceeds its upper limit.", "Give each axis from the smaller to the larger value."
+            )
 
-    def keeps(self, points_mm: FloatArray, progress: Progress = NoProgress()) -> BoolArray:  # noqa: B008 - stateless
-        """Return which points stay; raises RegistrationError as the filters do."""
+    def mask(self, points_mm: FloatArray, progress: Progress = NoProgress()) -> BoolArray:  # noqa: B008 - stateless
+        """Return which points to keep; raises RegistrationError as the filters do."""
         numbers = np.asarray(self.numbers)
         if self.kind == "box":
             return filters.in_box(points_mm, numbers[::2], numbers[1::2])
         if self.kind == "plane":
             return filters.above_plane(points_mm, numbers[:3], float(numbers[3]))
         if self.kind == "radius":
-            return filters.crowded(points_mm, float(numbers[0]), int(numbers[1]), progress)
+            return filters.radius_inliers(points_mm, float(numbers[0]), int(numbers[1]), progress)
         if self.kind == "statistical":
-            return filters.statistical(points_mm, int(numbers[1]), float(numbers[0]), progress)
-        return filters.in_large_patches(points_mm, point_spacing_mm(points_mm), float(numbers[0]))
+            return filters.statistical_inliers(points_mm, int(numbers[1]), float(numbers[0]), progress)
+        return filters.in_large_components(points_mm, point_spacing_mm(points_mm), float(numbers[0]))
 
 
-def sieved(points_mm: FloatArray, asked: Sequence[Filter], progress: Progress | None = None) -> tuple[IntArray, dict[FilterKind, int]]:
-    """Return the indices of the points that pass all filters, and how many points each kind of filter removed.
+def apply_filters(
+    points_mm: FloatArray, asked: Sequence[Filter], progress: Progress | None = None
+) -> tuple[IntArray, dict[FilterKind, int]]:
+    """Apply filters in order; return the indices of the points that pass all of them, and the number each kind removed.
 
     Raises
     ------
@@ -64,55 +68,55 @@ def sieved(points_mm: FloatArray, asked: Sequence[Filter], progress: Progress | 
     for number, one in enumerate(asked):
         part = PartOf(progress, number / len(asked), (number + 1) / len(asked))
         part.report(0, 1, f"filter: {one.kind}")
-        mask = one.keeps(points_mm[stays], part)
+        mask = one.mask(points_mm[stays], part)
         removed[one.kind] = removed.get(one.kind, 0) + int(np.count_nonzero(~mask))
         stays = stays[mask]
         if len(stays) == 0:
-            raise InputError(f"No point is left after the filter {one.kind!r}.", "Widen it; nothing was written.")
+            raise InputError(f"The filter {one.kind!r} removes all points.", "Widen it. Nothing was changed.")
     progress.report(1, 1, "filtered")
     return stays, removed
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FilterChain:
-    """Filters one after the other on one cloud, and how many of them each of its points passed; every step can be gone back."""
+    """Filters applied in order to one cloud, with the number of filters each point passed, so that every step can be undone."""
 
     filters: tuple[Filter, ...]
     passed: IntArray  # (N,) uint8, of the points of the unfiltered cloud
 
     @classmethod
-    def none(cls, count: int) -> FilterChain:
-        """Return no filter on so many points."""
+    def empty(cls, count: int) -> FilterChain:
+        """Return the chain without filters on ``count`` points."""
         return cls((), np.zeros(count, np.uint8))
 
     @property
-    def stays(self) -> BoolArray:
+    def kept_mask(self) -> BoolArray:
         """Which points passed all filters, (N,)."""
         return np.asarray(self.passed >= len(self.filters))
 
-    def then(self, wanted: Filter, points_mm: FloatArray, progress: Progress | None = None) -> FilterChain:
+    def append(self, wanted: Filter, points_mm: FloatArray, progress: Progress | None = None) -> FilterChain:
         """Return this chain with one more filter; ``points_mm`` (N, 3) is the unfiltered cloud.
 
         Raises
         ------
         InputError
-            The filter leaves no point, or there are 255 already.
+            The filter removes all points, or there are 255 filters already.
         """
         if len(self.filters) == MOST_FILTERS:
-            raise InputError(f"There are {MOST_FILTERS} filters already.", "Take some back, or apply fewer that take away more.")
-        left = np.flatnonzero(self.stays)
-        stays, _ = sieved(points_mm[left], (wanted,), progress)
+            raise InputError(f"There are {MOST_FILTERS} filters already.", "Undo some, or apply fewer and stricter ones.")
+        left = np.flatnonzero(self.kept_mask)
+        stays, _ = apply_filters(points_mm[left], (wanted,), progress)
         passed = self.passed.copy()
         passed[left[stays]] += 1
         return FilterChain((*self.filters, wanted), passed)
 
     @classmethod
-    def of(cls, filters: Sequence[Filter], points_mm: FloatArray, progress: Progress | None = None) -> FilterChain:
-        """Return these filters one after the other on a cloud; raises as `then`."""
-        chain = cls.none(len(points_mm))
+    def build(cls, filters: Sequence[Filter], points_mm: FloatArray, progress: Progress | None = None) -> FilterChain:
+        """Apply these filters in order to a cloud; raises as `append`."""
+        chain = cls.empty(len(points_mm))
         for number, wanted in enumerate(filters):
             part = None if progress is None else PartOf(progress, number / len(filters), (number + 1) / len(filters))
-            chain = chain.then(wanted, points_mm, part)
+            chain = chain.append(wanted, points_mm, part)
         return chain
 
     def without_last(self) -> FilterChain:

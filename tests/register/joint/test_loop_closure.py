@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from measureapp.data.cloud import RingClosure
-from measureapp.register.joint.pose_graph import edge_error
-from measureapp.register.joint.ring import largest_gap
-from measureapp.register.pairs.icp import stepped
-from tests.register.joint.test_contradiction import PAIR_SIGMAS, VIEWS, by_axes, drawn, ring
+from measureapp.data.cloud import LoopClosure
+from measureapp.register.joint.loop_closure import find_worst_loop
+from measureapp.register.joint.pose_graph import linearise_edge
+from measureapp.register.pairs.icp import apply_motion
+from tests.register.joint.test_innovation import PAIR_SIGMAS, VIEWS, by_axes, closed_loop, drawn
 
 DRAWS = 100
 NAMES = [f"v{i}" for i in range(VIEWS)]
@@ -22,17 +22,17 @@ def jointly(kinematic, pairs, centres, covariance):
     """Poses by pairs and axes together, in one step: the errors are small."""
     matrix, right = np.linalg.inv(covariance), np.zeros(6 * VIEWS)
     for pair in pairs:
-        error, by_target, by_source = edge_error(kinematic, pair, centres)
+        error, by_target, by_source = linearise_edge(kinematic, pair, centres)
         rows = np.r_[6 * pair.target + np.arange(6), 6 * pair.source + np.arange(6)]
         both = np.hstack([by_target, by_source])
         matrix[np.ix_(rows, rows)] += both.T @ pair.information @ both
         right[rows] -= both.T @ pair.information @ error
     steps = np.linalg.solve(matrix, right).reshape(-1, 6)
-    return [stepped(pose, step, centre) for pose, step, centre in zip(kinematic, steps, centres, strict=True)]
+    return [apply_motion(pose, step, centre) for pose, step, centre in zip(kinematic, steps, centres, strict=True)]
 
 
-def ring_of(kinematic, pairs, centres, covariance) -> RingClosure | None:
-    return largest_gap(jointly(kinematic, pairs, centres, covariance), pairs, centres, RADII, covariance, NAMES)
+def ring_of(kinematic, pairs, centres, covariance) -> LoopClosure | None:
+    return find_worst_loop(jointly(kinematic, pairs, centres, covariance), pairs, centres, RADII, covariance, NAMES)
 
 
 def neighbours(pairs):
@@ -54,7 +54,7 @@ def test_gaps_are_as_large_as_expected(view_mm: float) -> None:
 
 def test_an_axis_in_the_wrong_place_leaves_no_gap_where_only_some_pairs_see_it() -> None:
     rng, shared_mm, draws = np.random.default_rng(6), 0.1, 30
-    by_shift = np.vstack([np.vstack([pose.rotation, np.zeros((3, 3))]) for pose in ring()[0]])
+    by_shift = np.vstack([np.vstack([pose.rotation, np.zeros((3, 3))]) for pose in closed_loop()[0]])
     covariance = shared_mm**2 * by_shift @ by_shift.T + by_axes(0.1, 0.004)
     ratios, sigmas = [], []
     for _ in range(draws):

@@ -8,9 +8,9 @@ import pytest
 from measureapp.data.dimension import Dimension
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.inspection.dimensions import inspect
-from measureapp.inspection.features.small_arcs import NONLINEAR, needs_draws
-from measureapp.inspection.find_all import find_all
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.features.simulated_fits import NONLINEAR, needs_simulation
+from measureapp.inspection.find_features import find_features
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 
 RADIUS_MM, LENGTH_MM, ARC_DEG, COUNT = 40.0, 30.0, 5.0, 3000
@@ -54,8 +54,8 @@ def curvature_sigma(noise_mm: float) -> float:
 
 @pytest.mark.parametrize("noise_mm", [0.08, 0.12])
 def test_draws_give_the_quantile_that_normal_errors_of_the_curvature_demand(noise_mm: float) -> None:
-    found = find_all(arc(2, noise_mm), PROGRAM, None, ONLY_NOISE)["c"]
-    assert found.feature is not None and found.feature.radius_mm is not None and needs_draws(found) and found.draws == 400
+    found = find_features(arc(2, noise_mm), PROGRAM, None, ONLY_NOISE)["c"]
+    assert found.feature is not None and found.feature.radius_mm is not None and needs_simulation(found) and found.draws == 400
     radius = found.feature.radius_mm
     curvature = 1 / radius + curvature_sigma(noise_mm) * np.random.default_rng(0).standard_normal(100_000)
     demanded = np.quantile(np.abs(1 / np.abs(curvature) - radius), 0.95)
@@ -66,8 +66,8 @@ def test_draws_give_the_quantile_that_normal_errors_of_the_curvature_demand(nois
 
 def test_the_linear_uncertainty_stays_where_it_is_enough_and_the_origin_tells_which() -> None:
     wide, small = measured(1, 0.02, arc_deg=90.0), measured(1, 0.1)
-    assert "Monte Carlo" not in wide.origin
-    assert "small piece: Monte Carlo, 400 draws" in small.origin
+    assert "Monte Carlo" not in wide.traceability
+    assert "small piece: Monte Carlo, 400 draws" in small.traceability
     assert measured(1, 0.1).uncertainty == small.uncertainty  # the draws are the same every time
 
 
@@ -78,7 +78,7 @@ def test_a_piece_whose_curvature_drowns_in_noise_has_no_radius() -> None:
 
 
 def test_the_linear_interval_holds_less_and_less_as_the_text_says() -> None:
-    """The figures of `needs_draws`, from normal errors of a curvature 1 with the standard deviation u."""
+    """The figures of `needs_simulation`, from normal errors of a curvature 1 with the standard deviation u."""
     errors = np.random.default_rng(1).standard_normal(400_000)
     for relative, share in ((0.03, 0.954), (NONLINEAR, 0.953), (0.2, 0.937), (0.3, 0.920)):
         radius = 1 / (1 + relative * errors)
@@ -91,10 +91,10 @@ def test_the_linear_interval_holds_less_and_less_as_the_text_says() -> None:
 def test_intervals_on_5_degree_arcs_hold_the_truth_in_93_to_97_of_100_cases(noise_mm: float) -> None:
     times = 120
     made = [measured(seed, noise_mm) for seed in range(times)]
-    held = sum(one.error is not None and one.uncertainty is not None and abs(one.error) <= one.uncertainty for one in made)
+    held = sum(one.deviation is not None and one.uncertainty is not None and abs(one.deviation) <= one.uncertainty for one in made)
     low, high = (share * times + sign * 2.5 * np.sqrt(share * (1 - share) * times) for share, sign in ((0.93, -1), (0.97, 1)))
     assert low <= held <= high
-    assert (noise_mm > 0.05) == any("Monte Carlo" in one.origin for one in made)
+    assert (noise_mm > 0.05) == any("Monte Carlo" in one.traceability for one in made)
 
 
 HALF_ANGLE_DEG, CONE_LENGTH_MM = 20.0, 20.0
@@ -160,4 +160,4 @@ def test_axes_and_angles_of_small_pieces_lie_within_their_simulated_uncertainty(
     assert len(known) >= 0.9 * times, made[0][0].reason  # at the rest the noise leaves nothing to be known, and it is said so
     held = sum(abs(one.measured - truth) <= one.uncertainty for one, truth in known)
     assert held >= 0.95 * len(known) - 2.5 * np.sqrt(0.05 * 0.95 * len(known))
-    assert all("Monte Carlo" in one.origin for one, _ in known)
+    assert all("Monte Carlo" in one.traceability for one, _ in known)

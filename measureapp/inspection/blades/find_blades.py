@@ -12,16 +12,16 @@ from measureapp.data.blade_section import BladeSection
 from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import copy_names
 from measureapp.errors import FitError
-from measureapp.inspection.blades.average import Against, against_average
-from measureapp.inspection.blades.by_views import BladeErrors, blade_errors
-from measureapp.inspection.blades.cut import SectionFrame
-from measureapp.inspection.blades.profile import Profile, profile
-from measureapp.inspection.features.found import Found
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.blades.average_blade import AverageComparison, compare_with_average
+from measureapp.inspection.blades.blade_errors import BladeErrors, estimate_blade_errors
+from measureapp.inspection.blades.profile import Profile, fit_profile
+from measureapp.inspection.blades.section_frame import SectionFrame
+from measureapp.inspection.features.found_feature import FoundFeature
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.deviation import distances_and_normals
 from measureapp.inspection.surface.nominal import NominalSurface
-from measureapp.inspection.uncertainty import effective_views, shared_error_factor
+from measureapp.inspection.uncertainty import correlation_factor, effective_views
 
 SEED = 6
 TRIAL_ROUNDS = 3
@@ -29,51 +29,51 @@ LEAST_TRIALS = 0.8  # of the trials must give a value for it to count as determi
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class FoundBlade(Found):
+class FoundBlade(FoundFeature):
     """One blade section: its profile, the scatter of its values, and its place among the others."""
 
     profile: Profile | None = None
     frame: SectionFrame | None = None
-    sigmas: Mapping[str, float] | None = None  # standard uncertainty of each value of `numbers`
-    against: Against | None = None
+    sigmas: Mapping[str, float] | None = None  # standard uncertainty of each value of `profile_values`
+    comparison: AverageComparison | None = None
     number: int = 0  # from 0
-    to_nominal_mm: FloatArray | None = None  # (K,) signed, of the points; None without a nominal mesh
+    deviations_mm: FloatArray | None = None  # (K,) signed, of the points; None without a nominal mesh
     by_errors: BladeErrors | None = None  # what the errors of its views do to it; None where these are not known
 
 
 def find_blades(
     described: BladeSection, points: MeasuredPoints, surface: NominalSurface | None, settings: InspectionSettings
-) -> Mapping[str, Found]:
+) -> Mapping[str, FoundFeature]:
     """Find a section on every blade; ``points`` are in the nominal's frame."""
     frame = SectionFrame.of(described)
     names = copy_names(described.name, described.repeat)
-    found: dict[str, Found] = {}
+    found: dict[str, FoundFeature] = {}
     blades: dict[str, FloatArray] = {}
     for number, name in enumerate(names):
-        chosen = frame.points_of(points.points_mm, number, settings.blade_points)
+        chosen = frame.select_points(points.points_mm, number, settings.blade_points)
         if len(chosen) < 4 * settings.least_points:
             reason = f"{name}: only {len(chosen)} points were measured there, {4 * settings.least_points} are needed"
-            found[name] = Found(name, None, reason)
+            found[name] = FoundFeature(name, None, reason)
             continue
-        turned = frame.turned_back(points.points_mm[chosen], number)
+        turned = frame.rotate_to_first(points.points_mm[chosen], number)
         try:
-            found[name] = _found(name, number, points.where(chosen), turned, frame, surface, settings)
+            found[name] = _evaluate_blade(name, number, points.where(chosen), turned, frame, surface, settings)
         except FitError as error:
-            found[name] = Found(name, None, f"{name}: {error.message}")
+            found[name] = FoundFeature(name, None, f"{name}: {error.message}")
             continue
         blades[name] = turned
-    return found if len(blades) < 2 else _among_each_other(found, blades, frame)
+    return found if len(blades) < 2 else _compare_blades(found, blades, frame)
 
 
-def _among_each_other(found: dict[str, Found], blades: dict[str, FloatArray], frame: SectionFrame) -> dict[str, Found]:
-    for name, against in zip(blades, against_average(list(blades.values()), frame), strict=True):
+def _compare_blades(found: dict[str, FoundFeature], blades: dict[str, FloatArray], frame: SectionFrame) -> dict[str, FoundFeature]:
+    for name, against in zip(blades, compare_with_average(list(blades.values()), frame), strict=True):
         one = found[name]
         if isinstance(one, FoundBlade):
-            found[name] = replace(one, against=against)
+            found[name] = replace(one, comparison=against)
     return found
 
 
-def _found(
+def _evaluate_blade(
     name: str,
     number: int,
     own: MeasuredPoints,
@@ -82,15 +82,15 @@ def _found(
     surface: NominalSurface | None,
     settings: InspectionSettings,
 ) -> FoundBlade:
-    flat = frame.flat(turned_mm)
-    made = profile(flat, frame.shape)
-    factor = shared_error_factor(turned_mm[made.on_side], made.residuals_mm, settings.uncertainty.correlation_mm)
+    flat = frame.flatten(turned_mm)
+    made = fit_profile(flat, frame.shape)
+    factor = correlation_factor(turned_mm[made.on_side], made.residuals_mm, settings.uncertainty.correlation_mm)
     middle = own.points_mm.mean(axis=0)
     left_out = len(flat) - int(made.on_side.sum()) - made.leading.points - made.trailing.points
     feature = Feature(name, "point", middle, None, points=len(flat), left_out=max(left_out, 0), rms_mm=made.scatter_mm)
-    sigmas = {key: factor * sigma for key, sigma in _scatter(flat, made, frame, settings.blade_trials).items()}
+    sigmas = {key: factor * sigma for key, sigma in _simulate_scatter(flat, made, frame, settings.blade_trials).items()}
     away = None if surface is None else distances_and_normals(own.points_mm, own.normals, surface)[0]
-    by_errors = blade_errors(own, number, frame)
+    by_errors = estimate_blade_errors(own, number, frame)
     return FoundBlade(
         name,
         feature,
@@ -103,12 +103,12 @@ def _found(
         frame=frame,
         sigmas=sigmas,
         number=number,
-        to_nominal_mm=away,
+        deviations_mm=away,
         by_errors=by_errors,
     )
 
 
-def numbers(made: Profile, frame: SectionFrame) -> dict[str, float]:
+def profile_values(made: Profile, frame: SectionFrame) -> dict[str, float]:
     """Return the values of a profile that do not need other blades; those it has not are left out. Angles in rad."""
     values = {"max_thickness": made.thickness_mm, "stagger": frame.stagger_rad(made.chord, made.ends_mm[0])}
     if made.leading.apex_mm is not None:
@@ -121,7 +121,7 @@ def numbers(made: Profile, frame: SectionFrame) -> dict[str, float]:
     return values
 
 
-def _scatter(flat_mm: FloatArray, made: Profile, frame: SectionFrame, trials: int) -> dict[str, float]:
+def _simulate_scatter(flat_mm: FloatArray, made: Profile, frame: SectionFrame, trials: int) -> dict[str, float]:
     """Repeat the evaluation with noise of the points' own scatter (Monte Carlo, JCGM 101); what fails too often is left out.
 
     A greatest value grows with the noise. The trials show how much it grows from the noise of the points to √2 of it; what
@@ -132,12 +132,12 @@ def _scatter(flat_mm: FloatArray, made: Profile, frame: SectionFrame, trials: in
     for _ in range(trials):
         noisy = flat_mm + made.scatter_mm * rng.standard_normal(flat_mm.shape)
         try:
-            again = profile(noisy, frame.shape, made, TRIAL_ROUNDS)
+            again = fit_profile(noisy, frame.shape, made, TRIAL_ROUNDS)
         except FitError:
             continue
-        for key, value in numbers(again, frame).items():
+        for key, value in profile_values(again, frame).items():
             kept.setdefault(key, []).append(value)
-    base = numbers(made, frame)
+    base = profile_values(made, frame)
     return {
         key: float(np.hypot(np.std(values, ddof=1), (np.mean(values) - base[key]) / (np.sqrt(2) - 1)))
         for key, values in kept.items()

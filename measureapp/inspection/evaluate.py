@@ -11,20 +11,22 @@ from measureapp.data.blade_section import BLADE_KINDS
 from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import FORMS, ZONES, DimensionProgram
 from measureapp.errors import InspectionError
-from measureapp.inspection.blades.values import blade_value
-from measureapp.inspection.features.errors import NOISE
-from measureapp.inspection.features.found import Found
-from measureapp.inspection.propagation import propagated
+from measureapp.inspection.blades.values import evaluate_blade
+from measureapp.inspection.features.feature_errors import NOISE
+from measureapp.inspection.features.found_feature import FoundFeature
+from measureapp.inspection.propagation import propagate
 from measureapp.inspection.settings import InspectionSettings
-from measureapp.inspection.tolerances.form import form_value
-from measureapp.inspection.tolerances.zones import tolerance_value
-from measureapp.inspection.value import AXES, CENTRES, Value, direction_of, feature_of
+from measureapp.inspection.tolerances.form import evaluate_form
+from measureapp.inspection.tolerances.zones import evaluate_tolerance
+from measureapp.inspection.value import AXES, CENTRES, Value, require_direction, require_feature
 
 OPPOSED_WITHIN_DEG = 15.0
 Measure = Callable[[Sequence[Feature]], float]
 
 
-def value_of(described: DimensionProgram, found: tuple[Found, ...], datums: tuple[Found, ...], settings: InspectionSettings) -> Value:
+def evaluate_dimension(
+    described: DimensionProgram, found: tuple[FoundFeature, ...], datums: tuple[FoundFeature, ...], settings: InspectionSettings
+) -> Value:
     """Return the value of one dimension from its features and datums.
 
     Raises
@@ -33,21 +35,23 @@ def value_of(described: DimensionProgram, found: tuple[Found, ...], datums: tupl
         A feature was not found, or the value does not exist: planes that are not parallel have no distance.
     """
     for one in (*found, *datums):
-        feature_of(one)
+        require_feature(one)
     kind = described.kind
     if kind in BLADE_KINDS:
-        return blade_value(described, found, settings)
+        return evaluate_blade(described, found, settings)
     if kind in FORMS:
-        return form_value(described, found[0], settings)
+        return evaluate_form(described, found[0], settings)
     if kind in ZONES:
-        return tolerance_value(described, found[0], datums, settings)
-    value, budget = propagated(_measure(kind, found, settings), found)
+        return evaluate_tolerance(described, found[0], datums, settings)
+    value, budget = propagate(_measure(kind, found, settings), found)
     if kind in SIZES and found[0].draws:  # simulated points know the size better than the covariance does
         budget = {**budget, NOISE: _size_noise(kind, found[0])}
     return Value(value, budget)
 
 
-def mean_value(described: DimensionProgram, sets: Sequence[tuple[Found, ...]], settings: InspectionSettings) -> Value | None:
+def evaluate_pattern_mean(
+    described: DimensionProgram, sets: Sequence[tuple[FoundFeature, ...]], settings: InspectionSettings
+) -> Value | None:
     """Return the mean over the copies of a pattern, whose features share errors; None for kinds that are no plain function of features."""
     if described.kind not in {*SIZES, *PAIRS} or any(one.draws for found in sets for one in found):
         return None
@@ -57,17 +61,17 @@ def mean_value(described: DimensionProgram, sets: Sequence[tuple[Found, ...]], s
     def mean(features: Sequence[Feature]) -> float:
         return float(np.mean([measure(features[ends[i] : ends[i + 1]]) for i, measure in enumerate(measures)]))
 
-    return Value(*propagated(mean, [one for found in sets for one in found]))
+    return Value(*propagate(mean, [one for found in sets for one in found]))
 
 
-def _measure(kind: str, found: Sequence[Found], settings: InspectionSettings) -> Measure:
+def _measure(kind: str, found: Sequence[FoundFeature], settings: InspectionSettings) -> Measure:
     """Return what gives the value from features that lie like the ones found. Raises InspectionError where there is none."""
     if kind in SIZES:
-        return SIZES[kind](feature_of(found[0]))
-    return PAIRS[kind](feature_of(found[0]), feature_of(found[1]), settings)
+        return SIZES[kind](require_feature(found[0]))
+    return PAIRS[kind](require_feature(found[0]), require_feature(found[1]), settings)
 
 
-def _size_noise(kind: str, found: Found) -> float:
+def _size_noise(kind: str, found: FoundFeature) -> float:
     if kind == "cone_angle":
         return float(np.degrees(2 * found.half_angle_sigma))
     return (2.0 if kind == "diameter" else 1.0) * found.radius_sigma
@@ -114,19 +118,19 @@ def _between_planes(first: Feature, second: Feature, settings: InspectionSetting
 def _to_plane(first: Feature, second: Feature, plane: int, settings: InspectionSettings) -> Measure:
     """From a centre, or from an axis that runs along the plane, to the plane."""
     thing, surface = (second, first) if plane == 0 else (first, second)
-    normal = direction_of(surface)
+    normal = require_direction(surface)
     if thing.shape in AXES:
-        lean = np.degrees(np.arcsin(min(1.0, abs(float(direction_of(thing) @ normal)))))
+        lean = np.degrees(np.arcsin(min(1.0, abs(float(require_direction(thing) @ normal)))))
         if lean > settings.parallel_within_deg:
             raise InspectionError(f"{thing.name} is inclined by {lean:.1f}° to {surface.name}: they have no distance")
-    return lambda of: abs(float((of[1 - plane].point_mm - of[plane].point_mm) @ direction_of(of[plane])))
+    return lambda of: abs(float((of[1 - plane].point_mm - of[plane].point_mm) @ require_direction(of[plane])))
 
 
 def _thickness(first: Feature, second: Feature, settings: InspectionSettings) -> Measure:
     """Between two opposite surface points or planes, along their mean normal."""
     if first.shape == second.shape == "plane":
         return _between_planes(first, second, settings)
-    facing = np.degrees(np.arccos(np.clip(-float(direction_of(first) @ direction_of(second)), -1, 1)))
+    facing = np.degrees(np.arccos(np.clip(-float(require_direction(first) @ require_direction(second)), -1, 1)))
     if facing > OPPOSED_WITHIN_DEG:
         raise InspectionError(f"{first.name} and {second.name} do not lie opposite each other ({facing:.0f}° off): there is no thickness")
     return lambda of: abs(float((of[0].point_mm - of[1].point_mm) @ _mean_direction(of[0], of[1])))
@@ -138,7 +142,7 @@ def _step(first: Feature, second: Feature, settings: InspectionSettings) -> Meas
         if feature.shape != "plane":
             raise InspectionError(f"{feature.name} is a {feature.shape}: a step is defined between planes")
     _require_parallel(first, second, settings)
-    if direction_of(first) @ direction_of(second) < 0:
+    if require_direction(first) @ require_direction(second) < 0:
         raise InspectionError(f"{first.name} and {second.name} face away from each other: they have a distance, not a step")
     return lambda of: float((of[1].point_mm - of[0].point_mm) @ _mean_direction(of[0], of[1]))
 
@@ -146,12 +150,12 @@ def _step(first: Feature, second: Feature, settings: InspectionSettings) -> Meas
 def _angle(first: Feature, second: Feature, _: InspectionSettings) -> Measure:
     """Between the directions as drawn: outward normals of planes, axes of cylinders and cones."""
     for feature in (first, second):
-        direction_of(feature)
-    return lambda of: float(np.degrees(np.arccos(np.clip(direction_of(of[0]) @ direction_of(of[1]), -1, 1))))
+        require_direction(feature)
+    return lambda of: float(np.degrees(np.arccos(np.clip(require_direction(of[0]) @ require_direction(of[1]), -1, 1))))
 
 
 def _require_parallel(first: Feature, second: Feature, settings: InspectionSettings) -> None:
-    cosine = abs(float(direction_of(first) @ direction_of(second)))
+    cosine = abs(float(require_direction(first) @ require_direction(second)))
     angle = float(np.degrees(np.arccos(min(1.0, cosine))))
     if angle > settings.parallel_within_deg:
         limit = settings.parallel_within_deg
@@ -159,13 +163,13 @@ def _require_parallel(first: Feature, second: Feature, settings: InspectionSetti
 
 
 def _mean_direction(first: Feature, second: Feature) -> FloatArray:
-    one, other = direction_of(first), direction_of(second)
+    one, other = require_direction(first), require_direction(second)
     mean = one + (1.0 if one @ other >= 0 else -1.0) * other
     return mean / np.linalg.norm(mean)
 
 
 def _off_axis(point_mm: FloatArray, axis: Feature) -> float:
-    return float(np.linalg.norm(np.cross(point_mm - axis.point_mm, direction_of(axis))))
+    return float(np.linalg.norm(np.cross(point_mm - axis.point_mm, require_direction(axis))))
 
 
 SIZES: dict[str, Callable[[Feature], Measure]] = {"diameter": _diameter, "radius": _radius, "cone_angle": _cone_angle}

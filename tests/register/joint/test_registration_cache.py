@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from measureapp.data.cloud import StitchedCloud
-from measureapp.register.joint import groundwork as module
-from measureapp.register.joint.groundwork import Groundwork, in_parallel
+from measureapp.register.joint import registration_cache as module
+from measureapp.register.joint.registration_cache import RegistrationCache, map_in_parallel
 from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
 
@@ -24,10 +24,10 @@ def batch(scan) -> StitchedCloud:
 
 @pytest.mark.parametrize("arrival", [[0, 1, 2, 3, 4, 5], [3, 5, 0, 4, 1, 2]])
 def test_stitching_while_views_arrive_gives_exactly_what_stitching_afterwards_gives(scan, batch, arrival):
-    with Groundwork() as groundwork:
+    with RegistrationCache() as registration_cache:
         for i in arrival:
-            groundwork.add(scan.clouds[i], scan.kinematic[i])
-        ahead = stitch(scan.clouds, scan.kinematic, groundwork=groundwork)
+            registration_cache.add(scan.clouds[i], scan.kinematic[i])
+        ahead = stitch(scan.clouds, scan.kinematic, registration_cache=registration_cache)
     assert np.array_equal(ahead.points_mm, batch.points_mm)
     for one, other in zip(ahead.placements, batch.placements, strict=True):
         assert np.array_equal(one.part_from_camera.matrix, other.part_from_camera.matrix)
@@ -35,32 +35,32 @@ def test_stitching_while_views_arrive_gives_exactly_what_stitching_afterwards_gi
 
 
 def test_after_the_last_view_no_pair_is_left_to_be_registered(scan, monkeypatch):
-    with Groundwork() as groundwork:
+    with RegistrationCache() as registration_cache:
         for cloud, kinematic in zip(scan.clouds, scan.kinematic, strict=True):
-            groundwork.add(cloud, kinematic)
-        groundwork.finish()
+            registration_cache.add(cloud, kinematic)
+        registration_cache.finish()
         monkeypatch.setattr(module, "register_pair", None)
         monkeypatch.setattr(module, "prepare", None)
-        stitched = stitch(scan.clouds, scan.kinematic, groundwork=groundwork)
+        stitched = stitch(scan.clouds, scan.kinematic, registration_cache=registration_cache)
     assert all(placement.verdict == "good" for placement in stitched.placements)
 
 
 def test_views_that_are_not_stitched_in_the_end_change_nothing(scan):
     chosen = [0, 1, 2, 4]
     clouds, kinematic = [scan.clouds[i] for i in chosen], [scan.kinematic[i] for i in chosen]
-    with Groundwork() as groundwork:
+    with RegistrationCache() as registration_cache:
         for cloud, pose in zip(scan.clouds, scan.kinematic, strict=True):
-            groundwork.add(cloud, pose)
-        ahead = stitch(clouds, kinematic, groundwork=groundwork)
+            registration_cache.add(cloud, pose)
+        ahead = stitch(clouds, kinematic, registration_cache=registration_cache)
     assert np.array_equal(ahead.points_mm, stitch(clouds, kinematic).points_mm)
 
 
 def test_a_pair_registered_for_other_settings_or_poses_is_not_taken(scan):
     settings = StitchSettings(search_mm=2.0)
-    with Groundwork() as groundwork:
+    with RegistrationCache() as registration_cache:
         for cloud, truth in zip(scan.clouds, scan.truth, strict=True):
-            groundwork.add(cloud, truth)
-        ahead = stitch(scan.clouds, scan.kinematic, settings, groundwork=groundwork)
+            registration_cache.add(cloud, truth)
+        ahead = stitch(scan.clouds, scan.kinematic, settings, registration_cache=registration_cache)
     assert np.array_equal(ahead.points_mm, stitch(scan.clouds, scan.kinematic, settings).points_mm)
 
 
@@ -69,11 +69,11 @@ def test_what_fails_ahead_is_told_when_the_result_is_wanted(scan, monkeypatch):
         raise MemoryError("too little memory")
 
     monkeypatch.setattr(module, "prepare", broken)
-    with Groundwork() as groundwork:
-        groundwork.add(scan.clouds[0], scan.kinematic[0])
-        groundwork.add(scan.clouds[1], scan.kinematic[1])
+    with RegistrationCache() as registration_cache:
+        registration_cache.add(scan.clouds[0], scan.kinematic[0])
+        registration_cache.add(scan.clouds[1], scan.kinematic[1])
         with pytest.raises(MemoryError, match="too little memory"):
-            groundwork.finish()
+            registration_cache.finish()
 
 
 def test_the_first_failure_of_parallel_work_ends_it():
@@ -84,5 +84,5 @@ def test_the_first_failure_of_parallel_work_ends_it():
 
     heard: list[int] = []
     with pytest.raises(ValueError, match="three"):
-        in_parallel(work, range(1000), heard.append)
+        map_in_parallel(work, range(1000), heard.append)
     assert heard == [1, 2, 3]

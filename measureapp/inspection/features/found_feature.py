@@ -14,12 +14,19 @@ from measureapp.data.inspection_program import MeasuredFeature
 from measureapp.data.view_errors import ViewErrors
 from measureapp.errors import FitError
 from measureapp.inspection.features.cut import NominalFeature, cut_points, nominal_features
-from measureapp.inspection.features.errors import NOISE, Errors, Source, errors_by_views, following, noise_of
+from measureapp.inspection.features.feature_errors import (
+    NOISE,
+    Errors,
+    ErrorSource,
+    estimate_view_errors,
+    noise_errors,
+    propagate_point_errors,
+)
 from measureapp.inspection.features.shapes import signed_distances
-from measureapp.inspection.features.surface_point import QUADRIC, surface_point, surface_point_following
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.features.surface_point import QUADRIC, fit_surface_point, linearise_surface_point
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
-from measureapp.inspection.uncertainty import PLANE, effective_views, shared_error_factor
+from measureapp.inspection.uncertainty import PLANE, correlation_factor, effective_views
 
 MAD_TO_SIGMA = 1.4826
 TRIM_ROUNDS = 3
@@ -27,18 +34,20 @@ GREATEST_TILT_DEG = 20.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Found:
+class FoundFeature:
     """A feature found on the part, or the reason why it was not."""
 
     name: str
     feature: Feature | None
     reason: str = ""
-    error_factor: float = 1.0  # by which shared errors of neighbouring points widen the fit's standard deviations
+    correlation_factor: float = 1.0  # by which shared errors of neighbouring points widen the fit's standard deviations
     views: float = 1.0  # how many views it effectively rests on
     points_mm: FloatArray = field(default_factory=lambda: np.empty((0, 3)))  # the points it was fitted to
     nominal: Feature | None = None  # where the drawing has it
     hole: bool = field(default=False, kw_only=True)  # the material lies outside
-    by_views: Errors = field(default_factory=dict, kw_only=True)  # errors that its views give it; of a constructed feature all errors
+    view_contributions: Errors = field(
+        default_factory=dict, kw_only=True
+    )  # errors that its views give it; of a constructed feature all errors
     view: IntArray | None = field(default=None, kw_only=True)  # (N,), in which view each of its points was measured
     view_errors: ViewErrors | None = field(default=None, kw_only=True)  # of those views; None where not known
     draws: int = field(default=0, kw_only=True)  # fits to simulated points that its covariance comes from; 0: from the law of propagation
@@ -47,8 +56,8 @@ class Found:
     def errors(self) -> Errors:
         """Everything it errs by, by where it comes from; nothing for a feature that was not found."""
         if self.feature is None or len(self.points_mm) == 0:
-            return self.by_views
-        return {Source(NOISE, self.name): noise_of(self.feature, self.error_factor), **self.by_views}
+            return self.view_contributions
+        return {ErrorSource(NOISE, self.name): noise_errors(self.feature, self.correlation_factor), **self.view_contributions}
 
     @property
     def direction_sigma(self) -> float:
@@ -66,41 +75,43 @@ class Found:
         return self._sigma("half_angle_rad")
 
     def _sigma(self, key: str) -> float:
-        return 0.0 if self.feature is None else self.feature.standard_deviations.get(key, 0.0) * self.error_factor
+        return 0.0 if self.feature is None else self.feature.standard_deviations.get(key, 0.0) * self.correlation_factor
 
 
-def find(described: MeasuredFeature, points: MeasuredPoints, edges: cKDTree | None, settings: InspectionSettings) -> Mapping[str, Found]:
+def find_feature(
+    described: MeasuredFeature, points: MeasuredPoints, edges: cKDTree | None, settings: InspectionSettings
+) -> Mapping[str, FoundFeature]:
     """Find a feature and all copies of its pattern on ``points`` (in the nominal's frame)."""
-    return {nominal.feature.name: _find_one(nominal, points, edges, settings) for nominal in nominal_features(described)}
+    return {nominal.feature.name: _find_copy(nominal, points, edges, settings) for nominal in nominal_features(described)}
 
 
-def _find_one(nominal: NominalFeature, points: MeasuredPoints, edges: cKDTree | None, settings: InspectionSettings) -> Found:
-    return fitted(nominal, points, cut_points(points, nominal, edges), settings, nominal.feature)
+def _find_copy(nominal: NominalFeature, points: MeasuredPoints, edges: cKDTree | None, settings: InspectionSettings) -> FoundFeature:
+    return fit_feature(nominal, points, cut_points(points, nominal, edges), settings, nominal.feature)
 
 
-def fitted(
+def fit_feature(
     expected: NominalFeature, points: MeasuredPoints, chosen: IntArray, settings: InspectionSettings, drawn: Feature | None
-) -> Found:
+) -> FoundFeature:
     """Fit the shape of ``expected``, and lying about there, to the chosen points; ``drawn`` is its place in the drawing, if it has one."""
     name = expected.feature.name
     if len(chosen) < settings.least_points:
         reason = f"{name}: only {len(chosen)} points were measured there, {settings.least_points} are needed"
-        return Found(name, None, reason, nominal=drawn)
+        return FoundFeature(name, None, reason, nominal=drawn)
     if len(chosen) > settings.fit_points:
         chosen = chosen[:: -(-len(chosen) // settings.fit_points)]
     cut = points.where(chosen)
     try:
-        feature, residuals, kept = _trimmed_fit(expected, cut, settings)
+        feature, residuals, kept = _fit_with_trimming(expected, cut, settings)
     except FitError as error:
-        return Found(name, None, f"{name}: {error.message}", nominal=drawn)
+        return FoundFeature(name, None, f"{name}: {error.message}", nominal=drawn)
     if reason := _implausible(feature, expected):
-        return Found(name, None, f"{name}: {reason}", nominal=drawn)
+        return FoundFeature(name, None, f"{name}: {reason}", nominal=drawn)
     used = cut.where(kept)
     unknowns = QUADRIC if expected.surface_point else PLANE
-    factor = shared_error_factor(used.points_mm, residuals, settings.uncertainty.correlation_mm, unknowns)
+    factor = correlation_factor(used.points_mm, residuals, settings.uncertainty.correlation_mm, unknowns)
     views = effective_views(used.view)
-    by_views = _errors_by_views(expected, feature, used, settings.uncertainty.placement_mm, views)
-    return Found(
+    by_views = _estimate_view_errors(expected, feature, used, settings.uncertainty.placement_mm, views)
+    return FoundFeature(
         name,
         feature,
         "",
@@ -109,19 +120,19 @@ def fitted(
         used.points_mm,
         drawn,
         hole=expected.hole,
-        by_views=by_views,
+        view_contributions=by_views,
         view=used.view,
         view_errors=used.errors,
     )
 
 
-def _errors_by_views(nominal: NominalFeature, feature: Feature, used: MeasuredPoints, placement_mm: float, views: float) -> Errors:
+def _estimate_view_errors(nominal: NominalFeature, feature: Feature, used: MeasuredPoints, placement_mm: float, views: float) -> Errors:
     if nominal.surface_point and used.errors is not None and used.view is not None:
-        return following(*surface_point_following(nominal.feature, used))
-    return errors_by_views(feature, used, _weights(used), placement_mm, views)
+        return propagate_point_errors(*linearise_surface_point(nominal.feature, used))
+    return estimate_view_errors(feature, used, _weights(used), placement_mm, views)
 
 
-def _trimmed_fit(nominal: NominalFeature, cut: MeasuredPoints, settings: InspectionSettings) -> tuple[Feature, FloatArray, IntArray]:
+def _fit_with_trimming(nominal: NominalFeature, cut: MeasuredPoints, settings: InspectionSettings) -> tuple[Feature, FloatArray, IntArray]:
     """Fit, leave out what lies too far from the fit, and fit again; return feature, residuals and indices of the points kept."""
     kept = np.arange(len(cut))
     for _ in range(TRIM_ROUNDS):
@@ -142,17 +153,17 @@ def _trimmed_fit(nominal: NominalFeature, cut: MeasuredPoints, settings: Inspect
 def _fit(nominal: NominalFeature, used: MeasuredPoints, all_points_mm: FloatArray) -> tuple[Feature, FloatArray]:
     """Fit the shape to ``used``; return it as oriented in the nominal, and the distances of all points of the cut."""
     if nominal.surface_point:
-        return surface_point(nominal.feature, used, all_points_mm)
+        return fit_surface_point(nominal.feature, used, all_points_mm)
     from measureapp.geometry.fits import fit
 
     feature = fit(nominal.feature.shape, used.points_mm, weights=_weights(used), start=nominal.feature)
     expected = nominal.feature.direction
     if feature.direction is not None and expected is not None and feature.direction @ expected < 0 and feature.shape != "cone":
-        feature = _turned_about(feature)
+        feature = _flip_direction(feature)
     return feature, signed_distances(feature, all_points_mm)
 
 
-def _turned_about(feature: Feature) -> Feature:
+def _flip_direction(feature: Feature) -> Feature:
     assert feature.direction is not None and feature.covariance is not None
     signs = np.where((np.arange(len(feature.covariance)) >= 3) & (np.arange(len(feature.covariance)) < 6), -1.0, 1.0)
     return replace(feature, direction=-feature.direction, covariance=feature.covariance * np.outer(signs, signs))

@@ -11,41 +11,43 @@ import numpy as np
 from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import ConstructedFeature, copy_names, substitute_index
 from measureapp.errors import InspectionError
-from measureapp.inspection.features.errors import Errors, following_features
-from measureapp.inspection.features.found import Found
+from measureapp.inspection.features.feature_errors import Errors, propagate_construction
+from measureapp.inspection.features.found_feature import FoundFeature
 
 AXES = ("cylinder", "cone", "line")
 LEAST_CROSSING_DEG = 5.0
 
 
-def construct(described: ConstructedFeature, known: Mapping[str, Found]) -> Mapping[str, Found]:
+def construct(described: ConstructedFeature, known: Mapping[str, FoundFeature]) -> Mapping[str, FoundFeature]:
     """Return the constructed feature, or each copy of its pattern, from features already found."""
     count = None if described.repeat is None else described.repeat.count
     names = copy_names(described.name, described.repeat)
     made = {}
     for k, name in enumerate(names, start=1):
         one, other = (known[needed] for needed in substitute_index(described.of, k, count))
-        drawn = _construct_one(described.shape, name, _as_drawn(one), _as_drawn(other)).feature
+        drawn = _construct_one(described.shape, name, _as_nominal(one), _as_nominal(other)).feature
         made[name] = replace(_construct_one(described.shape, name, one, other), nominal=drawn)
     return made
 
 
-def _as_drawn(found: Found) -> Found:
-    return Found(found.name, found.nominal, f"{found.name} has no place in the drawing")
+def _as_nominal(found: FoundFeature) -> FoundFeature:
+    return FoundFeature(found.name, found.nominal, f"{found.name} has no place in the drawing")
 
 
-def _construct_one(shape: str, name: str, one: Found, other: Found) -> Found:
+def _construct_one(shape: str, name: str, one: FoundFeature, other: FoundFeature) -> FoundFeature:
     if one.feature is None or other.feature is None:
-        return Found(name, None, one.reason or other.reason)
+        return FoundFeature(name, None, one.reason or other.reason)
     parents = (one.feature, other.feature)
     make = partial(MAKERS[shape], name)
     try:
         made = make(parents)
     except InspectionError as error:
-        return Found(name, None, error.message)
-    errors = following_features(make, parents, (one.errors, other.errors))
+        return FoundFeature(name, None, error.message)
+    errors = propagate_construction(make, parents, (one.errors, other.errors))
     known = replace(made, points=sum(parent.points for parent in parents), standard_deviations=_deviations(made, errors))
-    return Found(name, known, views=min(one.views, other.views), by_views=errors, view_errors=one.view_errors or other.view_errors)
+    return FoundFeature(
+        name, known, views=min(one.views, other.views), view_contributions=errors, view_errors=one.view_errors or other.view_errors
+    )
 
 
 def _deviations(made: Feature, errors: Errors) -> dict[str, float]:

@@ -9,14 +9,14 @@ import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
 from measureapp.data.mesh import Mesh
-from measureapp.data.view_errors import ViewErrors, without_common_motion
+from measureapp.data.view_errors import ViewErrors, remove_common_motion
 from measureapp.errors import InspectionError
 from measureapp.geometry.transform import RigidTransform
 
 MESH_SAMPLES = 200_000
 ALIGNING_POINTS = 20_000  # tell where a part lies as well as all of them
 SAMPLE_SEED = 20  # so that a file gives the same numbers again
-DRAWN = 100  # points for one that is kept: of more the cells tell nothing new
+CANDIDATES_PER_POINT = 100  # points for one that is kept: of more the cells tell nothing new
 LEAST_OF_A_CELL = 0.25  # of the usual number of points
 
 
@@ -53,7 +53,7 @@ class MeasuredPoints:
         InspectionError
             There are no points, or some are not finite.
         """
-        made = source if isinstance(source, MeasuredPoints) else sampled(source) if isinstance(source, Mesh) else _from_cloud(source)
+        made = source if isinstance(source, MeasuredPoints) else sample_mesh(source) if isinstance(source, Mesh) else _from_cloud(source)
         if len(made) == 0:
             raise InspectionError("There are no measured points to inspect.", "Scan the part first, or check the file.")
         if not np.isfinite(made.points_mm).all():
@@ -71,25 +71,25 @@ class MeasuredPoints:
         errors = None if self.errors is None else self.errors.seen_from(transform)
         return replace(self, points_mm=transform.apply(self.points_mm), normals=normals, errors=errors)
 
-    def aligned(self) -> MeasuredPoints:
+    def remove_alignment_motion(self) -> MeasuredPoints:
         """Return the same points after an alignment by their surface, which followed what their views err by together."""
         if self.errors is None or self.view is None or self.normals is None:
             return self
-        some = self.thinned(ALIGNING_POINTS)
+        some = self.thin(ALIGNING_POINTS)
         assert some.normals is not None and some.view is not None
-        errors = without_common_motion(self.errors, some.points_mm, np.asarray(some.normals, np.float64), some.view)
+        errors = remove_common_motion(self.errors, some.points_mm, np.asarray(some.normals, np.float64), some.view)
         return replace(self, errors=errors)
 
-    def with_scale(self, ppm: float) -> MeasuredPoints:
+    def with_scale_uncertainty(self, ppm: float) -> MeasuredPoints:
         """Return the same points with this standard uncertainty of all lengths, where it is known what their views err by."""
         return self if self.errors is None else replace(self, errors=replace(self.errors, scale=ppm * 1e-6))
 
-    def thinned(self, count: int) -> MeasuredPoints:
+    def thin(self, count: int) -> MeasuredPoints:
         """Return about ``count`` points spread evenly over the surface: one of each cell of a grid."""
-        return self if len(self) <= count else self.where(thinned_indices(self.points_mm, count))
+        return self if len(self) <= count else self.where(thin_indices(self.points_mm, count))
 
 
-def thinned_indices(points_mm: FloatArray, count: int) -> IntArray:
+def thin_indices(points_mm: FloatArray, count: int) -> IntArray:
     """Return the indices, ascending, of about ``count`` points spread evenly over the surface: any one of each cell of a grid.
 
     Which one is drawn by lot, as points are sorted by place and the first would lie to one side of the surface. Cells with hardly any
@@ -97,7 +97,7 @@ def thinned_indices(points_mm: FloatArray, count: int) -> IntArray:
     """
     if len(points_mm) <= count:
         return np.arange(len(points_mm))
-    lots = np.random.default_rng(SAMPLE_SEED).permutation(len(points_mm))[: DRAWN * count]
+    lots = np.random.default_rng(SAMPLE_SEED).permutation(len(points_mm))[: CANDIDATES_PER_POINT * count]
     offsets = points_mm[lots] - points_mm.min(axis=0)
     size = float(offsets.max()) / np.sqrt(count)
     for _ in range(12):
@@ -118,7 +118,9 @@ def _first_of_each_cell(offsets_mm: FloatArray, size_mm: float) -> tuple[IntArra
 
 
 def _from_cloud(source: HasPoints) -> MeasuredPoints:
-    normals, sigma, view, drawn, errors = (getattr(source, name, None) for name in ("normals", "sigma_mm", "view", "drawn_view", "errors"))
+    normals, sigma, view, drawn, errors = (
+        getattr(source, name, None) for name in ("normals", "sigma_mm", "view", "sampled_view", "errors")
+    )
     if sigma is not None and not bool(np.all(np.isfinite(sigma) & (np.asarray(sigma) > 0))):
         sigma = None
     if normals is not None and not bool(np.all(np.any(np.asarray(normals) != 0, axis=1))):
@@ -126,7 +128,7 @@ def _from_cloud(source: HasPoints) -> MeasuredPoints:
     return MeasuredPoints(source.points_mm, normals, sigma, view if drawn is None else drawn, None if view is None else errors)
 
 
-def sampled(mesh: Mesh, count: int = MESH_SAMPLES) -> MeasuredPoints:
+def sample_mesh(mesh: Mesh, count: int = MESH_SAMPLES) -> MeasuredPoints:
     """Sample ``mesh`` evenly by area, leaving out triangles that were filled without points."""
     triangles = np.asarray(mesh.triangles)
     if mesh.measured is not None:

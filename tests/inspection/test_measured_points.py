@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from measureapp.inspection.measured import thinned_indices
+from measureapp.inspection.measured_points import thin_indices
 
 NOISE_MM = 0.02
 
@@ -18,7 +18,7 @@ def wall(count: int) -> np.ndarray:
 
 def test_thinned_points_lie_to_no_side_of_a_noisy_wall() -> None:
     points = wall(200_000)
-    chosen = thinned_indices(points, 2000)
+    chosen = thin_indices(points, 2000)
     assert 1600 <= len(chosen) <= 2400
     assert abs(points[chosen, 0].mean()) < 4 * NOISE_MM / np.sqrt(len(chosen))
     assert np.all(np.diff(chosen) > 0)
@@ -29,11 +29,11 @@ def test_thinned_points_lie_to_no_side_of_a_noisy_wall() -> None:
 def test_strays_are_not_taken_for_surface() -> None:
     strays = np.random.default_rng(4).uniform([5, 0, 0], 100, (100, 3))
     points = np.vstack([wall(200_000), strays])
-    chosen = thinned_indices(points, 2000)
+    chosen = thin_indices(points, 2000)
     assert np.sum(chosen >= 200_000) == 0
 
 
 def test_few_points_all_stay() -> None:
-    np.testing.assert_array_equal(thinned_indices(wall(50), 100), np.arange(50))
-    sparse = thinned_indices(wall(300), 100)
+    np.testing.assert_array_equal(thin_indices(wall(50), 100), np.arange(50))
+    sparse = thin_indices(wall(300), 100)
     assert 80 <= len(sparse) <= 120

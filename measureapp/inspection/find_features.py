@@ -7,35 +7,35 @@ from collections.abc import Collection
 from measureapp.data.blade_section import BladeSection
 from measureapp.data.free_form import FreeForm
 from measureapp.data.inspection_program import ConstructedFeature, InspectionProgram, copy_names, needed_names
-from measureapp.inspection.blades.find import find_blades
-from measureapp.inspection.features.constructed import construct
-from measureapp.inspection.features.found import Found, find
+from measureapp.inspection.blades.find_blades import find_blades
+from measureapp.inspection.features.construct import construct
+from measureapp.inspection.features.found_feature import FoundFeature, find_feature
 from measureapp.inspection.features.free_form import find_free_forms
-from measureapp.inspection.features.grown import find_grown
-from measureapp.inspection.features.small_arcs import with_draws
-from measureapp.inspection.measured import MeasuredPoints
+from measureapp.inspection.features.grow_features import grow_features
+from measureapp.inspection.features.simulated_fits import simulate_uncertainties
+from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.progress import NoProgress, Progress
 
 
-def find_all(
+def find_features(
     points: MeasuredPoints,
     program: InspectionProgram,
     surface: NominalSurface | None,
     settings: InspectionSettings,
     progress: Progress = NoProgress(),  # noqa: B008 - stateless
     only: Collection[str] | None = None,
-) -> dict[str, Found]:
+) -> dict[str, FoundFeature]:
     """Return every feature, or why it was not found, by name; ``points`` are in the nominal's frame.
 
     Parameters
     ----------
     only : names of the features wanted (what they are made of is found too); None wants all
     """
-    wanted = None if only is None else _with_what_they_need(program, only)
+    wanted = None if only is None else _with_dependencies(program, only)
     edges = None if surface is None else surface.sharp_edges()
-    found: dict[str, Found] = {}
+    found: dict[str, FoundFeature] = {}
     for number, described in enumerate(program.features):
         if wanted is not None and wanted.isdisjoint(copy_names(described.name, described.repeat)):
             continue
@@ -47,13 +47,13 @@ def find_all(
         elif isinstance(described, FreeForm):
             found.update(find_free_forms(described, points, surface, edges, settings))
         elif described.grow is not None:
-            found.update(with_draws(find_grown(described, points, settings), settings))
+            found.update(simulate_uncertainties(grow_features(described, points, settings), settings))
         else:
-            found.update(with_draws(find(described, points, edges, settings), settings))
+            found.update(simulate_uncertainties(find_feature(described, points, edges, settings), settings))
     return found
 
 
-def _with_what_they_need(program: InspectionProgram, names: Collection[str]) -> set[str]:
+def _with_dependencies(program: InspectionProgram, names: Collection[str]) -> set[str]:
     wanted = set(names)
     for described in reversed(program.features):  # a feature is made of features before it
         if isinstance(described, ConstructedFeature) and not wanted.isdisjoint(copy_names(described.name, described.repeat)):
