@@ -15,9 +15,9 @@ from measureapp.fringe.decode_model import crop, find_chain, make_maps, make_mod
 from measureapp.fringe.decode_plan import DecodePlan
 from measureapp.fringe.exposures.blooming import mark_near_saturation
 from measureapp.fringe.fringe_origin import Solve, find_origin
-from measureapp.fringe.kernels.structures import CHUNK, STRETCH, DecodeModel, ExposureSums, ImageLayout, PixelMaps, Workspace
+from measureapp.fringe.kernels.structures import CHUNK, STRETCH, Counts, DecodeModel, ExposureSums, ImageLayout, PixelMaps, Workspace
 from measureapp.fringe.order_vote import settle_orders, vote_limits
-from measureapp.fringe.pixel_loop import ONE_STRETCH, UNGUARDED, PixelLoop, contiguous
+from measureapp.fringe.pixel_loop import UNGUARDED, PixelLoop, contiguous, total_counts
 from measureapp.fringe.unwrap import extent_px
 
 LEAST_USABLE, MOST_OUTSIDE = 0.01, 0.8
@@ -52,7 +52,7 @@ class DirectionDecoder:
         self._chain = find_chain(plan)
         self._at_crest = make_model(plan, self._chain, votes=plan.settings.vote_radius > 0)
         self._loop = PixelLoop(plan, self._dtype, self._pixels, self._at_crest, memory)
-        self._counted = self._loop.no_counts()
+        self._added = self._loop.no_counts()
         self._sums: ExposureSums | None = None
 
     def decode(self, images: ImageArray) -> PhaseMap:
@@ -65,24 +65,23 @@ class DirectionDecoder:
 
         def sum_sample(sums: ExposureSums, chunks: list[tuple[int, int]]) -> None:
             shown = contiguous(np.concatenate([flat[..., begin:end] for begin, end in chunks], axis=-1))
-            loop.run(sums, 0, (0, shown.shape[-1]), images=shown)
+            loop.add(shown, sums, (0, shown.shape[-1]))
 
         model = self._find_origin(sum_sample)
         maps = make_maps(self._dtype, self._pixels, self._memory)
         spare: list[tuple[ExposureSums, Workspace]] = []
 
-        def decode_band(start: int, stop: int) -> tuple[IntArray, IntArray]:
+        def decode_band(start: int, stop: int) -> Counts:
             try:
                 sums, work = spare.pop()
             except IndexError:
                 sums, work = self._plan.sums(self._dtype, STRETCH, self._memory), loop.workspace()
-            counts = loop.run(sums, ONE_STRETCH, (start, stop), images=flat, model=model, maps=maps, work=work)
+            counts = loop.decode(flat, sums, (start, stop), model, work, maps)
             spare.append((sums, work))
             return counts
 
-        bands = loop.in_bands(decode_band)
-        self._counted = np.sum([counted for counted, _ in bands], axis=0)
-        return self._phase_map(maps, model, np.sum([states for _, states in bands], axis=0))
+        counts = total_counts(loop.in_bands(decode_band))
+        return self._phase_map(maps, model, counts)
 
     def add(self, exposure: int, images: ImageArray) -> None:
         """Add the images (P, H, W) of one exposure to the sums."""
@@ -92,10 +91,8 @@ class DirectionDecoder:
         one = contiguous(images.reshape(1, len(images), self._pixels))
         blocked = mark_near_saturation(one[0], self._shape, loop.layout, loop.rule, radius) if radius else UNGUARDED
 
-        def add_band(start: int, stop: int) -> IntArray:
-            return loop.run(sums, 0, (start, stop), images=one, exposure=exposure, blocked=blocked)[0]
-
-        self._counted += np.sum(loop.in_bands(add_band), axis=0)
+        added = loop.in_bands(lambda start, stop: loop.add(one, sums, (start, stop), exposure, blocked))
+        self._added = total_counts([self._added, *added])
 
     def finish(self) -> PhaseMap:
         """Convert the sums to the phase map."""
@@ -110,9 +107,9 @@ class DirectionDecoder:
 
         model = self._find_origin(copy_sample)
         maps = make_maps(self._dtype, self._pixels, self._memory)
-        bands = loop.in_bands(lambda start, stop: loop.run(sums, 0, (start, stop), model=model, maps=maps)[1])
+        solved = loop.in_bands(lambda start, stop: loop.solve(sums, (start, stop), model, maps))
         self._sums = None
-        return self._phase_map(maps, model, np.sum(bands, axis=0))
+        return self._phase_map(maps, model, total_counts([self._added, *solved]))
 
     def _find_origin(self, fill: Fill) -> DecodeModel:
         """Return the model with the origin of the phase; the samples are too small to be worth sharing among processors."""
@@ -124,26 +121,26 @@ class DirectionDecoder:
 
             def solve(model: DecodeModel, layout: ImageLayout) -> PixelMaps:
                 maps = make_maps(self._dtype, pixels, self._memory)
-                self._loop.run(sums, 0, (0, pixels), model=model, layout=layout, maps=maps)
+                self._loop.solve(sums, (0, pixels), model, maps, layout)
                 return crop(maps, pixels)
 
             return solve
 
         return find_origin(self._at_crest, self._chain, self._loop.layout, self._pixels, sample)
 
-    def _valid_ratios(self) -> tuple[float, ...]:
+    def _valid_ratios(self, counts: Counts) -> tuple[float, ...]:
         """Return the share of pixels above zero and unsaturated in every exposure.
 
         Where one exposure is enough, that of the shorter ones is estimated from a sample of the chunks; what is unsaturated in a longer
         exposure is so in a shorter one, too.
         """
-        (due, good), (sampled, found) = self._counted
+        (due, good), (sampled, found) = counts.exposures
         share = np.divide(found, sampled, out=np.ones(len(good)), where=sampled > 0)
         return tuple(float(ratio) for ratio in (good + (self._pixels - due) * share) / self._pixels)
 
-    def _phase_map(self, maps: PixelMaps, model: DecodeModel, counts: IntArray) -> PhaseMap:
+    def _phase_map(self, maps: PixelMaps, model: DecodeModel, counts: Counts) -> PhaseMap:
         plan, maps = self._plan, crop(maps, self._pixels)
-        states, complete = counts[:-1], int(counts[-1])
+        states = counts.states
         self._check_within(states)
         amplification = self._chain.amplification if self._chain else 0.0
         repaired = 0
@@ -162,8 +159,8 @@ class DirectionDecoder:
             exposure_index=read_only(maps.exposure.reshape(self._shape)),
             pitch_px=plan.patterns.finest_pitch_px,
             projector_px=extent_px(plan.patterns),
-            valid_ratio_exposures=self._valid_ratios(),
-            valid_ratio_composite=complete / self._pixels,
+            valid_ratio_exposures=self._valid_ratios(counts),
+            valid_ratio_composite=int(counts.complete[0]) / self._pixels,
             details={
                 "decoded_ratio": float(states[PixelState.VALID] / self._pixels),
                 "order_conflicts": float(states[PixelState.ORDER_CONFLICT]),

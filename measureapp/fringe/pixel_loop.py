@@ -7,18 +7,27 @@ from typing import Any
 
 import numpy as np
 
-from measureapp.arrays import ImageArray, IntArray, in_bands
+from measureapp.arrays import ImageArray, in_bands
 from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.compiled.selection import use_reference
 from measureapp.data.phase import PixelState
 from measureapp.fringe.decode_model import make_maps, make_workspace
 from measureapp.fringe.decode_plan import DecodePlan
 from measureapp.fringe.kernels import reference
-from measureapp.fringe.kernels.structures import CHUNK, DecodeModel, ExposureSums, ImageLayout, PixelMaps, Workspace
+from measureapp.fringe.kernels.structures import (
+    CHUNK,
+    Counts,
+    DecodeModel,
+    ExposureImages,
+    ExposureSums,
+    ImageLayout,
+    PixelMaps,
+    PixelRange,
+    Workspace,
+)
 
-COUNTERS = len(PixelState) + 1  # one per state, and one for complete pixels
 UNGUARDED = np.empty(0, np.uint8)  # no guard against blooming
-ONE_STRETCH = -1  # start of sums that hold one stretch only, see `decode_pixels`
+ONE_STRETCH = -1  # base of sums that hold one stretch only, see `PixelRange`
 
 
 class PixelLoop:
@@ -35,51 +44,50 @@ class PixelLoop:
         self._no_images = contiguous(np.empty((0, plan.first + plan.patterns.count, pixels), dtype))
         self._no_maps = make_maps(dtype, 0, memory)
 
-    def run(
+    def add(
+        self, images: ImageArray, sums: ExposureSums, pixels: tuple[int, int], first: int = 0, blocked: ImageArray = UNGUARDED
+    ) -> Counts:
+        """Add exposures (E, P, N) from number ``first`` on to the sums of all pixels."""
+        shown = ExposureImages(images, _last_chunk(images, pixels[1]), first, blocked)
+        return self._run(shown, self.layout, self._model, PixelRange(*pixels, 0), sums, self.workspace(), self._no_maps)
+
+    def solve(
+        self, sums: ExposureSums, pixels: tuple[int, int], model: DecodeModel, maps: PixelMaps, layout: ImageLayout | None = None
+    ) -> Counts:
+        """Convert the sums of all pixels to maps."""
+        shown = ExposureImages(self._no_images, self._no_images, 0, UNGUARDED)
+        return self._run(shown, layout or self.layout, model, PixelRange(*pixels, 0), sums, self.workspace(), maps)
+
+    def decode(
+        self, images: ImageArray, sums: ExposureSums, pixels: tuple[int, int], model: DecodeModel, work: Workspace, maps: PixelMaps
+    ) -> Counts:
+        """Add all exposures and solve their sums, stretch by stretch; ``sums`` has room for one stretch."""
+        shown = ExposureImages(images, _last_chunk(images, pixels[1]), 0, UNGUARDED)
+        return self._run(shown, self.layout, model, PixelRange(*pixels, ONE_STRETCH), sums, work, maps)
+
+    def _run(
         self,
+        shown: ExposureImages,
+        layout: ImageLayout,
+        model: DecodeModel,
+        pixels: PixelRange,
         sums: ExposureSums,
-        base: int,
-        pixels: tuple[int, int],
-        *,
-        images: ImageArray | None = None,
-        exposure: int = 0,
-        blocked: ImageArray = UNGUARDED,
-        model: DecodeModel | None = None,
-        layout: ImageLayout | None = None,
-        maps: PixelMaps | None = None,
-        work: Workspace | None = None,
-    ) -> tuple[IntArray, IntArray]:
-        """Sum images, if any, and solve the sums, if there are maps for it; returns what `decode_pixels` counts."""
-        start, stop = pixels
-        layout, counted, counts = layout or self.layout, self.no_counts(), np.zeros(COUNTERS, np.int64)
-        shown = self._no_images if images is None else images
-        _decode_pixels()(
-            shown,
-            last_chunk(shown) if stop == shown.shape[-1] else shown[:0],
-            exposure,
-            blocked,
-            layout,
-            self.rule,
-            sums,
-            base,
-            start,
-            stop,
-            model or self._model,
-            work or self.workspace(),
-            maps or self._no_maps,
-            counted,
-            counts,
-        )
-        return counted, counts
+        work: Workspace,
+        maps: PixelMaps,
+    ) -> Counts:
+        counts = self.no_counts()
+        _decode_pixels()(shown, layout, self.rule, model, pixels, sums, work, maps, counts)
+        return counts
 
     def workspace(self) -> Workspace:
         """Allocate the intermediate results of `decode_pixels`."""
         groups = len(self.layout.steps)
         return make_workspace(self._dtype, groups, 1 if self._plan.settings.joint else groups)
 
-    def no_counts(self) -> IntArray:
-        """Return zeros to count pixels with (`decode_pixels`)."""
-        return np.zeros((2, 2, len(self._plan.exposures_us)), np.int64)
+    def no_counts(self) -> Counts:
+        """Return counts of no pixels."""
+        exposures = np.zeros((2, 2, len(self._plan.exposures_us)), np.int64)
+        return Counts(exposures, np.zeros(len(PixelState), np.int64), np.zeros(1, np.int64))
 
     def in_bands(self, work: Callable[[int, int], Any]) -> list[Any]:
         """Share whole chunks of pixels among the processors, each call with its first pixel and the end."""
@@ -95,9 +103,14 @@ def _decode_pixels() -> Callable[..., None]:
     return solve.decode_pixels
 
 
-def last_chunk(images: ImageArray) -> ImageArray:
-    """Return the last chunk of images (E, P, N), filled up with zeros; nothing where the last one is a whole one."""
-    rest = images.shape[-1] % CHUNK
+def total_counts(bands: list[Counts]) -> Counts:
+    """Return the sum of the counts of several bands of pixels."""
+    return Counts(*(np.sum(each, axis=0) for each in zip(*bands, strict=True)))
+
+
+def _last_chunk(images: ImageArray, stop: int) -> ImageArray:
+    """Return the last chunk of images (E, P, N), filled up with zeros; nothing where ``stop`` ends a whole one."""
+    rest = stop % CHUNK
     if not rest:
         return images[:0]
     padded = np.zeros((*images.shape[:-1], CHUNK), images.dtype)

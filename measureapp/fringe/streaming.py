@@ -122,4 +122,4 @@ def direction_decoders(
 
 def joined(maps: list[PhaseMap]) -> PhaseMap:
     """Return the map of the first direction, which carries that of the second."""
-    return replace(maps[0], across=maps[1]) if len(maps) > 1 else maps[0]
+    return replace(maps[0], orthogonal=maps[1]) if len(maps) > 1 else maps[0]

@@ -14,12 +14,15 @@ from measureapp.fringe.kernels.structures import (
     SAMPLED_EVERY,
     STRETCH,
     UNCHANGED,
+    Counts,
     DecodeModel,
+    ExposureImages,
     ExposureRule,
     ExposureSums,
     ImageLayout,
     Limits,
     PixelMaps,
+    PixelRange,
     VoteLimits,
     Workspace,
 )
@@ -29,37 +32,30 @@ WITH_PHASE = (PixelState.VALID, PixelState.ORDER_CONFLICT, PixelState.OUT_OF_RAN
 
 
 def decode_pixels(
-    images: ImageArray,
-    tails: ImageArray,
-    exposure: int,
-    blocked: ImageArray,
+    shown: ExposureImages,
     layout: ImageLayout,
     rule: ExposureRule,
-    sums: ExposureSums,
-    base: int,
-    start: int,
-    stop: int,
     model: DecodeModel,
+    pixels: PixelRange,
+    sums: ExposureSums,
     work: Workspace,
     maps: PixelMaps,
-    counted: IntArray,
-    counts: IntArray,
+    counts: Counts,
 ) -> None:
-    """Add exposures of pixels ``start … stop`` to their sums, and convert these to maps; see `solve.decode_pixels`."""
-    del tails, work  # of the compiled kernel, which needs whole chunks and reuses memory
-    for first in range(start, stop, STRETCH):
-        pixels = slice(first, min(first + STRETCH, stop))
-        place = slice(first - max(base, 0), pixels.stop - max(base, 0)) if base >= 0 else slice(0, pixels.stop - first)
-        chunks = slice(place.start // CHUNK, -(-place.stop // CHUNK))
-        part = ExposureSums._make([*(each[..., place] for each in sums[:-1]), sums.complete[chunks]])
-        for e, shown in enumerate(images[:, :, pixels], exposure):
-            is_sample = np.repeat(part.complete == 1, CHUNK)[: shown.shape[1]] & rule.first_only & (e > 0)
-            is_counted = ~is_sample | (np.arange(pixels.start, pixels.stop) // CHUNK % SAMPLED_EVERY == 0)
-            valid = accumulate(shown, e, blocked[pixels], layout, rule, part)
-            for sampled, chosen in enumerate((~is_sample, is_sample)):
-                counted[sampled, :, e] += [np.count_nonzero(chosen & is_counted), np.count_nonzero(chosen & is_counted & valid)]
+    """Add exposures of some pixels to their sums, and convert these to maps; see `solve.decode_pixels`."""
+    del work  # of the compiled kernel
+    for first in range(pixels.start, pixels.stop, STRETCH):
+        last, place = min(first + STRETCH, pixels.stop), first - pixels.base if pixels.base >= 0 else 0
+        chunks = slice(place // CHUNK, -(-(place + last - first) // CHUNK))
+        part = ExposureSums._make([*(each[..., place : place + last - first] for each in sums[:-1]), sums.complete[chunks]])
+        is_sample = np.arange(first, last) // CHUNK % SAMPLED_EVERY == 0
+        for exposure, images in enumerate(shown.images[:, :, first:last], shown.first):
+            is_served = np.repeat(part.complete == 1, CHUNK)[: last - first] & rule.first_only & (exposure > 0)
+            valid = accumulate(images, exposure, shown.blocked[first:last], layout, rule, part)
+            for sampled, examined in enumerate((~is_served, is_served & is_sample)):
+                counts.exposures[sampled, :, exposure] += [np.count_nonzero(examined), np.count_nonzero(examined & valid)]
         if len(maps.phase):
-            solve(part, layout, model, PixelMaps(*(each[pixels] for each in maps)), counts)
+            solve(part, layout, model, PixelMaps(*(each[first:last] for each in maps)), counts)
 
 
 def accumulate(
@@ -106,7 +102,7 @@ def _add(total: np.ndarray, term: np.ndarray) -> None:
     total += term.astype(total.dtype)
 
 
-def solve(sums: ExposureSums, layout: ImageLayout, model: DecodeModel, maps: PixelMaps, counts: IntArray) -> None:
+def solve(sums: ExposureSums, layout: ImageLayout, model: DecodeModel, maps: PixelMaps, counts: Counts) -> None:
     """Convert sums to phase, standard deviation, modulation, grey level and state, and count the states."""
     phases, power = wrap_groups(sums, model)
     joint, sets = len(sums.used) == 1, model.sets
@@ -143,8 +139,8 @@ def solve(sums: ExposureSums, layout: ImageLayout, model: DecodeModel, maps: Pix
     maps.exposure[:] = sets.longest[np.bitwise_or.reduce(sums.used, axis=0)]
     if limits.keep_conflicts:
         maps.residual[:] = np.trunc(residual * RESIDUAL_SCALE)
-    counts[:-1] += np.bincount(state, minlength=len(PixelState))
-    counts[-1] += np.count_nonzero((sums.has_zero == 0) & (sums.used != 0).all(axis=0))
+    counts.states[:] += np.bincount(state, minlength=len(PixelState))
+    counts.complete[:] += np.count_nonzero((sums.has_zero == 0) & (sums.used != 0).all(axis=0))
 
 
 def _whole_number(values: FloatArray, like: ImageArray) -> FloatArray:

@@ -27,41 +27,26 @@ VALID, SATURATED, WEAK, SHADOW, CONFLICT, OUTSIDE, BLOOMING = (np.int32(state) f
 
 
 @njit(**LOOP)
-def decode_pixels(
-    images: Any,  # (E, P, N) consecutive exposures to add to the sums; may be none
-    tails: Any,  # (E, P, CHUNK) their last chunk where it is not a whole one, filled up with zeros
-    exposure: int,  # number of the first of them
-    blocked: Any,  # (N and more,) uint8, whole chunks, not 0: beside a saturated pixel; empty: no guard against blooming
-    layout: Any,
-    rule: Any,
-    sums: Any,
-    base: int,  # pixel that the sums begin with; -1: they hold one stretch, and are overwritten by the next
-    start: int,
-    stop: int,
-    model: Any,
-    work: Any,
-    maps: Any,  # without pixels: the sums are not solved
-    counted: Any,  # (2, 2, all exposures) int64: pixels counted and those of them above zero and unsaturated; of all, and of a sample
-    counts: Any,  # (states + 1,) int64: pixels in each state, and those with an exposure above zero in all groups
-) -> None:
-    """Add exposures of pixels ``start … stop`` to their sums, and convert these to maps.
+def decode_pixels(shown: Any, layout: Any, rule: Any, model: Any, pixels: Any, sums: Any, work: Any, maps: Any, counts: Any) -> None:
+    """Add exposures of some pixels to their sums, and convert these to maps; maps without pixels: the sums are not solved.
 
     Sums and maps hold whole chunks; only the last chunk of the image may have fewer pixels that count. Where one exposure is enough,
     chunks whose pixels all use one are skipped, except for a sample that is counted.
     """
-    for first in range(start, stop, STRETCH):
-        last, place = min(first + STRETCH, stop), first - base if base >= 0 else 0
-        for e in range(images.shape[0]):
+    for first in range(pixels.start, pixels.stop, STRETCH):
+        last, place = min(first + STRETCH, pixels.stop), first - pixels.base if pixels.base >= 0 else 0
+        for e in range(shown.images.shape[0]):
+            exposure = shown.first + e
             for begin in range(first, last, CHUNK):
                 here = place + begin - first
-                sampled = np.int64(exposure + e > 0 and rule.first_only and sums.complete[here // CHUNK] != 0)
+                sampled = np.int64(exposure > 0 and rule.first_only and sums.complete[here // CHUNK] != 0)
                 if sampled and (begin // CHUNK) % SAMPLED_EVERY != 0:
                     continue
-                whole = last - begin >= CHUNK
-                shown, at = (images[e], begin) if whole else (tails[e], 0)
-                near = blocked[begin : begin + CHUNK]
-                counted[sampled, 1, exposure + e] += accumulate_chunk(shown, at, exposure + e, near, layout, rule, sums, here, work)
-                counted[sampled, 0, exposure + e] += min(CHUNK, last - begin)
+                images, at = (shown.images[e], begin) if last - begin >= CHUNK else (shown.tails[e], 0)
+                near = shown.blocked[begin : begin + CHUNK]
+                valid = accumulate_chunk(images, at, exposure, near, layout, rule, sums, here, work)
+                counts.exposures[sampled, 0, exposure] += min(CHUNK, last - begin)
+                counts.exposures[sampled, 1, exposure] += valid
         if maps.phase.shape[0] > 0:
             for begin in range(first, last, CHUNK):
                 here = place + begin - first
@@ -218,12 +203,12 @@ def write_exposures(sums: Any, place: int, model: Any, exposure: Any) -> None:
 def count_states(sums: Any, place: int, state: Any, counts: Any) -> None:
     """Count pixels by state, and those with an exposure above zero in all groups."""
     rest = state.shape[0]
-    for code in range(counts.shape[0] - 1):
+    for code in range(counts.states.shape[0]):
         if rest > 0:  # most chunks have valid pixels only
             count = np.uint16(0)
             for j in range(state.shape[0]):
                 count = np.uint16(count + (state[j] == np.uint8(code)))
-            counts[code] += count
+            counts.states[code] += count
             rest -= count
     complete, has_zero = np.uint16(0), sums.has_zero[place : place + CHUNK]
     if sums.complete[place // CHUNK]:
@@ -235,4 +220,4 @@ def count_states(sums: Any, place: int, state: Any, counts: Any) -> None:
             for d in range(sums.used.shape[0]):
                 lit = lit and sums.used[d, place + j] != 0
             complete = np.uint16(complete + lit)
-    counts[-1] += complete
+    counts.complete[0] += complete

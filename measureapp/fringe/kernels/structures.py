@@ -29,6 +29,31 @@ class ImageLayout(NamedTuple):
     planes: Any  # (B,) int64, images of the Gray code, most significant bit first
 
 
+class ExposureImages(NamedTuple):
+    """Images of consecutive exposures."""
+
+    images: Any  # (E, P, N); E = 0: none
+    tails: Any  # (E, P, CHUNK) their last chunk where it is not a whole one, filled up with zeros
+    first: Any  # int, number of the first exposure
+    blocked: Any  # (N and more,) uint8, whole chunks, not 0: beside a saturated pixel; empty: no guard against blooming
+
+
+class PixelRange(NamedTuple):
+    """Pixels of an image to sum or solve."""
+
+    start: Any  # int
+    stop: Any  # int
+    base: Any  # int, pixel that the sums begin with; -1: they hold one stretch, and are overwritten by the next
+
+
+class Counts(NamedTuple):
+    """Numbers of pixels, to be added to."""
+
+    exposures: Any  # (2, 2, exposures) int64: pixels examined, and those of them above zero and unsaturated; of all, and of a sample
+    states: Any  # (states,) int64, of PixelState
+    complete: Any  # (1,) int64, with an exposure above zero in all groups
+
+
 class ExposureRule(NamedTuple):
     """Which exposures a pixel uses."""
 
