@@ -23,7 +23,7 @@ X86 = ("x86_64", "AMD64")
 OLDER_PROCESSOR = {"NUMBA_CPU_NAME": "haswell", "NUMBA_CPU_FEATURES": "+avx2,+fma"}
 KERNEL_TESTS = (
     "tests/compiled",
-    "tests/fringe/test_decode.py::test_the_kernel_agrees_with_the_readable_statement",
+    "tests/fringe/test_reference.py",
     "tests/fringe/test_decode.py::test_highlights_and_dark_places_are_told_apart",
     "tests/reconstruct/test_kernels.py",
 )

@@ -43,7 +43,7 @@ class PhaseMap:
     valid_ratio_composite: float = 0.0
     details: dict[str, float] = field(default_factory=dict)
     saturation: float = 255.0  # grey level of a saturated pixel
-    across: PhaseMap | None = None  # of the orthogonal (horizontal) fringes, if the set has both directions
+    orthogonal: PhaseMap | None = None  # of the orthogonal (horizontal) fringes, if the set has both directions
     direction: Direction = "vertical"  # of the fringes
     snr_at_one_rad: float = 0.0  # B/σ_I of one image that gives a phase standard deviation of 1 rad
     exposures_us: tuple[float, ...] = ()  # indexed by `exposure_index`, longest first; may be empty for a single one

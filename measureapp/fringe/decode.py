@@ -20,7 +20,7 @@ def decode(
     Exposures are combined within 2 % of the least phase noise (4 % for brackets of five octaves and more, `exposure_weights`), the
     wrapped phases of all pitches taken and unwrapped, doubtful orders mended by the window or marked, and the pitches averaged by
     inverse variance into the absolute phase of the finest one. Of a set with fringes of both directions the vertical ones give the
-    map, which carries that of the horizontal ones (`PhaseMap.across`).
+    map, which carries that of the horizontal ones (`PhaseMap.orthogonal`).
 
     Parameters
     ----------

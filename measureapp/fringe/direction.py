@@ -11,26 +11,17 @@ from measureapp.arrays import ImageArray, IntArray, read_only
 from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.errors import DecodeError
-from measureapp.fringe.absolute import (
-    GRAY_SLACK_CYCLES,
-    SAMPLED_CHUNKS,
-    Solve,
-    make_maps,
-    make_model,
-    of_pixels,
-    plan_of,
-    sampled_chunks,
-    with_origin,
-)
-from measureapp.fringe.exposures.blooming import near_saturation
-from measureapp.fringe.kernels.records import CHUNK, STRETCH, Layout, Maps, Model, Sums
-from measureapp.fringe.order_vote import VoteLimits, order_steps, settle_orders
-from measureapp.fringe.pixel_loop import NOWHERE, STRETCH_ALONE, PixelLoop, Room, flat
-from measureapp.fringe.recipe import Recipe
+from measureapp.fringe.decode_model import crop, find_chain, make_maps, make_model
+from measureapp.fringe.decode_plan import DecodePlan
+from measureapp.fringe.exposures.blooming import mark_near_saturation
+from measureapp.fringe.fringe_origin import Solve, find_origin
+from measureapp.fringe.kernels.structures import CHUNK, STRETCH, Counts, DecodeModel, ExposureSums, ImageLayout, PixelMaps, Workspace
+from measureapp.fringe.order_vote import settle_orders, vote_limits
+from measureapp.fringe.pixel_loop import UNGUARDED, PixelLoop, contiguous, total_counts
 from measureapp.fringe.unwrap import extent_px
 
 LEAST_USABLE, MOST_OUTSIDE = 0.01, 0.8
-Fill = Callable[[Sums, list[tuple[int, int]]], None]  # puts the sums of stretches of pixels (begin, end) one after the other
+Fill = Callable[[ExposureSums, list[tuple[int, int]]], None]  # writes the sums of some chunks (begin, end) one after the other
 UNLIT = (PixelState.SATURATED, PixelState.WEAK_MODULATION, PixelState.SHADOW, PixelState.BLOOMING)
 
 
@@ -41,126 +32,120 @@ class DirectionDecoder:
 
     Parameters
     ----------
-    camera, viewpoint_id : named in the phase map
+    names : camera and viewpoint, for the phase map
     shape : (height, width)
     dtype : of the images, uint8 or uint16
-    memory : where the maps are made
+    memory : where sums and maps are allocated
     """
 
     def __init__(
         self,
-        recipe: Recipe,
-        camera: str,
-        viewpoint_id: str,
+        plan: DecodePlan,
+        names: tuple[str, str],
         shape: tuple[int, int],
         dtype: np.dtype[np.unsignedinteger],
         memory: BufferPool,
     ) -> None:
-        self._recipe, self._camera, self._viewpoint_id = recipe, camera, viewpoint_id
-        self._shape, self._dtype = shape, np.dtype(dtype)
+        self._plan, self._shape, self._dtype, self._memory = plan, shape, np.dtype(dtype), memory
+        self._camera, self._viewpoint_id = names
         self._pixels = shape[0] * shape[1]
-        self._memory = memory
-        self._plan = plan_of(recipe)
-        self._looking = make_model(recipe, self._plan, decides_later=recipe.settings.vote_radius > 0)  # for where the fringes start
-        self._loop = PixelLoop(recipe, self._dtype, self._pixels, self._looking, memory)
-        self._seen = self._loop.nothing_seen()
-        self._sums: Sums | None = None
+        self._chain = find_chain(plan)
+        self._at_crest = make_model(plan, self._chain, votes=plan.settings.vote_radius > 0)
+        self._loop = PixelLoop(plan, self._dtype, self._pixels, self._at_crest, memory)
+        self._added = self._loop.no_counts()
+        self._sums: ExposureSums | None = None
 
     def decode(self, images: ImageArray) -> PhaseMap:
         """Decode all exposures (E, P, H, W) at once."""
-        if self._recipe.settings.blooming_radius_px:
+        if self._plan.settings.blooming_radius_px:
             for exposure in range(len(images)):
                 self.add(exposure, images[exposure])
             return self.finish()
-        whole, loop = flat(images.reshape(*images.shape[:2], self._pixels)), self._loop
+        flat, loop = contiguous(images.reshape(*images.shape[:2], self._pixels)), self._loop
 
-        def sum_sample(sample: Sums, stretches: list[tuple[int, int]]) -> None:
-            shown = flat(np.concatenate([whole[..., begin:end] for begin, end in stretches], axis=-1))
-            loop.run(sample, 0, 0, shown.shape[-1], images=shown)
+        def sum_sample(sums: ExposureSums, chunks: list[tuple[int, int]]) -> None:
+            shown = contiguous(np.concatenate([flat[..., begin:end] for begin, end in chunks], axis=-1))
+            loop.add(shown, sums, (0, shown.shape[-1]))
 
-        model = self._model(sum_sample)
+        model = self._find_origin(sum_sample)
         maps = make_maps(self._dtype, self._pixels, self._memory)
-        spare: list[tuple[Sums, Room]] = []
+        spare: list[tuple[ExposureSums, Workspace]] = []
 
-        def work(start: int, stop: int) -> tuple[IntArray, IntArray]:
+        def decode_band(start: int, stop: int) -> Counts:
             try:
-                sums, room = spare.pop()
+                sums, work = spare.pop()
             except IndexError:
-                sums, room = self._recipe.sums(self._dtype, STRETCH, self._memory), loop.room(loop.layout)
-            done = loop.run(sums, STRETCH_ALONE, start, stop, images=whole, model=model, maps=maps, room=room)
-            spare.append((sums, room))
-            return done
+                sums, work = self._plan.sums(self._dtype, STRETCH, self._memory), loop.workspace()
+            counts = loop.decode(flat, sums, (start, stop), model, work, maps)
+            spare.append((sums, work))
+            return counts
 
-        done = self._loop.in_bands(work)
-        self._seen = np.sum([seen for seen, _ in done], axis=0)
-        return self._phase_map(maps, model, np.sum([counts for _, counts in done], axis=0))
+        counts = total_counts(loop.in_bands(decode_band))
+        return self._phase_map(maps, model, counts)
 
     def add(self, exposure: int, images: ImageArray) -> None:
         """Add the images (P, H, W) of one exposure to the sums."""
         if self._sums is None:
-            self._sums = self._recipe.sums(self._dtype, self._pixels, self._memory)
-        sums, radius = self._sums, self._recipe.settings.blooming_radius_px
-        one, loop = flat(images.reshape(1, len(images), self._pixels)), self._loop
-        blocked = near_saturation(one[0], self._shape, loop.layout, loop.rule, radius) if radius else NOWHERE
-        done = loop.in_bands(lambda start, stop: loop.run(sums, 0, start, stop, images=one, exposure=exposure, blocked=blocked)[0])
-        self._seen += np.sum(done, axis=0)
+            self._sums = self._plan.sums(self._dtype, self._pixels, self._memory)
+        sums, radius, loop = self._sums, self._plan.settings.blooming_radius_px, self._loop
+        one = contiguous(images.reshape(1, len(images), self._pixels))
+        blocked = mark_near_saturation(one[0], self._shape, loop.layout, loop.rule, radius) if radius else UNGUARDED
+
+        added = loop.in_bands(lambda start, stop: loop.add(one, sums, (start, stop), exposure, blocked))
+        self._added = total_counts([self._added, *added])
 
     def finish(self) -> PhaseMap:
-        """Turn the sums into the phase map."""
+        """Convert the sums to the phase map."""
         assert self._sums is not None
-        sums = self._sums
+        sums, loop = self._sums, self._loop
 
-        def copy_sample(sample: Sums, stretches: list[tuple[int, int]]) -> None:
-            for number, (begin, _) in enumerate(stretches):
+        def copy_sample(sample: ExposureSums, chunks: list[tuple[int, int]]) -> None:
+            for number, (begin, _) in enumerate(chunks):
                 for whole, part in zip(sums[:-1], sample[:-1], strict=True):
                     part[..., number * CHUNK : (number + 1) * CHUNK] = whole[..., begin : begin + CHUNK]
-                sample.alike[number] = sums.alike[begin // CHUNK]
+                sample.complete[number] = sums.complete[begin // CHUNK]
 
-        model = self._model(copy_sample)
+        model = self._find_origin(copy_sample)
         maps = make_maps(self._dtype, self._pixels, self._memory)
-        done = self._loop.in_bands(lambda start, stop: self._loop.run(sums, 0, start, stop, model=model, maps=maps)[1])
+        solved = loop.in_bands(lambda start, stop: loop.solve(sums, (start, stop), model, maps))
         self._sums = None
-        return self._phase_map(maps, model, np.sum(done, axis=0))
+        return self._phase_map(maps, model, total_counts([self._added, *solved]))
 
-    def _model(self, fill: Fill) -> Model:
-        """Return what turns sums into phase, its origin told from as many chunks as that takes."""
-        model, known = self._looking, False
-        for number in SAMPLED_CHUNKS:
-            if not known:
-                model, known = with_origin(model, self._plan, self._loop.layout, self._sample(fill, sampled_chunks(self._pixels, number)))
-        return model
+    def _find_origin(self, fill: Fill) -> DecodeModel:
+        """Return the model with the origin of the phase; the samples are too small to be worth sharing among processors."""
 
-    def _sample(self, fill: Fill, chunks: list[tuple[int, int]]) -> Solve:
-        """Return what solves the sums of some chunks; these are too few to be worth sharing among processors."""
-        pixels = sum(end - begin for begin, end in chunks)
-        sums = self._recipe.sums(self._dtype, pixels, self._memory)
-        fill(sums, chunks)
+        def sample(chunks: list[tuple[int, int]]) -> Solve:
+            pixels = sum(end - begin for begin, end in chunks)
+            sums = self._plan.sums(self._dtype, pixels, self._memory)
+            fill(sums, chunks)
 
-        def solve(trial: Model, layout: Layout) -> Maps:
-            maps = make_maps(self._dtype, pixels, self._memory)
-            self._loop.run(sums, 0, 0, pixels, model=trial, layout=layout, maps=maps)
-            return of_pixels(maps, pixels)
+            def solve(model: DecodeModel, layout: ImageLayout) -> PixelMaps:
+                maps = make_maps(self._dtype, pixels, self._memory)
+                self._loop.solve(sums, (0, pixels), model, maps, layout)
+                return crop(maps, pixels)
 
-        return solve
+            return solve
 
-    def _valid_ratios(self) -> tuple[float, ...]:
+        return find_origin(self._at_crest, self._chain, self._loop.layout, self._pixels, sample)
+
+    def _valid_ratios(self, counts: Counts) -> tuple[float, ...]:
         """Return the share of pixels above zero and unsaturated in every exposure.
 
-        Where one exposure is enough, that of the shorter ones is estimated from the chunks looked at; what is unsaturated in a longer
+        Where one exposure is enough, that of the shorter ones is estimated from a sample of the chunks; what is unsaturated in a longer
         exposure is so in a shorter one, too.
         """
-        (due, good), (sampled, found) = self._seen
+        (due, good), (sampled, found) = counts.exposures
         share = np.divide(found, sampled, out=np.ones(len(good)), where=sampled > 0)
         return tuple(float(ratio) for ratio in (good + (self._pixels - due) * share) / self._pixels)
 
-    def _phase_map(self, maps: Maps, model: Model, counts: IntArray) -> PhaseMap:
-        recipe, maps = self._recipe, of_pixels(maps, self._pixels)
-        states, complete = counts[:-1], int(counts[-1])
+    def _phase_map(self, maps: PixelMaps, model: DecodeModel, counts: Counts) -> PhaseMap:
+        plan, maps = self._plan, crop(maps, self._pixels)
+        states = counts.states
         self._check_within(states)
-        amplification = self._plan.amplification if self._plan else 0.0
+        amplification = self._chain.amplification if self._chain else 0.0
         repaired = 0
-        limits = self._limits(model, amplification)
-        if limits.radius or limits.edge_step_rad < recipe.patterns.phase_range_rad:
+        limits = vote_limits(plan.settings, model, self._loop.layout.steps, amplification)
+        if limits.radius or limits.edge_step < plan.patterns.phase_range_rad:
             repaired, change = settle_orders(maps, self._shape, limits, self._memory)
             states = states + change
         return PhaseMap(
@@ -172,10 +157,10 @@ class DirectionDecoder:
             grey=read_only(maps.grey.reshape(self._shape)),
             state=read_only(maps.state.reshape(self._shape)),
             exposure_index=read_only(maps.exposure.reshape(self._shape)),
-            pitch_px=recipe.patterns.finest_pitch_px,
-            projector_px=extent_px(recipe.patterns),
-            valid_ratio_exposures=self._valid_ratios(),
-            valid_ratio_composite=complete / self._pixels,
+            pitch_px=plan.patterns.finest_pitch_px,
+            projector_px=extent_px(plan.patterns),
+            valid_ratio_exposures=self._valid_ratios(counts),
+            valid_ratio_composite=int(counts.complete[0]) / self._pixels,
             details={
                 "decoded_ratio": float(states[PixelState.VALID] / self._pixels),
                 "order_conflicts": float(states[PixelState.ORDER_CONFLICT]),
@@ -184,23 +169,10 @@ class DirectionDecoder:
                 "order_amplification": amplification,
                 **{state.name.lower(): float(states[state]) for state in PixelState},
             },
-            saturation=float(recipe.saturation),
-            direction=recipe.direction,
-            exposures_us=tuple(float(exposure) for exposure in recipe.exposures_us),
+            saturation=float(plan.saturation),
+            direction=plan.direction,
+            exposures_us=tuple(float(exposure) for exposure in plan.exposures_us),
             snr_at_one_rad=_snr_at_one_rad(model, self._loop.layout),
-        )
-
-    def _limits(self, model: Model, amplification: float) -> VoteLimits:
-        settings = self._recipe.settings
-        origin = float(model.origin)
-        return VoteLimits(
-            radius=settings.vote_radius,
-            edge_step_rad=settings.edge_step_rad,
-            gate_cycles=float(model.gate),
-            amplification=amplification * float(np.sqrt((model.scales.astype(float) ** 2).sum())),
-            slack_cycles=0.0 if amplification else GRAY_SLACK_CYCLES,
-            range_rad=((float(model.lowest) + origin) * tau, (float(model.highest) + origin) * tau),
-            order_steps_rad=order_steps(model.scales.astype(float), self._loop.layout.steps),
         )
 
     def _check_within(self, states: IntArray) -> None:
@@ -214,6 +186,6 @@ class DirectionDecoder:
             )
 
 
-def _snr_at_one_rad(model: Model, layout: Layout) -> float:
+def _snr_at_one_rad(model: DecodeModel, layout: ImageLayout) -> float:
     """Return B/σ_I of a single image of a pixel whose absolute phase has a standard deviation of one radian."""
-    return float(1 / np.sqrt((model.scales.astype(float) ** 2 * layout.steps / 2).sum()))
+    return float(1 / np.sqrt((model.pitches.scales.astype(float) ** 2 * layout.steps / 2).sum()))

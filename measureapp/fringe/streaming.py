@@ -11,9 +11,9 @@ from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.fringe import PatternSet
 from measureapp.data.phase import PhaseMap
 from measureapp.errors import DecodeError
+from measureapp.fringe.decode_plan import DecodePlan
 from measureapp.fringe.direction import DirectionDecoder
 from measureapp.fringe.patterns.draw import check_determines_phase
-from measureapp.fringe.recipe import Recipe
 from measureapp.fringe.settings import DecodeSettings
 
 
@@ -111,15 +111,15 @@ def direction_decoders(
     """Return one decoder for each direction of a set, vertical first; ``bracket`` is the exposures and the saturation."""
     made, corrected = [], 0
     for direction in patterns.directions:
-        recipe = Recipe.of(patterns, direction, bracket, settings, camera)
+        plan = DecodePlan.of(patterns, direction, bracket, settings, camera)
         if settings.phase_correction:
-            own = settings.phase_correction[corrected : corrected + len(recipe.groups)]
-            corrected += len(recipe.groups)
-            recipe = replace(recipe, settings=settings.model_copy(update={"phase_correction": own}))
-        made.append(DirectionDecoder(recipe, camera, viewpoint_id, (images.shape[-2], images.shape[-1]), images.dtype, memory))
+            own = settings.phase_correction[corrected : corrected + len(plan.groups)]
+            corrected += len(plan.groups)
+            plan = replace(plan, settings=settings.model_copy(update={"phase_correction": own}))
+        made.append(DirectionDecoder(plan, (camera, viewpoint_id), (images.shape[-2], images.shape[-1]), images.dtype, memory))
     return made
 
 
 def joined(maps: list[PhaseMap]) -> PhaseMap:
     """Return the map of the first direction, which carries that of the second."""
-    return replace(maps[0], across=maps[1]) if len(maps) > 1 else maps[0]
+    return replace(maps[0], orthogonal=maps[1]) if len(maps) > 1 else maps[0]

@@ -149,7 +149,7 @@ class ExplainedView:
         modulation, has_phase = float(phase_map.modulation[row, column]), phase_map.state[row, column] == PixelState.VALID
         limit = None if has_phase and modulation < least else least  # several exposures can compensate for a weak modulation
         numbers.append(Number("modulation", modulation, "grey levels", least=limit))
-        for seen in (phase_map, phase_map.across):
+        for seen in (phase_map, phase_map.orthogonal):
             if seen is not None and seen.state[row, column] == PixelState.VALID:
                 numbers += self._of_phase(seen, row, column, "" if seen is phase_map else " across")
         return tuple(numbers)

@@ -67,5 +67,5 @@ def _sharp(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: BufferP
         np.float32(other_light(phase_map)),
     )
     in_bands(lambda start, stop: kernels.take_blur(phase, sigma, grey, state, *shape, *numbers, start, stop, out, doubted), shape[0])
-    across = None if phase_map.across is None else _sharp(phase_map.across, blur_px, step_rad, memory, read)
-    return replace(phase_map, phase_rad=read_only(out.reshape(shape)), sigma_rad=read_only(doubted.reshape(shape)), across=across)
+    across = None if phase_map.orthogonal is None else _sharp(phase_map.orthogonal, blur_px, step_rad, memory, read)
+    return replace(phase_map, phase_rad=read_only(out.reshape(shape)), sigma_rad=read_only(doubted.reshape(shape)), orthogonal=across)

@@ -152,7 +152,7 @@ class _Work:
         self.names, self.phase_maps, self.rectifier, self.settings, self.memory = names, phase_maps, rectifier, settings, memory
         self.views = {name: PhaseView.of(phase_maps[name], settings.max_phase_step_rad, memory) for name in names}
         self.witnesses = dict(self.views)  # of points of later cameras; without pixels that two others contradict
-        maps_across = {name: each for name in names if (each := phase_maps[name].across) is not None}
+        maps_across = {name: each for name in names if (each := phase_maps[name].orthogonal) is not None}
         self.views_across = {name: PhaseView.of(each, settings.max_phase_step_rad, memory) for name, each in maps_across.items()}
         self.across: dict[tuple[str, str], FloatArray] = {}
         self.skipped = self._pairs_along_the_fringes()

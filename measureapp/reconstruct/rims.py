@@ -53,5 +53,5 @@ def _inner(phase_map: PhaseMap, width_px: int, memory: BufferPool) -> PhaseMap:
     if width_px > NARROWEST_PX:
         near = cv2.dilate(np.equal(marked, PointState.RIM).astype(np.uint8), BESIDE, iterations=width_px - NARROWEST_PX)
         marked[(near != 0) & (state == 0)] = PointState.RIM
-    across = None if phase_map.across is None else _inner(phase_map.across, width_px, memory)
-    return replace(phase_map, state=read_only(marked), across=across)
+    across = None if phase_map.orthogonal is None else _inner(phase_map.orthogonal, width_px, memory)
+    return replace(phase_map, state=read_only(marked), orthogonal=across)

@@ -106,7 +106,7 @@ def why(
 
 def lit_by(phase_map: PhaseMap, row: int, column: int) -> str:
     """Return which line of the projector lights a pixel, in words: its column, its row, or both."""
-    seen = [each for each in (phase_map, phase_map.across) if each is not None and each.state[row, column] == PixelState.VALID]
+    seen = [each for each in (phase_map, phase_map.orthogonal) if each is not None and each.state[row, column] == PixelState.VALID]
     return "projector " + " and ".join(f"{line_of(each)} {each.column_at(row, column):.2f}" for each in seen)
 
 
@@ -128,7 +128,7 @@ def _aside(phase_map: PhaseMap, made: Reconstruction, point: PointState, row: in
     if point == PointState.UNMATCHED:
         skipped = [pair for pair in made.pairs if pair.skipped and phase_map.camera in pair.names]
         told += "".join(f" {' and '.join(pair.names)} were not matched: {pair.skipped}." for pair in skipped)
-    across = phase_map.across
+    across = phase_map.orthogonal
     if across is not None and across.state[row, column] != PixelState.VALID:
         told += f" The fringes across give no {line_of(across)} there: {_word(PixelState(int(across.state[row, column])))}."
     return told

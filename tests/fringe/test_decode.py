@@ -4,28 +4,17 @@ from math import erfc, pi, sqrt, tau
 
 import numpy as np
 import pytest
-from numba import njit
 
-from measureapp.arrays import FloatArray
-from measureapp.compiled.simd.memory import load, store
 from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternSet, PhaseShiftGroup
 from measureapp.data.pattern_sets import DEFAULT_PATTERNS, PAPER_PATTERNS
 from measureapp.data.phase import PixelState
 from measureapp.errors import DecodeError
-from measureapp.fringe.absolute import sampled_chunks
 from measureapp.fringe.decode import decode, decode_camera
-from measureapp.fringe.kernels.records import CHUNK, LOOKED_AT, PIXELS
-from measureapp.fringe.kernels.wrapping import atan2_cycles
+from measureapp.fringe.fringe_origin import sampled_chunks
+from measureapp.fringe.kernels.structures import CHUNK, SAMPLED_EVERY
 from measureapp.fringe.noise.model import CameraNoise, phase_sigma
-from measureapp.fringe.phase_shift import wrapped_phase
 from measureapp.fringe.settings import DecodeSettings
 from tests.fringe.conftest import EXPOSURES_US, images_of, ramp, stack_of
-
-
-@njit
-def arctangents(sine: FloatArray, cosine: FloatArray, cycles: FloatArray) -> None:
-    for j in range(0, len(sine), PIXELS):
-        store(atan2_cycles(load(sine, j, PIXELS), load(cosine, j, PIXELS)), cycles, j)
 
 
 def predicted_sigma(mean: float, modulation: float) -> float:
@@ -155,7 +144,7 @@ def test_valid_ratios_by_the_papers_rule_are_estimated_where_a_longer_exposure_s
     decoded = decode(stack_of(images.copy(), exposures_us=EXPOSURES_US), DecodeSettings(rule="paper"))["left"]
     counted = ((images > 0) & (images < 255)).all(axis=1).mean(axis=(1, 2))
     served = 350  # chunks that the longest exposure serves, of which some are looked at; in each a share of 2 % may be zero
-    spread = np.sqrt(0.02 / (CHUNK * served / LOOKED_AT))
+    spread = np.sqrt(0.02 / (CHUNK * served / SAMPLED_EVERY))
     assert decoded.valid_ratio_exposures == pytest.approx(counted, abs=4 * spread)
     assert decoded.valid_ratio_exposures[0] == pytest.approx(counted[0])  # nothing to estimate
 
@@ -167,7 +156,7 @@ def test_samples_of_an_image_lie_in_all_its_columns_and_rows(chunks_in_a_row: in
     assert len(chosen) == 128
     assert np.bincount(chosen % width // CHUNK, minlength=chunks_in_a_row).min() >= 0.7 * 128 / chunks_in_a_row
     assert np.diff(chosen // width, prepend=0, append=height).max() < 3 * height / 128
-    looked_at = CHUNK * np.arange(0, width * height // CHUNK, LOOKED_AT)
+    looked_at = CHUNK * np.arange(0, width * height // CHUNK, SAMPLED_EVERY)
     assert np.bincount(looked_at % width // CHUNK, minlength=chunks_in_a_row).min() >= 0.9 * len(looked_at) / chunks_in_a_row - 1
     assert sampled_chunks(3 * CHUNK + 1, 16) == [(0, CHUNK), (CHUNK, 2 * CHUNK), (2 * CHUNK, 3 * CHUNK), (3 * CHUNK, 3 * CHUNK + 1)]
 
@@ -187,42 +176,6 @@ def test_one_pitch_may_take_another_exposure_where_exposures_are_chosen_per_freq
     expected = 1 / sqrt(1 / single**2 + (32 / 33) ** 2 / shorter**2)
     assert np.median(apart.sigma_rad) == pytest.approx(expected, rel=0.02)
     assert np.median(joint.sigma_rad) == pytest.approx(shorter / sqrt(1 + (32 / 33) ** 2), rel=0.02)
-
-
-def reference(images: np.ndarray, settings: DecodeSettings) -> tuple[FloatArray, FloatArray]:
-    """The readable statement for the paper's patterns: absolute phase and standard deviation of pixels that are nowhere saturated."""
-    summed = images.astype(float).sum(axis=0)
-    phases, variances, light = [], [], np.zeros(())
-    for group in range(2):
-        phase, modulation, mean = wrapped_phase(summed[4 * group : 4 * group + 4])
-        light = mean if group == 0 else light  # the finest pitch tells it for all
-        noise = light / settings.noise.electrons_per_grey(255) + len(images) * settings.noise.floor_variance(255)
-        phases.append(phase)
-        variances.append(2 / 4 * noise / modulation**2)
-    beat = np.mod(phases[0] - phases[1] + tau * (1 - 1024 / 1056) / 2, tau) - tau * (1 - 1024 / 1056) / 2
-    fine = phases[0] + tau * np.rint((33 * beat - phases[0]) / tau)
-    scale = 32 / 33
-    other = phases[1] + tau * np.rint((fine * scale - phases[1]) / tau)
-    weights = 1 / variances[0], scale**2 / variances[1]
-    return (fine * weights[0] + other / scale * weights[1]) / sum(weights), 1 / np.sqrt(sum(weights))
-
-
-def test_the_kernel_agrees_with_the_readable_statement() -> None:
-    settings = DecodeSettings(vote_radius=0, edge_step_rad=1e6)
-    for exposures in (EXPOSURES_US[:1], EXPOSURES_US):
-        images = images_of(ramp(70, 333), PAPER_PATTERNS, exposures)
-        found = decode(stack_of(images.copy(), exposures_us=exposures), settings)["left"]
-        phase, sigma = reference(images, settings)
-        assert found.valid.mean() > 0.98
-        assert np.abs(found.phase_rad - phase)[found.valid].max() < 2.5e-5  # half a step of float32 at the right edge is 0.8e-5
-        assert (found.sigma_rad / sigma)[found.valid] == pytest.approx(1, rel=2e-3)
-
-
-def test_the_polynomial_arc_tangent_is_exact_to_float_precision() -> None:
-    angle = np.linspace(-np.pi, np.pi, 1250 * PIXELS + 2)[1:-1].astype(np.float32)
-    found = np.empty_like(angle)
-    arctangents(np.sin(angle), np.cos(angle), found)
-    assert np.abs(tau * found - angle).max() < 7e-7
 
 
 def test_a_twelve_bit_camera_decodes_as_well_as_an_eight_bit_one() -> None:
@@ -328,7 +281,7 @@ def test_pixels_beyond_the_last_whole_chunk_are_decoded_like_all_others(rule: st
     images = images_of(ramp(48, 333), PAPER_PATTERNS, EXPOSURES_US, mean=150.0, modulation=110.0)
     settings = DecodeSettings(rule=rule, vote_radius=0, edge_step_rad=1e6, blooming_radius_px=guard_px)
     rows = 41
-    assert rows * 333 % CHUNK % PIXELS != 0
+    assert rows * 333 % CHUNK != 0
     whole = decode(stack_of(images.copy(), exposures_us=EXPOSURES_US), settings)["left"]
     part = decode(stack_of(images[:, :, :rows].copy(), exposures_us=EXPOSURES_US), settings)["left"]
     for name in ("phase_rad", "sigma_rad", "modulation", "grey", "state", "exposure_index"):

@@ -85,8 +85,8 @@ def test_a_set_with_both_directions_gives_columns_and_rows() -> None:
     column, row = ramp(80, 300), np.linspace(5, 760, 80)[:, None] + 0.02 * np.arange(300)[None, :]
     images = np.concatenate([images_of(at, both.subset(way)[0]) for at, way in ((column, "vertical"), (row, "horizontal"))], axis=1)
     found = decode(stack_of(images, both))["left"]
-    assert found.across is not None and found.direction == "vertical" and found.across.direction == "horizontal"
-    for decoded, truth in ((found, column), (found.across, row)):
+    assert found.orthogonal is not None and found.direction == "vertical" and found.orthogonal.direction == "horizontal"
+    for decoded, truth in ((found, column), (found.orthogonal, row)):
         assert decoded.valid.mean() > 0.98
         assert np.abs(decoded.column_px - truth)[decoded.valid].max() < 1.0
 
@@ -96,7 +96,7 @@ def test_a_set_with_horizontal_fringes_only_gives_the_rows() -> None:
     patterns = PatternSet(name="rows", projector_px=1024, projector_rows=768, groups=groups)
     row = np.linspace(5, 760, 80)[:, None] + np.zeros(300)[None, :]
     found = decode(stack_of(images_of(row, patterns), patterns))["left"]
-    assert found.across is None and found.direction == "horizontal" and found.projector_px == 768
+    assert found.orthogonal is None and found.direction == "horizontal" and found.projector_px == 768
     assert np.abs(found.column_px - row)[found.valid].max() < 1.0
 
 

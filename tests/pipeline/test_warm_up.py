@@ -6,7 +6,7 @@ from types import ModuleType
 
 import pytest
 
-from measureapp.fringe.kernels import decoding, orders, summing
+from measureapp.fringe.kernels import solve, vote
 from measureapp.pipeline.warm_up import warm_up
 from measureapp.progress import CallbackProgress, Cancelled
 from measureapp.reconstruct.kernels import across, band, binning, both, cleaning, fusing, islands, looking, matching, sightlines, slopes
@@ -16,9 +16,8 @@ from measureapp.register.pairs.prepare import prepare
 from tests.reconstruct.conftest import make_head, plane
 
 MEASURING = (
-    decoding,
-    summing,
-    orders,
+    solve,
+    vote,
     across,
     band,
     binning,

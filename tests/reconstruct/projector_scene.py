@@ -123,7 +123,7 @@ class ProjectorHead:
                 projector_px=projector_px,
                 details={"origin_rad": origin_rad},
                 direction="horizontal" if axis else "vertical",
-                across=other,
+                orthogonal=other,
             )
 
         return of(0, lens.width_px, of(1, lens.height_px, None) if across else None)

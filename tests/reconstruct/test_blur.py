@@ -184,9 +184,9 @@ def test_pixels_without_a_phase_stay_so_and_do_not_reach_their_neighbours() -> N
 
 def test_horizontal_fringes_of_the_same_images_follow() -> None:
     steep = seen(2000 * np.exp(0.02 * COLUMNS))
-    made = without_blur({"one": replace(steep, across=replace(steep, direction="horizontal"))}, camera(BLUR_PX), STEP_RAD)["one"]
-    assert made.across is not None
-    np.testing.assert_array_equal(made.across.phase_rad, made.phase_rad)
+    made = without_blur({"one": replace(steep, orthogonal=replace(steep, direction="horizontal"))}, camera(BLUR_PX), STEP_RAD)["one"]
+    assert made.orthogonal is not None
+    np.testing.assert_array_equal(made.orthogonal.phase_rad, made.phase_rad)
 
 
 def columns_of(whole: PhaseMap, width: int) -> PhaseMap:

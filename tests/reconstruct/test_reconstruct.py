@@ -278,7 +278,7 @@ def turned(head: Head, name: str, by_rad: tuple[float, float, float]) -> CameraA
 
 def both_directions(head: Head, surface: Surface) -> dict[str, PhaseMap]:
     across = head.phase_maps(surface, SIGMA_RAD, 12, horizontal=True)
-    return {name: replace(each, across=across[name]) for name, each in head.phase_maps(surface, SIGMA_RAD, 13).items()}
+    return {name: replace(each, orthogonal=across[name]) for name, each in head.phase_maps(surface, SIGMA_RAD, 13).items()}
 
 
 def test_horizontal_fringes_see_across_the_epipolar_lines_what_vertical_ones_cannot(head: Head, rectifier: Rectifier) -> None:
@@ -301,17 +301,17 @@ def test_two_cameras_alarm_for_a_turned_one_when_fringes_of_both_directions_show
     assert straight.epipolar_px < 0.01 < straight.epipolar_rms_px  # phase noise is seen, and known as such
     shaken = reconstruct(maps, turned(head, "right", (0.3 / 511, 0, 0))).pairs[0]
     assert shaken.epipolar_px == pytest.approx(0.3, abs=0.05)
-    one_direction = {name: replace(each, across=None) for name, each in maps.items()}
+    one_direction = {name: replace(each, orthogonal=None) for name, each in maps.items()}
     assert reconstruct(one_direction, head.cameras, rectifier=rectifier).pairs[0].epipolar_px is None
 
 
 def test_points_whose_horizontal_phases_differ_are_contradicted(head: Head, rectifier: Rectifier) -> None:
     maps = both_directions(head, plane(550, 0.2, 0.1))
-    across = maps["left"].across
+    across = maps["left"].orthogonal
     assert across is not None
     wrong = across.phase_rad.copy()
     wrong[100:120, 100:140] += np.float32(0.8)
-    maps["left"] = replace(maps["left"], across=replace(across, phase_rad=wrong))
+    maps["left"] = replace(maps["left"], orthogonal=replace(across, phase_rad=wrong))
     made = reconstruct(maps, head.cameras, rectifier=rectifier)
     fate = made.fates["left"]
     assert (fate[100:120, 100:140] == PointState.CONTRADICTED).mean() > 0.95

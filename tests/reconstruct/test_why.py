@@ -93,13 +93,13 @@ def test_a_single_camera_without_a_projector_is_explained_up_to_its_phase(projec
 
 def test_a_single_camera_with_the_projector_has_points_and_the_reasons_of_their_geometry(projector_head: ProjectorHead) -> None:
     seen = projector_head.phase_maps(plane(550, 0.2, 0.1), across=True)["left"]
-    across = seen.across
+    across = seen.orthogonal
     assert across is not None
     row, column = (int(value) for value in np.argwhere(seen.valid)[len(np.argwhere(seen.valid)) // 2])
     box = (slice(row - 8, row + 8), slice(column - 8, column + 8))
     wrong, behind = across.phase_rad.copy(), seen.phase_rad.copy()
     wrong[box] += np.float32(1.5)
-    torn = replace(seen, across=replace(across, phase_rad=wrong))
+    torn = replace(seen, orthogonal=replace(across, phase_rad=wrong))
     made = looked_at_alone(seen, projector_head.cameras)
     assert (made.fates["left"] == PointState.VALID).sum() == len(made.cloud) > 0.9 * seen.valid.sum()
     assert why({"left": seen}, made, "left", row, column).stage == "point"
@@ -107,7 +107,7 @@ def test_a_single_camera_with_the_projector_has_points_and_the_reasons_of_their_
     assert said.reason == "contradicted"
     assert f"column {seen.column_at(row, column):.2f} and row" in said.sentence
     behind[box] = np.float32(200 * np.pi)  # a column that lies behind the camera
-    said = why(*alone(replace(seen, phase_rad=behind, across=None), projector_head.cameras), "left", row, column)
+    said = why(*alone(replace(seen, phase_rad=behind, orthogonal=None), projector_head.cameras), "left", row, column)
     assert said.reason == "unmatched" and "viewing ray does not meet" in said.sentence
 
 
@@ -136,7 +136,7 @@ def test_fringes_of_both_directions_tell_column_and_row_and_what_one_of_them_lac
     state[100:120, 100:140] = PixelState.SATURATED
     across["left"] = replace(across["left"], state=state)
     maps = {
-        name: replace(each, across=replace(across[name], direction="horizontal"))
+        name: replace(each, orthogonal=replace(across[name], direction="horizontal"))
         for name, each in head.phase_maps(plane(550, 0.2, 0.1)).items()
     }
     made = reconstruct(maps, head.cameras)

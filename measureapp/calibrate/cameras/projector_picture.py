@@ -34,9 +34,9 @@ def projector_picture(image: ImageArray, vertical: PhaseMap, size_px: tuple[int,
     width, height = size_px
     seen: FloatArray = np.zeros(height * width)
     weight: FloatArray = np.zeros(height * width)
-    if vertical.across is not None:
-        lit = vertical.valid & vertical.across.valid
-        column, row = (np.round(phase.column_px[lit]).astype(int) for phase in (vertical, vertical.across))
+    if vertical.orthogonal is not None:
+        lit = vertical.valid & vertical.orthogonal.valid
+        column, row = (np.round(phase.column_px[lit]).astype(int) for phase in (vertical, vertical.orthogonal))
         inside = (column >= 0) & (column < width) & (row >= 0) & (row < height)
         place = row[inside] * width + column[inside]
         weight = np.asarray(np.bincount(place, minlength=height * width), float)

@@ -48,13 +48,13 @@ class ProjectorPixels:
     @classmethod
     def around(cls, sighting: Sighting, vertical: PhaseMap) -> ProjectorPixels | None:
         """Return those around the marks of a sighting; None where the phase map has fringes of one direction only."""
-        if vertical.across is None:
+        if vertical.orthogonal is None:
             return None
         reach = _radii(sighting.corners_px).max() + 1
         height, width = vertical.state.shape
         low = np.clip(np.floor(sighting.corners_px.min(axis=0) - reach), 0, [width - 1, height - 1]).astype(int)
         high = np.clip(np.ceil(sighting.corners_px.max(axis=0) + reach) + 1, low + 1, [width, height]).astype(int)
-        part, maps = np.s_[low[1] : high[1], low[0] : high[0]], (vertical, vertical.across)
+        part, maps = np.s_[low[1] : high[1], low[0] : high[0]], (vertical, vertical.orthogonal)
         sigma = [np.where(phase.valid[part], phase.sigma_rad[part] * phase.pixel_of_phase()[0], 0.0) for phase in maps]
         return cls((int(low[0]), int(low[1])), np.stack([phase.column_px[part] for phase in maps]), np.stack(sigma).astype(np.float16))
 

@@ -5,29 +5,27 @@ from __future__ import annotations
 import numpy as np
 
 from measureapp.arrays import BoolArray, ImageArray, in_bands
-from measureapp.fringe.kernels import summing
-from measureapp.fringe.kernels.records import CHUNK, Layout, Rule, in_chunks
+from measureapp.fringe.kernels.structures import CHUNK, ExposureRule, ImageLayout, round_up_to_chunks
 
 
-def near_saturation(images: ImageArray, shape: tuple[int, int], layout: Layout, rule: Rule, radius_px: int) -> ImageArray:
-    """Mark pixels within a square of ``radius_px`` about those that one exposure (P, N) saturates, uint8.
-
-    The last chunk is filled up with its last pixel. It reads the images a second time, and the neighbourhood only where there is saturation.
-    """
+def mark_near_saturation(images: ImageArray, shape: tuple[int, int], layout: ImageLayout, rule: ExposureRule, radius_px: int) -> ImageArray:
+    """Mark pixels within a square of ``radius_px`` about those that one exposure (P, N) saturates, uint8 in whole chunks."""
     pixels = images.shape[1]
-    marked = np.empty(in_chunks(pixels), np.uint8)
+    saturated = np.zeros(pixels, np.bool_)
 
-    def work(start: int, stop: int) -> None:
-        summing.mark_saturated(images, layout, rule.limit, start * CHUNK, min(stop * CHUNK, pixels), marked)
+    def mark(start: int, stop: int) -> None:
+        band = slice(start * CHUNK, stop * CHUNK)
+        for first, steps in zip(layout.first_image, layout.steps, strict=True):
+            saturated[band] |= images[first : first + steps, band].max(axis=0) > rule.limit
 
-    in_bands(work, len(marked) // CHUNK)
-    marked[:pixels] = _widened(marked[:pixels].view(np.bool_).reshape(shape), radius_px).reshape(-1)
-    marked[pixels:] = marked[pixels - 1]
+    in_bands(mark, -(-pixels // CHUNK))
+    marked = np.zeros(round_up_to_chunks(pixels), np.uint8)
+    marked[:pixels] = _dilate(saturated.reshape(shape), radius_px).reshape(-1)
     return marked
 
 
-def _widened(mask: BoolArray, radius_px: int) -> BoolArray:
-    """Widen a mask by a square window, looking only at the rows and columns that hold something."""
+def _dilate(mask: BoolArray, radius_px: int) -> BoolArray:
+    """Dilate a mask by a square window, within its bounding box."""
     rows, columns = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
     wide = mask.copy()
     if not rows.size:
@@ -35,13 +33,13 @@ def _widened(mask: BoolArray, radius_px: int) -> BoolArray:
     top, bottom = max(0, rows[0] - radius_px), min(mask.shape[0], rows[-1] + radius_px + 1)
     left, right = max(0, columns[0] - radius_px), min(mask.shape[1], columns[-1] + radius_px + 1)
     part = mask[top:bottom, left:right]
-    across = part.copy()
+    in_rows = part.copy()
     for shift in range(1, radius_px + 1):
-        across[:, shift:] |= part[:, :-shift]
-        across[:, :-shift] |= part[:, shift:]
-    both = across.copy()
+        in_rows[:, shift:] |= part[:, :-shift]
+        in_rows[:, :-shift] |= part[:, shift:]
+    dilated = in_rows.copy()
     for shift in range(1, radius_px + 1):
-        both[shift:] |= across[:-shift]
-        both[:-shift] |= across[shift:]
-    wide[top:bottom, left:right] = both
+        dilated[shift:] |= in_rows[:-shift]
+        dilated[:-shift] |= in_rows[shift:]
+    wide[top:bottom, left:right] = dilated
     return wide

@@ -22,7 +22,7 @@ def write_phase_map(path: Path, phase_map: PhaseMap) -> None:
 
 
 def _arrays(phase_map: PhaseMap, prefix: str) -> dict[str, Any]:
-    across = {} if phase_map.across is None else _arrays(phase_map.across, "across_")
+    across = {} if phase_map.orthogonal is None else _arrays(phase_map.orthogonal, "across_")
     return {
         f"{prefix}phase_rad": phase_map.phase_rad,
         f"{prefix}modulation": phase_map.modulation,

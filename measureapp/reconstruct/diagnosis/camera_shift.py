@@ -42,7 +42,7 @@ def camera_shift(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibra
     evidence : None where the phases leave nothing over (two cameras with fringes of one direction), or too few points are seen by all
     """
     names = tuple(name for name in cameras.names if name in phase_maps)
-    across = {name: each for name in names if (each := phase_maps[name].across) is not None}
+    across = {name: each for name in names if (each := phase_maps[name].orthogonal) is not None}
     both = len(across) == len(names)
     if names[0] != cameras.reference or (len(names) - 1) * (1 + both) < 2:
         return None

@@ -260,8 +260,8 @@ def _agreement(names: tuple[str, ...], order: tuple[str, ...], maps: Mapping[str
     along = None
     if len(names) > 2:
         along = seen_by_camera(matches, samples, devices[0], devices[2], FlatView.of(images[2], devices[2]))
-    elif images[0].across is not None and images[1].across is not None:
-        rows, view = samples.across(images[0].across), FlatView.of(images[1].across, devices[1])
+    elif images[0].orthogonal is not None and images[1].orthogonal is not None:
+        rows, view = samples.across(images[0].orthogonal), FlatView.of(images[1].orthogonal, devices[1])
         along = seen_by_camera(matches, rows, devices[0], devices[1], view, across=True)
     if along is not None and len(along.px) >= LEAST_MATCHES:
         return Agreement(matched, len(samples), along.beyond_noise_px, along)
@@ -343,7 +343,7 @@ def _columns(samples: Samples, phase_map: PhaseMap) -> FloatArray:
 
 def _alone(name: str, phase_map: PhaseMap, cameras: CameraArrayCalibration, projector: ProjectorCalibration) -> Iterator[Finding]:
     """A single camera: nearly all phases must meet their column before the camera and inside the projector's image."""
-    made = triangulate_with_projector(replace(phase_map, across=None), cameras.cameras[name], projector)
+    made = triangulate_with_projector(replace(phase_map, orthogonal=None), cameras.cameras[name], projector)
     seen = max(int((made.fate != ProjectorFate.NO_PHASE).sum()), 1)
     share = float((made.fate == ProjectorFate.POINT).sum()) / seen
     parallel = float((made.fate == ProjectorFate.PARALLEL).sum()) / seen

@@ -142,7 +142,7 @@ def _geometry(
 
 def _by_direction(phase_map: PhaseMap) -> tuple[PhaseMap | None, PhaseMap | None]:
     """Return the map of the vertical fringes, and of the horizontal ones."""
-    return (phase_map, phase_map.across) if phase_map.direction == "vertical" else (phase_map.across, phase_map)
+    return (phase_map, phase_map.orthogonal) if phase_map.direction == "vertical" else (phase_map.orthogonal, phase_map)
 
 
 def _arrays(phase_map: PhaseMap | None) -> tuple[FloatArray, FloatArray, IntArray]:

@@ -60,7 +60,7 @@ def on_rectified_grid(phase_map: PhaseMap, grid: RectifiedGrid, step_rad: float)
         modulation=_remapped(phase_map.modulation, grid),
         grey=_remapped(phase_map.grey, grid),
         exposure_index=read_only(_remapped(phase_map.exposure_index, grid, cv2.INTER_NEAREST), np.int8),
-        across=None if phase_map.across is None else on_rectified_grid(phase_map.across, grid, step_rad),
+        orthogonal=None if phase_map.orthogonal is None else on_rectified_grid(phase_map.orthogonal, grid, step_rad),
     )
 
 

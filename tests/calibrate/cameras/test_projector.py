@@ -42,7 +42,7 @@ def phase_map(values_px, sigma_px, valid, across=None) -> PhaseMap:
     state = np.where(valid, PixelState.VALID, PixelState.SHADOW).astype(np.uint8)
     phase, sigma = (np.where(valid, one * scale, 0).astype(np.float32) for one in (values_px, sigma_px))
     level = np.full(phase.shape, 80, np.uint8)
-    return PhaseMap("left", "v", phase, sigma, level, level, state, np.zeros(phase.shape, np.int8), PITCH_PX, 1024, across=across)
+    return PhaseMap("left", "v", phase, sigma, level, level, state, np.zeros(phase.shape, np.int8), PITCH_PX, 1024, orthogonal=across)
 
 
 def phases_of(camera_rays, pose, board, generator) -> PhaseMap:
@@ -150,13 +150,13 @@ def test_fringes_that_start_dark_place_the_projector_at_the_same_pixels(captured
 
     phase = phases["left", "00"]
     bright = reading(problem.sightings[0], phase)
-    shifted = reading(problem.sightings[0], replace(dark(phase), across=dark(phase.across)))
+    shifted = reading(problem.sightings[0], replace(dark(phase), orthogonal=dark(phase.orthogonal)))
     assert np.abs(shifted.corners_px - bright.corners_px).max() < 1e-3
 
 
 def test_fringes_in_one_direction_do_not_place_the_projector(captured):
     problem, phases = captured
-    one_way = {key: replace(phase, across=None) for key, phase in phases.items()}
+    one_way = {key: replace(phase, orthogonal=None) for key, phase in phases.items()}
     found = reading(problem.sightings[0], one_way["left", "00"])
     assert isinstance(found, Rejection)
     assert "one direction only" in found.reason

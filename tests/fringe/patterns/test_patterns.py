@@ -64,9 +64,9 @@ def test_a_set_of_both_directions_gives_column_and_row_at_once(name: str) -> Non
     drawn = pattern_images(patterns, *SHAPE)[:, ::2, ::2]
     noise = np.random.default_rng(2).normal(0, 0.7, drawn.shape)
     decoded = decode(stack_of(np.rint(drawn * 0.8 + 20 + noise).clip(0, 254).astype(np.uint8)[None], patterns))["left"]
-    assert decoded.across is not None
+    assert decoded.orthogonal is not None
     bound = 5.5 * max(patterns.pitches_px) / (2 * np.pi) * np.sqrt(2 / 4) * 0.76 / 102  # of 200 000 pixels
-    for phase_map, position in ((decoded, np.arange(0, 1024, 2)[None, :]), (decoded.across, np.arange(0, 768, 2)[:, None])):
+    for phase_map, position in ((decoded, np.arange(0, 1024, 2)[None, :]), (decoded.orthogonal, np.arange(0, 768, 2)[:, None])):
         assert phase_map.valid.mean() > 0.995
         assert np.abs(phase_map.column_px - position)[phase_map.valid].max() < bound
 

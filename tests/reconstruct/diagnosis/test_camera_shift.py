@@ -64,7 +64,7 @@ def test_two_cameras_need_fringes_of_both_directions() -> None:
     columns = head.phase_maps(SCENE, SIGMA_RAD, 3)
     assert camera_shift(columns, head.cameras) is None
     rows = head.phase_maps(SCENE, SIGMA_RAD, 4, horizontal=True)
-    both = {name: replace(each, across=rows[name]) for name, each in columns.items()}
+    both = {name: replace(each, orthogonal=rows[name]) for name, each in columns.items()}
     turn = np.array([3e-4, 0.0, 0.0])  # about the line of sight across the rows; the columns cannot tell a turn from depth
     evidence = camera_shift(both, knocked(head.cameras, "right", turn))
     assert evidence is not None and evidence.freedom == evidence.samples

@@ -247,7 +247,7 @@ def test_columns_beyond_the_calibrated_projector_are_named(head: ProjectorHead) 
 
 
 def test_rows_taken_for_columns_are_named(head: ProjectorHead) -> None:
-    across = {name: found.across for name, found in head.phase_maps(BALL, noise_seed=7, across=True).items()}
+    across = {name: found.orthogonal for name, found in head.phase_maps(BALL, noise_seed=7, across=True).items()}
     maps = {name: found for name, found in across.items() if found is not None}
     assert "fringe-direction" in kinds(diagnose(maps, head.cameras))
 

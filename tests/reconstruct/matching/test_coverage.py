@@ -90,15 +90,15 @@ def test_a_wrong_order_that_two_cameras_share_is_not_taken_for_a_hidden_surface(
 
 def both_directions(head: Head, surface: Surface) -> dict[str, PhaseMap]:
     across = head.phase_maps(surface, SIGMA_RAD, 12, horizontal=True)
-    return {name: replace(each, across=across[name]) for name, each in head.phase_maps(surface, SIGMA_RAD, 13).items()}
+    return {name: replace(each, orthogonal=across[name]) for name, each in head.phase_maps(surface, SIGMA_RAD, 13).items()}
 
 
 def with_wrong_rows(maps: dict[str, PhaseMap], name: str, box: tuple[slice, slice]) -> dict[str, PhaseMap]:
-    across = maps[name].across
+    across = maps[name].orthogonal
     assert across is not None
     wrong = across.phase_rad.copy()
     wrong[box] += np.float32(0.8)
-    return maps | {name: replace(maps[name], across=replace(across, phase_rad=wrong))}
+    return maps | {name: replace(maps[name], orthogonal=replace(across, phase_rad=wrong))}
 
 
 @pytest.mark.parametrize(("name", "left_with"), [("right", 5), ("upper", 3)])

@@ -86,7 +86,7 @@ def test_the_matrix_of_a_tilted_imager_is_that_of_opencv() -> None:
 
 
 def test_rows_alone_measure_where_the_camera_stands_above_the_projector(head) -> None:
-    rows = head.phase_maps(PLANE, across=True)["upper"].across
+    rows = head.phase_maps(PLANE, across=True)["upper"].orthogonal
     assert rows is not None
     made = triangulate_with_projector(rows, head.cameras.cameras["upper"], head.projector)
     assert (made.depth_mm > 0).sum() == rows.valid.sum()
@@ -95,10 +95,10 @@ def test_rows_alone_measure_where_the_camera_stands_above_the_projector(head) ->
 
 def test_a_row_that_does_not_belong_to_the_column_is_a_contradiction(head) -> None:
     phase_map = head.phase_maps(PLANE, across=True)["left"]
-    assert phase_map.across is not None
-    spoiled = phase_map.across.phase_rad.copy()
+    assert phase_map.orthogonal is not None
+    spoiled = phase_map.orthogonal.phase_rad.copy()
     spoiled[40:50] += np.float32(tau)  # a wrong fringe order
-    wrong = replace(phase_map, across=replace(phase_map.across, phase_rad=spoiled))
+    wrong = replace(phase_map, orthogonal=replace(phase_map.orthogonal, phase_rad=spoiled))
     made = triangulate_with_projector(wrong, head.cameras.cameras["left"], head.projector)
     assert (made.fate[40:50][phase_map.valid[40:50]] == ProjectorFate.CONTRADICTED).all()
     assert (made.fate[50:][phase_map.valid[50:]] == ProjectorFate.POINT).all()
