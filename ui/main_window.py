@@ -35,7 +35,7 @@ from ui.widgets.rail import Rail
 from ui.widgets.unit_dialog import UnitDialog
 
 CLOUDS = "Clouds and meshes (*.ply *.stl *.obj *.pcd *.xyz *.txt *.csv *.asc *.pts)"
-DRAWINGS = "Drawings and programs (*.stl *.ply *.obj *.step *.stp *.toml)"
+NOMINALS = "Nominals and programs (*.stl *.ply *.obj *.step *.stp *.toml)"
 PAGES = (RigPage, CalibrationPage, PlanPage, ScanPage, CloudsPage, InspectionPage, ReportPage)
 SMALLEST = (1366, 768)
 TITLE_BARS = 72  # what desktops take of the screen's height
@@ -240,16 +240,16 @@ class MainWindow(QMainWindow):
 
     def _choose_files(self) -> None:
         cloud, _ = QFileDialog.getOpenFileName(self, "Choose the cloud or mesh to measure", str(Path.home()), CLOUDS)
-        drawing = (
-            QFileDialog.getOpenFileName(self, "Choose its drawing or inspection program", str(Path(cloud).parent), DRAWINGS)[0]
+        nominal = (
+            QFileDialog.getOpenFileName(self, "Choose its nominal or inspection program", str(Path(cloud).parent), NOMINALS)[0]
             if cloud
             else ""
         )
-        if drawing:
-            self.controllers.files.measure(FilesToMeasure(Path(cloud), Path(drawing)))
+        if nominal:
+            self.controllers.files.measure(FilesToMeasure(Path(cloud), Path(nominal)))
 
     def _ask_unit(self, asked: FileQuestion) -> None:
-        question, kept = asked.question, "unit" if asked.question.what == "points" else "drawing_unit"
+        question, kept = asked.question, "unit" if asked.question.what == "points" else "nominal_unit"
         self.unit_dialog = UnitDialog(self.look, question.what, question.finding, LengthUnit(question.unit), parent=self)
         self.unit_dialog.chosen.connect(lambda unit: self.controllers.files.measure(replace(asked.files, **{kept: unit})))
         self.unit_dialog.finished.connect(self.unit_dialog.deleteLater)

@@ -61,23 +61,23 @@ def measurement_lines(measurement: Measurement) -> list[str]:
 
 
 def dimension_line(dimension: Dimension) -> str:
-    """Return one dimension as a line: mark, name, measured ± uncertainty, nominal, error."""
+    """Return one dimension as a line: mark, name, measured ± uncertainty, nominal, deviation."""
     start = f"  {MARK[dimension.verdict]} {dimension.name:<18}"
     if dimension.measured is None or dimension.deviation is None:
         return f"{start}not measured: {dimension.reason}"
     shown = dimension.round_uncertainty()
     uncertainty = "" if shown is None else f" ± {shown:.3f}"
     return (
-        f"{start}{dimension.measured:9.3f}{uncertainty} {dimension.unit} (nominal {dimension.nominal:g}, error {dimension.deviation:+.3f})"
+        f"{start}{dimension.measured:9.3f}{uncertainty} {dimension.unit} (nominal {dimension.nominal:g}, deviation {dimension.deviation:+.3f})"
         f"  {dimension.verdict.value}"
     )
 
 
 def alignment_lines(alignment: Alignment) -> str:
-    """Return how the part was laid onto its nominal: name, residuals, what stays open, notes."""
+    """Return an alignment in lines: name, residuals, undetermined motions, notes."""
     lines = [f"Alignment: {alignment.name}" + (f", rms {alignment.rms_mm:.3f} mm." if alignment.rms_mm > 0 else ".")]
     if alignment.residuals_mm:
-        lines.append("Off their nominal places: " + ", ".join(f"{name} {off:.4f} mm" for name, off in alignment.residuals_mm.items()) + ".")
+        lines.append("Residuals: " + ", ".join(f"{name} {off:.4f} mm" for name, off in alignment.residuals_mm.items()) + ".")
     if alignment.undetermined:
-        lines.append("Left open by the points: " + ", ".join(alignment.undetermined) + ".")
+        lines.append("Not determined by the points: " + ", ".join(alignment.undetermined) + ".")
     return "\n".join([*lines, *(f"{note}." for note in alignment.notes)])

@@ -1,4 +1,4 @@
-"""Measuring a cloud or mesh from a file, without a project: by a drawing, or by an inspection program."""
+"""Measurement of a cloud or mesh from a file, without a project: by a nominal, or by an inspection program."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from measureapp.data.length_unit import LengthUnit
 from measureapp.errors import InputError, UnitQuestion
-from ui.controllers.comparison import comparison_of
+from ui.controllers.comparison import compute_comparison
 from ui.controllers.jobs import JobRunner
 from ui.session import Comparison, Session
 
@@ -27,17 +27,17 @@ PROGRAMS = (".toml",)
 
 @dataclass(frozen=True)
 class FilesToMeasure:
-    """A cloud or mesh, the drawing or program it is measured by, and the units of both, where they were told."""
+    """A cloud or mesh, its nominal or inspection program, and the units of both if stated."""
 
     cloud: Path
-    drawing: Path
+    nominal: Path
     unit: LengthUnit | None = None
-    drawing_unit: LengthUnit | None = None
+    nominal_unit: LengthUnit | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class FileQuestion:
-    """Files of which a unit is asked for."""
+    """Files with a doubtful unit."""
 
     files: FilesToMeasure
     question: UnitQuestion
@@ -45,7 +45,7 @@ class FileQuestion:
 
 @dataclass(frozen=True, eq=False)
 class MeasuredFile:
-    """What measuring a file gave."""
+    """Result of measuring a file."""
 
     files: FilesToMeasure
     cloud: StitchedCloud
@@ -54,7 +54,7 @@ class MeasuredFile:
 
 
 class FilesController(QObject):
-    """Shows a measured file in place of the project; where it cannot be measured, the project stays."""
+    """Shows a measured file in place of the project; if it cannot be measured, the project stays."""
 
     measured = Signal()
     unitAsked = Signal(object)  # FileQuestion
@@ -67,9 +67,9 @@ class FilesController(QObject):
     def measure(self, files: FilesToMeasure) -> None:
         """Read the files, align, measure and compare."""
         if self._session.busy_with:
-            self._session.tell(f"{self._session.busy_with} is still running.", "Wait for it, or cancel it first.", "warning")
+            self._session.tell(f"{self._session.busy_with} is still running.", "Wait for it, or cancel it.", "warning")
             return
-        self._runner.run(f"Measuring {files.cloud.name}", lambda job: measured_file(files, job), self._show)
+        self._runner.run(f"Measuring {files.cloud.name}", lambda job: measure_file(files, job), self._show)
 
     @Slot(object)
     def _show(self, found: MeasuredFile | FileQuestion) -> None:
@@ -77,15 +77,15 @@ class FilesController(QObject):
             self.unitAsked.emit(found)
             return
         session, files = self._session, found.files
-        session.open_project(files.cloud.name, files.drawing.stem, None)
+        session.open_project(files.cloud.name, files.nominal.stem, None)
         session.set_stitched(found.cloud)
         session.set_inspection(found.inspection)
         session.set_comparison(found.comparison)
-        session.tell(f"{files.cloud.name} is measured by {files.drawing.name}.", "", "done")
+        session.tell(f"{files.cloud.name} measured by {files.nominal.name}.", "", "done")
         self.measured.emit()
 
 
-def measured_file(files: FilesToMeasure, job: Job) -> MeasuredFile | FileQuestion:
+def measure_file(files: FilesToMeasure, job: Job) -> MeasuredFile | FileQuestion:
     """Measure a file, or return the question for a unit; runs on a job's thread."""
     from measureapp.inspection.dimensions import inspect
     from measureapp.inspection.settings import InspectionSettings
@@ -93,33 +93,33 @@ def measured_file(files: FilesToMeasure, job: Job) -> MeasuredFile | FileQuestio
     from measureapp.project.geometry.files import read_cloud_or_mesh
 
     job.report(0, 10, "Reading the files")
-    cloud = _cloud(files, read_cloud_or_mesh(files.cloud, unit=files.unit or LengthUnit.MM))
-    program, nominal = _drawing(files)
+    cloud = _make_cloud(files, read_cloud_or_mesh(files.cloud, unit=files.unit or LengthUnit.MM))
+    program, nominal = _read_program_and_nominal(files)
     try:
         inspection = inspect(cloud, program, nominal, InspectionSettings(), PartOf(job, 0.2, 0.7))
     except UnitQuestion as question:
-        if (files.unit if question.what == "points" else files.drawing_unit) is None:
+        if (files.unit if question.what == "points" else files.nominal_unit) is None:
             return FileQuestion(files, question)
         raise InputError(question.message, "Choose the files of one part, or other units.") from question
-    comparison = None if nominal is None else comparison_of(cloud, nominal, inspection.alignment, program, PartOf(job, 0.7, 1.0))
+    comparison = None if nominal is None else compute_comparison(cloud, nominal, inspection.alignment, program, PartOf(job, 0.7, 1.0))
     return MeasuredFile(files, cloud, inspection, comparison)
 
 
-def _drawing(files: FilesToMeasure) -> tuple[InspectionProgram, Mesh | None]:
+def _read_program_and_nominal(files: FilesToMeasure) -> tuple[InspectionProgram, Mesh | None]:
     from measureapp.data.inspection_program import InspectionProgram
     from measureapp.project.geometry.files import read_mesh
     from measureapp.project.program_file import read_program, read_program_nominal
 
-    if files.drawing.suffix.lower() not in PROGRAMS:
-        return InspectionProgram(name=files.drawing.stem), read_mesh(files.drawing, unit=files.drawing_unit or LengthUnit.MM)
-    program = read_program(files.drawing)
-    if files.drawing_unit is not None:
-        program = program.model_copy(update={"nominal_unit": files.drawing_unit})
-    return program, read_program_nominal(files.drawing, program)
+    if files.nominal.suffix.lower() not in PROGRAMS:
+        return InspectionProgram(name=files.nominal.stem), read_mesh(files.nominal, unit=files.nominal_unit or LengthUnit.MM)
+    program = read_program(files.nominal)
+    if files.nominal_unit is not None:
+        program = program.model_copy(update={"nominal_unit": files.nominal_unit})
+    return program, read_program_nominal(files.nominal, program)
 
 
-def _cloud(files: FilesToMeasure, read: PlainPoints | Mesh) -> StitchedCloud:
-    """Return the points as a stitched cloud; a σ that the file does not say is 0, views that it does not tell are one with its name."""
+def _make_cloud(files: FilesToMeasure, read: PlainPoints | Mesh) -> StitchedCloud:
+    """Return the points as a stitched cloud; missing σ are 0, missing views become one with the file's name."""
     import numpy as np
 
     from measureapp.data.cloud import StitchedCloud

@@ -1,4 +1,4 @@
-"""Numbers as people read them: with unit and sensible digits."""
+"""Formatting of numbers, units, times and labels for the window."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def percent(value: float | None, digits: int = 1, *, signed: bool = False) -> st
 
 
 def counted(value: int) -> str:
-    """Return a count with its thousands apart."""
+    """Return a count with thousands separators."""
     return f"{value:,}".replace(",", "\u00a0" if value < 10_000 else THIN)
 
 
@@ -47,7 +47,7 @@ def several(value: int, one: str, many: str = "") -> str:
 
 
 def duration(seconds: float) -> str:
-    """Return a time that is left or was needed: ``45 s``, ``2 min 10 s``, ``1 h 05 min``."""
+    """Return a duration: ``45 s``, ``2 min 10 s``, ``1 h 05 min``."""
     whole = max(0, round(seconds))
     if whole < 60:
         return f"{whole} s"
@@ -71,7 +71,7 @@ def storage(size_bytes: float) -> str:
 
 
 def when(iso: str, now: datetime | None = None) -> str:
-    """Return how long ago an ISO 8601 time was; an empty string when it says nothing."""
+    """Return the time since an ISO 8601 time, in words; an empty string if it is invalid."""
     try:
         then = datetime.fromisoformat(iso)
     except ValueError:
@@ -87,7 +87,7 @@ def when(iso: str, now: datetime | None = None) -> str:
 
 
 def sentence(text: str) -> str:
-    """Return ``text`` beginning with a capital and ending with a stop."""
+    """Return ``text`` with a capital first letter and a full stop."""
     text = text.strip()
     if not text:
         return ""
@@ -95,7 +95,7 @@ def sentence(text: str) -> str:
 
 
 def part_words(part: str) -> str:
-    """Return what a part is called: a sample by its name, a mesh file without its folder and ending."""
+    """Return the name of a part: of a sample, or of a mesh file without folder and extension."""
     return sentence_case(PurePath(part).stem)
 
 

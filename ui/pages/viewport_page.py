@@ -1,4 +1,4 @@
-"""What pages with a 3-D view share: it starts when graphics are ready, and draws only while it is seen."""
+"""Base of pages with a 3-D view, which starts when graphics are ready and draws only while visible."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ LEAST_PICTURE, LEAST_SIDE = 556, 400  # px, the page's margins included
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """What the 3-D view shows."""
+    """Content of the 3-D view."""
 
     clouds: tuple[CloudLayer, ...] = ()
     surface: SurfaceLayer | None = None
@@ -36,15 +36,15 @@ Composer = Callable[[Job], Picture]
 
 
 class ViewportPage(Page):
-    """A page whose largest thing is the 3-D view; a job composes the picture when the page is seen and something changed."""
+    """A page with a 3-D view; a job composes the picture when the page is visible and something has changed."""
 
     def __init__(self, look: Look, session: Session, controllers: Controllers, empty: EmptyState) -> None:
         super().__init__(look, session, controllers, empty)
         self.view = CloudView(look)
         self.is_composing = False
         self._stale = True
-        self.tool_buttons: tuple[Button, ...] = ()  # above the picture; icons alone where the page is narrow
-        self.side: QWidget | None = None  # beside the picture; gives way to it where the page is narrow
+        self.tool_buttons: tuple[Button, ...] = ()  # above the picture; icons only on a narrow page
+        self.side: QWidget | None = None  # beside the picture; narrower on a narrow page
         self.side_width = 0
         QShortcut(QKeySequence.StandardKey.Undo, self, self.undo_last, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
         QShortcut(Qt.Key.Key_Escape, self, self.end_clicking, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
@@ -53,18 +53,18 @@ class ViewportPage(Page):
         self._use_graphics()
 
     def composer(self) -> Composer | None:
-        """Return what composes the picture on a thread, out of nouns that never change; None where there is nothing to show."""
+        """Return the composer of the picture, which runs on a thread with immutable data; None without content."""
         raise TypeError(f"{type(self).__name__} does not draw")
 
     def undo_last(self) -> None:
-        """Take back what was done last on this page, where there is something."""
+        """Undo the last step on this page, if any."""
 
     def end_clicking(self) -> None:
-        """Let clicks into the picture tell about points again."""
+        """Return to picking points by clicks."""
 
     @Slot()
     def redraw(self) -> None:
-        """Draw again: now, or when the picture being composed is complete, or when the page is seen."""
+        """Redraw: now, after the picture being composed, or when the page becomes visible."""
         self._stale = True
         if self.is_composing or not self.isVisible():
             return
@@ -90,13 +90,13 @@ class ViewportPage(Page):
         self.is_composing = False
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Draw what changed while the page was hidden."""
+        """Draw changes that occurred while the page was hidden."""
         super().showEvent(event)
         if self._stale:
             self.redraw()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave out the words of the tools where they have no room, and give the picture what it needs."""
+        """Show tools as icons on a narrow page, and give the picture its minimum width."""
         super().resizeEvent(event)
         if self.side is not None:
             self.side.setFixedWidth(max(LEAST_SIDE, min(self.side_width, self.width() - LEAST_PICTURE)))
@@ -115,6 +115,6 @@ class ViewportPage(Page):
 
 
 def _prepared(composer: Composer, job: Job) -> tuple[Picture, ShuffledCloud]:
-    """Compose the picture and bring its points into the order in which they are drawn; runs on a job's thread."""
+    """Compose the picture and shuffle its points for progressive drawing; runs on a job's thread."""
     picture = composer(job)
     return picture, shuffled(picture.clouds)

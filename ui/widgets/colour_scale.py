@@ -1,4 +1,4 @@
-"""A legend one can read: a bar of colours with numbers."""
+"""Colour scale: a colour bar with limits and name."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ WIDTH = 304
 
 
 class ColourScale(QWidget):
-    """Shows what the colours between two values mean."""
+    """Shows the colours between two values."""
 
     def __init__(self, look: Look) -> None:
         super().__init__()
@@ -31,7 +31,7 @@ class ColourScale(QWidget):
         look.changed.connect(self.update)
 
     def sizeHint(self) -> QSize:
-        """Return the size at which numbers and name are well apart."""
+        """Return the size at which numbers and name fit."""
         return QSize(WIDTH, 40)
 
     def show_scale(self, name: str, colours: np.ndarray, low: float, high: float) -> None:

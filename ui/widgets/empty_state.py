@@ -1,4 +1,4 @@
-"""What a page shows while it has nothing: a picture, a sentence and one button."""
+"""Placeholder of an empty page: icon, text and one button."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ui.widgets.basic import Button, column, label, row
 
 
 class EmptyState(QWidget):
-    """Says what is missing and offers the one thing to do about it."""
+    """States what is missing, and offers the next step."""
 
     triggered = Signal()
 
@@ -35,7 +35,7 @@ class EmptyState(QWidget):
         self._buttons.insertWidget(2, button)
 
     def say(self, heading: str, text: str, *, offer: bool = True) -> None:
-        """Change the words; without ``offer`` there is nothing to do but wait."""
+        """Change the texts; ``offer`` shows the button."""
         self.heading.setText(heading)
         self.text.setText(text)
         self.button.setVisible(offer)

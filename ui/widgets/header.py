@@ -31,7 +31,7 @@ class HeaderBar(QFrame):
         self.role.setValue("engineer")
         self.open = Button("Open project…", look, "open", "quiet", "Open a project folder (Ctrl+O)")
         self.open.clicked.connect(self.openClicked)
-        self.file = Button("", look, "file", "quiet", "Measure a cloud or mesh from a file, by a drawing or a program")
+        self.file = Button("", look, "file", "quiet", "Measure a cloud or mesh from a file, by a nominal or a program")
         self.file.clicked.connect(self.fileClicked)
         self._shade = Button("", look, "dark", "quiet", "Change between the light and the dark theme")
         self._shade.clicked.connect(self._other_shade)

@@ -1,4 +1,4 @@
-"""The legend of what was not measured: grey with hatching, never a colour of a scale."""
+"""Legend of unmeasured areas: hatched grey, never a colour of a scale."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ SWATCH = (24, 14)
 
 
 class HatchedSwatch(QWidget):
-    """A piece of the colour of what was not measured."""
+    """A swatch of the hatching of unmeasured areas."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -33,7 +33,7 @@ class HatchedSwatch(QWidget):
 
 
 class NotMeasuredLegend(QWidget):
-    """The swatch and what it stands for; hidden where there is nothing to say."""
+    """The swatch and its text; hidden without a text."""
 
     def __init__(self, look: Look) -> None:
         super().__init__()

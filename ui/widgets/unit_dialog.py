@@ -1,4 +1,4 @@
-"""Asks for the unit of a file that looks like another one than millimetres; nothing is ever scaled without an answer."""
+"""Dialog for the unit of a file that is probably not in millimetres; nothing is scaled without an answer."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from ui.look.wording import quantity
 from ui.widgets.basic import Button, column, label, row
 
 WIDTH = 480
-WHY = "Files of points and meshes do not say their unit. Lengths and verdicts follow from it, so it is asked, not assumed."
-KIND = {"points": "points", "nominal": "drawing", "mesh": "mesh"}
+WHY = "Point and mesh files do not contain a unit. All lengths and verdicts depend on it, so it must be confirmed."
+KIND = {"points": "point file", "nominal": "nominal", "mesh": "mesh"}
 
 
 class UnitDialog(QDialog):
-    """One question about one file: `chosen` fires with the unit, or nothing where it is closed."""
+    """One question about one file: `chosen` fires with the unit, unless the dialog is cancelled."""
 
     chosen = Signal(object)  # LengthUnit
 
     def __init__(
         self, look: Look, what: str, finding: str, likely: LengthUnit, span: float | None = None, parent: QWidget | None = None
     ) -> None:
-        """``what`` is "points", "nominal" or "mesh"; ``span`` the longest side of its box as the file has it, where that is known."""
+        """``what`` is "points", "nominal" or "mesh"; ``span`` the longest side of its box in file units, if known."""
         super().__init__(parent)
         self.setWindowTitle("Unit of lengths")
         self.units, self._group = {}, QButtonGroup(self)
@@ -33,12 +33,12 @@ class UnitDialog(QDialog):
             self._group.addButton(made)
             self.units[unit] = made
         self.units[likely].setChecked(True)
-        question = label(f"In which unit is the {KIND[what]}?", "heading")
-        said = label(f"{finding}: this looks like {likely.words}.", wrap=True)
+        question = label(f"Unit of the {KIND[what]}?", "heading")
+        said = label(f"{finding}: the unit is probably {likely.words}.", wrap=True)
         self.accept_button = Button("Use this unit", look, "", "primary")
         self.accept_button.clicked.connect(self._accept)
         self.accept_button.setDefault(True)
-        cancel = Button("Cancel", look, "", "normal", "Leave everything as it is")
+        cancel = Button("Cancel", look, "", "normal", "Change nothing")
         cancel.clicked.connect(self.reject)
         choices = column(*self.units.values(), spacing=4)
         layout = column(question, said, 8, choices, 8, label(WHY, "small", wrap=True), 8, row(0, cancel, self.accept_button), margin=24)
@@ -56,7 +56,7 @@ class UnitDialog(QDialog):
 
 
 def _words(unit: LengthUnit, span: float | None) -> str:
-    """Return a unit, with the size that the part then has."""
+    """Return a unit, with the resulting size of the part."""
     words = unit.words[0].upper() + unit.words[1:]
     return (
         words if span is None else f"{words} – the longest side is {quantity(span * unit.in_mm, 'mm', 1 if span * unit.in_mm < 1e4 else 0)}"

@@ -1,4 +1,4 @@
-"""The verdict on the whole part, large enough to be read from a step away."""
+"""Large banner with the verdict on the whole part."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def verdict_on(verdicts: Sequence[str]) -> Verdict | None:
 
 
 class VerdictBanner(QFrame):
-    """Sign, word and colour; and how many dimensions stand in the way."""
+    """Sign, word and colour, and the number of dimensions that do not pass."""
 
     def __init__(self, look: Look) -> None:
         super().__init__()
@@ -43,7 +43,7 @@ class VerdictBanner(QFrame):
         look.changed.connect(self._redraw)
 
     def show_verdicts(self, verdicts: Sequence[str]) -> None:
-        """Show what these verdicts on dimensions make together."""
+        """Show the combined verdict of these dimensions."""
         self._verdict = verdict_on(verdicts)
         count = sum(one == self._verdict if self._verdict == "fail" else one != "pass" for one in verdicts)
         self.word.setText((self._verdict or "").upper())
