@@ -1,4 +1,4 @@
-"""`compare`: deviation of a cloud from a nominal mesh."""
+"""`measureapp compare`: deviation of a cloud from a nominal mesh."""
 
 from __future__ import annotations
 
@@ -37,22 +37,24 @@ def register(app: typer.Typer) -> None:
             typer.Option("--align", help="best-fit, none, cyclic:COUNT, or a file with the 4×4 matrix nominal_from_part (text or JSON)."),
         ] = "best-fit",
         tolerance: Annotated[
-            tuple[float, float] | None, typer.Option(help="Lower and upper limit in mm: how the points spread over its bands.")
+            tuple[float, float] | None, typer.Option(help="Lower and upper tolerance in mm, for a histogram of the deviations.")
         ] = None,
         section: Annotated[
-            list[str] | None, typer.Option(help="Cut here (again for more): x=0, y=-5, z=20, or r=100 about the z axis.")
+            list[str] | None, typer.Option(help="Section (may be repeated): x=0, y=-5, z=20, or r=100 about the z axis.")
         ] = None,
-        section_width: Annotated[float, typer.Option(min=0.001, help="Points count for a section from this wide a strip, in mm.")] = 1.0,
-        section_file: Annotated[Path, typer.Option(help="Where the sections go: CSV or JSON, by its ending.")] = SECTION_FILE,
+        section_width: Annotated[float, typer.Option(min=0.001, help="Width of the strip of points of a section, in mm.")] = 1.0,
+        section_file: Annotated[Path, typer.Option(help="Output file of the sections: CSV or JSON, by its extension.")] = SECTION_FILE,
         map_file: Annotated[
-            Path | None, typer.Option("--map", help="Write the nominal with its deviations as PLY; grey where nothing was measured.")
+            Path | None, typer.Option("--map", help="Write the nominal coloured by deviation as PLY; grey where not measured.")
         ] = None,
-        reach: Annotated[float, typer.Option(min=0.001, help="A place is measured when a point lies closer than this, in mm.")] = 2.0,
+        reach: Annotated[
+            float, typer.Option(min=0.001, help="The nominal counts as measured where a point lies closer than this, in mm.")
+        ] = 2.0,
         unit: UnitOption = LengthUnit.MM,
-        nominal_unit: Annotated[LengthUnit, typer.Option("--nominal-unit", help="The same for the nominal.")] = LengthUnit.MM,
+        nominal_unit: Annotated[LengthUnit, typer.Option("--nominal-unit", help="Unit of the nominal.")] = LengthUnit.MM,
         as_json: JsonOption = False,
     ) -> None:
-        """Compare a cloud with its nominal; deviations are positive outside."""
+        """Compare a cloud with its nominal; deviations are positive outside the material."""
         from measureapp.inspection.surface.deviation import compute_deviation
         from measureapp.inspection.surface.histogram import bin_deviations
         from measureapp.project.geometry.files import read_cloud_or_mesh, read_mesh
@@ -70,20 +72,20 @@ def register(app: typer.Typer) -> None:
         lines = [
             alignment_lines(found.alignment),
             "Deviation: " + ", ".join(f"{name} {value:+.3f} mm" for name, value in figures.items()),
-            f"{found.unmeasured_share:.1%} of the nominal's surface has no measured point near it.",
+            f"Not measured: {found.unmeasured_share:.1%} of the nominal's surface.",
         ]
         if tolerance is not None:
             bands = bin_deviations(found.distances_mm, *tolerance)
             document["bands"] = _bands_document(bands)
-            lines.append(f"Below the tolerance {bands.below:.2%}, within {bands.within:.2%}, above {bands.above:.2%} of the points.")
+            lines.append(f"Points below the tolerance {bands.below:.2%}, within {bands.within:.2%}, above {bands.above:.2%}.")
         if section:
             _write_sections(found, surface, section, section_width, section_file)
             document["sections"] = str(section_file)
-            lines.append(f"Sections: {section_file}")
+            lines.append(f"Sections saved to {section_file}")
         if map_file is not None:
             _write_map(found, surface, reach, map_file)
             document["map"] = str(map_file)
-            lines.append(f"Coloured nominal: {map_file}")
+            lines.append(f"Deviation map saved to {map_file}")
         reply(document, "\n".join(lines), as_json)
 
 
@@ -109,7 +111,7 @@ def _cyclic(align: str, measured: PlainPoints | Mesh, nominal: Mesh) -> Alignmen
 
     count = align.removeprefix("cyclic:")
     if not count.isdigit() or not 2 <= int(count) <= 1000:
-        raise InputError(f"--align {align}: how often the part repeats in one turn must be 2 to 1000.", "Give cyclic:7, for example.")
+        raise InputError(f"--align {align}: the number of positions must be 2 to 1000.", "Example: cyclic:7.")
     return cyclic_fit(MeasuredPoints.of(measured), NominalSurface(nominal), BestFit(fold=int(count)), InspectionSettings())
 
 

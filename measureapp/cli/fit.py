@@ -1,4 +1,4 @@
-"""`measureapp fit`: one shape through the points of a file."""
+"""`measureapp fit`: fit of one shape to the points of a file."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class ShapeName(StrEnum):
-    """What can be fitted."""
+    """Shapes to fit."""
 
     PLANE = "plane"
     LINE = "line"
@@ -30,7 +30,7 @@ class ShapeName(StrEnum):
 
 
 class Criterion(StrEnum):
-    """What is minimised."""
+    """Fit criterion."""
 
     LEAST_SQUARES = "least-squares"
     MINIMUM_ZONE = "minimum-zone"
@@ -42,20 +42,22 @@ def register(app: typer.Typer) -> None:
     @app.command("fit")
     def fit_points(
         shape: Annotated[ShapeName, typer.Argument(help="The shape to fit.")],
-        points: Annotated[Path, typer.Argument(help="One point a line (white space or commas), or a PLY, STL, OBJ or PCD file.")],
-        criterion: Annotated[Criterion, typer.Option(help="What is minimised.")] = Criterion.LEAST_SQUARES,
-        robust: Annotated[bool, typer.Option("--robust", help="Leave out outliers and say how many.")] = False,
+        points: Annotated[
+            Path, typer.Argument(help="Text file with one point per line (white space or commas), or a PLY, STL, OBJ or PCD file.")
+        ],
+        criterion: Annotated[Criterion, typer.Option(help="Fit criterion.")] = Criterion.LEAST_SQUARES,
+        robust: Annotated[bool, typer.Option("--robust", help="Reject outliers and report their number.")] = False,
         unit: UnitOption = LengthUnit.MM,
         as_json: JsonOption = False,
     ) -> None:
-        """Fit a shape by orthogonal distances."""
+        """Fit a shape to points by orthogonal distances."""
         from measureapp.errors import FitError
         from measureapp.geometry.fits import fit
         from measureapp.geometry.minimum_zone import fit_minimum_zone
 
         read = _read(points) * unit.in_mm
         if criterion is Criterion.MINIMUM_ZONE and robust:
-            raise FitError("A minimum zone holds all points.", "Leave --robust out.")
+            raise FitError("A minimum zone contains all points, it cannot reject outliers.", "Omit --robust.")
         if criterion is Criterion.MINIMUM_ZONE:
             zone = fit_minimum_zone(shape.value, read)
             document = _document(zone.feature, criterion.value) | {"proof": _proof(zone)}
@@ -73,7 +75,7 @@ def _read(path: Path) -> Any:
         return read_points(path).points_mm
     points = read_table(path)[:, :3]
     if not np.isfinite(points).all():
-        raise InputError(f"{path} holds points that are not numbers.", "Leave these lines out.")
+        raise InputError(f"{path} contains non-finite coordinates.", "Remove these lines.")
     return points
 
 
@@ -98,7 +100,7 @@ def _document(made: Feature, criterion: str) -> dict[str, Any]:
 
 
 def _proof(zone: MinimumZone) -> dict[str, Any]:
-    """Return why the zone is the narrowest: which points hold it (counted from 1), by which shares, and what is left unbalanced."""
+    """Return the proof of optimality of a minimum zone: contact points (from 1), their multipliers, and the remaining imbalance."""
     return {"contacts": (zone.contacts + 1).tolist(), "shares": zone.multipliers.tolist(), "imbalance": zone.imbalance}
 
 
@@ -108,7 +110,7 @@ def _lines(document: dict[str, Any]) -> str:
         if name == "standard_deviations":
             rows += [f"{'σ ' + key:<18} {sigma:.3g}" for key, sigma in value.items()]
         elif name == "proof":
-            rows.append(f"{'proof':<18} held by points {', '.join(map(str, value['contacts']))}; unbalanced {value['imbalance']:.0e}")
+            rows.append(f"{'proof':<18} contact points {', '.join(map(str, value['contacts']))}; imbalance {value['imbalance']:.0e}")
         elif name == "covariance":
             continue  # a table of numbers, for --json only
         elif isinstance(value, float):

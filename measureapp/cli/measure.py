@@ -1,4 +1,4 @@
-"""`measure`: dimensions of a cloud or mesh by an inspection program."""
+"""`measureapp measure`: dimensions of a cloud or mesh by an inspection program."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def register(app: typer.Typer) -> None:
             str | None,
             typer.Option(
                 "--alignment",
-                help="Instead of the program's: best-fit, none, local:FEATURE,…, cyclic:COUNT, 3-2-1:PLANE,LINE,POINT, "
+                help="Alignment in place of the program's: best-fit, none, local:FEATURE,…, cyclic:COUNT, 3-2-1:PLANE,LINE,POINT, "
                 "rps:POINT,POINT,POINT,… or datums:A,B,C.",
             ),
         ] = None,
@@ -34,13 +34,13 @@ def register(app: typer.Typer) -> None:
                 "--scale-ppm",
                 min=0,
                 max=1e6,
-                help="Standard uncertainty of all lengths, by the calibration board and the part's temperature.",
+                help="Relative standard uncertainty of the length scale (calibration board, part temperature), in ppm.",
             ),
         ] = 0.0,
         unit: UnitOption = LengthUnit.MM,
         as_json: JsonOption = False,
     ) -> None:
-        """Measure the dimensions of an inspection program; exit code 1 when any does not pass."""
+        """Measure the dimensions of an inspection program; exit code 1 unless all pass."""
         from measureapp.data.dimension import Verdict
         from measureapp.inspection.dimensions import inspect
         from measureapp.inspection.settings import InspectionSettings, UncertaintySettings

@@ -81,7 +81,7 @@ def dimension_line(dimension: Dimension) -> str:
 
 
 def alignment_lines(alignment: Alignment) -> str:
-    """Return the alignment of the part: name, residuals, undetermined degrees of freedom, notes."""
+    """Return an alignment in lines: name, residuals, undetermined motions, notes."""
     lines = [f"Alignment: {alignment.name}" + (f", rms {alignment.rms_mm:.3f} mm." if alignment.rms_mm > 0 else ".")]
     if alignment.residuals_mm:
         lines.append("Residuals: " + ", ".join(f"{name} {off:.4f} mm" for name, off in alignment.residuals_mm.items()) + ".")

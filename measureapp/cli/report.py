@@ -1,4 +1,4 @@
-"""`report`: the documents of a measured project."""
+"""`measureapp report`: the report documents of a measured project."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ def register(app: typer.Typer) -> None:
         pdf: Annotated[bool, typer.Option("--pdf", help="Write report.pdf.")] = False,
         csv: Annotated[bool, typer.Option("--csv", help="Write report.csv.")] = False,
         html: Annotated[bool, typer.Option("--html", help="Write report.html.")] = False,
-        out: Annotated[Path | None, typer.Option("--out", help="Folder for the documents; by default the project's.")] = None,
+        out: Annotated[Path | None, typer.Option("--out", help="Output folder; by default the project's.")] = None,
         as_json: JsonOption = False,
     ) -> None:
-        """Write the documents of the last measurement: those named, or PDF, CSV and JSON."""
+        """Write the report of the last measurement in the chosen formats (default: PDF, CSV and JSON)."""
         from measureapp.errors import StorageError
         from measureapp.project.folder import ProjectFolder
         from measureapp.project.geometry.files import read_mesh
@@ -35,7 +35,7 @@ def register(app: typer.Typer) -> None:
         folder = ProjectFolder.open(project)
         measurement = folder.measurement()
         if measurement is None:
-            raise StorageError(f"{project} holds no measurement to report on.", "Scan, or recompute it: measureapp process PROJECT.")
+            raise StorageError(f"{project} contains no measurement.", "Scan first, or recompute it: measureapp process PROJECT.")
         nominal = None if folder.nominal is None else read_mesh(folder.nominal)
         model = compose(measurement, nominal, progress=TerminalProgress())
         files = write_documents(model, out or folder.report_pdf.parent, _kinds(pdf, csv, html))
@@ -44,8 +44,8 @@ def register(app: typer.Typer) -> None:
 
 
 def _kinds(pdf: bool, csv: bool, html: bool) -> tuple[DocumentKind, ...]:
-    asked: list[DocumentKind] = []
+    chosen: list[DocumentKind] = []
     for kind, wanted in (("pdf", pdf), ("csv", csv), ("html", html)):
         if wanted:
-            asked.append(kind)  # type: ignore[arg-type]
-    return tuple(asked) or ("pdf", "csv", "json")
+            chosen.append(kind)  # type: ignore[arg-type]
+    return tuple(chosen) or ("pdf", "csv", "json")

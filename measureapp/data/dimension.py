@@ -1,4 +1,4 @@
-"""A toleranced value, as it stands on the report."""
+"""Dimensions: toleranced values with uncertainty and verdict."""
 
 from __future__ import annotations
 
@@ -6,12 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-CONTRIBUTIONS = ("noise", "stitching", "calibration", "form", "common", "scale")  # that make up the uncertainty of a dimension
-CONTRIBUTION_DIGITS = 4  # so that what a small share adds is seen
+CONTRIBUTIONS = ("noise", "stitching", "calibration", "form", "common", "scale")  # of the uncertainty budget
+CONTRIBUTION_LABELS = {"common": "systematic"}  # where the printed name differs from that in files
+CONTRIBUTION_DIGITS = 4  # so that small contributions are visible
 
 
 class Verdict(StrEnum):
-    """Outcome of a comparison with a tolerance by ISO 14253-1."""
+    """Conformance decision by ISO 14253-1."""
 
     PASS = "pass"
     FAIL = "fail"
@@ -35,8 +36,8 @@ class Dimension:
     features: tuple[str, ...] = ()
     kind: str = ""  # "distance", "flatness", …
     datums: tuple[str, ...] = ()  # A, B, C
-    traceability: str = ""  # where the value came from: points, filter, criterion, datums, and what was assumed for its uncertainty
-    budget: Mapping[str, float] = field(default_factory=dict)  # the `CONTRIBUTIONS` of `uncertainty`, k = 2; their squares add up
+    traceability: str = ""  # source of the value: points, filter, criterion, datums, and assumptions for its uncertainty
+    budget: Mapping[str, float] = field(default_factory=dict)  # the `CONTRIBUTIONS` to `uncertainty`, k = 2, to be added in quadrature
 
     @property
     def deviation(self) -> float | None:
@@ -44,14 +45,15 @@ class Dimension:
         return None if self.measured is None else self.measured - self.nominal
 
     def rank_contributions(self, digits: int = CONTRIBUTION_DIGITS) -> list[tuple[str, float]]:
-        """Return the shares of the uncertainty (k = 2), the largest first, without those that would read as zero."""
-        return sorted(((name, size) for name, size in self.budget.items() if round(size, digits) > 0), key=lambda share: -share[1])
+        """Return the labelled contributions to the uncertainty (k = 2), largest first, without those that round to zero."""
+        printed = [(CONTRIBUTION_LABELS.get(name, name), size) for name, size in self.budget.items() if round(size, digits) > 0]
+        return sorted(printed, key=lambda contribution: -contribution[1])
 
     def round_uncertainty(self, digits: int = 3) -> float | None:
-        """Return the uncertainty for so many digits: one that would read as zero is rounded up to the last of them (JCGM 100, 7.2.6)."""
+        """Return the uncertainty for printing with ``digits``: at least one unit of the last digit (JCGM 100, 7.2.6)."""
         return max(self.uncertainty, 10.0**-digits) if self.uncertainty else self.uncertainty
 
     @property
     def relative_deviation(self) -> float | None:
-        """Error over nominal; None where the nominal is zero."""
+        """Deviation over nominal; None where the nominal is zero."""
         return None if self.deviation is None or self.nominal == 0 else self.deviation / self.nominal

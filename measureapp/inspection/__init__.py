@@ -1,1 +1,1 @@
-"""Features, dimensions, alignment and deviation."""
+"""Inspection: features, dimensions, alignment, deviation from the nominal."""

@@ -1,4 +1,4 @@
-"""Inspection of a part: from measured points and a program to features, dimensions and verdicts."""
+"""Inspection of a part: features, dimensions and verdicts from measured points and an inspection program."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from measureapp.inspection.value import Budget, Value
 from measureapp.inspection.verdict import decide_verdict
 from measureapp.progress import NoProgress, PartOf, Progress
 
-MOST_LISTED = 4  # features that are named one by one in where a value came from
+MOST_LISTED = 4  # features listed individually in the traceability of a value
 
 
 def inspect(
@@ -37,19 +37,19 @@ def inspect(
     progress: Progress = NoProgress(),  # noqa: B008 - stateless
     alignment: Alignment | None = None,
 ) -> Inspection:
-    """Measure the features and dimensions of ``program`` on measured points.
+    """Evaluate the features and dimensions of ``program`` on measured points.
 
     Parameters
     ----------
     measured : stitched cloud, cloud, plain points or mesh, in the part's frame
-    nominal : mesh of the nominal; needed for a best fit, and for keeping away from its edges
-    alignment : one known beforehand; None finds the one the program names
+    nominal : mesh of the nominal; needed for a best fit, and to exclude points near its edges
+    alignment : known alignment; None: the one the program defines
 
     Raises
     ------
     InspectionError
-        There are no points, the best fit has no nominal, the points do not match it or are in another unit. A single feature or
-        dimension that has no answer does not raise: it is "not measured" with its reason.
+        There are no points, a best fit has no nominal, or the points do not match it or are in another unit. A single feature or
+        dimension without a result does not raise: it is "not measured" with its reason.
     """
     points = MeasuredPoints.of(measured)
     surface = None if nominal is None else NominalSurface(nominal)
@@ -64,7 +64,7 @@ def inspect(
     progress.report(2, 3, "dimensions")
     dimensions = tuple(_dimension(described, found, settings) for described in program.dimensions)
     features = tuple(one.feature for one in found.values() if one.feature is not None)
-    progress.report(3, 3, "inspected")
+    progress.report(3, 3, "inspection complete")
     return Inspection(program.name, placed, features, dimensions)
 
 
@@ -75,14 +75,14 @@ def _check_unit(
     surface: NominalSurface | None,
     settings: InspectionSettings,
 ) -> None:
-    """Ask about the unit of points that lie on the nominal in another unit only; without a nominal mesh, that its features are found on."""
+    """Ask about the unit of points that match the nominal in another unit only; without a nominal mesh, its features."""
     if surface is not None:
         check_unit_against(points, surface)
         return
 
     def agreeing(factor: float) -> float:
         if factor < 1.0:
-            return 0.0  # shrunk to a speck, any points lie on a feature near the origin
+            return 0.0  # strongly reduced, any points match a feature near the origin
         taken = found if factor == 1.0 else find_features(replace(points, points_mm=points.points_mm * factor), program, surface, settings)
         measured = [name for one in program.features if isinstance(one, MeasuredFeature) for name in copy_names(one.name, one.repeat)]
         return float(np.mean([taken[name].feature is not None for name in measured])) if measured else 1.0
@@ -102,7 +102,7 @@ def _dimension(described: DimensionProgram, found: dict[str, FoundFeature], sett
     if not (np.isfinite(value.value) and np.isfinite(uncertainty)):
         return _make_dimension(described, found, None, None, Verdict.NOT_MEASURED, "the points do not determine this value")
     lower, upper = (-np.inf if described.kind in ZONES else described.lower_tolerance), described.upper_tolerance + value.bonus
-    # no zone is too narrow
+    # a zone has no lower limit
     verdict = decide_verdict(value.value - described.nominal, uncertainty, lower, upper, settings.verdict_rule)
     how = "; ".join(filter(None, (value.how, *assumptions)))
     made = _make_dimension(described, found, value.value, uncertainty, verdict, "", how, value.bonus)
@@ -110,7 +110,7 @@ def _dimension(described: DimensionProgram, found: dict[str, FoundFeature], sett
 
 
 def _evaluate(described: DimensionProgram, found: dict[str, FoundFeature], settings: InspectionSettings) -> Value:
-    """The value, or mean, least or greatest value of a pattern; the noise of a mean averages out, that of an extreme does not."""
+    """Return the value, or the mean, minimum or maximum over a pattern; noise averages out in a mean only."""
     values = [
         evaluate_dimension(described, tuple(found[name] for name in names), tuple(found[name] for name in datums), settings)
         for names, datums in zip(described.feature_sets, described.datum_sets, strict=True)
@@ -147,13 +147,13 @@ def _complete_budget(
 
 
 def _average_budgets(budgets: list[Budget], apart: bool) -> Budget:
-    """Shares of a mean: noise of copies that stand apart averages out; what they share may be alike in all and is taken to be."""
+    """Return the budget of a mean: noise of disjoint copies averages out; all other contributions are taken as fully correlated."""
     means = {share: float(np.mean([budget.get(share, 0.0) for budget in budgets])) for share in sorted({NOISE}.union(*budgets))}
     return means | {NOISE: float(np.linalg.norm([budget.get(NOISE, 0.0) for budget in budgets])) / len(budgets)} if apart else means
 
 
 def _are_disjoint(described: DimensionProgram) -> bool:
-    """Tell whether no feature or datum belongs to two copies: its noise would be in both."""
+    """Return whether no feature or datum belongs to two copies, whose noise would be correlated."""
     names = [name for i in range(len(described.feature_sets)) for name in {*described.feature_sets[i], *described.datum_sets[i]}]
     return len(names) == len(set(names))
 
@@ -193,7 +193,7 @@ def _distinct(sets: tuple[tuple[str, ...], ...]) -> tuple[str, ...]:
 
 
 def _describe_traceability(described: DimensionProgram, found: list[FoundFeature], how: str) -> str:
-    """Say what a value rests on: points used and left out, filter and criterion, datums in their order, copies."""
+    """Describe the source of a value: points used and rejected, filter and criterion, datums in order, copies."""
     words = [_describe_points(found)]
     if how:
         words.append(how)
@@ -205,11 +205,11 @@ def _describe_traceability(described: DimensionProgram, found: list[FoundFeature
 
 
 def _describe_points(found: list[FoundFeature]) -> str:
-    """Name the points of each feature; of a long pattern all together."""
+    """Describe the points of each feature; for long patterns the total."""
     fitted = [one for one in found if one.feature is not None and len(one.points_mm)]
     if len(found) > MOST_LISTED:
         left_out = sum(one.feature.left_out for one in fitted if one.feature is not None)
-        return f"{len(fitted)} features: {sum(len(one.points_mm) for one in fitted)} points, {left_out} left out"
+        return f"{len(fitted)} features: {sum(len(one.points_mm) for one in fitted)} points, {left_out} rejected"
     return ", ".join(_describe_feature(one) for one in found)
 
 
@@ -218,7 +218,7 @@ def _describe_feature(found: FoundFeature) -> str:
         return f"{found.name}: not found"
     if len(found.points_mm) == 0:
         return f"{found.name}: constructed"
-    words = f"{found.name}: {len(found.points_mm)} points, {found.feature.left_out} left out"
+    words = f"{found.name}: {len(found.points_mm)} points, {found.feature.left_out} rejected"
     if found.draws:
-        words += f", small piece: Monte Carlo, {found.draws} draws"
+        words += f", small segment: Monte Carlo, {found.draws} draws"
     return f"{words} ({found.feature.how})" if found.feature.how else words

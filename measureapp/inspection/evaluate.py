@@ -1,4 +1,4 @@
-"""Values of sizes and between features: distance, thickness, step, diameter, radius, angles, each with where its uncertainty comes from; the rest is sent on."""
+"""Evaluation of dimensions: sizes and distances here, form, tolerances and blades in their own modules."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ Measure = Callable[[Sequence[Feature]], float]
 def evaluate_dimension(
     described: DimensionProgram, found: tuple[FoundFeature, ...], datums: tuple[FoundFeature, ...], settings: InspectionSettings
 ) -> Value:
-    """Return the value of one dimension from its features and datums.
+    """Evaluate one dimension from its features and datums.
 
     Raises
     ------
@@ -44,7 +44,7 @@ def evaluate_dimension(
     if kind in ZONES:
         return evaluate_tolerance(described, found[0], datums, settings)
     value, budget = propagate(_measure(kind, found, settings), found)
-    if kind in SIZES and found[0].draws:  # simulated points know the size better than the covariance does
+    if kind in SIZES and found[0].draws:  # the simulated fits describe the size better than the covariance
         budget = {**budget, NOISE: _size_noise(kind, found[0])}
     return Value(value, budget)
 
@@ -52,7 +52,7 @@ def evaluate_dimension(
 def evaluate_pattern_mean(
     described: DimensionProgram, sets: Sequence[tuple[FoundFeature, ...]], settings: InspectionSettings
 ) -> Value | None:
-    """Return the mean over the copies of a pattern, whose features share errors; None for kinds that are no plain function of features."""
+    """Return the mean over the copies of a pattern with correlated errors; None for kinds that are not a function of features alone."""
     if described.kind not in {*SIZES, *PAIRS} or any(one.draws for found in sets for one in found):
         return None
     measures = [_measure(described.kind, found, settings) for found in sets]
@@ -65,7 +65,7 @@ def evaluate_pattern_mean(
 
 
 def _measure(kind: str, found: Sequence[FoundFeature], settings: InspectionSettings) -> Measure:
-    """Return what gives the value from features that lie like the ones found. Raises InspectionError where there is none."""
+    """Return the function from features to the value. Raises InspectionError if it is undefined for these features."""
     if kind in SIZES:
         return SIZES[kind](require_feature(found[0]))
     return PAIRS[kind](require_feature(found[0]), require_feature(found[1]), settings)
@@ -110,45 +110,47 @@ def _distance(first: Feature, second: Feature, settings: InspectionSettings) -> 
 
 
 def _between_planes(first: Feature, second: Feature, settings: InspectionSettings) -> Measure:
-    """From the centroid of each plane to the other along the mean normal."""
+    """Distance of the centroids of two planes along their mean normal."""
     _require_parallel(first, second, settings)
     return lambda of: abs(float((of[1].point_mm - of[0].point_mm) @ _mean_direction(of[0], of[1])))
 
 
 def _to_plane(first: Feature, second: Feature, plane: int, settings: InspectionSettings) -> Measure:
-    """From a centre, or from an axis that runs along the plane, to the plane."""
+    """Distance of a centre, or of an axis parallel to the plane, from the plane."""
     thing, surface = (second, first) if plane == 0 else (first, second)
     normal = require_direction(surface)
     if thing.shape in AXES:
         lean = np.degrees(np.arcsin(min(1.0, abs(float(require_direction(thing) @ normal)))))
         if lean > settings.parallel_within_deg:
-            raise InspectionError(f"{thing.name} is inclined by {lean:.1f}° to {surface.name}: they have no distance")
+            raise InspectionError(f"{thing.name} is inclined by {lean:.1f}° to {surface.name}: their distance is undefined")
     return lambda of: abs(float((of[1 - plane].point_mm - of[plane].point_mm) @ require_direction(of[plane])))
 
 
 def _thickness(first: Feature, second: Feature, settings: InspectionSettings) -> Measure:
-    """Between two opposite surface points or planes, along their mean normal."""
+    """Thickness between two opposite surface points or planes, along their mean normal."""
     if first.shape == second.shape == "plane":
         return _between_planes(first, second, settings)
     facing = np.degrees(np.arccos(np.clip(-float(require_direction(first) @ require_direction(second)), -1, 1)))
     if facing > OPPOSED_WITHIN_DEG:
-        raise InspectionError(f"{first.name} and {second.name} do not lie opposite each other ({facing:.0f}° off): there is no thickness")
+        raise InspectionError(
+            f"{first.name} and {second.name} do not face opposite directions ({facing:.0f}° off): their thickness is undefined"
+        )
     return lambda of: abs(float((of[0].point_mm - of[1].point_mm) @ _mean_direction(of[0], of[1])))
 
 
 def _step(first: Feature, second: Feature, settings: InspectionSettings) -> Measure:
-    """How much higher the second plane lies than the first, along the first's outward normal."""
+    """Height of the second plane above the first, along the first's outward normal."""
     for feature in (first, second):
         if feature.shape != "plane":
             raise InspectionError(f"{feature.name} is a {feature.shape}: a step is defined between planes")
     _require_parallel(first, second, settings)
     if require_direction(first) @ require_direction(second) < 0:
-        raise InspectionError(f"{first.name} and {second.name} face away from each other: they have a distance, not a step")
+        raise InspectionError(f"{first.name} and {second.name} face opposite directions: measure a distance, not a step")
     return lambda of: float((of[1].point_mm - of[0].point_mm) @ _mean_direction(of[0], of[1]))
 
 
 def _angle(first: Feature, second: Feature, _: InspectionSettings) -> Measure:
-    """Between the directions as drawn: outward normals of planes, axes of cylinders and cones."""
+    """Angle between nominal senses of direction: outward normals of planes, axes of cylinders and cones."""
     for feature in (first, second):
         require_direction(feature)
     return lambda of: float(np.degrees(np.arccos(np.clip(require_direction(of[0]) @ require_direction(of[1]), -1, 1))))
@@ -159,7 +161,9 @@ def _require_parallel(first: Feature, second: Feature, settings: InspectionSetti
     angle = float(np.degrees(np.arccos(min(1.0, cosine))))
     if angle > settings.parallel_within_deg:
         limit = settings.parallel_within_deg
-        raise InspectionError(f"{first.name} and {second.name} are {angle:.1f}° from parallel (limit {limit:g}°): they have no distance")
+        raise InspectionError(
+            f"{first.name} and {second.name} are {angle:.1f}° from parallel (limit {limit:g}°): their distance is undefined"
+        )
 
 
 def _mean_direction(first: Feature, second: Feature) -> FloatArray:

@@ -1,4 +1,4 @@
-"""The features of a program, found on the measured points."""
+"""Evaluation of all features of an inspection program on the measured points."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ def find_features(
     progress: Progress = NoProgress(),  # noqa: B008 - stateless
     only: Collection[str] | None = None,
 ) -> dict[str, FoundFeature]:
-    """Return every feature, or why it was not found, by name; ``points`` are in the nominal's frame.
+    """Return every feature, or the reason why it was not found, by name; ``points`` are in the nominal's frame.
 
     Parameters
     ----------
-    only : names of the features wanted (what they are made of is found too); None wants all
+    only : names of the required features (their dependencies are evaluated too); None: all
     """
     wanted = None if only is None else _with_dependencies(program, only)
     edges = None if surface is None else surface.sharp_edges()
@@ -55,7 +55,7 @@ def find_features(
 
 def _with_dependencies(program: InspectionProgram, names: Collection[str]) -> set[str]:
     wanted = set(names)
-    for described in reversed(program.features):  # a feature is made of features before it
+    for described in reversed(program.features):  # a feature depends on earlier features only
         if isinstance(described, ConstructedFeature) and not wanted.isdisjoint(copy_names(described.name, described.repeat)):
             wanted.update(needed_names(described))
     return wanted

@@ -1,4 +1,4 @@
-"""The points an inspection works on, whatever they came from."""
+"""Measured points of an inspection, from clouds, files or meshes."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from measureapp.errors import InspectionError
 from measureapp.geometry.transform import RigidTransform
 
 MESH_SAMPLES = 200_000
-ALIGNING_POINTS = 20_000  # tell where a part lies as well as all of them
-SAMPLE_SEED = 20  # so that a file gives the same numbers again
-CANDIDATES_PER_POINT = 100  # points for one that is kept: of more the cells tell nothing new
-LEAST_OF_A_CELL = 0.25  # of the usual number of points
+ALIGNING_POINTS = 20_000  # sufficient for the common motion of a part
+SAMPLE_SEED = 20  # reproducible results
+CANDIDATES_PER_POINT = 100  # candidates per retained point
+LEAST_OF_A_CELL = 0.25  # of the median number of points
 
 
 class HasPoints(Protocol):
@@ -30,12 +30,12 @@ class HasPoints(Protocol):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MeasuredPoints:
-    """Points of a measured surface; what is unknown is None."""
+    """Points of a measured surface; unknown columns are None."""
 
     points_mm: FloatArray  # (N, 3) float64
     normals: FloatArray | None = None  # (N, 3), unit, outwards
     sigma_mm: FloatArray | None = None  # (N,)
-    view: IntArray | None = None  # (N,), index of a view it was measured in: each as often as it weighs, where that is known
+    view: IntArray | None = None  # (N,), a view of each point, sampled by weight where that is known
     errors: ViewErrors | None = None  # of those views
 
     def __post_init__(self) -> None:
@@ -46,7 +46,7 @@ class MeasuredPoints:
 
     @classmethod
     def of(cls, source: MeasuredPoints | HasPoints | Mesh) -> MeasuredPoints:
-        """Take the points out of a cloud, or sample the measured part of a mesh evenly.
+        """Return the points of a cloud, or an even sample of the measured part of a mesh.
 
         Raises
         ------
@@ -72,7 +72,7 @@ class MeasuredPoints:
         return replace(self, points_mm=transform.apply(self.points_mm), normals=normals, errors=errors)
 
     def remove_alignment_motion(self) -> MeasuredPoints:
-        """Return the same points after an alignment by their surface, which followed what their views err by together."""
+        """Return the same points with errors reduced by the common motion that an alignment by the surface compensates."""
         if self.errors is None or self.view is None or self.normals is None:
             return self
         some = self.thin(ALIGNING_POINTS)
@@ -81,19 +81,19 @@ class MeasuredPoints:
         return replace(self, errors=errors)
 
     def with_scale_uncertainty(self, ppm: float) -> MeasuredPoints:
-        """Return the same points with this standard uncertainty of all lengths, where it is known what their views err by."""
+        """Return the same points with this relative standard uncertainty of the length scale, if they have an error model."""
         return self if self.errors is None else replace(self, errors=replace(self.errors, scale=ppm * 1e-6))
 
     def thin(self, count: int) -> MeasuredPoints:
-        """Return about ``count`` points spread evenly over the surface: one of each cell of a grid."""
+        """Return about ``count`` points, evenly distributed over the surface."""
         return self if len(self) <= count else self.where(thin_indices(self.points_mm, count))
 
 
 def thin_indices(points_mm: FloatArray, count: int) -> IntArray:
-    """Return the indices, ascending, of about ``count`` points spread evenly over the surface: any one of each cell of a grid.
+    """Grid subsampling: return ascending indices of about ``count`` points, one random point per cell.
 
-    Which one is drawn by lot, as points are sorted by place and the first would lie to one side of the surface. Cells with hardly any
-    points are left out: such hold what noise carries over the border of the next, and strays.
+    The choice is random because points are sorted by position, so that the first of a cell would be biased to one side of the surface.
+    Cells with few points are skipped: they contain noise from a neighbouring cell, or stray points.
     """
     if len(points_mm) <= count:
         return np.arange(len(points_mm))
@@ -110,7 +110,7 @@ def thin_indices(points_mm: FloatArray, count: int) -> IntArray:
 
 
 def _first_of_each_cell(offsets_mm: FloatArray, size_mm: float) -> tuple[IntArray, IntArray]:
-    """Return the first point of every cell and how many it holds."""
+    """Return the index of the first point of every cell, and the number of its points."""
     index = np.floor(offsets_mm / size_mm).astype(np.int64)
     key = (index[:, 0] << 42) + (index[:, 1] << 21) + index[:, 2]
     _, first, points = np.unique(key, return_index=True, return_counts=True)
@@ -124,12 +124,12 @@ def _from_cloud(source: HasPoints) -> MeasuredPoints:
     if sigma is not None and not bool(np.all(np.isfinite(sigma) & (np.asarray(sigma) > 0))):
         sigma = None
     if normals is not None and not bool(np.all(np.any(np.asarray(normals) != 0, axis=1))):
-        normals = None  # a file without normals for some points: better judged by place alone
+        normals = None  # normals missing for some points: use positions only
     return MeasuredPoints(source.points_mm, normals, sigma, view if drawn is None else drawn, None if view is None else errors)
 
 
 def sample_mesh(mesh: Mesh, count: int = MESH_SAMPLES) -> MeasuredPoints:
-    """Sample ``mesh`` evenly by area, leaving out triangles that were filled without points."""
+    """Sample ``mesh`` evenly by area, without triangles that were filled."""
     triangles = np.asarray(mesh.triangles)
     if mesh.measured is not None:
         triangles = triangles[mesh.measured[triangles].all(axis=1)]

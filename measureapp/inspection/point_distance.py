@@ -1,4 +1,4 @@
-"""The distance between two single measured points, as one clicks it in the picture."""
+"""Distance between two single measured points, with expanded uncertainty."""
 
 from __future__ import annotations
 
@@ -18,26 +18,26 @@ def point_distance(
     views: tuple[int, int] | None = None,
     errors: ViewErrors | None = None,
 ) -> tuple[float, float]:
-    """Return the distance of two points in mm and its expanded uncertainty (k = 2).
+    """Return the distance of two points in mm, and its expanded uncertainty (k = 2).
 
-    The noise of both points counts in full, as if the distance ran along their viewing rays. How two views lie to each other is taken
-    from the stitched cloud's errors; where these are not known, the views stand off independently of each other. One view alone
-    does not change its own lengths. Which place of the surface was clicked is not part of it.
+    The noise of both points counts fully, as if the distance were along their viewing rays. The relative position of two views follows
+    from the error model of the stitched cloud; without one, the views are displaced independently. The choice of the points on the
+    surface is not part of the uncertainty.
 
     Parameters
     ----------
     points_mm : (2, 3)
     sigmas_mm : standard deviation of each point along its viewing ray
     same_view : whether one view measured both points
-    views, errors : by number the views of both points, and how the views of the stitched cloud err; None where not known
+    views, errors : numbers of the views of both points, and the error model of the stitched cloud; None where not known
     """
     length = float(np.linalg.norm(points_mm[1] - points_mm[0]))
     scale_mm = settings.scale_ppm * 1e-6 * length
     if errors is not None and views is not None and length > 0:
         along = np.tile((points_mm[1] - points_mm[0]) / length, (2, 1))
-        shares = {share: columns[1] - columns[0] for share, columns in errors.along(points_mm, along, np.array(views)).items()}
-        known = [float(np.linalg.norm(change)) for change in shares.values()]
+        contributions = {name: columns[1] - columns[0] for name, columns in errors.along(points_mm, along, np.array(views)).items()}
+        known = [float(np.linalg.norm(change)) for change in contributions.values()]
         noise = float(np.linalg.norm([*sigmas_mm, *known, scale_mm]))
-        return length, COVERAGE_FACTOR * noise if "calibration" in shares else expand_uncertainty(noise, length, settings)
+        return length, COVERAGE_FACTOR * noise if "calibration" in contributions else expand_uncertainty(noise, length, settings)
     placed = 0.0 if same_view else np.sqrt(2.0) * settings.placement_mm
     return length, expand_uncertainty(float(np.linalg.norm([*sigmas_mm, placed, scale_mm])), length, settings)

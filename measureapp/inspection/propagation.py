@@ -1,4 +1,4 @@
-"""From the errors of features and of extracted surfaces to the uncertainty of what is computed from them."""
+"""Propagation of the errors of features and extracted surfaces to values computed from them (JCGM 100, 5.2.2)."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from measureapp.inspection.value import Budget, require_feature
 
 
 def propagate(value: Callable[[Sequence[Feature]], float], found: Sequence[FoundFeature]) -> tuple[float, Budget]:
-    """Return ``value`` of the features and what each share of their errors adds to its standard uncertainty.
+    """Return ``value`` of the features, and the contributions to its standard uncertainty.
 
-    All features are moved together by one standard deviation to either side along every principal direction of each source of
-    errors, and the larger change counts; the squares are summed. Errors that features share so cancel as far as they do in the
-    value. Where the value is smooth this is the law of propagation with correlations (JCGM 100, 5.2.2); at a kink, like a distance
-    that is zero, it keeps the uncertainty that the derivative loses.
+    All features are perturbed together by one standard deviation to both sides along every principal direction of each error source; the
+    larger change counts, and the squares are summed. Errors shared by several features therefore cancel as far as they do in the value.
+    For a smooth value this is the law of propagation with correlations (JCGM 100, 5.2.2); at a kink, such as a distance of zero, it
+    retains the uncertainty that a derivative loses.
     """
     return _propagate(lambda features, _: value(features), found, None)
 
@@ -28,7 +28,7 @@ def propagate(value: Callable[[Sequence[Feature]], float], found: Sequence[Found
 def propagate_with_surface(
     value: Callable[[Sequence[Feature], FloatArray], float], found: Sequence[FoundFeature], cells: Cells
 ) -> tuple[float, Budget]:
-    """Return the same for a value of features and of the means (K, 3) of a surface, which moves with the views it was measured in."""
+    """Return the same for a value of features and of the cell means (K, 3) of a surface, perturbed by the errors of their views."""
     return _propagate(lambda features, heights: value(features, cells.displace(heights)), found, cells)
 
 
@@ -58,12 +58,12 @@ def _propagate(
 def _stack_errors(
     errors: Sequence[Errors | Mapping[ErrorSource, FloatArray]], sizes: Sequence[int]
 ) -> Iterable[tuple[ErrorSource, FloatArray]]:
-    """Give the errors of everything below each other, by source; zero for what does not have them."""
+    """Stack the errors of all items by source, with zeros for items without this source."""
     for source in dict.fromkeys(source for own in errors for source in own):
         width = next(own[source].shape[1] for own in errors if source in own)
         yield source, np.vstack([own.get(source, np.zeros((size, width))) for own, size in zip(errors, sizes, strict=False)])
 
 
 def _scale(feature: Feature) -> FloatArray:
-    """What makes point, direction and sizes comparable."""
+    """Return the scales that make point, direction and sizes comparable."""
     return np.array([1.0] * 3 + [TURN_MM] * 3 + [TURN_MM if name.endswith("_rad") else 1.0 for name in size_names(feature)])

@@ -1,4 +1,4 @@
-"""The sections that an inspection program measures in, as curves to be drawn: of blades, and of line profiles."""
+"""Section curves of an inspection program for display: blade sections and line profiles."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ LEAST_RUN = 2  # points of a curve
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SectionCurves:
-    """Sections by name, in the nominal's frame; what could not be found is left out."""
+    """Sections by name, in the nominal's frame; missing ones were not found."""
 
     blades: Mapping[str, BladeCurves]  # by feature: "middle.3"
-    nominal_blades: Mapping[str, tuple[FloatArray, ...]]  # by feature: where the section cuts the nominal's blade, curves (K, 3)
+    nominal_blades: Mapping[str, tuple[FloatArray, ...]]  # by feature: curves (K, 3) in which the section cuts the nominal blade
     profiles: Mapping[str, Section]  # by dimension: line profiles
 
 
@@ -40,7 +40,7 @@ def find_section_curves(
     settings: InspectionSettings = InspectionSettings(),  # noqa: B008 - frozen
     progress: Progress = NoProgress(),  # noqa: B008 - stateless
 ) -> SectionCurves:
-    """Find the curves of every section of ``program`` on measured points that lie on their nominal."""
+    """Find the curves of every section of ``program`` on aligned measured points."""
     blades: dict[str, BladeCurves] = {}
     nominal: dict[str, tuple[FloatArray, ...]] = {}
     described = [feature for feature in program.features if isinstance(feature, BladeSection)]
@@ -53,7 +53,7 @@ def find_section_curves(
             cut = CuttingPlane.through(np.asarray(dimension.section.point_mm, float), np.asarray(dimension.section.normal, float))
             try:
                 profiles[dimension.name] = cut_section(dimension.name, found, surface, cut, settings.form_cell_mm / 2)
-            except InspectionError:  # it meets nothing: the dimension is not measured, and says so
+            except InspectionError:  # the dimension itself is "not measured" with its reason
                 continue
     return SectionCurves(blades, nominal, profiles)
 
@@ -76,7 +76,7 @@ def _add_blades(
             continue
         try:
             made = fit_profile(frame.flatten(frame.rotate_to_first(found.points_mm[chosen], number)), frame.shape)
-        except FitError:  # its dimensions are not measured, and say why
+        except FitError:  # its dimensions are "not measured" with their reason
             continue
         blades[name] = trace_blade_curves(made, frame, number)
 
@@ -89,7 +89,7 @@ def _inside(curve_mm: FloatArray, frame: SectionFrame) -> BoolArray:
 
 
 def _runs(curve_mm: FloatArray, inside: BoolArray) -> list[FloatArray]:
-    """Return the unbroken parts of a curve whose points are inside; a closed curve is one part across its end."""
+    """Return the connected parts of a curve whose points are inside; a closed curve may be connected across its end."""
     if inside.all():
         return [curve_mm]
     closed = len(curve_mm) > LEAST_RUN and np.allclose(curve_mm[0], curve_mm[-1])

@@ -1,17 +1,17 @@
-"""How sure a dimension is: from the scatter of its points, and from what the scatter does not show.
+"""Uncertainty budget of a dimension.
 
-Standard uncertainties are combined in quadrature (JCGM 100), by shares:
+Standard uncertainties are combined in quadrature (JCGM 100). Contributions:
 
-- noise: standard deviations of the fit from the points' residuals, widened by a factor when neighbouring points
-  err together (see `correlation_factor`);
-- stitching: where the views lie, by the joint covariance of their poses; what moves features alike drops out;
-- calibration: how the cameras' calibration bends all clouds alike, while poses follow;
-- form: smooth errors that each cloud has by itself;
-- common: what all clouds may have alike beside the calibration;
-- scale: what all lengths are measured by, as far as it was stated: the calibration board's lengths, the temperature of the part.
+- noise: standard deviation of the fit from the residuals, multiplied by a factor for correlated neighbouring points
+  (see `correlation_factor`);
+- stitching: joint covariance of the poses of the views; a common motion of features cancels;
+- calibration: distortion of all clouds by errors of the camera calibration, with the poses adapted to it;
+- form: smooth form errors of single clouds;
+- common: systematic errors shared by all clouds, beyond the calibration;
+- scale: length scale, as far as stated: calibration board and part temperature.
 
-Where a cloud does not know of its views or of the calibration, the settings stand in and every result says so: each view stands off
-by `placement_mm` on its own, and lengths by `systematic_mm` and `systematic_relative` of the length.
+For a cloud without an error model, the settings are used and stated with every result: an independent displacement `placement_mm` of each
+view, and `systematic_mm` plus `systematic_relative` of a length for the calibration.
 
 The expanded uncertainty is twice the result (k = 2).
 """
@@ -26,30 +26,30 @@ from measureapp.arrays import FloatArray, IntArray
 from measureapp.inspection.settings import UncertaintySettings
 
 COVERAGE_FACTOR = 2.0
-CELL_SIZES, LEAST_CELLS = (1.0, 2.0), 8  # of the correlation length; so many cells make a size count
+CELL_SIZES, LEAST_CELLS = (1.0, 2.0), 8  # of the correlation length; least number of cells per size
 SMALL_CELL_SIZES, LEAST_SMALL_CELLS = (0.125, 0.25, 0.5), 24
-CHANCE = 2.0  # standard deviations of the square of a factor, which independent errors have by chance
-VARIANCE, BEYOND_VARIANCE = 2.0, 6.5  # of it, times the number of cells: of a square, and of twice that less the one of cells half as large
+CHANCE = 2.0  # standard deviations of the squared factor below which independent errors explain it
+VARIANCE, BEYOND_VARIANCE = 2.0, 6.5  # of the squared factor times the number of cells: of one size, and extrapolated from two sizes
 PLANE = 3  # unknowns of a plane's fit
-LEAST_PER_UNKNOWN = 2.5  # cells: of fewer the fit takes off too much to correct for
+LEAST_PER_UNKNOWN = 2.5  # least number of cells per fitted parameter
 
 
 def correlation_factor(points_mm: FloatArray, residuals_mm: FloatArray, correlation_mm: float, unknowns: int = PLANE) -> float:
-    """Return by how much errors shared among neighbours widen the standard deviation of a mean; at least 1.
+    """Square root of the design effect: factor by which correlated errors increase the standard deviation of a mean; at least 1.
 
-    With residuals r of the points in each cell c of a grid this is the square root of Σ_c (Σ r)² / Σ r²: 1 for
-    independent errors, √(points per cell) for errors that are the same throughout a cell (the design effect of
-    cluster sampling, as in the sandwich covariance of K.-Y. Liang and S. L. Zeger, Biometrika 73(1), 1986). Cells
-    must be larger than the errors reach, yet many: the largest factor of several cell sizes is taken, each
-    corrected for what the fit with so many ``unknowns`` has taken out of the sums. What cells miss is what lies across their borders, in
-    inverse proportion to their size, so that cells half as large tell the rest (D. N. Politis, J. P. Romano, Journal of Time Series
-    Analysis 16(1), 67-103, 1995). Patches too small for those are divided into smaller cells, which show at least what next neighbours share.
+    With residuals r of the points in each cell c of a grid this is the square root of Σ_c (Σ r)² / Σ r²: 1 for independent errors,
+    √(points per cell) for errors constant within a cell (cluster sampling, as in the sandwich covariance of K.-Y. Liang and S. L. Zeger,
+    Biometrika 73(1), 1986). Cells must be larger than the correlation length, yet many: the largest factor of several cell sizes is used,
+    each corrected for the degrees of freedom of a fit with ``unknowns`` parameters. Cells miss the correlation across their borders, a
+    bias inversely proportional to their size, which is extrapolated from cells of half the size (D. N. Politis, J. P. Romano, Journal of
+    Time Series Analysis 16(1), 67-103, 1995). Patches too small for this are divided into smaller cells, which show at least the
+    correlation of adjacent points.
     """
     if len(points_mm) < 2 or not np.any(residuals_mm):
         return 1.0
 
     known = _factors(points_mm, residuals_mm, [correlation_mm * size for size in CELL_SIZES], LEAST_CELLS, unknowns, 0.0)
-    if not known:  # in space the border of a small cell sorts points by their own errors
+    if not known:  # in 3-D, the border of a small cell would sort points by their own errors
         middle = points_mm - points_mm.mean(axis=0)
         flat = middle @ np.linalg.svd(middle, full_matrices=False)[2][:2].T
         known = _factors(flat, residuals_mm, [correlation_mm * size for size in SMALL_CELL_SIZES], LEAST_SMALL_CELLS, unknowns, CHANCE)
@@ -59,9 +59,9 @@ def correlation_factor(points_mm: FloatArray, residuals_mm: FloatArray, correlat
 def _factors(
     places_mm: FloatArray, residuals_mm: FloatArray, sizes_mm: Sequence[float], least: int, unknowns: int, chance: float
 ) -> list[float]:
-    """Return the factors that cells of each size show, where at least so many are filled; 1 where independent errors may show as much."""
+    """Return the factors of each cell size with at least ``least`` filled cells; 1 where independent errors explain them."""
     found: list[float] = []
-    smaller = np.inf  # the first size has none half as large
+    smaller = np.inf  # the first size has no smaller one
     for size in sizes_mm:
         cells, cell = np.unique(np.floor((places_mm - places_mm.min(axis=0)) / size), axis=0, return_inverse=True)
         count = len(cells)
@@ -79,7 +79,7 @@ def _significant_factor(square: float, by_chance: float) -> float:
 
 
 def effective_views(view: IntArray | None) -> float:
-    """Return over how many views the points spread: 1 / Σ share²; 1 where unknown."""
+    """Return the effective number of views of the points: 1 / Σ share²; 1 where unknown."""
     if view is None or len(view) == 0:
         return 1.0
     shares = np.bincount(np.asarray(view) - int(np.min(view))) / len(view)
@@ -87,10 +87,10 @@ def effective_views(view: IntArray | None) -> float:
 
 
 def expand_uncertainty(random_mm: float, length_mm: float, settings: UncertaintySettings) -> float:
-    """Return the expanded uncertainty (k = 2) of a length from its random part and what is assumed of the calibration."""
+    """Return the expanded uncertainty (k = 2) of a length from its random part and the assumed calibration uncertainty."""
     return float(COVERAGE_FACTOR * np.hypot(random_mm, assumed_calibration(length_mm, settings)))
 
 
 def assumed_calibration(length_mm: float, settings: UncertaintySettings) -> float:
-    """Return the standard uncertainty of a length by the settings, where nothing is known of the calibration."""
+    """Return the standard uncertainty of a length from the settings, for clouds without a calibration error model."""
     return float(np.hypot(settings.systematic_mm, settings.systematic_relative * abs(length_mm)))

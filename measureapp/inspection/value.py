@@ -1,4 +1,4 @@
-"""What a dimension is before it is judged: a value, how sure it is and how it was taken."""
+"""Value of a dimension before the conformance decision: number, uncertainty budget, and method."""
 
 from __future__ import annotations
 
@@ -17,58 +17,58 @@ AXES = ("cylinder", "cone", "line")
 CENTRES = ("point", "sphere", "circle", "torus")
 
 
-Budget = Mapping[str, float]  # what each of the `SHARES` adds to a standard uncertainty, in the value's unit
+Budget = Mapping[str, float]  # standard uncertainty by each of the `CONTRIBUTIONS`, in the value's unit
 
 
 @dataclass(frozen=True, slots=True)
 class Value:
-    """A value in mm (angles: degrees), where its standard uncertainty comes from, and filter and criterion in words."""
+    """A value in mm (angles: degrees), its uncertainty budget, and filter and criterion in words."""
 
     value: float
     budget: Budget
     how: str = ""
-    bonus: float = 0.0  # by how much the tolerance is wider; the uncertainty is then that of the value less the bonus
+    bonus: float = 0.0  # bonus tolerance; the uncertainty is then that of the value less the bonus
 
     @property
     def sigma(self) -> float:
-        """The standard uncertainty: of all shares together."""
+        """The combined standard uncertainty."""
         return float(np.linalg.norm(list(self.budget.values())))
 
 
 def combine_budgets(*budgets: Budget) -> Budget:
-    """Return the shares of several independent contributions together."""
-    shares = dict.fromkeys(share for budget in budgets for share in budget)
-    return {share: float(np.linalg.norm([budget.get(share, 0.0) for budget in budgets])) for share in shares}
+    """Combine independent budgets: root sum of squares of each contribution."""
+    names = dict.fromkeys(name for budget in budgets for name in budget)
+    return {name: float(np.linalg.norm([budget.get(name, 0.0) for budget in budgets])) for name in names}
 
 
 def scale_budget(budget: Budget, factor: float) -> Budget:
-    """Return the shares of a value that is multiplied."""
-    return {share: factor * sigma for share, sigma in budget.items()}
+    """Return the budget of a value multiplied by ``factor``."""
+    return {name: factor * sigma for name, sigma in budget.items()}
 
 
 def require_feature(found: FoundFeature) -> Feature:
-    """Return the feature. Raises InspectionError with the reason why it was not found."""
+    """Return the fitted feature. Raises InspectionError with the reason why it was not found."""
     if found.feature is None:
         raise InspectionError(found.reason)
     return found.feature
 
 
 def require_nominal(found: FoundFeature) -> Feature:
-    """Return where the drawing has the feature. Raises InspectionError where the drawing does not say."""
+    """Return the nominal feature. Raises InspectionError where the program defines none."""
     if found.nominal is None:
-        raise InspectionError(f"{found.name} has no place in the drawing")
+        raise InspectionError(f"{found.name} has no nominal position")
     return found.nominal
 
 
 def require_direction(feature: Feature) -> FloatArray:
-    """Return the normal or axis. Raises InspectionError for a feature that has none."""
+    """Return the normal or axis. Raises InspectionError for a feature without one."""
     if feature.direction is None:
         raise InspectionError(f"{feature.name} is a {feature.shape} and has no direction")
     return feature.direction
 
 
 def assumed_placement_sigma(found: FoundFeature, settings: InspectionSettings) -> float:
-    """Return the standard uncertainty in mm of where the views of a feature lie, where the settings have to tell; 0 where the cloud does."""
+    """Return the assumed standard uncertainty (mm) of the position of a feature's views; 0 if the cloud has an error model."""
     if found.view_errors is not None:
         return 0.0
     return float(settings.uncertainty.placement_mm / max(found.views, 1.0) ** 0.5)

@@ -1,4 +1,4 @@
-"""Verdicts on toleranced values by ISO 14253-1, and the rule in words."""
+"""Conformance decisions by ISO 14253-1, and the decision rules in words."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ RULES: dict[VerdictRule, str] = {
 def decide_verdict(
     error: float, expanded_uncertainty: float | None, lower: float, upper: float, rule: VerdictRule = "iso-14253-1:2017"
 ) -> Verdict:
-    """Compare a deviation from nominal with its tolerance.
+    """Decide the conformance of a deviation with its tolerance.
 
     Parameters
     ----------
-    error : measured minus nominal
-    expanded_uncertainty : k = 2; None or zero probability width leaves only the simple rule an answer
+    deviation : measured minus nominal
+    expanded_uncertainty : k = 2; None or zero allows the simple rule only
     lower, upper : tolerance as deviations from nominal
 
     >>> judge(0.05, 0.02, -0.1, 0.1), judge(0.095, 0.02, -0.1, 0.1), judge(0.15, 0.02, -0.1, 0.1)
@@ -46,13 +46,13 @@ def decide_verdict(
     sigma = expanded_uncertainty / COVERAGE_FACTOR
     if conformance_probability(error, sigma, lower, upper) >= CONFORMANCE_PROBABILITY:
         return Verdict.PASS
-    # not outside of both: where a tolerance is far narrower than the uncertainty, even its middle would be proven wrong
+    # each limit alone: with a tolerance far narrower than the uncertainty, even its centre would fail against both together
     beyond_one = float(ndtr(max(lower - error, error - upper) / sigma))
     return Verdict.FAIL if beyond_one >= CONFORMANCE_PROBABILITY else Verdict.NOT_PROVEN
 
 
 def conformance_probability(error: float, standard_uncertainty: float, lower: float, upper: float) -> float:
-    """Return the probability that the true deviation lies in the tolerance, for a normal distribution (JCGM 106)."""
+    """Return the probability that the true deviation is within the tolerance, for a normal distribution (JCGM 106)."""
     return float(ndtr((upper - error) / standard_uncertainty) - ndtr((lower - error) / standard_uncertainty))
 
 

@@ -1,1 +1,1 @@
-"""Documents: one model, then writers of it."""
+"""Report documents: one model, and its writers."""

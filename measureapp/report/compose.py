@@ -1,4 +1,4 @@
-"""From a measurement to the model of its report."""
+"""Composition of the report model from a measurement."""
 
 from __future__ import annotations
 
@@ -35,12 +35,12 @@ def compose(
     pictures: bool = True,
     progress: Progress = NoProgress(),  # noqa: B008 - stateless
 ) -> ReportModel:
-    """Gather everything a report says.
+    """Compose the report model of a measurement.
 
     Parameters
     ----------
-    nominal : the nominal mesh, where there is one; the report then shows the cloud's deviation from it
-    pictures : False leaves out the pictures of the part, which take a second or two
+    nominal : the nominal mesh, if there is one; the report then shows the deviation of the cloud from it
+    pictures : False omits the pictures of the part, which take one or two seconds
     """
     dimensions = () if measurement.inspection is None else measurement.inspection.dimensions
     verdict, summary = summarise_verdicts(dimensions)
@@ -69,7 +69,7 @@ def compose(
 
 
 def _compute_deviation(measurement: Measurement, nominal: Mesh, progress: Progress) -> tuple[Deviation | None, str]:
-    """The stitched cloud's deviation from the nominal, in the inspection's alignment or else a best fit; or why there is none."""
+    """Return the deviation of the stitched cloud from the nominal, in the inspection's alignment or a best fit; or the reason for none."""
     try:
         alignment = best_fit(measurement.stitched, nominal) if measurement.inspection is None else measurement.inspection.alignment
         return deviation_from(measurement.stitched, nominal, alignment, progress=progress), ""
@@ -78,20 +78,20 @@ def _compute_deviation(measurement: Measurement, nominal: Mesh, progress: Progre
 
 
 def summarise_verdicts(dimensions: tuple[Dimension, ...]) -> tuple[Verdict | None, str]:
-    """Return the verdict on the part, the gravest of its dimensions, and how many there are of each."""
+    """Return the verdict on the part, the most severe of its dimensions, and the number of each."""
     if not dimensions:
-        return None, "No inspection program: no dimension was asked for."
+        return None, "No inspection program: no dimensions evaluated."
     counts = Counter(dimension.verdict for dimension in dimensions)
     verdict = next((grave for grave in SEVERITY if counts[grave]), Verdict.PASS)
     total = len(dimensions)
     if verdict is Verdict.PASS:
-        return verdict, "The one dimension passes." if total == 1 else f"All {total} dimensions pass."
+        return verdict, "The dimension passes." if total == 1 else f"All {total} dimensions pass."
     words = [f"{counts[kind]} {kind.value}" for kind in (*SEVERITY, Verdict.PASS) if counts[kind]]
     return verdict, f"Of {total} dimension{'s' if total > 1 else ''}: " + ", ".join(words) + "."
 
 
 def view_lines(measurement: Measurement) -> tuple[ViewLine, ...]:
-    """Return one line per view, in the order they were measured."""
+    """Return one line per view, in order of measurement."""
     placements = {placement.viewpoint_id: placement for placement in measurement.stitched.placements}
     lines = []
     for view in measurement.views:
@@ -137,7 +137,7 @@ def _cloud_facts(measurement: Measurement, deviation: Deviation | None, why_not:
     mesh, inspection, loop_closure = measurement.mesh, measurement.inspection, measurement.stitched.loop_closure
     facts = [Fact("Stitched points", f"{len(measurement.stitched):,}".replace(",", " "))]
     if loop_closure is not None:
-        facts.append(Fact("Closure around the part", loop_closure.sentence))
+        facts.append(Fact("Loop closure", loop_closure.sentence.removeprefix("loop closure ")))
     if mesh is not None:
         filled = 0.0 if mesh.measured is None or len(mesh.measured) == 0 else 1.0 - float(mesh.measured.mean())
         facts.append(
@@ -147,7 +147,7 @@ def _cloud_facts(measurement: Measurement, deviation: Deviation | None, why_not:
     if alignment is not None:
         facts += _alignment_facts(alignment)
     if why_not:
-        facts.append(Fact("Not compared with the nominal", why_not))
+        facts.append(Fact("No deviation from the nominal", why_not))
     facts += [Fact(format_key(name).capitalize(), f"{value:.4g}") for name, value in measurement.stitched.notes.items()]
     return tuple(facts)
 
@@ -156,13 +156,13 @@ def _alignment_facts(alignment: Alignment) -> list[Fact]:
     facts = [Fact("Alignment to the nominal", alignment.name)]
     if alignment.residuals_mm:
         stays = ", ".join(f"{name} {number(residual)} mm" for name, residual in alignment.residuals_mm.items())
-        facts.append(Fact("Off their nominal places after the alignment", stays))
+        facts.append(Fact("Residuals of the alignment", stays))
     elif alignment.rms_mm > 0:
         facts.append(
             Fact("Residual of the alignment", f"{number(alignment.rms_mm)} mm rms over {percent(alignment.overlap)} of the points")
         )
     if alignment.undetermined:
-        facts.append(Fact("Left open by the points", ", ".join(alignment.undetermined)))
+        facts.append(Fact("Not determined by the points", ", ".join(alignment.undetermined)))
     return facts + [Fact("About the alignment", note) for note in alignment.notes]
 
 
@@ -170,11 +170,11 @@ def _validity_facts(validity: Validity) -> tuple[Fact, ...]:
     facts = [Fact("Warning", warning) for warning in validity.warnings]
     if validity.drift is not None:
         alarmed = validity.drift.status in ("watch", "drifted")
-        facts.append(Fact("Warning" if alarmed else "Cameras since then", validity.drift.sentence))
+        facts.append(Fact("Warning" if alarmed else "Camera drift check", validity.drift.sentence))
         if validity.drift.undetectable:
-            facts.append(Fact("Not seen of the cameras", validity.drift.undetectable))
-    warm = "not reported by the rig" if validity.temperature_c is None else f"{number(validity.temperature_c, 1)} °C"
-    return (*facts, Fact("Head while scanned", warm))
+            facts.append(Fact("Limits of the drift check", validity.drift.undetectable))
+    temperature = "not reported by the rig" if validity.temperature_c is None else f"{number(validity.temperature_c, 1)} °C"
+    return (*facts, Fact("Head temperature during scan", temperature))
 
 
 def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
@@ -192,12 +192,12 @@ def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
         Fact(
             "Linear guide",
             f"scale {guide.scale:.6f} ± {guide.scale_sigma:.6f}, σ {number(degrees(guide.direction_sigma_rad), 4)}°, "
-            f"straight to {number(guide.straightness_mm)} mm",
+            f"straightness {number(guide.straightness_mm)} mm",
         ),
     ]
     provenance = calibration.provenance
     if provenance.temperature_c is not None:
-        facts.append(Fact("Head while calibrated", f"{number(provenance.temperature_c, 1)} °C"))
+        facts.append(Fact("Head temperature during calibration", f"{number(provenance.temperature_c, 1)} °C"))
     if provenance.valid_days is not None:
         facts.append(Fact("Valid for", f"{provenance.valid_days:g} days"))
     if provenance.method:
@@ -206,12 +206,12 @@ def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
 
 
 def _length_facts(dimensions: Sequence[Dimension]) -> tuple[Fact, ...]:
-    """What lengths rest on, and whether its own uncertainty was stated."""
+    """Return the reference of lengths, and whether its uncertainty is part of the budget."""
     if not dimensions:
         return ()
     stated = any(one.budget.get("scale") for one in dimensions)
-    told = 'in the share "scale"' if stated else "taken as exact"
-    return (Fact("Lengths", f"by the calibration board; its lengths and the part's temperature are {told}"),)
+    uncertainty = 'in the contribution "scale"' if stated else "not included (taken as exact)"
+    return (Fact("Length reference", f"calibration board; uncertainty of its lengths and of the part temperature {uncertainty}"),)
 
 
 def _camera_words(camera: CameraCalibration) -> str:

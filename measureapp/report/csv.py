@@ -1,4 +1,4 @@
-"""The table of dimensions as CSV, in the columns of the paper: nominal, measured, error, relative error."""
+"""Table of dimensions as CSV."""
 
 from __future__ import annotations
 
@@ -26,21 +26,21 @@ COLUMNS = (
     "kind",
     "datums",
     "origin",
-    *(f"uncertainty_{share}" for share in CONTRIBUTIONS),
+    *(f"uncertainty_{name}" for name in CONTRIBUTIONS),
 )
 DIGITS = 9
 
 
 def csv_text(model: ReportModel) -> str:
-    """Return one line per dimension, after a line of column names; values that do not exist are empty."""
+    """Return a header line and one line per dimension; missing values are empty."""
     text = io.StringIO()
     writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
     writer.writeheader()
     for dimension in model.dimensions:
         document = dimension_document(dimension)
         document["lower_tolerance"], document["upper_tolerance"] = document.pop("tolerance")
-        shares = document.pop("uncertainty_budget")
-        document |= {f"uncertainty_{share}": shares.get(share) for share in CONTRIBUTIONS}
+        budget = document.pop("uncertainty_budget")
+        document |= {f"uncertainty_{name}": budget.get(name) for name in CONTRIBUTIONS}
         document["datums"] = "|".join(document["datums"])
         writer.writerow({key: round(value, DIGITS) if isinstance(value, float) else value for key, value in document.items()})
     return text.getvalue()
@@ -49,5 +49,5 @@ def csv_text(model: ReportModel) -> str:
 def write_csv(model: ReportModel, path: Path) -> Path:
     """Write the table, whole or not at all, and return ``path``. Raises StorageError."""
     with replacing(path) as temporary:
-        temporary.write_text(csv_text(model), encoding="utf-8-sig")  # the mark lets spreadsheets know it is UTF-8
+        temporary.write_text(csv_text(model), encoding="utf-8-sig")  # byte order mark, by which spreadsheets recognise UTF-8
     return path

@@ -1,4 +1,4 @@
-"""Writing the documents of a measurement: one model, several files."""
+"""Report documents of a measurement: PDF, CSV, JSON and HTML of one model."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The report as one HTML page that holds everything, pictures included."""
+"""The report as a self-contained HTML page."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ TEMPLATE = "report/report.html"
 
 
 def html_text(model: ReportModel) -> str:
-    """Return the page; everything that comes from data is escaped."""
+    """Return the page; all data is escaped."""
     import jinja2
 
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)

@@ -1,4 +1,4 @@
-"""Dimensions and measurements as JSON, in the form the command line answers in."""
+"""Dimensions and measurements as JSON documents of the command line and the report."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from measureapp.report.model import ReportModel, ViewLine
 
 
 def dimension_document(dimension: Dimension) -> dict[str, Any]:
-    """Return one line of the table of dimensions; numbers that do not exist are None."""
+    """Return a dimension as JSON; missing numbers are None."""
     return {
         "name": dimension.name,
         "kind": dimension.kind,
@@ -35,7 +35,7 @@ def dimension_document(dimension: Dimension) -> dict[str, Any]:
 
 
 def feature_document(feature: Feature) -> dict[str, Any]:
-    """Return a feature that was found, in the nominal's frame; what its shape does not have is None."""
+    """Return a measured feature as JSON, in the nominal's frame; parameters that its shape lacks are None."""
     angle = feature.half_angle_rad
     return {
         "name": feature.name,
@@ -53,7 +53,7 @@ def feature_document(feature: Feature) -> dict[str, Any]:
 
 
 def alignment_document(alignment: Alignment) -> dict[str, Any]:
-    """Return how the part was laid onto its nominal."""
+    """Return an alignment as JSON."""
     return {
         "name": alignment.name,
         "matrix": alignment.nominal_from_part.matrix.tolist(),
@@ -66,7 +66,7 @@ def alignment_document(alignment: Alignment) -> dict[str, Any]:
 
 
 def view_document(view: ViewLine) -> dict[str, Any]:
-    """Return one line of the table of views."""
+    """Return a line of the table of views as JSON."""
     return {
         "name": view.viewpoint_id,
         "points": view.points,
@@ -87,7 +87,7 @@ def view_document(view: ViewLine) -> dict[str, Any]:
 
 
 def calibration_document(calibration: RigCalibration) -> dict[str, Any]:
-    """Return the calibration a measurement rests on, with its standard deviations."""
+    """Return the calibration of a measurement as JSON, with its standard deviations."""
     axis, hand_eye, guide = calibration.axis, calibration.hand_eye, calibration.guide
     return {
         "created": calibration.provenance.created,
@@ -129,7 +129,7 @@ def calibration_document(calibration: RigCalibration) -> dict[str, Any]:
 
 
 def measurement_document(measurement: Measurement) -> dict[str, Any]:
-    """Return a measurement as JSON: what it says about the part, without points."""
+    """Return a measurement as JSON, without points."""
     from measureapp.report.compose import view_lines
 
     inspection = measurement.inspection
@@ -168,7 +168,7 @@ def report_document(model: ReportModel) -> dict[str, Any]:
 
 
 def _without_nan(value: Any) -> Any:
-    """Return a document with null for numbers that are not finite, which JSON does not have."""
+    """Replace non-finite numbers, which JSON lacks, by null."""
     if isinstance(value, Mapping):
         return {str(key): _without_nan(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):

@@ -1,4 +1,4 @@
-"""The one model every document is written from."""
+"""The report model, from which all documents are written."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Section:
 
 @dataclass(frozen=True, slots=True)
 class ViewLine:
-    """What one view is worth and what stitching did to it."""
+    """Quality and registration of one view."""
 
     viewpoint_id: str
     points: int
@@ -35,7 +35,7 @@ class ViewLine:
     completeness: float
     outlier_ratio: float
     distortion_mm: float
-    correction_mm: float | None  # None: the view was not stitched
+    correction_mm: float | None  # None: the view was not registered
     correction_deg: float | None
     residual_mm: float | None
     overlap: float | None
@@ -56,19 +56,19 @@ class Picture:
 
 @dataclass(frozen=True, slots=True)
 class DeviationSummary:
-    """Deviation of the cloud from the nominal, ready to be drawn."""
+    """Deviation of the cloud from the nominal, prepared for display."""
 
     alignment: str
     figures_mm: Mapping[str, float]  # mean, rms, p95, min, max
     unmeasured_share: float
-    limit_mm: float  # the colour scale runs from minus to plus this
-    histogram: tuple[float, ...]  # share of the points in equal bins over the scale; the outer bins hold what lies beyond
+    limit_mm: float  # the colour scale ranges from -limit to +limit
+    histogram: tuple[float, ...]  # share of the points in equal bins over the scale; the outer bins include all beyond
     picture: Picture
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ReportModel:
-    """Everything a report says, whatever it is written to."""
+    """Contents of a report, independent of the output format."""
 
     measurement: Measurement
     title: str

@@ -1,4 +1,4 @@
-"""The pictures of a report: the measured part, and its deviation from the nominal in colours."""
+"""Pictures of a report: the measured part, and its coloured deviation from the nominal."""
 
 from __future__ import annotations
 
@@ -27,15 +27,15 @@ def render_part(measurement: Measurement) -> tuple[Picture, ...]:
     mesh = measurement.mesh
     what, colours = "Measured points" if mesh is None else "Measured surface", None
     if mesh is not None and mesh.measured is not None and not mesh.measured.all():
-        what, colours = "Measured surface (dark: filled without points)", np.where(mesh.measured[:, None], SURFACE_COLOUR, FILLED_IN)
+        what, colours = "Measured surface (dark: filled, not measured)", np.where(mesh.measured[:, None], SURFACE_COLOUR, FILLED_IN)
     return tuple(
         Picture(f"{what}, {where}", png(_render(measurement, None, direction, colours)))
-        for where, direction in (("seen obliquely", OBLIQUE), ("seen from above", TOP))
+        for where, direction in (("oblique view", OBLIQUE), ("top view", TOP))
     )
 
 
 def summarise_deviation(measurement: Measurement, nominal: Mesh, deviation: Deviation) -> DeviationSummary:
-    """Return the deviation with its picture, colour scale and histogram."""
+    """Summarise a deviation: picture, colour scale and histogram."""
     limit = nice_limit(deviation.p95_mm)
     transform = deviation.alignment.nominal_from_part
     if measurement.mesh is None:
@@ -66,7 +66,7 @@ def nice_limit(p95_mm: float) -> float:
 
 
 def diverging_colours(values: FloatArray) -> FloatArray:
-    """Return colours (N, 3) of values in −1…1: blue, white, red."""
+    """Return diverging colours (N, 3) of values in −1…1: blue, white, red."""
     share = np.abs(np.clip(values, -1, 1))[:, None]
     return WHITE + share * (np.where(values[:, None] < 0, BLUE, RED) - WHITE)
 
@@ -86,7 +86,7 @@ def _render(
     width: int = 680,
     height: int = 480,
 ) -> ImageArray:
-    """Render mesh or cloud, turned into the nominal's frame where one is known, so that parts always look alike."""
+    """Render mesh or cloud, in the nominal's frame if known, so that all parts have the same orientation."""
     placed = transform or (None if measurement.inspection is None else measurement.inspection.alignment.nominal_from_part)
     mesh, cloud = measurement.mesh, measurement.stitched
     if mesh is not None:

@@ -1,4 +1,4 @@
-"""The report as PDF, set by typst."""
+"""The report as PDF, typeset by Typst."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def pdf_bytes(model: ReportModel, template: Path | None = None) -> bytes:
 
 
 def page_images(measurement: Measurement, ppi: float = 110.0) -> tuple[bytes, ...]:
-    """Return the pages of a measurement's report as PNG, as they are in the PDF but for the deviation from a nominal."""
+    """Return the pages of a measurement's report as PNG, as in the PDF but without the deviation from a nominal."""
     return model_page_images(compose(measurement), ppi)
 
 
@@ -65,7 +65,7 @@ def model_page_images(model: ReportModel, ppi: float = 110.0, template: Path | N
 
 
 def _typeset(model: ReportModel, template: Path | None, **options: Any) -> tuple[bytes, ...]:
-    """Set the report in a folder of its own, which is removed again."""
+    """Typeset the report in a temporary folder."""
     import typst
 
     source = template or resource(TEMPLATE)
@@ -79,13 +79,13 @@ def _typeset(model: ReportModel, template: Path | None, **options: Any) -> tuple
                 (Path(folder) / name).write_bytes(data)
             made = typst.compile(str(Path(folder) / TYPST_MAIN), root=folder, **options)
     except (typst.TypstError, RuntimeError) as error:
-        hint = "Correct the template or use the one that comes with the program."
+        hint = "Correct the template, or use the built-in one."
         raise StorageError(f"{source}: the report template has an error: {error}.", hint) from error
     return tuple(bytes(page) for page in made) if isinstance(made, list) else (bytes(made),)
 
 
 def typst_document(model: ReportModel) -> dict[str, Any]:
-    """Return everything the template prints, every number already a text."""
+    """Return the data of the template, with all numbers formatted."""
     word = "NO VERDICT" if model.verdict is None else model.verdict.value.upper()
     colour = NEUTRAL if model.verdict is None else COLOURS[model.verdict]
     return {
@@ -127,7 +127,7 @@ def _dimension(dimension: Dimension) -> dict[str, str]:
 
 
 def _traceability(dimension: Dimension) -> dict[str, str]:
-    """What a value is and what it rests on."""
+    """Return the traceability of a value: kind, datums, source, and uncertainty budget."""
     return {
         "name": format_name(dimension.name),
         "kind": format_key(dimension.kind),
@@ -166,8 +166,8 @@ def _deviation(deviation: DeviationSummary) -> dict[str, Any]:
         "facts": [
             {"name": name, "value": value} for name, value in (*facts, ("Nominal not measured", percent(deviation.unmeasured_share)))
         ],
-        "note": f"Alignment: {deviation.alignment}. Positive: measured outside the nominal. Grey: filled, not measured.",
+        "note": f"Alignment: {deviation.alignment}. Positive: outside the nominal. Grey: filled, not measured.",
     }
 
 
-_FIGURES = (("Mean", "mean"), ("RMS", "rms"), ("95 % within", "p95"), ("Least", "min"), ("Greatest", "max"))
+_FIGURES = (("Mean", "mean"), ("RMS", "rms"), ("95 % within", "p95"), ("Minimum", "min"), ("Maximum", "max"))

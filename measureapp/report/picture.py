@@ -1,4 +1,4 @@
-"""Pictures of surfaces and clouds without a graphics system: rays cast on the surface, or points splatted into a depth buffer."""
+"""Software rendering of surfaces (ray casting) and clouds (splatting into a depth buffer), without a graphics system."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ LARGEST_SPLAT_PX = 4
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ViewDirection:
-    """Where a picture is taken from: azimuth counter-clockwise about z, elevation above the horizon."""
+    """Viewing direction: azimuth counter-clockwise about z, elevation above the horizon."""
 
     azimuth_deg: float
     elevation_deg: float
@@ -37,7 +37,7 @@ class ViewDirection:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Frame:
-    """The mapping between the part and the picture (orthographic)."""
+    """Orthographic mapping between the part and the picture."""
 
     axes: FloatArray
     centre: FloatArray  # (3,) in the view's frame
@@ -98,7 +98,7 @@ def cloud_picture(
 
 
 def _cast_rays(mesh: Mesh, frame: _Frame) -> tuple[FloatArray, IntArray, FloatArray]:
-    """Depth (H, W), triangle and barycentric weights (H, W, 3) of what each pixel sees."""
+    """Return depth (H, W), triangle (H, W) and barycentric weights (H, W, 3) of the first hit of each pixel."""
     import open3d as o3d
 
     scene: Any = o3d.t.geometry.RaycastingScene()
@@ -110,16 +110,16 @@ def _cast_rays(mesh: Mesh, frame: _Frame) -> tuple[FloatArray, IntArray, FloatAr
     rays[..., 1] = ((frame.height / 2 - 0.5 - np.arange(frame.height)) * frame.mm_per_px)[:, None]
     rays[..., 2], rays[..., 5] = start, -1.0
     answer = scene.cast_rays(o3d.core.Tensor.from_numpy(rays))
-    uv = answer["primitive_uvs"].numpy()
+    uv = answer["poutlineitive_uvs"].numpy()
     weights = np.concatenate([1 - uv.sum(axis=-1, keepdims=True), uv], axis=-1)
-    return answer["t_hit"].numpy(), answer["primitive_ids"].numpy(), weights
+    return answer["t_hit"].numpy(), answer["poutlineitive_ids"].numpy(), weights
 
 
 def _shading_normals(mesh: Mesh) -> FloatArray:
-    """Normals (T, 3, 3) at the corners of each triangle: smooth, but not over creases.
+    """Return smooth normals (T, 3, 3) at the corners of each triangle, not smoothed over creases.
 
-    Neighbours count by area and by the cosine to the triangle's own normal, so that those across an edge do not
-    count: Σ area · n (n·own) = M own with one matrix M = Σ area · n nᵀ per vertex.
+    Neighbours are weighted by area and by the cosine to the triangle's own normal, so that those across an edge do not contribute:
+    Σ area · n (n·own) = M own with one matrix M = Σ area · n nᵀ per vertex.
     """
     triangles = np.asarray(mesh.triangles)
     corners = mesh.vertices_mm[triangles]
@@ -133,14 +133,14 @@ def _shading_normals(mesh: Mesh) -> FloatArray:
 
 
 def _shade(normals: FloatArray) -> FloatArray:
-    """Brightness (N,) of surfaces with ``normals`` in the view's frame."""
+    """Return the brightness (N,) of surfaces with ``normals`` in the view's frame."""
     key = np.clip(normals @ (KEY_LIGHT / np.linalg.norm(KEY_LIGHT)), 0, 1)
     fill = np.clip(normals @ (FILL_LIGHT / np.linalg.norm(FILL_LIGHT)), 0, 1)
     return np.clip(0.34 + 0.62 * key + 0.18 * fill, 0, 1.12)
 
 
 def _splat(row: IntArray, column: IntArray, towards: FloatArray, frame: _Frame) -> IntArray:
-    """Index (H, W) of the nearest point in each pixel, -1 where there is none; squares large enough to close the surface."""
+    """Return the index (H, W) of the nearest point in each pixel, -1 for none; the squares are large enough to close the surface."""
     spacing = 1.3 * np.sqrt(frame.width * frame.height / 3 / max(len(row), 1))
     reach = int(np.clip(np.ceil(spacing), 1, LARGEST_SPLAT_PX))
     order = np.argsort(towards, kind="stable")  # far to near: the nearest is written last
@@ -163,13 +163,13 @@ def _finish(image: FloatArray, depth_mm: FloatArray, frame: _Frame) -> ImageArra
     far = float(np.max(depth_mm[np.isfinite(depth_mm)], initial=0.0)) + 0.2 * frame.height * frame.mm_per_px
     filled = np.where(np.isfinite(depth_mm), depth_mm, far)
     jump = OUTLINE_JUMP * frame.height * frame.mm_per_px
-    rim = np.zeros(depth_mm.shape, bool)
+    outline = np.zeros(depth_mm.shape, bool)
     for axis in (0, 1):
         step = np.diff(filled, axis=axis)
         lower, upper = (slice(None, -1), slice(1, None)) if axis == 0 else ((slice(None), slice(None, -1)), (slice(None), slice(1, None)))
-        rim[lower] |= step > jump
-        rim[upper] |= step < -jump
-    image[rim] *= 0.45
+        outline[lower] |= step > jump
+        outline[upper] |= step < -jump
+    image[outline] *= 0.45
     size = SUPERSAMPLING
     averaged = image.reshape(frame.height // size, size, frame.width // size, size, 3).mean(axis=(1, 3))
     return np.clip(np.rint(averaged * 255), 0, 255).astype(np.uint8)

@@ -1,4 +1,4 @@
-"""Numbers and verdicts as they are printed."""
+"""Formatting of numbers, verdicts and names for documents."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def percent(value: float | None, digits: int = 1, *, signed: bool = False) -> st
 
 
 def format_tolerance(lower: float, upper: float) -> str:
-    """Return a tolerance, shortly where it is symmetric.
+    """Return a tolerance, abbreviated if it is symmetric.
 
     >>> tolerance(-0.1, 0.1), tolerance(-0.2, 0.05), tolerance(0.0, 0.2)
     ('± 0.1', '−0.2 / +0.05', '0 / +0.2')
@@ -57,7 +57,7 @@ def format_tolerance(lower: float, upper: float) -> str:
 
 
 def format_datums(names: Sequence[str]) -> str:
-    """Return datums in their order with their letters; those of a pattern without.
+    """Return datums in order with their letters; those of a pattern without letters.
 
     >>> datums(("gear face", "bore")), datums(())
     ('A gear face, B bore', '–')
@@ -69,7 +69,7 @@ def format_datums(names: Sequence[str]) -> str:
 
 
 def format_contributions(dimension: Dimension) -> str:
-    """Return where an uncertainty comes from: the largest share first, each k = 2, and none that would read as zero.
+    """Return the uncertainty budget: contributions with k = 2, largest first, without those that round to zero.
 
     >>> shares(Dimension("a", 10, 10, 0.05, -0.1, 0.1, Verdict.PASS, budget={"noise": 0.03, "stitching": 0.04})).replace(TOGETHER, " ")
     'stitching 0.0400, noise 0.0300 mm'
@@ -106,7 +106,7 @@ def format_key(key: str) -> str:
 
 
 def format_name(name: str) -> str:
-    """Return a name such as programs give as words with a capital; any other, and a letter, as it stands in the drawing.
+    """Return an identifier as words with a capital letter; other names and single letters unchanged.
 
     >>> titled("outer_diameter"), titled("a"), titled("P1_x, hole")
     ('Outer diameter', 'a', 'P1_x, hole')
@@ -115,7 +115,7 @@ def format_name(name: str) -> str:
 
 
 def format_time(iso: str) -> str:
-    """Return an ISO 8601 moment as date and time of day.
+    """Return an ISO 8601 time as date and time of day.
 
     >>> moment("2026-05-04T10:20:30.123+00:00")
     '2026-05-04 10:20:30 UTC'

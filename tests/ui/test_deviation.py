@@ -39,7 +39,7 @@ def compared(measurement, tmp_path, monkeypatch) -> Comparison:
         normals * 60.0 + [0, 0, 60.0], normals, np.full(count, 0.01), np.full(count, 0.5), np.zeros(count, int), stitched.placements
     )
     job = SimpleNamespace(report=lambda *_: None, check=lambda: None)
-    found = comparisons.compared(half, measurement.inspection.alignment, tmp_path, job)
+    found = comparisons.compare_cloud(half, measurement.inspection.alignment, tmp_path, job)
     assert found is not None
     return found
 

@@ -159,7 +159,7 @@ def test_a_program_that_is_none_stays_in_its_window_with_the_reason(application,
 
 def test_the_unit_of_a_drawing_in_inches_is_asked_for_and_never_assumed(application, opened, project, qtbot, tmp_path):
     path = ball_mesh(tmp_path / "ball.stl", scale=1 / 25.4)
-    take, dialog_of = application.controllers.programming.take_drawing, opened.program.drawing
+    take, dialog_of = application.controllers.programming.set_nominal, opened.program.nominal
     take(path)
     settled(application, qtbot)
     assert dialog_of.dialog.value() is LengthUnit.INCH and project.nominal is None
@@ -176,7 +176,7 @@ def test_the_unit_of_a_drawing_in_inches_is_asked_for_and_never_assumed(applicat
 
 
 def test_a_drawing_that_replaces_another_can_be_taken_back(application, opened, project, qtbot, tmp_path):
-    take = application.controllers.programming.take_drawing
+    take = application.controllers.programming.set_nominal
     take(ball_mesh(tmp_path / "first.stl"))
     settled(application, qtbot)
     assert not application.controllers.programming.can_undo  # there was none before
@@ -200,10 +200,10 @@ def test_a_drawing_that_cannot_be_used_is_told_and_changes_nothing(application, 
         header = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n"
         path.write_text("" if content == "nothing" else header, encoding="ascii")
     before = application.session.inspection
-    application.controllers.programming.take_drawing(path)
+    application.controllers.programming.set_nominal(path)
     told = settled(application, qtbot)
     assert told.level == "error" and told.text.endswith(".") and told.hint
-    assert project.nominal is None and application.session.inspection is before and opened.program.drawing.isEnabled()
+    assert project.nominal is None and application.session.inspection is before and opened.program.nominal.isEnabled()
 
 
 def test_measuring_again_that_is_cancelled_leaves_everything_as_it_was(project):
@@ -223,6 +223,6 @@ def test_operators_are_not_offered_to_change_the_program(application, opened, wi
     opened.program.bar.button.setChecked(True)
     window.header.role.setValue("operator")
     tools = opened.program
-    assert not any(one.isVisible() for one in (tools.text, tools.drawing, tools.bar.button, tools.bar, opened.grow.button))
+    assert not any(one.isVisible() for one in (tools.text, tools.nominal, tools.bar.button, tools.bar, opened.grow.button))
     window.header.role.setValue("engineer")
     assert tools.text.isVisible() and tools.bar.button.isVisible()

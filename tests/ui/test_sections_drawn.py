@@ -14,7 +14,7 @@ from ui.look.look import Look
 from ui.pages.inspection.dimension_rows import feature_words
 from ui.pages.inspection.feature_lines import OUTLINE, dimension_labels, feature_lines
 from ui.pages.inspection.section_bar import CutPlane, SectionBar
-from ui.pages.inspection.section_lines import GAINS, Whiskers, measured_on
+from ui.pages.inspection.section_lines import GAINS, Whiskers, measured_lines
 
 GREEN = (27, 153, 139)
 
@@ -39,12 +39,12 @@ def dimension(name: str, kind: str, features: tuple[str, ...]) -> Dimension:
 
 
 def test_what_a_dimension_measures_on_a_blade_is_drawn_on_it():
-    assert measured_on("max_thickness", CURVES)[0] is CURVES.thickest
-    assert measured_on("camber", CURVES)[0] is CURVES.mean_line
-    assert measured_on("leading_radius", CURVES)[0] is CURVES.edges["leading"]
-    assert measured_on("trailing_radius", CURVES) == []  # it was not measured
-    assert measured_on("chord", CURVES) == []
-    assert np.array_equal(measured_on("pitch", CURVES)[0], CURVES.mean_line[[0, -1]])
+    assert measured_lines("max_thickness", CURVES)[0] is CURVES.thickest
+    assert measured_lines("camber", CURVES)[0] is CURVES.mean_line
+    assert measured_lines("leading_radius", CURVES)[0] is CURVES.edges["leading"]
+    assert measured_lines("trailing_radius", CURVES) == []  # it was not measured
+    assert measured_lines("chord", CURVES) == []
+    assert np.array_equal(measured_lines("pitch", CURVES)[0], CURVES.mean_line[[0, -1]])
 
 
 def test_a_selected_blade_shows_its_measured_outline_over_that_of_the_drawing():

@@ -11,7 +11,7 @@ from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import RegistrationError
 from measureapp.pipeline import restitch as stitching_again
 from measureapp.project import folder as folders
-from ui.pages.clouds.view_words import LEAVE_OUT, USE, choice_for, view_verdict
+from ui.pages.clouds.view_words import EXCLUDE, USE, choice_for, view_verdict
 
 
 @pytest.fixture
@@ -42,7 +42,7 @@ def settled(application, qtbot):
 def test_a_used_view_can_be_left_out_and_the_choice_taken_back(application, window, kept, qtbot):
     page = window.pages["clouds"]
     page.table.selectRow(1)
-    assert page.properties.decision == LEAVE_OUT
+    assert page.properties.decision == EXCLUDE
     assert not page.undo.isVisible()
     window.properties.decisionClicked.emit()
     settled(application, qtbot)
@@ -77,7 +77,7 @@ def test_without_a_project_on_disk_nothing_is_offered(application, window, measu
 def test_what_is_offered_and_said_follows_what_was_decided(measurement):
     view, placement = measurement.views[0], measurement.stitched.placements[0]
     poor = measurement.views[4]
-    assert choice_for(placement) == (LEAVE_OUT, "refuse")
+    assert choice_for(placement) == (EXCLUDE, "refuse")
     assert choice_for(None) == (USE, "use")
     assert choice_for(replace(placement, used=False)) == (USE, "use")
     assert view_verdict(view, replace(placement, verdict="its surface lies 0.2 mm away: accepted by hand"))[1:] == (

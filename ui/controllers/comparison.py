@@ -1,4 +1,4 @@
-"""The stitched cloud against the drawing: how far each point lies from the nominal surface."""
+"""Comparison of the stitched cloud with the nominal: deviation of each point."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ if TYPE_CHECKING:
     from measureapp.progress import Progress
     from ui.workers.job import Job
 
-NEAR_MM = 2.0  # a place of the drawing without a point this close counts as not measured
+NEAR_MM = 2.0  # the nominal counts as not measured without a point this close
 PLACES = 60_000
 
 
 class ComparisonController(QObject):
-    """Compares on a thread of its own, so that one can go on looking."""
+    """Compares on a separate thread, without blocking the window."""
 
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -35,15 +35,15 @@ class ComparisonController(QObject):
 
     @Slot()
     def compare(self) -> None:
-        """Compare the stitched cloud with the nominal of the open project, once for every cloud and drawing."""
+        """Compare the stitched cloud with the nominal of the open project, once per cloud and nominal."""
         session = self._session
         stitched, inspection, folder = session.stitched, session.inspection, session.folder
         if stitched is None or inspection is None or folder is None or self._asked is inspection.alignment:
             return
-        alignment = self._asked = inspection.alignment  # of one cloud, laid onto one drawing
+        alignment = self._asked = inspection.alignment  # of one cloud and one nominal
         self._runner.run(
-            "Comparing with the drawing",
-            lambda job: compared(stitched, alignment, folder, job),
+            "Comparing with the nominal",
+            lambda job: compare_cloud(stitched, alignment, folder, job),
             self._show,
             quiet=True,
         )
@@ -54,8 +54,8 @@ class ComparisonController(QObject):
             self._session.set_comparison(found)
 
 
-def compared(stitched: StitchedCloud, alignment: Alignment, folder: Path, job: Job) -> Comparison | None:
-    """Return the deviations, or None where the project has no nominal; runs on a job's thread."""
+def compare_cloud(stitched: StitchedCloud, alignment: Alignment, folder: Path, job: Job) -> Comparison | None:
+    """Compare a cloud with the nominal of a project; None if it has none. Runs on a job's thread."""
     from measureapp.project.folder import ProjectFolder
     from measureapp.project.geometry.files import read_mesh
     from measureapp.project.program_file import read_program
@@ -64,13 +64,13 @@ def compared(stitched: StitchedCloud, alignment: Alignment, folder: Path, job: J
     if project is None or project.nominal is None:
         return None
     program = None if project.program is None else read_program(project.program)
-    return comparison_of(stitched, read_mesh(project.nominal, "nominal"), alignment, program, job)
+    return compute_comparison(stitched, read_mesh(project.nominal, "nominal"), alignment, program, job)
 
 
-def comparison_of(
+def compute_comparison(
     stitched: StitchedCloud, nominal: Mesh, alignment: Alignment, program: InspectionProgram | None, progress: Progress
 ) -> Comparison:
-    """Return how far a cloud is from a nominal, what was not measured of it, and the sections of the program; for a job's thread."""
+    """Return the deviations of a cloud, the unmeasured parts of the nominal, and the sections of the program; for a job's thread."""
     from scipy.spatial import cKDTree
 
     from measureapp.inspection.measured_points import sample_mesh

@@ -1,4 +1,4 @@
-"""Reports: page images for the preview, opening and exporting documents."""
+"""Report documents: page images for the preview, opening and export."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ FORMATS = {  # words, the file of the project, ending
 
 
 class DocumentsController(QObject):
-    """Shows, opens and exports what a measurement gave."""
+    """Shows, opens and exports the results of a measurement."""
 
     pagesReady = Signal(object)  # tuple of PNG files as bytes
     pagesFailed = Signal()
@@ -45,7 +45,7 @@ class DocumentsController(QObject):
         measurement, folder = self._session.measurement, self._session.folder
         if measurement is not None:
             self._runner.run(
-                "Drawing the report",
+                "Rendering the report",
                 lambda job: page_images(measurement, folder, job),
                 self._show_pages,
                 on_stopped=self._no_pages,
@@ -62,26 +62,26 @@ class DocumentsController(QObject):
 
     @Slot()
     def open_pdf(self) -> None:
-        """Open the PDF in the program the desktop has for it."""
+        """Open the PDF in the default viewer."""
         path = self._session.files.get("report_pdf")
         if path is None or not path.exists():
-            self._session.tell("There is no PDF report yet.", "Run the demo or compute the project again.", "warning")
+            self._session.tell("There is no PDF report yet.", "Run the demo, or recompute the project.", "warning")
         elif not QDesktopServices.openUrl(QUrl.fromLocalFile(str(path))):
-            self._session.tell("This computer has no program for PDF files.", f"The report lies in {path}.", "warning")
+            self._session.tell("No PDF viewer is installed.", f"The report is saved to {path}.", "warning")
 
     @Slot()
     def open_folder(self) -> None:
         """Show the project's folder in the file manager."""
         folder = self._session.folder
         if folder is not None and not QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder))):
-            self._session.tell("The file manager did not open.", f"The project lies in {folder}.", "warning")
+            self._session.tell("The file manager could not be opened.", f"The project is saved to {folder}.", "warning")
 
     @Slot(str, object)
     def export(self, kind: str, target: Path) -> None:
         """Write one document to ``target``."""
         measurement = self._session.measurement
         if measurement is None:
-            self._session.tell("Nothing is measured yet.", "Run the demo or open a project.", "warning")
+            self._session.tell("There is no measurement yet.", "Run the demo, or open a project.", "warning")
             return
         source = self._session.files.get(FORMATS[kind][1])
         cloud = self._session.filtered or measurement.stitched
@@ -94,12 +94,12 @@ class DocumentsController(QObject):
 
     @Slot(object)
     def _exported(self, target: Path) -> None:
-        self._session.tell(f"{target.name} is written.", f"It lies in {target.parent}.", "done")
+        self._session.tell(f"{target.name} saved to {target.parent}.", "", "done")
 
 
 def page_images(measurement: Measurement, folder: Path | None, job: Job) -> tuple[bytes, ...]:
     """Return the report's pages as PNG; runs on a job's thread."""
-    job.report(0, 2, "Drawing the pages")
+    job.report(0, 2, "Rendering the pages")
     from measureapp.project.folder import ProjectFolder
     from measureapp.project.geometry.files import read_mesh
     from measureapp.report.compose import compose
@@ -110,7 +110,7 @@ def page_images(measurement: Measurement, folder: Path | None, job: Job) -> tupl
         path = ProjectFolder.open(folder).nominal
         nominal = None if path is None else read_mesh(path, "nominal")
     model = compose(measurement, nominal)
-    job.report(1, 2, "Drawing the pages")
+    job.report(1, 2, "Rendering the pages")
     return tuple(model_page_images(model))
 
 
@@ -124,14 +124,14 @@ def export(kind: str, source: Path | None, measurement: Measurement, target: Pat
     elif kind == "stl" and measurement.mesh is not None:
         write_mesh(target, measurement.mesh)
     elif kind == "stl":
-        raise InputError("This measurement has no surface mesh.", "Compute the project again to make one.")
+        raise InputError("This measurement has no surface mesh.", "Recompute the project to create one.")
     else:
         _copy(source, target)
     return target
 
 
 def export_open(cloud: StitchedCloud, target: Path, job: Job) -> Path:
-    """Write the points of one open patch joined by triangles; runs on a job's thread. Raises RegistrationError for other surfaces."""
+    """Write the triangulation of one open patch; runs on a job's thread. Raises RegistrationError for other surfaces."""
     from measureapp.project.geometry.files import write_mesh
     from measureapp.register.surface.open import triangulate_open_patch
 
@@ -143,6 +143,6 @@ def _copy(source: Path | None, target: Path) -> None:
     from measureapp.project.atomic import replacing
 
     if source is None or not source.exists():
-        raise StorageError("This document was not written yet.", "Compute the project again to make its documents.")
+        raise StorageError("This document does not exist yet.", "Recompute the project to create its documents.")
     with replacing(target) as temporary:
         shutil.copyfile(source, temporary)

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from measureapp.data.length_unit import LengthUnit
 from measureapp.errors import InputError, UnitQuestion
-from ui.controllers.comparison import comparison_of
+from ui.controllers.comparison import compute_comparison
 from ui.controllers.jobs import JobRunner
 from ui.session import Comparison, Session
 
@@ -101,7 +101,7 @@ def measure_file(files: FilesToMeasure, job: Job) -> MeasuredFile | FileQuestion
         if (files.unit if question.what == "points" else files.nominal_unit) is None:
             return FileQuestion(files, question)
         raise InputError(question.message, "Choose files of the same part, or other units.") from question
-    comparison = None if nominal is None else comparison_of(cloud, nominal, inspection.alignment, program, PartOf(job, 0.7, 1.0))
+    comparison = None if nominal is None else compute_comparison(cloud, nominal, inspection.alignment, program, PartOf(job, 0.7, 1.0))
     return MeasuredFile(files, cloud, inspection, comparison)
 
 

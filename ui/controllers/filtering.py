@@ -1,4 +1,4 @@
-"""Filtering the merged cloud, and taking filters back; the stitched cloud is never changed."""
+"""Filtering of the merged cloud, with undo; the stitched cloud is never changed."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Filtered:
-    """Filters on a cloud, and why they could not be kept with the project, if they could not."""
+    """Filters of a cloud, and the error if they could not be stored with the project."""
 
     of: StitchedCloud
     chain: FilterChain
@@ -30,7 +30,7 @@ class Filtered:
 
 
 class FilteringController(QObject):
-    """Keeps filters, and what they leave of the merged cloud, in the session and in the project's folder of results."""
+    """Holds filters and the filtered cloud in the session, and stores them with the project's results."""
 
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -38,29 +38,29 @@ class FilteringController(QObject):
 
     @property
     def can_undo(self) -> bool:
-        """Whether a filter can be taken back."""
+        """Whether a filter can be undone."""
         return self._session.filters is not None and not self._session.busy_with
 
     @property
     def _folder(self) -> Path | None:
-        """Where the stitched cloud lies, and filters beside it; nowhere without a project on disk."""
+        """The folder of the stitched cloud and its filters; None without a project on disk."""
         stored = self._session.files.get("stitched_cloud")
         return None if stored is None or not stored.exists() else stored.parent
 
     @Slot(object)
     def apply(self, wanted: Filter) -> None:
-        """Filter what is left of the merged cloud."""
+        """Add a filter to the merged cloud."""
         session = self._session
         cloud, chain, folder = session.stitched, session.filters, self._folder
         if cloud is not None and not session.busy_with:
-            self._runner.run("Filtering", lambda job: filtered(cloud, chain, wanted, folder, job), self._keep)
+            self._runner.run("Filtering", lambda job: add_filter(cloud, chain, wanted, folder, job), self._keep)
 
     @Slot()
     def undo(self) -> None:
-        """Take the last filter back."""
+        """Undo the last filter."""
         cloud, chain, folder = self._session.stitched, self._session.filters, self._folder
         if cloud is not None and chain is not None and self.can_undo:
-            self._runner.run("Taking the filter back", lambda job: kept(cloud, chain.without_last(), folder, job), self._take_back)
+            self._runner.run("Undoing the filter", lambda job: store_filters(cloud, chain.without_last(), folder, job), self._undo_finished)
 
     @Slot(object)
     def _keep(self, found: Filtered) -> None:
@@ -69,37 +69,37 @@ class FilteringController(QObject):
             return
         before = len(session.filtered or found.of)
         if before == int(found.chain.kept_mask.sum()):
-            session.tell("The filter takes no point away.", "Tighten it, or choose another kind.")
+            session.tell("The filter removes no points.", "Use stricter limits, or another filter.")
             return
         session.set_filters(found.chain)
-        words = f"{counted(before - len(session.filtered or ()))} of {counted(before)} points are filtered out."
-        self._tell(found, words, "Dimensions stay those of the stitched cloud.")
+        words = f"{counted(before - len(session.filtered or ()))} of {counted(before)} points removed."
+        self._tell(found, words, "Dimensions still refer to the stitched cloud.")
 
     @Slot(object)
-    def _take_back(self, found: Filtered) -> None:
+    def _undo_finished(self, found: Filtered) -> None:
         if found.of is self._session.stitched:
             self._session.set_filters(found.chain)
-            self._tell(found, "The last filter is taken back.", "")
+            self._tell(found, "Last filter undone.", "")
 
     def _tell(self, found: Filtered, words: str, hint: str) -> None:
         if found.problem is None:
             self._session.tell(words, hint, "done")
         else:
-            self._session.tell(f"{words} This is not kept with the project: {found.problem.message}", found.problem.hint, "warning")
+            self._session.tell(f"{words} Not saved with the project: {found.problem.message}", found.problem.hint, "warning")
 
 
-def filtered(cloud: StitchedCloud, chain: FilterChain | None, wanted: Filter, folder: Path | None, job: Job) -> Filtered:
-    """Add a filter to those of a cloud and keep them in ``folder``; runs on a job's thread."""
+def add_filter(cloud: StitchedCloud, chain: FilterChain | None, wanted: Filter, folder: Path | None, job: Job) -> Filtered:
+    """Add a filter to those of a cloud and store them in ``folder``; runs on a job's thread."""
     from measureapp.progress import PartOf
     from measureapp.register.clouds.filter_chain import FilterChain
 
     before = FilterChain.empty(len(cloud)) if chain is None else chain
     after = before.append(wanted, cloud.points_mm, PartOf(job, 0.0, 0.9))
-    return Filtered(cloud, after, None) if after.kept_mask.sum() == before.kept_mask.sum() else kept(cloud, after, folder, job)
+    return Filtered(cloud, after, None) if after.kept_mask.sum() == before.kept_mask.sum() else store_filters(cloud, after, folder, job)
 
 
-def kept(cloud: StitchedCloud, chain: FilterChain, folder: Path | None, job: Job) -> Filtered:
-    """Keep the filters of a cloud in ``folder``; where that cannot be written they are used all the same. Runs on a job's thread."""
+def store_filters(cloud: StitchedCloud, chain: FilterChain, folder: Path | None, job: Job) -> Filtered:
+    """Store the filters of a cloud in ``folder``; they are used even if that fails. Runs on a job's thread."""
     from measureapp.project.filter_file import save_filters
 
     job.report(9, 10, "Storing")

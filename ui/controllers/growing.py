@@ -1,4 +1,4 @@
-"""Growing features from places that were clicked: a look at what is there, and an entry for the inspection program."""
+"""Growing of features from clicked points, and their entries for the inspection program."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ GrownShape = Literal["plane", "cylinder", "sphere", "cone"]
 
 @dataclass(frozen=True, eq=False)
 class GrownFeature:
-    """A feature that grew from a clicked place, in the nominal's frame."""
+    """A feature grown from a clicked point, in the nominal's frame."""
 
     feature: Feature
     seed_mm: tuple[float, float, float]
 
     @property
     def entry(self) -> str:
-        """The lines that measure it in an inspection program."""
+        """The lines that define it in an inspection program."""
         from measureapp.project.program_text import format_entry
 
         seed = tuple(round(value, 3) for value in self.seed_mm)
@@ -39,7 +39,7 @@ class GrownFeature:
 
 
 class GrowingController(QObject):
-    """Grows one feature after the other on the measured points; what grew stays until it is taken back or the clouds change."""
+    """Grows features on the measured points; they stay until they are undone or the clouds change."""
 
     changed = Signal()
 
@@ -53,7 +53,7 @@ class GrowingController(QObject):
 
     @Slot(object, str)
     def grow(self, place_mm: np.ndarray, shape: GrownShape) -> None:
-        """Grow a feature of this shape from a place in the nominal's frame."""
+        """Grow a feature of this shape from a point in the nominal's frame."""
         stitched, inspection = self._session.stitched, self._session.inspection
         if stitched is None or inspection is None:
             return
@@ -61,18 +61,18 @@ class GrowingController(QObject):
         taken = {one.name for one in inspection.features} | {one.feature.name for one in self.grown}
         name = next(f"{shape} {number}" for number in range(1, len(taken) + 2) if f"{shape} {number}" not in taken)
         seed, alignment = (float(place_mm[0]), float(place_mm[1]), float(place_mm[2])), inspection.alignment
-        self._runner.run("Growing a feature", lambda job: grown_feature(stitched, alignment, name, shape, seed, job), self._keep)
+        self._runner.run("Growing a feature", lambda job: grow_feature(stitched, alignment, name, shape, seed, job), self._keep)
 
     @Slot()
     def undo(self) -> None:
-        """Forget the feature that grew last."""
+        """Remove the last grown feature."""
         if self.grown:
             self.grown.pop()
             self.changed.emit()
 
     @Slot()
     def _leave_to_program(self) -> None:
-        """Forget features that the program has now."""
+        """Remove features that are now part of the program."""
         inspection = self._session.inspection
         known = set() if inspection is None else {feature.name for feature in inspection.features}
         left = [one for one in self.grown if one.feature.name not in known]
@@ -93,10 +93,10 @@ class GrowingController(QObject):
             self.changed.emit()
 
 
-def grown_feature(
+def grow_feature(
     stitched: StitchedCloud, alignment: Alignment, name: str, shape: GrownShape, seed_mm: tuple[float, float, float], job: Job
 ) -> GrownFeature:
-    """Grow one feature; runs on a job's thread. Raises InspectionError with the reason where none grows."""
+    """Grow one feature; runs on a job's thread. Raises InspectionError with the reason if none is found."""
     from measureapp.data.inspection_program import InspectionProgram
     from measureapp.inspection.find_features import find_features
     from measureapp.inspection.measured_points import MeasuredPoints
@@ -108,5 +108,5 @@ def grown_feature(
     found = find_features(points, program, None, InspectionSettings(), job)[name]
     if found.feature is None:
         reason, _, remedy = found.reason.removeprefix(f"{name}: ").rstrip(".").partition(". ")
-        raise InspectionError(f"No {shape} grows there: {reason}.", sentence(remedy) or "Click another place, or choose another shape.")
+        raise InspectionError(f"No {shape} found there: {reason}.", sentence(remedy) or "Click another point, or choose another shape.")
     return GrownFeature(found.feature, seed_mm)

@@ -1,4 +1,4 @@
-"""Why a view has holes: computed again from its stored images, on a thread of its own."""
+"""Analysis of the holes of a view, recomputed from its stored images on a separate thread."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Kind = Literal["grey", "reasons", "exposure", "snr"]
 
 @dataclass(frozen=True, eq=False)
 class Explanation:
-    """A view to ask about, and the shares of all reasons by camera."""
+    """An analysed view, and the shares of all reasons by camera."""
 
     view: ExplainedView
     shares: Mapping[str, Mapping[str, float]]
@@ -33,7 +33,7 @@ class Explanation:
 
 @dataclass(frozen=True, eq=False)
 class DrawnImage:
-    """The image of one camera in the colours asked for."""
+    """The image of one camera in the chosen colours."""
 
     view: ExplainedView
     camera: str
@@ -43,12 +43,12 @@ class DrawnImage:
 
 
 class HolesController(QObject):
-    """Explains views of the open project; the last one is kept."""
+    """Analyses views of the open project; the last one is cached."""
 
     progressed = Signal(float, str)
     explained = Signal(object)  # Explanation
     drawn = Signal(object)  # DrawnImage
-    stopped = Signal(str)  # why there is no explanation, in words; empty when it was cancelled
+    stopped = Signal(str)  # reason of the failure; empty when cancelled
 
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -61,39 +61,39 @@ class HolesController(QObject):
 
     @property
     def can_explain(self) -> bool:
-        """Whether a project with images lies on disk."""
+        """Whether there is a project with images on disk."""
         folder = self._session.folder
         return folder is not None and (folder / "project.json").exists()
 
     @Slot(str)
     def explain(self, viewpoint_id: str) -> None:
-        """Compute a view again, or take the one that was explained last."""
+        """Analyse a view, or return the cached one."""
         folder = self._session.folder
         self.cancel()
         if self._last is not None and self._last.view.viewpoint_id == viewpoint_id:
             self.explained.emit(self._last)
         elif folder is not None and self.can_explain:
             self._job = self._runner.run(
-                f"Explaining {viewpoint_id}",
-                lambda job: explanation(folder, viewpoint_id, job),
+                f"Analysing {viewpoint_id}",
+                lambda job: explain(folder, viewpoint_id, job),
                 self._keep,
                 on_failed=self._tell_failure,
                 on_cancelled=self._tell_cancelled,
                 quiet=True,
             )
         else:
-            self.stopped.emit("The images of this view are not on disk. Open the project that holds them.")
+            self.stopped.emit("The images of this view are not on disk. Open the project that contains them.")
 
     @Slot(str, str)
     def draw(self, camera: str, kind: Kind) -> None:
-        """Draw one camera of the view that was explained last."""
+        """Render one camera of the last analysed view."""
         last = self._last
         if last is not None:
-            self._runner.run("Drawing", lambda _job: drawn_image(last.view, camera, kind), self._tell_drawn, quiet=True)
+            self._runner.run("Drawing", lambda _job: render_image(last.view, camera, kind), self._tell_drawn, quiet=True)
 
     @Slot()
     def cancel(self) -> None:
-        """Stop explaining and drawing."""
+        """Cancel analysis and rendering."""
         self._runner.cancel()
 
     @Slot()
@@ -118,11 +118,11 @@ class HolesController(QObject):
 
     @Slot()
     def _tell_cancelled(self) -> None:
-        if self.sender() is self._job:  # another view may be asked for meanwhile
+        if self.sender() is self._job:  # another view may be requested already
             self.stopped.emit("")
 
 
-def explanation(folder: Path, viewpoint_id: str, job: Job) -> Explanation:
+def explain(folder: Path, viewpoint_id: str, job: Job) -> Explanation:
     """Decode and reconstruct one stored view; runs on a job's thread."""
     job.report(0, 1, f"Reading the images of {viewpoint_id}")
     from measureapp.pipeline.why import explain_view
@@ -133,8 +133,8 @@ def explanation(folder: Path, viewpoint_id: str, job: Job) -> Explanation:
     return Explanation(view, view.shares())
 
 
-def drawn_image(view: ExplainedView, camera: str, kind: Kind) -> DrawnImage:
-    """Return one camera's image in its colours; runs on a job's thread."""
+def render_image(view: ExplainedView, camera: str, kind: Kind) -> DrawnImage:
+    """Render one camera's image; runs on a job's thread."""
     from measureapp.pipeline.why_pictures import grey_picture, picture
 
     if kind == "grey":

@@ -1,4 +1,4 @@
-"""Changing the inspection program or the drawing by clicking: the part is measured again at once, and every change can be undone."""
+"""Changes of the inspection program or the nominal: the part is measured again immediately, and every change can be undone."""
 
 from __future__ import annotations
 
@@ -24,32 +24,32 @@ TITLE = "Measuring again"
 
 
 @dataclass(frozen=True)
-class Former:
-    """A program, and the drawing, where that was another one."""
+class FormerProgram:
+    """A former program, and the former nominal if it was changed."""
 
     program: str
-    drawing: Path | None = None
+    former_nominal: Path | None = None
 
 
 @dataclass(frozen=True, eq=False)
-class Changed:
-    """What measuring with another program or drawing gave, and what there was before."""
+class ChangedMeasurement:
+    """Result with a changed program or nominal, and the former ones."""
 
-    former: Former | None  # None: what cannot be gone back to, as there was no drawing
+    former: FormerProgram | None  # None: no undo, as there was no nominal
     outcome: Outcome
     words: str
 
 
 @dataclass(frozen=True, eq=False)
-class Asked:
-    """A drawing whose unit is asked for."""
+class NominalQuestion:
+    """A nominal whose unit is doubtful."""
 
     path: Path
     question: UnitQuestion
 
 
 class ProgrammingController(QObject):
-    """Measures the open project again after a change; where that fails, everything stays as it was."""
+    """Measures the open project again after a change; if that fails, nothing is changed."""
 
     changed = Signal()
     unitAsked = Signal(object)  # Asked
@@ -57,19 +57,19 @@ class ProgrammingController(QObject):
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._session, self._runner = session, runner
-        self._former: list[Former] = []
+        self._former: list[FormerProgram] = []
         session.projectChanged.connect(self._forget)
 
     @property
     def can_change(self) -> bool:
-        """Whether there is a measured project on disk, and nothing else runs."""
+        """Whether there is a measured project on disk, and no other job is running."""
         folder = self._session.folder
         measured = self._session.measurement is not None and folder is not None
         return measured and not self._session.busy_with and folder is not None and (folder / "project.json").exists()
 
     @property
     def can_undo(self) -> bool:
-        """Whether a change of program or drawing can be taken back."""
+        """Whether a change of program or nominal can be undone."""
         return bool(self._former) and self.can_change
 
     @Slot(str, str)
@@ -77,17 +77,17 @@ class ProgrammingController(QObject):
         """Add a feature or dimension to the program."""
         from measureapp.project.program_text import add_entry
 
-        self._change(lambda text: add_entry(text, lines), f"{name} is added to the inspection program.")
+        self._change(lambda text: add_entry(text, lines), f"{name} added to the inspection program.")
 
     @Slot(str)
     def remove(self, name: str) -> None:
-        """Take a feature or dimension out of the program."""
+        """Remove a feature or dimension from the program."""
         from measureapp.project.program_text import remove_entry
 
-        self._change(lambda text: remove_entry(text, name), f"{name} is taken out of the inspection program.")
+        self._change(lambda text: remove_entry(text, name), f"{name} removed from the inspection program.")
 
     def text(self) -> str:
-        """Return the program of the open project. Raises StorageError where it cannot be read."""
+        """Return the program of the open project. Raises StorageError if it cannot be read."""
         from measureapp.project.folder import ProjectFolder
 
         if self._session.folder is None:
@@ -96,46 +96,48 @@ class ProgrammingController(QObject):
         return project.program_text(has_nominal=project.nominal is not None)
 
     def replace(self, text: str) -> None:
-        """Measure with another program. Raises InputError where that is none."""
+        """Measure with another program. Raises InputError if it is invalid."""
         from measureapp.project.program_file import parse_program
 
         parse_program(text)
-        self._change(lambda _text: text, "The inspection program is changed.")
+        self._change(lambda _text: text, "Inspection program changed.")
 
     @Slot()
     def undo(self) -> None:
-        """Take the last change of the program back."""
+        """Undo the last change."""
         folder, measurement = self._session.folder, self._session.measurement
         if folder is not None and measurement is not None and self.can_undo:
             former = self._former[-1]
-            self._runner.run(TITLE, lambda job: taken_back(folder, measurement, former, job), self._take_back)
+            self._runner.run(TITLE, lambda job: measure_former(folder, measurement, former, job), self._undo_finished)
 
     @Slot(object)
-    def take_drawing(self, path: Path, unit: LengthUnit = LengthUnit.MM) -> None:
-        """Compare with another drawing from now on; where its unit is doubtful, it is asked for."""
+    def set_nominal(self, path: Path, unit: LengthUnit = LengthUnit.MM) -> None:
+        """Use another nominal; its unit is asked for if it is doubtful."""
         folder, measurement = self._session.folder, self._session.measurement
         if folder is not None and measurement is not None and self.can_change:
-            self._runner.run("Taking the drawing", lambda job: drawn(folder, measurement, path, unit, job), self._draw)
+            self._runner.run(
+                "Changing the nominal", lambda job: measure_with_nominal(folder, measurement, path, unit, job), self._show_nominal
+            )
 
     def _change(self, edit: Callable[[str], str], words: str) -> None:
         folder, measurement = self._session.folder, self._session.measurement
         if folder is not None and measurement is not None and self.can_change:
-            self._runner.run(TITLE, lambda job: changed(folder, measurement, edit, words, job), self._keep)
+            self._runner.run(TITLE, lambda job: measure_changed(folder, measurement, edit, words, job), self._keep)
 
     @Slot(object)
-    def _keep(self, found: Changed) -> None:
+    def _keep(self, found: ChangedMeasurement) -> None:
         if found.former is not None:
             self._former.append(found.former)
         self._show(found.outcome, found.words)
 
     @Slot(object)
-    def _take_back(self, outcome: Outcome) -> None:
+    def _undo_finished(self, outcome: Outcome) -> None:
         self._former.pop()
-        self._show(outcome, "The last change is taken back.")
+        self._show(outcome, "Last change undone.")
 
     @Slot(object)
-    def _draw(self, found: Changed | Asked) -> None:
-        if isinstance(found, Asked):
+    def _show_nominal(self, found: ChangedMeasurement | NominalQuestion) -> None:
+        if isinstance(found, NominalQuestion):
             self.unitAsked.emit(found)
         else:
             self._keep(found)
@@ -151,27 +153,29 @@ class ProgrammingController(QObject):
         self.changed.emit()
 
 
-def changed(folder: Path, measurement: Measurement, edit: Callable[[str], str], words: str, job: Job) -> Changed:
-    """Return what measuring with a changed program gives; runs on a job's thread."""
+def measure_changed(folder: Path, measurement: Measurement, edit: Callable[[str], str], words: str, job: Job) -> ChangedMeasurement:
+    """Measure with a changed program; runs on a job's thread."""
     from measureapp.pipeline.measure_again import measure_again
     from measureapp.project.folder import ProjectFolder
 
     project = ProjectFolder.open(folder)
     former = project.program_text(has_nominal=project.nominal is not None)
-    return Changed(Former(former), measure_again(project, measurement, job, program=edit(former)), words)
+    return ChangedMeasurement(FormerProgram(former), measure_again(project, measurement, job, program=edit(former)), words)
 
 
-def taken_back(folder: Path, measurement: Measurement, former: Former, job: Job) -> Outcome:
-    """Return what measuring as before a change gives; runs on a job's thread."""
+def measure_former(folder: Path, measurement: Measurement, former: FormerProgram, job: Job) -> Outcome:
+    """Measure with the program and nominal before a change; runs on a job's thread."""
     from measureapp.pipeline.measure_again import NominalFile, measure_again
     from measureapp.project.folder import ProjectFolder
 
-    drawing = None if former.drawing is None else NominalFile(former.drawing)
-    return measure_again(ProjectFolder.open(folder), measurement, job, program=former.program, nominal_file=drawing)
+    nominal = None if former.former_nominal is None else NominalFile(former.former_nominal)
+    return measure_again(ProjectFolder.open(folder), measurement, job, program=former.program, nominal_file=nominal)
 
 
-def drawn(folder: Path, measurement: Measurement, path: Path, unit: LengthUnit, job: Job) -> Changed | Asked:
-    """Return what measuring with another drawing gives, or the question for its unit; runs on a job's thread."""
+def measure_with_nominal(
+    folder: Path, measurement: Measurement, path: Path, unit: LengthUnit, job: Job
+) -> ChangedMeasurement | NominalQuestion:
+    """Measure with another nominal, or return the question for its unit; runs on a job's thread."""
     from measureapp.pipeline.measure_again import NominalFile, measure_again
     from measureapp.project.folder import ProjectFolder
 
@@ -181,8 +185,8 @@ def drawn(folder: Path, measurement: Measurement, path: Path, unit: LengthUnit, 
         outcome = measure_again(project, measurement, job, nominal_file=NominalFile(path, unit))
     except UnitQuestion as question:
         if question.what == "nominal" and unit is LengthUnit.MM:
-            return Asked(path, question)
-        raise InputError(question.message, "Choose the drawing of this part, or export it in millimetres.") from question
-    return Changed(
-        Former(former, project.former_nominals()[-1]) if had_one else None, outcome, f"The part is compared with {path.name} from now on."
+            return NominalQuestion(path, question)
+        raise InputError(question.message, "Choose the nominal of this part, or export it in millimetres.") from question
+    return ChangedMeasurement(
+        FormerProgram(former, project.former_nominals()[-1]) if had_one else None, outcome, f"Nominal changed to {path.name}."
     )

@@ -1,4 +1,4 @@
-"""Using a view that was left out, or leaving one out that was used, and taking that back."""
+"""Manual use or exclusion of views, with undo."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ TITLE = "Stitching again"
 
 
 class ViewChoicesController(QObject):
-    """Stitches the open project again after a choice; the session changes when that is complete, and not at all where it fails."""
+    """Stitches the open project again after a choice; if that fails, nothing is changed."""
 
     undoChanged = Signal()
 
@@ -32,40 +32,40 @@ class ViewChoicesController(QObject):
 
     @property
     def can_choose(self) -> bool:
-        """Whether there are stitched views in a project on disk, and nothing else runs."""
+        """Whether there are stitched views in a project on disk, and no other job is running."""
         folder = self._session.folder
         measured = self._session.measurement is not None and folder is not None
         return measured and not self._session.busy_with and folder is not None and (folder / "project.json").exists()
 
     @property
     def can_undo(self) -> bool:
-        """Whether a choice can be taken back."""
+        """Whether a choice can be undone."""
         return bool(self._former) and self.can_choose
 
     @Slot(str, str)
     def choose(self, viewpoint_id: str, choice: ViewChoice) -> None:
-        """Use a view, or refuse it, from now on."""
+        """Use or exclude a view."""
         folder = self._session.folder
         if folder is not None and self.can_choose:
-            self._runner.run(TITLE, lambda job: restitched(folder, viewpoint_id, choice, job), self._keep)
+            self._runner.run(TITLE, lambda job: restitch_with_choice(folder, viewpoint_id, choice, job), self._keep)
 
     @Slot()
     def undo(self) -> None:
-        """Take the last choice back."""
+        """Undo the last choice."""
         folder = self._session.folder
         if folder is not None and self.can_undo:
             former = self._former[-1]
-            self._runner.run(TITLE, lambda job: restitched_with(folder, former, job), self._take_back)
+            self._runner.run(TITLE, lambda job: restitch_with_choices(folder, former, job), self._undo_finished)
 
     @Slot(object)
     def _keep(self, found: tuple[ViewChoices, Outcome]) -> None:
         self._former.append(found[0])
-        self._show(found[1], "The views are stitched again. The choice is kept with the project.")
+        self._show(found[1], "Views stitched again. The choice is saved with the project.")
 
     @Slot(object)
-    def _take_back(self, outcome: Outcome) -> None:
+    def _undo_finished(self, outcome: Outcome) -> None:
         self._former.pop()
-        self._show(outcome, "The choice is taken back, and the views are stitched again.")
+        self._show(outcome, "Choice undone. Views stitched again.")
 
     def _show(self, outcome: Outcome, words: str) -> None:
         self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
@@ -78,16 +78,16 @@ class ViewChoicesController(QObject):
         self.undoChanged.emit()
 
 
-def restitched(folder: Path, viewpoint_id: str, choice: ViewChoice, job: Job) -> tuple[ViewChoices, Outcome]:
-    """Return the former choices, and what stitching with another one gives; runs on a job's thread."""
+def restitch_with_choice(folder: Path, viewpoint_id: str, choice: ViewChoice, job: Job) -> tuple[ViewChoices, Outcome]:
+    """Stitch with another choice for one view; return the former choices and the result. Runs on a job's thread."""
     from measureapp.project.folder import ProjectFolder
 
     former = ProjectFolder.open(folder).view_choices()
-    return former, restitched_with(folder, former.with_choice(viewpoint_id, choice), job)
+    return former, restitch_with_choices(folder, former.with_choice(viewpoint_id, choice), job)
 
 
-def restitched_with(folder: Path, choices: ViewChoices, job: Job) -> Outcome:
-    """Return what stitching with these choices gives; runs on a job's thread."""
+def restitch_with_choices(folder: Path, choices: ViewChoices, job: Job) -> Outcome:
+    """Stitch with these choices; runs on a job's thread."""
     from measureapp.pipeline.restitch import restitch
     from measureapp.project.folder import ProjectFolder
 

@@ -1,4 +1,4 @@
-"""Measuring by clicking: the distance between two points of the picture, with its uncertainty."""
+"""Point-to-point distance tool: distance of two picked points, with uncertainty."""
 
 from __future__ import annotations
 
@@ -21,29 +21,29 @@ if TYPE_CHECKING:
 FIRST, SECOND = "Click the first point", "Click the second point"
 MARK_MM = 1.5
 TIP = "Measure the distance between two points you click"
-WHAT_IT_IS = "Between these two single points. A dimension of the inspection program rests on thousands of points and is more certain."
+WHAT_IT_IS = "Distance of two single points. A dimension of the inspection program uses thousands of points and has a smaller uncertainty."
 
 
 @dataclass(frozen=True, eq=False)
 class ClickedPoint:
-    """A measured point that was clicked."""
+    """A picked measured point."""
 
     position_mm: np.ndarray  # (3,)
     sigma_mm: float
     view: str
-    number: int | None = None  # which of the errors' views that is; None where no errors are known
+    number: int | None = None  # number of its view in `errors`; None without an error model
     errors: ViewErrors | None = None  # of the stitched views, in the frame of the position
     scale_ppm: float = 0.0  # standard uncertainty of all lengths of the rig
 
 
 @dataclass(frozen=True, eq=False)
 class Distance:
-    """Two clicked points and what lies between them."""
+    """Distance of two picked points."""
 
     first: ClickedPoint
     second: ClickedPoint
     length_mm: float
-    uncertainty_mm: float | None  # k = 2; None where the points' own is not known
+    uncertainty_mm: float | None  # k = 2; None where that of the points is not known
 
     @classmethod
     def between(cls, first: ClickedPoint, second: ClickedPoint) -> Distance:
@@ -66,7 +66,7 @@ class Distance:
 
 
 class DistanceTool(QObject):
-    """Collects clicked points while its button is down; what was measured stays until it is undone or the clouds change."""
+    """Collects picked points while its button is checked; distances stay until they are undone or the clouds change."""
 
     changed = Signal()
 
@@ -91,11 +91,11 @@ class DistanceTool(QObject):
 
     @property
     def can_undo(self) -> bool:
-        """Whether there is something to take back."""
+        """Whether there is something to undo."""
         return self._first is not None or bool(self.distances)
 
     def click(self, point: ClickedPoint) -> None:
-        """Take a point: the first, or the second, which completes a distance."""
+        """Add a point: the first, or the second, which completes a distance."""
         if self._first is None:
             self._first = point
         else:
@@ -105,7 +105,7 @@ class DistanceTool(QObject):
 
     @Slot()
     def undo(self) -> None:
-        """Take back the point that waits for its second, or the last distance."""
+        """Remove a single first point, or the last distance."""
         if self._first is not None:
             self._first = None
         elif self.distances:
@@ -113,13 +113,13 @@ class DistanceTool(QObject):
         self.changed.emit()
 
     def keep_for(self, where: object) -> None:
-        """Forget what was clicked elsewhere: in another cloud, or under another alignment."""
+        """Discard points of another cloud or alignment."""
         if where != self._where:
             self._where, self._first, self.distances = where, None, []
             self.changed.emit()
 
     def lines(self, colour: tuple[int, int, int]) -> list[LineLayer]:
-        """Return what was measured as lines, with a cross at each point."""
+        """Return the distances as lines, with a cross at each point."""
         drawn = [np.stack([one.first.position_mm, one.second.position_mm]) for one in self.distances]
         points = [point for one in self.distances for point in (one.first, one.second)] + ([self._first] if self._first else [])
         crosses = [point.position_mm + MARK_MM * np.outer([-1.0, 1.0], axis) for point in points for axis in np.eye(3)]
@@ -132,7 +132,7 @@ class DistanceTool(QObject):
         return [Label(one.words, (one.first.position_mm + one.second.position_mm) / 2.0, *colours) for one in self.distances]
 
     def properties(self) -> Properties:
-        """Return what there is to know about the last distance."""
+        """Return the properties of the last distance."""
         if not self.distances:
             return Properties("Distance", note=f"{self.hint}." if self.hint else "")
         one = self.distances[-1]

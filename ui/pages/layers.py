@@ -1,4 +1,4 @@
-"""Nouns of the core as layers of the 3-D view."""
+"""Clouds and meshes of the core as layers of the 3-D view."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from measureapp.geometry.transform import RigidTransform
     from ui.session import Comparison
 
-DENSE_TRIANGLES = 150_000  # so dense that rounded edges are not seen
-RESIDUAL_RANGE = 3.0  # of a view's rms: nearly all of its points lie within
-SCALE_SAMPLES = 20_000  # of each cloud decide the end of the scale
+DENSE_TRIANGLES = 150_000  # so dense that smoothed edges are invisible
+RESIDUAL_RANGE = 3.0  # in rms of a view: contains nearly all of its points
+SCALE_SAMPLES = 20_000  # of each cloud, for the end of the scale
 ColourBy = Literal["view", "sigma", "grey", "residual"]
 
 
@@ -36,8 +36,8 @@ def view_colour(theme: Theme, index: int) -> tuple[int, int, int]:
     return colour.red(), colour.green(), colour.blue()
 
 
-def placed(view: ViewResult, placement: ViewPlacement | None, *, fine: bool) -> PointCloud:
-    """Return the cloud of a view in the part's frame, by the axes alone or after fine stitching."""
+def place_view(view: ViewResult, placement: ViewPlacement | None, *, fine: bool) -> PointCloud:
+    """Return the cloud of a view in the part's frame, at its kinematic or registered position."""
     pose = view.part_from_camera
     if placement is not None:
         pose = placement.part_from_camera if fine else placement.kinematic
@@ -45,22 +45,22 @@ def placed(view: ViewResult, placement: ViewPlacement | None, *, fine: bool) -> 
 
 
 class PlacedClouds:
-    """Clouds in the part's frame, kept so that a change of colours does not place them again."""
+    """Cache of clouds in the part's frame, so that a change of colours does not transform them again."""
 
     def __init__(self) -> None:
         self._kept: dict[tuple[str, bool], tuple[ViewResult, ViewPlacement | None, PointCloud]] = {}
 
     def get(self, view: ViewResult, placement: ViewPlacement | None, *, fine: bool) -> PointCloud:
-        """Return the cloud of a view, placed by the axes alone or after fine stitching."""
+        """Return the cloud of a view at its kinematic or registered position."""
         key = (view.viewpoint_id, fine)
         kept = self._kept.get(key)
         if kept is None or kept[0] is not view or kept[1] is not placement:
-            kept = self._kept[key] = (view, placement, placed(view, placement, fine=fine))
+            kept = self._kept[key] = (view, placement, place_view(view, placement, fine=fine))
         return kept[2]
 
 
 def placements_of(stitched: StitchedCloud | None) -> dict[str, ViewPlacement]:
-    """Return how each view was stitched, so far."""
+    """Return the placements of the views, as far as registered."""
     return {} if stitched is None else {placement.viewpoint_id: placement for placement in stitched.placements}
 
 
@@ -76,7 +76,7 @@ def scale_end(colour_by: ColourBy, clouds: Collection[PointCloud | StitchedCloud
 def view_layer(
     theme: Theme, cloud: PointCloud, index: int, colour_by: ColourBy, end_mm: float, residuals_mm: np.ndarray | None = None
 ) -> CloudLayer:
-    """Return one view's points, coloured; ``residuals_mm`` (N,) are signed, where they are what decides the colour."""
+    """Return one view's points, coloured; ``residuals_mm`` (N,) are signed, for colouring by residual."""
     count = len(cloud)
     if colour_by == "sigma":
         colours = along(GROWING, cloud.sigma_mm, 0.0, end_mm)
@@ -100,8 +100,7 @@ def stitched_layer(
 ) -> CloudLayer:
     """Return the merged points of the visible views, coloured.
 
-    ``places`` tells the place of a view among all, which is its colour; ``residuals_mm`` (N,) is what the views leave at
-    each merged point (rms).
+    ``places`` is the index of each view, which defines its colour; ``residuals_mm`` (N,) is the rms residual at each merged point.
     """
     keep = np.isin(stitched.view, list(visible))
     view = stitched.view[keep]
@@ -120,7 +119,7 @@ def stitched_layer(
 
 
 def deviation_layers(comparison: Comparison, normals: np.ndarray, end_mm: float) -> list[CloudLayer]:
-    """Return the points coloured by their deviation, and in grey the places of the drawing that were not measured."""
+    """Return the points coloured by their deviation, and the unmeasured parts of the nominal in grey."""
     found = comparison.deviation
     grey = (int(UNKNOWN[0]), int(UNKNOWN[1]), int(UNKNOWN[2]))
     return [
@@ -135,7 +134,7 @@ def points_layer(stitched: StitchedCloud, frame: RigidTransform, shade: tuple[in
 
 
 def filled_share(mesh: Mesh) -> float:
-    """Return the share of a surface's area that was filled in without points; dimensions are never measured there."""
+    """Return the share of a surface's area that was filled, not measured; dimensions are never evaluated there."""
     if mesh.measured is None or mesh.measured.all():
         return 0.0
     first, second, third = (mesh.vertices_mm[mesh.triangles[:, corner]] for corner in range(3))
@@ -144,7 +143,7 @@ def filled_share(mesh: Mesh) -> float:
 
 
 def mesh_layer(mesh: Mesh, frame: RigidTransform, shade: tuple[int, int, int]) -> SurfaceLayer:
-    """Return the measured surface in another frame; what was filled in without points is hatched."""
+    """Return the measured surface in another frame; filled parts are hatched."""
     colours = plain(shade, len(mesh.vertices_mm))
     if mesh.measured is not None:
         colours[~mesh.measured] = UNKNOWN

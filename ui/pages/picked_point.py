@@ -1,4 +1,4 @@
-"""Where a point in the picture comes from."""
+"""Source of a picked point: view, pixel, and the views that measured it."""
 
 from __future__ import annotations
 
@@ -16,33 +16,33 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import ViewResult
 
 
-OFF = "How far each lies from the merged surface, and its σ"
-SAME_PLACE_MM = 1.0  # a view with a point this near measured the place too
+OFF = "Distance from the merged surface, and σ"
+SAME_PLACE_MM = 1.0  # a view with a point this close has measured the same location
 
 
 @dataclass(frozen=True)
 class Sighting:
-    """A view that measured a place, too."""
+    """A view that measured the same location."""
 
     viewpoint_id: str
     sigma_mm: float
-    off_mm: float  # from the merged surface, along its normal
+    distance_mm: float  # from the merged surface, along its normal
 
 
 @dataclass(frozen=True, eq=False)
 class PickedPoint:
-    """One point in the part's frame, and how it was measured."""
+    """One point in the part's frame, with its source."""
 
     viewpoint_id: str
     position_mm: np.ndarray  # (3,)
     sigma_mm: float
     grey: float
     pixel: tuple[int, int] | None  # row, column; None where it is not known
-    cameras: int  # how many cameras saw it
-    camera: int = 0  # place, in the calibration, of the camera whose pixel it is
-    nearest_mm: float | None = None  # from a merged point to the measured one whose pixel is told
-    seen_by: tuple[Sighting, ...] = ()  # of a merged point
-    deviation_mm: float | None = None  # from the drawing
+    cameras: int  # number of cameras that measured it
+    camera: int = 0  # index, in the calibration, of the camera of `pixel`
+    nearest_mm: float | None = None  # from a merged point to the measured point of `pixel`
+    sightings: tuple[Sighting, ...] = ()  # of a merged point
+    deviation_mm: float | None = None  # from the nominal
 
 
 def view_point(viewpoint_id: str, cloud: PointCloud, place: int) -> PickedPoint:
@@ -61,7 +61,7 @@ def view_point(viewpoint_id: str, cloud: PointCloud, place: int) -> PickedPoint:
 
 
 def merged_point(stitched: StitchedCloud, row: int, views: Sequence[ViewResult]) -> PickedPoint:
-    """Return one point of the merged cloud, with the pixel of the measured point next to it in the view that weighs most."""
+    """Return one point of the merged cloud, with the pixel of the nearest measured point in the view of greatest weight."""
     position, sigma, grey = stitched.points_mm[row], float(stitched.sigma_mm[row]), float(stitched.grey[row])
     if not stitched.placements:  # of a file
         return PickedPoint(stitched.view_names[int(stitched.view[row])], position, sigma, grey, None, 0)
@@ -69,11 +69,11 @@ def merged_point(stitched: StitchedCloud, row: int, views: Sequence[ViewResult])
     seen = _sightings(stitched, row, views)
     cloud = next((view.cloud for view in views if view.viewpoint_id == placement.viewpoint_id), None)
     if cloud is None or not len(cloud):
-        return PickedPoint(placement.viewpoint_id, position, sigma, grey, None, 0, seen_by=seen)
+        return PickedPoint(placement.viewpoint_id, position, sigma, grey, None, 0, sightings=seen)
     place, distance = _nearest(cloud, placement, position)
     nearest = view_point(placement.viewpoint_id, cloud, place)
     return PickedPoint(
-        placement.viewpoint_id, position, sigma, grey, nearest.pixel, nearest.cameras, nearest.camera, distance, seen_by=seen
+        placement.viewpoint_id, position, sigma, grey, nearest.pixel, nearest.cameras, nearest.camera, distance, sightings=seen
     )
 
 
@@ -85,7 +85,7 @@ def _nearest(cloud: PointCloud, placement: ViewPlacement, position_mm: np.ndarra
 
 
 def _sightings(stitched: StitchedCloud, row: int, views: Sequence[ViewResult]) -> tuple[Sighting, ...]:
-    """Return every used view with a point near a merged one, and how far off that point lies along the surface's normal."""
+    """Return every used view with a point near a merged one, and its distance along the surface normal."""
     position, normal = stitched.points_mm[row], stitched.normals[row].astype(float)
     placements = {placement.viewpoint_id: placement for placement in stitched.placements}
     found = []
@@ -101,7 +101,7 @@ def _sightings(stitched: StitchedCloud, row: int, views: Sequence[ViewResult]) -
 
 
 def point_properties(point: PickedPoint) -> Properties:
-    """Return what there is to know about one point."""
+    """Return the properties of one point."""
     x, y, z = (quantity(float(value), "mm") for value in point.position_mm)
     pixel = NOTHING if point.pixel is None else f"{point.pixel[0]}, {point.pixel[1]}"
     measured = [
@@ -109,14 +109,16 @@ def point_properties(point: PickedPoint) -> Properties:
         ("Pixel (row, column)", pixel),
         ("Standard deviation σ", millimetres(point.sigma_mm) if point.sigma_mm > 0 else NOTHING),
         ("Brightness", percent(point.grey, 0)),
-        ("Seen by", several(point.cameras, "camera") if point.cameras else NOTHING),
+        ("Measured by", several(point.cameras, "camera") if point.cameras else NOTHING),
     ]
     if point.nearest_mm is not None:
         measured.append(("Nearest point of the view", millimetres(point.nearest_mm)))
     if point.deviation_mm is not None:
-        measured.append(("Deviation from the drawing", millimetres(point.deviation_mm, signed=True)))
-    groups = [Group("Place on the part", (("x", x), ("y", y), ("z", z))), Group("How it was measured", tuple(measured))]
-    if point.seen_by:
-        rows = ((one.viewpoint_id, f"{millimetres(one.off_mm, signed=True)}, σ {millimetres(one.sigma_mm)}") for one in point.seen_by)
-        groups.append(Group("Views that measured this place", (("", OFF), *rows)))
+        measured.append(("Deviation from the nominal", millimetres(point.deviation_mm, signed=True)))
+    groups = [Group("Position on the part", (("x", x), ("y", y), ("z", z))), Group("Source", tuple(measured))]
+    if point.sightings:
+        rows = (
+            (one.viewpoint_id, f"{millimetres(one.distance_mm, signed=True)}, σ {millimetres(one.sigma_mm)}") for one in point.sightings
+        )
+        groups.append(Group("Views that measured this point", (("", OFF), *rows)))
     return Properties("Point", tuple(groups))

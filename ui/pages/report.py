@@ -1,4 +1,4 @@
-"""Report: the pages as they are printed, and the documents."""
+"""Report page: print preview, and export of documents."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ from ui.widgets.properties_panel import Group, Properties
 
 EMPTY = (
     "No report yet",
-    "The report is composed when a part is measured: pictures, dimensions, calibration and settings on pages to sign.",
+    "The report is created when a part has been measured: pictures, dimensions, calibration and settings.",
 )
 PAGE_WIDTH = 820
 
 
 class ReportPage(Page):
-    """A preview that is the PDF, and export by format."""
+    """Preview of the PDF pages, and export by format."""
 
     name, word, wants_room = "report", "Report", True
     for_operator = True
@@ -47,7 +47,12 @@ class ReportPage(Page):
         folder = Button("Show in folder", look, "open", "quiet")
         folder.clicked.connect(controllers.documents.open_folder)
         side = card(
-            label("Export", "heading"), label("Writes a copy where you choose.", "soft", wrap=True), 8, *self.exports.values(), 0, folder
+            label("Export", "heading"),
+            label("Saves a copy to a folder of your choice.", "soft", wrap=True),
+            8,
+            *self.exports.values(),
+            0,
+            folder,
         )
         side.setFixedWidth(288)
         layout = row(self._scroll, side, spacing=16)
@@ -69,7 +74,7 @@ class ReportPage(Page):
 
     def _show_busy(self) -> None:
         if self.session.busy_with and self.session.measurement is None:
-            self.empty.say("No report yet", "The report is written when the dimensions are known.", offer=False)
+            self.empty.say("No report yet", "The report is written when the dimensions have been evaluated.", offer=False)
         else:
             self.empty.say(*EMPTY)
 
@@ -103,12 +108,12 @@ class ReportPage(Page):
             self._pages.addWidget(shown)
         self._fit_pages()
         if not self.pages and self.session.measurement is not None:
-            self._say("The pages are being drawn…")
+            self._say("Rendering the pages…")
         self._pages.addStretch(1)
 
     def _show_no_pages(self) -> None:
         clear(self._pages)
-        self._say("There is no preview. Open PDF shows the report." if self.open_pdf.isVisibleTo(self) else "There is no preview.")
+        self._say("No preview. Use Open PDF to view the report." if self.open_pdf.isVisibleTo(self) else "No preview.")
         self._pages.addStretch(1)
 
     def _say(self, words: str) -> None:
@@ -117,12 +122,12 @@ class ReportPage(Page):
         self._pages.addWidget(told)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Fit the pages to the room there is."""
+        """Fit the pages to the available width."""
         super().resizeEvent(event)
         QTimer.singleShot(0, self, self._fit_pages)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Fit the pages to the room there is."""
+        """Fit the pages to the available width."""
         super().showEvent(event)
         QTimer.singleShot(0, self, self._fit_pages)
 

@@ -26,7 +26,7 @@ LEAST_PICTURE, LEAST_SIDE = 556, 400  # px, the page's margins included
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """What the 3-D view shows."""
+    """Content of the 3-D view."""
 
     clouds: tuple[CloudLayer, ...] = ()
     surface: SurfaceLayer | None = None
@@ -90,7 +90,7 @@ class ViewportPage(Page):
         self.is_composing = False
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Draw what changed while the page was hidden."""
+        """Draw changes that occurred while the page was hidden."""
         super().showEvent(event)
         if self._stale:
             self.redraw()

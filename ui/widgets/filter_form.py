@@ -1,4 +1,4 @@
-"""Chooses a filter of points and its numbers."""
+"""Form for a point filter and its parameters."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from ui.widgets.segments import Segments
 if TYPE_CHECKING:
     from measureapp.register.clouds.filter_chain import Filter
 
-KINDS = {"statistical": "Statistical", "radius": "Radius", "islands": "Islands", "box": "Box", "plane": "Plane"}
+KINDS = {"statistical": "Statistical", "radius": "Radius", "islands": "Isolated patches", "box": "Box", "plane": "Plane"}
 TIPS = {
-    "statistical": "Drop points that stand further from their neighbours than usual",
-    "radius": "Drop points with few others near",
-    "islands": "Drop small connected patches",
-    "box": "Keep what lies inside a box",
-    "plane": "Keep what lies on one side of a plane",
+    "statistical": "Statistical outlier removal, by the mean distance to neighbours",
+    "radius": "Radius outlier removal, by the number of neighbours",
+    "islands": "Remove small isolated patches",
+    "box": "Keep the points inside a box",
+    "plane": "Keep the points on one side of a plane",
 }
 SIDES = {
     f"{side} {axis}": tuple(sign * int(axis == other) for other in "xyz") for axis in "zxy" for side, sign in (("above", 1), ("below", -1))
@@ -30,7 +30,7 @@ LIMIT_MM, FIELD_WIDTH, SIDE_WIDTH = 20_000.0, 80, 64
 
 
 class FilterForm(QWidget):
-    """One kind of filter with its numbers: `value()` is a `Filter`; asked when the button is pressed."""
+    """One kind of filter with its parameters: `value()` is a `Filter`; `asked` fires when the button is pressed."""
 
     valueChanged = Signal(object)
     asked = Signal()
@@ -54,7 +54,7 @@ class FilterForm(QWidget):
             shown = QWidget()
             shown.setLayout(row(*line, 0, spacing=4))
             self.fields.addWidget(shown)
-        self.button = Button("Filter", look, "filter", tip="Apply to the merged cloud; the stitched one is kept")
+        self.button = Button("Filter", look, "filter", tip="Apply to the merged cloud; the stitched cloud is kept")
         self.button.clicked.connect(self.asked)
         self.setLayout(column(row(self.kind, 0, self.button), self.fields, margin=8))
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
@@ -64,34 +64,34 @@ class FilterForm(QWidget):
         self.side.currentIndexChanged.connect(self._change)
 
     def _named(self) -> list[tuple[QWidget, str]]:
-        """The editors with what they mean, and their units."""
-        ends = [(f"{end} of the box along {axis}, in mm") for axis in "xyz" for end in ("Beginning", "End")]
+        """Return the editors with their descriptions."""
+        ends = [(f"{end} limit of the box along {axis}, in mm") for axis in "xyz" for end in ("Lower", "Upper")]
         return [
-            (self.sigmas, "How many standard deviations beyond the usual distance"),
-            (self.neighbours, "To how many neighbours the mean distance is taken"),
+            (self.sigmas, "Limit in standard deviations above the mean distance"),
+            (self.neighbours, "Number of neighbours for the mean distance"),
             (self.radius, "Radius in mm"),
-            (self.least, "How many others have to lie within the radius"),
-            (self.area, "Smallest area of a patch that stays, in mm²"),
-            (self.side, "Which side of the plane stays"),
-            (self.offset, "Where the plane lies along its axis, in mm"),
+            (self.least, "Least number of other points within the radius"),
+            (self.area, "Least area of a patch to keep, in mm²"),
+            (self.side, "Side of the plane to keep"),
+            (self.offset, "Position of the plane along its axis, in mm"),
             *zip(self.sides, ends, strict=True),
         ]
 
     def _lines(self) -> list[list[QWidget]]:
-        """The editors of each kind, with words about them."""
+        """Return the editors of each kind, with labels."""
         box: list[QWidget] = []
         for axis, (low, high) in zip("xyz", (self.sides[0:2], self.sides[2:4], self.sides[4:6]), strict=True):
             box += [label(axis, "soft"), low, high]
         return [
-            [label("Drop beyond", "soft"), self.sigmas, label("σ over", "soft"), self.neighbours, label("neighbours", "soft")],
-            [label("Drop with fewer than", "soft"), self.least, label("others within", "soft"), self.radius],
-            [label("Drop connected patches below", "soft"), self.area],
+            [label("Remove beyond", "soft"), self.sigmas, label("σ over", "soft"), self.neighbours, label("neighbours", "soft")],
+            [label("Remove with fewer than", "soft"), self.least, label("others within", "soft"), self.radius],
+            [label("Remove isolated patches below", "soft"), self.area],
             [*box, label("mm", "soft")],
-            [label("Keep what lies", "soft"), self.side, label("=", "soft"), self.offset],
+            [label("Keep points", "soft"), self.side, label("=", "soft"), self.offset],
         ]  # fmt: skip
 
     def value(self) -> Filter:
-        """Return the filter as chosen. Raises InputError for a box that ends before it begins."""
+        """Return the chosen filter. Raises InputError for an empty box."""
         from measureapp.register.clouds.filter_chain import Filter
 
         kind = self.kind.value()
@@ -126,7 +126,7 @@ class FilterForm(QWidget):
         self.kind.setValue(wanted.kind)
 
     def show_extent(self, points_mm: np.ndarray) -> None:
-        """Begin with a box about these points, and a plane through their middle."""
+        """Initialise the box with the extent of these points, and the plane with their centre."""
         low, high = points_mm.min(axis=0), points_mm.max(axis=0)
         for axis in range(3):
             self.sides[2 * axis].setValue(float(np.floor(low[axis])))

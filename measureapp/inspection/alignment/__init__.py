@@ -1,1 +1,1 @@
-"""Laying measured points onto their nominal: best fits, features, and parts that repeat about an axis."""
+"""Alignment of measured points to their nominal: best fit, by features, and cyclic parts."""

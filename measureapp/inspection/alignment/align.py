@@ -1,4 +1,4 @@
-"""The alignment that an inspection program asks for."""
+"""Alignment by the method an inspection program defines."""
 
 from __future__ import annotations
 
@@ -24,33 +24,33 @@ def align(
     frame: str,
     progress: Progress = NoProgress(),  # noqa: B008 - stateless
 ) -> Alignment:
-    """Lay ``points`` onto the nominal as ``program`` says.
+    """Align ``points`` to the nominal by the method of ``program``.
 
-    An alignment by features starts from a best fit where there is a nominal mesh, because features are looked for
-    around their nominal places; without a mesh it starts from the part as it stands.
+    An alignment by features starts from a best fit if there is a nominal mesh, because features are searched around their nominals;
+    without a mesh it starts from the part's frame.
 
     Raises
     ------
     InspectionError
-        A best fit has no nominal, the points do not match it, or a feature the alignment rests on was not found.
+        A best fit has no nominal, the points do not match it, or a feature of the alignment was not found.
     """
-    asked: AlignmentProgram = program.alignment
-    if isinstance(asked, NoAlignment):
+    requested: AlignmentProgram = program.alignment
+    if isinstance(requested, NoAlignment):
         return no_alignment(frame)
-    if isinstance(asked, BestFit):
+    if isinstance(requested, BestFit):
         if surface is None:
             raise InspectionError(
-                f"The program {program.name!r} aligns by best fit but there is no nominal mesh.",
-                'Name one (nominal = "…") in the program, or set alignment = "none".',
+                f"The program {program.name!r} aligns by best fit, but there is no nominal mesh.",
+                'Add one to the program (nominal = "…"), or set alignment = "none".',
             )
-        if asked.fold is not None:
-            return cyclic_fit(points, surface, asked, settings, frame)
-        if asked.features or asked.regions:
-            return local_fit(points, program, asked, surface, settings, frame)
+        if requested.fold is not None:
+            return cyclic_fit(points, surface, requested, settings, frame)
+        if requested.features or requested.regions:
+            return local_fit(points, program, requested, surface, settings, frame)
         return best_fit(points, surface, settings.alignment, frame, progress)
     start = no_alignment(frame) if surface is None else best_fit(points, surface, settings.alignment, frame, progress)
-    if isinstance(asked, ThreeTwoOne):
-        return three_two_one(points, program, asked, start, surface, settings)
-    if isinstance(asked, DatumAlignment):
-        return datum_alignment(points, program, asked, start, surface, settings)
-    return reference_points(points, program, asked, start, surface, settings)
+    if isinstance(requested, ThreeTwoOne):
+        return three_two_one(points, program, requested, start, surface, settings)
+    if isinstance(requested, DatumAlignment):
+        return datum_alignment(points, program, requested, start, surface, settings)
+    return reference_points(points, program, requested, start, surface, settings)

@@ -1,4 +1,4 @@
-"""Laying measured points onto their nominal: a search over starts, then robust point-to-plane registration."""
+"""Best fit of measured points to a nominal mesh: multi-start search, then robust point-to-plane registration."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from measureapp.inspection.surface.units import check_size
 from measureapp.progress import NoProgress, PartOf, Progress
 
 FINALISTS = 4
-EQUIVALENT_COST = 1.1  # costs within 10 % are the same answer of a symmetric part
-STILL_COARSE = 0.05  # by which costs of the same answer may differ before they are improved finely
-POOR_COST = 0.35  # share of the truncated cost above which the part has not been found
+EQUIVALENT_COST = 1.1  # costs within 10 % are equivalent positions of a symmetric part
+STILL_COARSE = 0.05  # difference of the costs of equivalent positions before refinement
+POOR_COST = 0.35  # share of the truncated cost above which the fit has failed
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,17 +33,17 @@ class _Candidate:
 
     @property
     def turn_rad(self) -> float:
-        """How far it turns the part from where the axes say it stands."""
+        """The rotation of the part from its kinematic orientation."""
         return float(np.linalg.norm(Rotation.from_matrix(self.matrix[:3, :3]).as_rotvec()))
 
 
 def no_alignment(frame: str = "part") -> Alignment:
-    """Return the alignment that takes the points as they are: part and nominal frame coincide."""
+    """Return the identity alignment: part and nominal frame coincide."""
     return Alignment("none: part frame taken as nominal frame", RigidTransform.identity("nominal", frame), 0.0)
 
 
 def given_alignment(nominal_from_part: RigidTransform, name: str) -> Alignment:
-    """Return an alignment known beforehand."""
+    """Return a known alignment."""
     return Alignment(name, nominal_from_part, 0.0)
 
 
@@ -54,16 +54,15 @@ def best_fit(
     frame: str = "part",
     progress: Progress = NoProgress(),  # noqa: B008 - stateless
 ) -> Alignment:
-    """Find the rigid motion that lays points onto a nominal mesh, without any start.
+    """Find the rigid motion that best fits points to a nominal mesh, without an initial value.
 
-    Starts are turned about z (the part stands as drawn) and, unless that finds the part, in all directions;
-    each is improved coarsely, the best ones finely. Of equally good answers of a symmetric part the one
-    that turns least is taken, so that repeated measurements agree.
+    Starts are rotations about z (upright part) and, if these fail, in all directions; each is improved coarsely, the best ones finely. Of
+    the equivalent positions of a symmetric part the one with the smallest rotation is chosen, so that repeated measurements agree.
 
     Raises
     ------
     InspectionError
-        The cloud is in another unit, too small, or does not match the nominal anywhere.
+        The cloud is in another unit, of another size, or does not match the nominal.
     """
     points = MeasuredPoints.of(measured)
     surface = nominal if isinstance(nominal, NominalSurface) else NominalSurface(nominal)
@@ -76,7 +75,7 @@ def best_fit(
 
 
 def _search(points: MeasuredPoints, surface: NominalSurface, settings: AlignmentSettings, progress: Progress) -> _Candidate:
-    """Try the starts of an upright part first; all directions only when none of those is convincing."""
+    """Try the starts of an upright part first, all directions only if these fail."""
     sample, finer = points.thin(settings.coarse_points), points.thin(4 * settings.coarse_points)
 
     def finished(starts: list[FloatArray], part: Progress) -> list[_Candidate]:
@@ -93,11 +92,11 @@ def _search(points: MeasuredPoints, surface: NominalSurface, settings: Alignment
 def _improve_starts(
     sample: MeasuredPoints, surface: NominalSurface, starts: list[FloatArray], settings: AlignmentSettings, progress: Progress
 ) -> list[_Candidate]:
-    """Improve every start by a few coarse steps; the best come first, near-duplicates are dropped."""
+    """Improve every start by a few coarse steps; return them by cost, without near-duplicates."""
     radius = 0.05 * surface.diagonal_mm
     found = []
     for number, start in enumerate(starts):
-        progress.report(number, len(starts), "laying the points onto the nominal")
+        progress.report(number, len(starts), "aligning the points to the nominal")
         matrix = register(sample, surface, start, settings, iterations=10, reach_mm=2 * radius).matrix
         found.append(_Candidate(matrix, cost(sample, surface, matrix, 0.02 * surface.diagonal_mm, settings)))
     distinct: list[_Candidate] = []
@@ -108,10 +107,10 @@ def _improve_starts(
 
 
 def _select_finalists(improved: list[_Candidate]) -> list[_Candidate]:
-    """Return the best few of candidates in order of their costs, and of those that may turn out equal to them the ones that turn least."""
+    """Return the best few candidates, and of those with nearly equal cost the ones of smallest rotation."""
     best = improved[:FINALISTS]
-    alike = [candidate for candidate in improved[FINALISTS:] if candidate.cost <= best[0].cost + STILL_COARSE]
-    return best + sorted(alike, key=lambda c: c.turn_rad)[:FINALISTS]
+    equivalent = [candidate for candidate in improved[FINALISTS:] if candidate.cost <= best[0].cost + STILL_COARSE]
+    return best + sorted(equivalent, key=lambda c: c.turn_rad)[:FINALISTS]
 
 
 def _differ(one: FloatArray, other: FloatArray) -> bool:
@@ -128,6 +127,6 @@ def _refuse_another_part(fine: Registration, surface: NominalSurface, settings: 
     near = settings.near_share * surface.diagonal_mm
     if fine.overlap < settings.least_overlap:
         raise InspectionError(
-            f"Only {fine.overlap:.0%} of the points lie within {near:.1f} mm of the nominal, whichever way it is turned.",
-            "Is this the nominal of another part? Otherwise cut the surroundings out of the cloud.",
+            f"Only {fine.overlap:.0%} of the points lie within {near:.1f} mm of the nominal, in any orientation.",
+            "Check that this is the nominal of the part, or crop the surroundings from the cloud.",
         )

@@ -30,61 +30,61 @@ from measureapp.inspection.tolerances.datums import (
 )
 from measureapp.inspection.value import AXES, CENTRES, require_feature, require_nominal
 
-ROUNDS = 6  # features are looked for anew where the round before has laid them
+ROUNDS = 6  # features are searched again at the positions of the previous round
 CONVERGED = 1e-4  # mm, and rad times `ARM_MM`
 STEPS = 20
 
-Step = Callable[[Mapping[str, FoundFeature]], tuple[FloatArray, FloatArray]]  # found features -> motion (4, 4), motions left open (6, F)
+Step = Callable[[Mapping[str, FoundFeature]], tuple[FloatArray, FloatArray]]  # found features -> motion (4, 4), free motions (6, F)
 
 
 def datum_alignment(
     points: MeasuredPoints,
     program: InspectionProgram,
-    asked: DatumAlignment,
+    requested: DatumAlignment,
     start: Alignment,
     surface: NominalSurface | None,
     settings: InspectionSettings,
 ) -> Alignment:
-    """Lay the datums A, B, C onto the drawing's in their order. Raises InspectionError for a datum that is not found or fixes nothing."""
+    """Align by a datum system A, B, C (ISO 5459). Raises InspectionError for a datum that is not found or constrains nothing."""
 
     def step(found: Mapping[str, FoundFeature]) -> tuple[FloatArray, FloatArray]:
-        datums = [found[name] for name in asked.datums]
+        datums = [found[name] for name in requested.datums]
         system = datum_system(require_nominals(datums), [require_feature(one) for one in datums])
         return system.nominal_from_measured, system.free
 
-    name = f"datum system {'|'.join(asked.datums)}"
+    name = f"datum system {'|'.join(requested.datums)}"
     return _iterate(name, points, program, start, surface, settings, step)
 
 
 def three_two_one(
     points: MeasuredPoints,
     program: InspectionProgram,
-    asked: ThreeTwoOne,
+    requested: ThreeTwoOne,
     start: Alignment,
     surface: NominalSurface | None,
     settings: InspectionSettings,
 ) -> Alignment:
-    """Lay a plane onto the drawing's, then a line or axis as far as the plane lets it, then a point.
+    """3-2-1 alignment: a plane to its nominal, then a line or axis, then a point, each within the freedom left by the previous ones.
 
     Raises
     ------
     InspectionError
-        A feature is not found or of the wrong shape, fixes nothing new, or a surface point should fix a turn.
+        A feature is not found or of the wrong shape, constrains nothing new, or a surface point would have to fix a rotation.
     """
 
     def step(found: Mapping[str, FoundFeature]) -> tuple[FloatArray, FloatArray]:
-        trio = [found[name] for name in (asked.plane, asked.line, asked.point)]
+        trio = [found[name] for name in (requested.plane, requested.line, requested.point)]
         measured = [require_feature(one) for one in trio]
         nominals = [require_nominal(one) for one in trio]
         _require_shapes(measured)
         if _on_surface(trio[2]):
             _require_fixed_rotations(nominals, measured)
-            # its normal alone counts: with all turns fixed before, that is what a plane through it would hold
+            # with all rotations fixed, it constrains the same as a plane through it
             nominals[2], measured[2] = (replace(one, shape="plane") for one in (nominals[2], measured[2]))
         system = datum_system(nominals, measured)
         return system.nominal_from_measured, system.free
 
-    name = f"3-2-1 (plane {asked.plane}, line {asked.line}, point {asked.point})"
+    name = f"3-2-1 (plane {requested.plane}, line {requested.line}, point {requested.point})"
     return _iterate(name, points, program, start, surface, settings, step)
 
 
@@ -104,51 +104,51 @@ def _require_fixed_rotations(nominals: Sequence[Feature], measured: Sequence[Fea
     free = datum_system(nominals[:2], measured[:2]).free
     if np.abs(free[3:]).max(initial=0.0) > 1e-6:
         raise InspectionError(
-            f"{nominals[0].name} and {nominals[1].name} leave open {', '.join(describe_free_motions(free))}, "
-            f"and {nominals[2].name} is a point of a surface, which fixes a shift only. Take an axis or plane as the line, or use reference points"
+            f"{nominals[0].name} and {nominals[1].name} do not fix {', '.join(describe_free_motions(free))}, "
+            f"and the surface point {nominals[2].name} fixes a translation only. Use an axis or plane as the line, or reference points"
         )
 
 
 def reference_points(
     points: MeasuredPoints,
     program: InspectionProgram,
-    asked: ReferencePoints,
+    requested: ReferencePoints,
     start: Alignment,
     surface: NominalSurface | None,
     settings: InspectionSettings,
 ) -> Alignment:
-    """Hold all reference points at their nominal places along their directions, by least squares.
+    """Reference point system (RPS): least-squares alignment of reference points to their nominals along given directions.
 
-    Motions that no point holds stay as in ``start``, and are named.
+    Motions that no point constrains stay as in ``start`` and are listed.
 
     Raises
     ------
     InspectionError
-        A point is not found, or is an axis without directions of its own.
+        A point is not found, or is an axis without directions.
     """
 
     def step(found: Mapping[str, FoundFeature]) -> tuple[FloatArray, FloatArray]:
-        held = [_reference_rows(found[one.feature], one) for one in asked.points]
+        held = [_reference_rows(found[one.feature], one) for one in requested.points]
         return _least_squares(held)
 
-    name = f"RPS ({len(asked.points)} points: {', '.join(one.feature for one in asked.points)})"
-    sides = {one.feature: np.asarray(one.along, float) for one in asked.points if one.along}
+    name = f"RPS ({len(requested.points)} points: {', '.join(one.feature for one in requested.points)})"
+    sides = {one.feature: np.asarray(one.along, float) for one in requested.points if one.along}
     return _iterate(name, points, program, start, surface, settings, step, sides)
 
 
-def _reference_rows(found: FoundFeature, asked: ReferencePoint) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Measured place, nominal place, and the directions (K, 3) it is held in."""
+def _reference_rows(found: FoundFeature, requested: ReferencePoint) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return measured position, nominal position, and the constrained directions (K, 3)."""
     measured, nominal = require_feature(found), require_nominal(found)
-    if asked.along:
-        sides = np.asarray(asked.along, float)
+    if requested.along:
+        sides = np.asarray(requested.along, float)
         return measured.point_mm, nominal.point_mm, sides / np.linalg.norm(sides, axis=1, keepdims=True)
     if measured.shape in AXES:
-        raise InspectionError(f"{found.name} is a {measured.shape}: as a reference point it needs `along`, the directions it is held in")
+        raise InspectionError(f"{found.name} is a {measured.shape}: as a reference point it needs `along`, its constrained directions")
     return measured.point_mm, nominal.point_mm, _location_directions(found)
 
 
 def _location_directions(found: FoundFeature) -> FloatArray:
-    """The directions in which a feature has a place: a surface point has its normal alone."""
+    """Return the directions (K, 3) in which a feature has a defined position: a surface point has its normal only."""
     nominal = require_nominal(found)
     if _on_surface(found) and nominal.direction is not None:
         return np.asarray(nominal.direction)[None]
@@ -156,7 +156,7 @@ def _location_directions(found: FoundFeature) -> FloatArray:
 
 
 def _least_squares(held: Sequence[tuple[FloatArray, FloatArray, FloatArray]]) -> tuple[FloatArray, FloatArray]:
-    """Gauss-Newton over shift and turn; motions without effect are not moved."""
+    """Gauss-Newton over translation and rotation; undetermined motions stay zero."""
     placed: FloatArray = np.eye(4)
     free: FloatArray = np.zeros((6, 0))
     for _ in range(STEPS):
@@ -183,7 +183,7 @@ def _iterate(
     step: Step,
     sides: Mapping[str, FloatArray] | None = None,
 ) -> Alignment:
-    """Look for the features, take a step, and again until nothing moves."""
+    """Find the features and align, repeatedly until convergence."""
     matrix, frame = start.nominal_from_part.matrix, start.nominal_from_part.from_frame
     needed = alignment_features(program.alignment)
     free: FloatArray = np.zeros((6, 0))
@@ -193,7 +193,7 @@ def _iterate(
             moved, free = step(found)
         except InspectionError as error:
             raise InspectionError(
-                f"The alignment {name} has no answer: {error.message}.", "Choose other features, or another alignment."
+                f"The alignment {name} failed: {error.message}.", "Choose other features, or another alignment."
             ) from error
         matrix = moved @ matrix
         if np.abs(moved - np.eye(4))[:3].max(axis=0) @ [ARM_MM, ARM_MM, ARM_MM, 1.0] < CONVERGED:
@@ -202,7 +202,7 @@ def _iterate(
     found = _find_required(name, points, program, transform, surface, settings)
     residuals = {one: _residual(found[one], (sides or {}).get(one)) for one in needed}
     rms = float(np.sqrt(np.mean(np.square(list(residuals.values())))))
-    notes = (f"What the features leave open stays as found by: {start.name}",) if free.shape[1] else ()
+    notes = (f"Motions not fixed by the features: from {start.name}",) if free.shape[1] else ()
     return Alignment(name, transform, rms, 1.0, describe_free_motions(free), residuals, notes)
 
 
@@ -219,12 +219,12 @@ def _find_required(
     for one in needed:
         if found[one].feature is None:
             raise InspectionError(
-                f"The alignment {name} has no answer: {found[one].reason}.", "Scan this place, or align by features that were measured."
+                f"The alignment {name} failed: {found[one].reason}.", "Scan this feature, or align by features that were measured."
             )
     return found
 
 
 def _residual(found: FoundFeature, sides: FloatArray | None) -> float:
-    """How far a feature stays from its nominal place, in the directions it has one."""
+    """Return the remaining deviation of a feature from its nominal position, in its constrained directions."""
     unit = _location_directions(found) if sides is None else sides / np.linalg.norm(sides, axis=1, keepdims=True)
     return float(np.linalg.norm(unit @ (require_feature(found).point_mm - require_nominal(found).point_mm)))

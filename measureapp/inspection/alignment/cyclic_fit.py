@@ -1,4 +1,4 @@
-"""Best fit of a part that repeats about an axis: every position is tried, and whether they can be told apart is said."""
+"""Best fit of a cyclic part: all positions about the axis are fitted, and tested for significance."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from measureapp.inspection.surface.deviation import signed_distances
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.inspection.uncertainty import correlation_factor
 
-SIGNIFICANT = 3.0  # standard deviations by which a position must fit better
+SIGNIFICANT = 3.0  # in standard deviations: least difference between distinguishable positions
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,42 +37,44 @@ class _Position:
 
 
 def cyclic_fit(
-    measured: MeasuredPoints, surface: NominalSurface, asked: BestFit, settings: InspectionSettings, frame: str = "part"
+    measured: MeasuredPoints, surface: NominalSurface, requested: BestFit, settings: InspectionSettings, frame: str = "part"
 ) -> Alignment:
-    """Fit in all ``asked.fold`` positions about the axis, and take the best that can be told from the others.
+    """Fit all ``requested.fold`` positions about the axis, and choose the best among those that are distinguishable.
 
-    If the best position is the true one, another one adds the differences δ of the nominal to the errors e of the points, and
-    the sum of their squares grows by Σδ² ± 2σ·sqrt(Σδ²). Two positions are told apart when that is more than three standard
-    deviations (errors that neighbours share included), and when the rms of δ is more than `told_apart_mm`, which errors of
-    the views and the facets of the mesh could feign. Of positions that cannot be told apart the one that turns the part least is taken.
+    If the best position is the true one, another position adds the differences δ of the nominal to the errors e of the points, and the
+    sum of squares grows by Σδ² ± 2σ·sqrt(Σδ²). Two positions are distinguishable if this exceeds three standard deviations (with
+    correlated errors), and if the rms of δ exceeds `told_apart_mm`, which errors of the views and mesh facets can cause. Of positions
+    that are not distinguishable, the one with the smallest rotation is chosen.
 
     Raises
     ------
     InspectionError
         As `best_fit`.
     """
-    assert asked.fold is not None
+    assert requested.fold is not None
     first = best_fit(measured, surface, settings.alignment, frame)
     sample = measured.thin(settings.alignment.fine_points)
-    positions = [_fit_position(sample, surface, asked, k, first.nominal_from_part.matrix, settings) for k in range(asked.fold)]
+    positions = [_fit_position(sample, surface, requested, k, first.nominal_from_part.matrix, settings) for k in range(requested.fold)]
     best = min(positions, key=lambda position: position.rms_mm)
-    alike = [one for one in positions if one is best or not _are_distinguishable(best, one, sample.points_mm, settings)]
-    chosen = min(alike, key=lambda position: position.turn_rad)
+    equivalent = [one for one in positions if one is best or not _are_distinguishable(best, one, sample.points_mm, settings)]
+    chosen = min(equivalent, key=lambda position: position.turn_rad)
     transform = RigidTransform(orthonormalise(chosen.fit.matrix), "nominal", frame)
     open_motions = chosen.fit.undetermined
-    if len(alike) > 1:
-        open_motions += (f"which of {len(alike)} positions about the axis",)
-    name = f"best fit, {asked.fold} positions about the axis"
+    if len(equivalent) > 1:
+        open_motions += (f"which of {len(equivalent)} positions about the axis",)
+    name = f"best fit, {requested.fold} positions about the axis"
     fit = chosen.fit
-    return Alignment(name, transform, fit.rms_mm, fit.overlap, open_motions, notes=(_describe(positions, best, alike, asked.fold),))
+    return Alignment(
+        name, transform, fit.rms_mm, fit.overlap, open_motions, notes=(_describe(positions, best, equivalent, requested.fold),)
+    )
 
 
 def _fit_position(
-    sample: MeasuredPoints, surface: NominalSurface, asked: BestFit, k: int, matrix: FloatArray, settings: InspectionSettings
+    sample: MeasuredPoints, surface: NominalSurface, requested: BestFit, k: int, matrix: FloatArray, settings: InspectionSettings
 ) -> _Position:
-    point = np.asarray(asked.axis_point_mm, float)
+    point = np.asarray(requested.axis_point_mm, float)
     turn = np.eye(4)
-    turn[:3, :3] = rotation_about(asked.axis, 2 * np.pi * k / (asked.fold or 1))
+    turn[:3, :3] = rotation_about(requested.axis, 2 * np.pi * k / (requested.fold or 1))
     turn[:3, 3] = point - turn[:3, :3] @ point
     fit = register(sample, surface, turn @ matrix, settings.alignment, reach_mm=0.02 * surface.diagonal_mm)
     near = settings.alignment.near_share * surface.diagonal_mm
@@ -88,10 +90,10 @@ def _are_distinguishable(best: _Position, other: _Position, points_mm: FloatArra
     return bool(np.sqrt(squared * len(points_mm)) > SIGNIFICANT * 2 * sigma)
 
 
-def _describe(positions: list[_Position], best: _Position, alike: list[_Position], fold: int) -> str:
-    if len(alike) == 1:
+def _describe(positions: list[_Position], best: _Position, equivalent: list[_Position], fold: int) -> str:
+    if len(equivalent) == 1:
         others = min(one.rms_mm for one in positions if one is not best)
-        return f"Of {fold} positions about the axis one fits: {best.rms_mm:.4f} mm rms, the next best {others:.4f} mm"
-    span = f"{min(one.rms_mm for one in alike):.4f} to {max(one.rms_mm for one in alike):.4f} mm rms"
-    which = "They" if len(alike) == fold else f"{len(alike)} of them"
-    return f"All {fold} positions about the axis were tried. {which} cannot be told apart ({span}); the one that turns the part least was taken"
+        return f"One of {fold} positions about the axis fits: {best.rms_mm:.4f} mm rms, second best {others:.4f} mm"
+    span = f"{min(one.rms_mm for one in equivalent):.4f} to {max(one.rms_mm for one in equivalent):.4f} mm rms"
+    which = f"All {fold} positions" if len(equivalent) == fold else f"{len(equivalent)} of {fold} positions"
+    return f"{which} about the axis are indistinguishable ({span}); the one with the smallest rotation was chosen"

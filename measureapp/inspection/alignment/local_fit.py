@@ -1,4 +1,4 @@
-"""Best fit of chosen features and regions alone: a worn or bent rest does not pull it."""
+"""Local best fit of chosen features and regions, unaffected by a worn or bent remainder."""
 
 from __future__ import annotations
 
@@ -17,18 +17,23 @@ from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.nominal import NominalSurface
 
-ROUNDS = 3  # the points are chosen anew where the fit before has laid them
+ROUNDS = 3  # the points are selected again after each fit
 
 
 def local_fit(
-    points: MeasuredPoints, program: InspectionProgram, asked: BestFit, surface: NominalSurface, settings: InspectionSettings, frame: str
+    points: MeasuredPoints,
+    program: InspectionProgram,
+    requested: BestFit,
+    surface: NominalSurface,
+    settings: InspectionSettings,
+    frame: str,
 ) -> Alignment:
-    """Fit all points first, then those of the chosen features and regions.
+    """Best fit of all points, then of those of the chosen features and regions.
 
     Raises
     ------
     InspectionError
-        The cloud does not match the nominal, a feature is made from others, or too few points lie in what was chosen.
+        The cloud does not match the nominal, a feature is constructed, or too few points were selected.
     """
     matrix = best_fit(points, surface, settings.alignment, frame).nominal_from_part.matrix
     edges = surface.sharp_edges()
@@ -38,27 +43,27 @@ def local_fit(
         if isinstance(one, MeasuredFeature) and one.grow is None
         for nominal in nominal_features(one)
     }
-    if made := [name for name in asked.features if name not in measured]:
+    if made := [name for name in requested.features if name not in measured]:
         raise InspectionError(
-            f"{made[0]} is not cut from the points around its nominal: a local best fit cannot rest on it.", "Name features that are."
+            f"A local best fit cannot use {made[0]}: its points are not cut around a nominal.", "Choose measured features."
         )
     for _ in range(ROUNDS):
         placed = points.seen_from(RigidTransform(orthonormalise(matrix), "nominal", frame))
         chosen = np.zeros(len(points), bool)
-        for name in asked.features:
+        for name in requested.features:
             chosen[cut_points(placed, measured[name], edges)] = True
-        for region in asked.regions:
+        for region in requested.regions:
             chosen |= _inside(placed.points_mm, region)
         if chosen.sum() < settings.least_points:
             raise InspectionError(
                 f"Only {chosen.sum()} points lie in the features and regions of the local best fit, {settings.least_points} are needed.",
-                "Scan these places, or choose others.",
+                "Scan these features, or choose others.",
             )
         fine = register(
             points.where(chosen).thin(settings.alignment.fine_points), surface, matrix, settings.alignment, reach_mm=_reach(surface)
         )
         matrix = fine.matrix
-    names = [*asked.features, *([f"{len(asked.regions)} regions"] if asked.regions else [])]
+    names = [*requested.features, *([f"{len(requested.regions)} regions"] if requested.regions else [])]
     transform = RigidTransform(orthonormalise(matrix), "nominal", frame)
     return Alignment(f"local best fit ({', '.join(names)})", transform, fine.rms_mm, fine.overlap, fine.undetermined)
 

@@ -1,4 +1,4 @@
-"""Point-to-plane registration of points on a mesh, robust against what does not belong to it."""
+"""Robust point-to-plane registration of points to a mesh."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from measureapp.inspection.surface.nominal import Closest, NominalSurface
 ROBUST_SIGMA = 1.4826  # median absolute deviation of a normal distribution to its σ
 TUKEY = 4.685
 COOLING = 0.6
-DETERMINED = 2e-4  # eigenvalue over the greatest, below which a motion is left open
+DETERMINED = 2e-4  # relative eigenvalue below which a motion is undetermined
 CONVERGED_MM = 1e-5
-MOTIONS = ("turn about x", "turn about y", "turn about z", "shift along x", "shift along y", "shift along z")
+MOTIONS = ("rotation about x", "rotation about y", "rotation about z", "translation along x", "translation along y", "translation along z")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Registration:
-    """Where the points came to lie on the mesh."""
+    """Result of the registration."""
 
     matrix: FloatArray  # (4, 4) nominal_from_part
-    rms_mm: float  # of the points that count
+    rms_mm: float  # of the points near the nominal
     overlap: float
     undetermined: tuple[str, ...]
 
@@ -39,18 +39,18 @@ def register(
     iterations: int | None = None,
     reach_mm: float | None = None,
 ) -> Registration:
-    """Move ``points`` onto ``surface`` from ``start`` by Gauss-Newton steps with Tukey weights.
+    """Point-to-plane ICP of ``points`` to ``surface`` from ``start``, by Gauss-Newton steps with Tukey weights.
 
-    Method: Y. Chen and G. Medioni, Image and Vision Computing 10(3), 1992; motions whose eigenvalue is too
-    small are not moved, so that a flat or round part stays where it was in the directions it leaves open.
+    Method: Y. Chen and G. Medioni, Image and Vision Computing 10(3), 1992; motions with too small an eigenvalue stay zero, so that a flat
+    or round part keeps its start in undetermined directions.
 
     Parameters
     ----------
-    reach_mm : greatest distance that counts at first; by default 5 % of the nominal's diagonal
+    reach_mm : initial limit of the distances; by default 5 % of the nominal's diagonal
     """
     matrix = np.array(start, float)
     reach = 0.05 * surface.diagonal_mm if reach_mm is None else reach_mm
-    annealed = reach  # wide at first: where half of the points fit already, the scatter alone would leave the other half out for good
+    annealed = reach  # wide at first: if half of the points fit already, the scatter alone would reject the other half for good
     undetermined: tuple[str, ...] = ()
     for _ in range(settings.iterations if iterations is None else iterations):
         moved, closest, residual, counts = _match(points, surface, matrix, settings, reach)
@@ -77,7 +77,7 @@ def register(
 def _match(
     points: MeasuredPoints, surface: NominalSurface, matrix: FloatArray, settings: AlignmentSettings, reach_mm: float
 ) -> tuple[FloatArray, Closest, FloatArray, BoolArray]:
-    """Moved points, nearest surface, signed distances along its normals, and which of them count."""
+    """Return moved points, closest surface points, signed distances along their normals, and the mask of valid ones."""
     moved = points.points_mm @ matrix[:3, :3].T + matrix[:3, 3]
     closest = surface.closest(moved)
     offset = moved - closest.points_mm
@@ -92,7 +92,7 @@ def _match(
 def _step(
     moved: FloatArray, normals: FloatArray, residual: FloatArray, weights: FloatArray, size_mm: float
 ) -> tuple[FloatArray, tuple[str, ...]]:
-    """Solve one Gauss-Newton step; turns are scaled by ``size_mm`` so that all unknowns are lengths."""
+    """Solve one Gauss-Newton step; rotations are scaled by ``size_mm`` so that all unknowns are lengths."""
     centre = np.average(moved, axis=0, weights=weights) if weights.sum() > 0 else moved.mean(axis=0)
     jacobian = np.hstack([np.cross(moved - centre, normals) / size_mm, normals])
     normal_matrix = jacobian.T @ (weights[:, None] * jacobian)

@@ -1,4 +1,4 @@
-"""Starting poses for the alignment: turned about z, or in every direction."""
+"""Initial poses of the best fit: rotations about z, or in all directions."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ PHI, PSI = 1.4142135623730951, 1.533751168755204288118041  # of the super-Fibona
 
 
 def upright_starts(points_mm: FloatArray, surface: NominalSurface) -> list[FloatArray]:
-    """Return 4×4 starts turned about z in equal steps; the tops level, the plan views centred on each other."""
+    """Return 4×4 starts rotated about z in equal steps, with equal heights of the tops and centred plan views."""
     starts = []
     for angle in np.arange(UPRIGHT_TURNS) * 2 * np.pi / UPRIGHT_TURNS:
         rotation = Rotation.from_rotvec([0, 0, angle]).as_matrix()
@@ -26,10 +26,7 @@ def upright_starts(points_mm: FloatArray, surface: NominalSurface) -> list[Float
 
 
 def all_round_starts(points_mm: FloatArray, surface: NominalSurface) -> list[FloatArray]:
-    """Return 4×4 starts in all directions: principal axes laid onto each other, and evenly spread rotations.
-
-    The spread is the super-Fibonacci spiral of M. Alexa, CVPR 2022.
-    """
+    """Return 4×4 starts in all directions: aligned principal axes, and uniform rotations (super-Fibonacci spiral, M. Alexa, CVPR 2022)."""
     centre, nominal_centre = _middle(points_mm), (surface.low_mm + surface.high_mm) / 2
     axes, nominal_axes = _principal_axes(points_mm), _principal_axes(surface.vertices_mm[surface.triangles].mean(axis=1))
     signs = [np.diag([a, b, a * b]) for a in (1.0, -1.0) for b in (1.0, -1.0)]

@@ -1,1 +1,1 @@
-"""Blades: section curves, their mean line, chord, thickness, edges, twist and pitch."""
+"""Blade sections: mean line, chord, thickness, edges, twist and pitch."""

@@ -1,4 +1,4 @@
-"""The average blade of a part, how far each blade is turned against it, and what then remains."""
+"""Average blade of a part, and the rotation and form deviation of each blade against it."""
 
 from __future__ import annotations
 
@@ -18,25 +18,25 @@ STRAY = 10.0  # median absolute deviations
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AverageComparison:
-    """One blade against the average of all."""
+    """Deviation of one blade from the average of all."""
 
-    turn_rad: float  # by which it stands ahead of its even place, about the axis
-    turn_sigma_rad: float  # from the scatter of its points, as if they erred independently
+    turn_rad: float  # rotation about the axis from its equally spaced position
+    turn_sigma_rad: float  # from the scatter of its points, without correlation
     lengths_mm: FloatArray  # (K,), of its side points, along the mean line
-    upper: BoolArray  # (K,), on which side
-    deviations_mm: FloatArray  # (K,), outside the average blade is positive, once turned onto it
+    upper: BoolArray  # (K,), on the upper side
+    deviations_mm: FloatArray  # (K,), positive outside the average blade, after rotation onto it
     on_side: IntArray  # (K,), indices of the points
 
 
 def compare_with_average(blades: list[FloatArray], frame: SectionFrame) -> list[AverageComparison]:
     """Compare blades with their average.
 
-    The points of all blades are turned onto each other about the axis, and one profile is laid through them; then each
-    blade is turned onto that anew.
+    The points of all blades are rotated onto each other about the axis, and one profile is fitted; then each blade is rotated onto it,
+    iteratively.
 
     Parameters
     ----------
-    blades : points (N, 3) of each blade, turned back to the first
+    blades : points (N, 3) of each blade, rotated to the first
     """
     turns = np.zeros(len(blades))
     found: list[AverageComparison] = []
@@ -65,13 +65,13 @@ def _compare(points_mm: FloatArray, frame: SectionFrame, average: Profile) -> Av
 
 
 def _not_stray(off_mm: FloatArray) -> BoolArray:
-    """Which points may say how far a blade is turned; what they show of its form stays."""
+    """Return the points used for the rotation of a blade; for its form all points count."""
     apart = np.abs(off_mm - np.median(off_mm))
     return np.asarray(apart <= STRAY * np.median(apart))
 
 
 def _offsets(flat_mm: FloatArray, average: Profile) -> tuple[IntArray, FloatArray, BoolArray, FloatArray, FloatArray]:
-    """Which points lie on the sides, where, and how far along the mean line's normals from the average's side."""
+    """Return side points: indices, arc lengths, side, offsets from the average's side along the mean line's normals, and these normals."""
     x, heights = average.line.feet(flat_mm)
     on_side = np.flatnonzero((x > average.line.first_mm) & (x < average.line.last_mm))
     lengths = average.line.lengths(x)[on_side]

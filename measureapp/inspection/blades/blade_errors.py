@@ -1,4 +1,4 @@
-"""What the errors of the views do to one blade section: turn it about the axis, change its stagger, and move its sides apart."""
+"""Propagation of the errors of the views to one blade section: rotation about the axis, stagger, and deformation."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ from measureapp.inspection.blades.section_frame import SectionFrame
 from measureapp.inspection.measured_points import MeasuredPoints
 
 STEP_MM, STEP_RAD = 0.01, 1e-4
-LEAST_IN_SECTION = 0.3  # share of a normal that lies in the section; steeper sides count no more
+LEAST_IN_SECTION = 0.3  # lower limit of the in-plane component of a normal
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BladeErrors:
-    """By shares ("stitching", "calibration", "form", "common") of the errors of the views, which all blades have in common."""
+    """Errors of a section by contribution ("stitching", "calibration", "form", "common"); the error sources are shared by all blades."""
 
     turn_rad: Mapping[str, FloatArray]  # (M,), about the part's axis
-    stagger_rad: Mapping[str, FloatArray]  # (M,), changes of the stagger, by turn and by shift in the section
-    deformation_mm: Mapping[str, float]  # standard deviation, rms over the points, of what no motion of the blade in its section explains
-    total_mm: Mapping[str, float]  # the same of everything
+    stagger_rad: Mapping[str, FloatArray]  # (M,), change of the stagger by rotation and translation in the section
+    deformation_mm: Mapping[str, float]  # standard deviation, rms over the points, without rigid motion in the section
+    total_mm: Mapping[str, float]  # the same including rigid motion
 
 
 def estimate_blade_errors(own: MeasuredPoints, number: int, frame: SectionFrame) -> BladeErrors | None:
-    """Return what the views do to the section of blade ``number``; None where that, or the normals, are not known."""
+    """Propagate the errors of the views to the section of blade ``number``; None without an error model or normals."""
     if own.errors is None or own.view is None or own.normals is None:
         return None
     points, normals = own.points_mm, np.asarray(own.normals, float)
@@ -47,14 +47,14 @@ def estimate_blade_errors(own: MeasuredPoints, number: int, frame: SectionFrame)
 
 
 def _stagger_derivatives(frame: SectionFrame, middle_mm: FloatArray) -> FloatArray:
-    """Return how the stagger follows shifts of the blade along and across its chord (rad/mm) and a turn about its middle, (3,).
+    """Return the derivatives (3,) of the stagger: translations along and normal to the chord (rad/mm), and rotation about the centre.
 
-    Where it is counted from the ray out of the axis through the leading end, a blade that is shifted has another ray.
+    If the stagger is measured from the ray through the leading end, a translated blade has another ray.
     """
 
     def stagger(motion: FloatArray) -> float:
         turn = motion[2]
-        start = motion[:2] + turn * np.array([middle_mm[1], -middle_mm[0]])  # the drawn leading end is the origin of the section
+        start = motion[:2] + turn * np.array([middle_mm[1], -middle_mm[0]])  # the nominal leading end is the origin of the section
         return frame.stagger_rad(frame.shape.chord_mm * np.array([np.cos(turn), np.sin(turn)]), start)
 
     steps = np.diag([STEP_MM, STEP_MM, STEP_RAD])
@@ -62,5 +62,5 @@ def _stagger_derivatives(frame: SectionFrame, middle_mm: FloatArray) -> FloatArr
 
 
 def _rms(columns: FloatArray) -> float:
-    """Root of the mean variance of errors (N, M) over the points."""
+    """Return the root of the mean variance of errors (N, M) over the points."""
     return float(np.sqrt(np.mean(np.sum(columns**2, axis=1))))

@@ -1,4 +1,4 @@
-"""A measured blade section as curves: its sides and edges, mean line, chord and thickest place."""
+"""Curves of a measured blade section: sides, edges, mean line, chord and maximum thickness."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ class BladeCurves:
     """Curves (K, 3) of one measured section, in the nominal's frame."""
 
     sides: tuple[FloatArray, FloatArray]  # from the leading to the trailing end
-    edges: Mapping[str, FloatArray]  # "leading", "trailing": half circles; those that were not measured are left out
+    edges: Mapping[str, FloatArray]  # "leading", "trailing": half circles; missing if not measured
     mean_line: FloatArray
     chord: FloatArray | None  # (2, 3); None where an edge was not measured
-    thickest: FloatArray  # (2, 3), from one side to the other
+    thickest: FloatArray  # (2, 3), maximum thickness, from side to side
 
     @property
     def outline(self) -> tuple[FloatArray, ...]:
@@ -33,7 +33,7 @@ class BladeCurves:
 
 
 def trace_blade_curves(made: Profile, frame: SectionFrame, number: int) -> BladeCurves:
-    """Return the curves of the profile of blade ``number`` (from 0), on the surface it was cut with."""
+    """Return the curves of the profile of blade ``number`` (from 0), on its cutting surface."""
     line, ends = made.line, made.line.feet(made.ends_mm)[0]
     first, last = (
         ends[0] + _depth(made.leading, frame.shape.open_leading, ends),
@@ -59,7 +59,7 @@ def trace_blade_curves(made: Profile, frame: SectionFrame, number: int) -> Blade
 
 
 def _depth(edge: Edge, is_open: bool, ends: FloatArray) -> float:
-    """Return how far from an end the sides begin: at an edge where its circle is widest."""
+    """Return the distance from an end at which the sides begin: at an edge, the radius of its circle."""
     if is_open:
         return 0.0
     return float(EDGE_SHARE * (ends[1] - ends[0])) if edge.apex_mm is None else edge.radius_mm

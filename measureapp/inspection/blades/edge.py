@@ -1,4 +1,4 @@
-"""The leading and trailing edge of a blade section: its outermost point and its radius there."""
+"""Leading and trailing edge of a blade section: circle fit with apex and radius."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from measureapp.arrays import FloatArray
 LEAST_POINTS = 20
 ROUNDS = 12
 STEPS = 6
-DEPTH = 0.75  # of the radius: how far from the outermost point the edge reaches inwards
+DEPTH = 0.75  # of the radius: extent of the edge inwards from the apex
 ROUGH = 2.0  # times the scatter of the sides: above this the edge is not round
 GREATEST = 1.6  # times half the thickness beside the edge
 LEAST_SHARE = 0.05  # of the points in each third across the edge
@@ -19,7 +19,7 @@ LEAST_SHARE = 0.05  # of the points in each third across the edge
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Edge:
-    """One edge, or why there is none."""
+    """One edge, or the reason why there is none."""
 
     apex_mm: FloatArray | None  # (2,)
     radius_mm: float = 0.0
@@ -28,15 +28,15 @@ class Edge:
 
 
 def fit_edge(points_mm: FloatArray, start_mm: FloatArray, inwards: FloatArray, half_thickness_mm: float, scatter_mm: float) -> Edge:
-    """Fit a circle to the points of an edge, from the outermost one to three quarters of the radius inwards.
+    """Fit a circle to the points of an edge, from the apex to three quarters of the radius inwards.
 
-    Orthogonal distances, Gauss-Newton. The outermost point is that of the circle, against the direction of the mean line,
-    so that it does not rest on the farthest of the noisy points.
+    Orthogonal distances, Gauss-Newton. The apex is that of the circle, against the direction of the mean line, so that it does not depend
+    on the outermost noisy point.
 
     Parameters
     ----------
     points_mm : (N, 2), of the whole section
-    start_mm : (2,), about where the edge is; ``inwards`` : (2,), unit, along the mean line into the blade
+    start_mm : (2,), approximate position of the edge; ``inwards`` : (2,), unit, along the mean line into the blade
     half_thickness_mm : of the blade beside the edge
     scatter_mm : standard deviation of the points from the blade's sides
     """
@@ -77,7 +77,7 @@ def _circle(points_mm: FloatArray, centre: FloatArray, radius: float) -> tuple[F
 def _implausible(across: FloatArray, radius_mm: float, distances: FloatArray, half_thickness_mm: float, scatter_mm: float) -> str:
     thirds = (np.mean(across < -0.33), np.mean(np.abs(across) <= 0.33), np.mean(across > 0.33))
     if min(thirds) < LEAST_SHARE:
-        return "its edge was measured in part only"
+        return "its edge was measured only partly"
     if radius_mm > GREATEST * half_thickness_mm or float(np.sqrt(np.mean(distances**2))) > ROUGH * scatter_mm + 0.03 * radius_mm:
         return "its edge is not round"
     return ""

@@ -1,4 +1,4 @@
-"""The blade sections of a program, found on the measured points, with their scatter under simulated noise."""
+"""Evaluation of blade sections on the measured points, with Monte Carlo uncertainty."""
 
 from __future__ import annotations
 
@@ -25,20 +25,20 @@ from measureapp.inspection.uncertainty import correlation_factor, effective_view
 
 SEED = 6
 TRIAL_ROUNDS = 3
-LEAST_TRIALS = 0.8  # of the trials must give a value for it to count as determined
+LEAST_TRIALS = 0.8  # least share of successful trials of a determined value
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FoundBlade(FoundFeature):
-    """One blade section: its profile, the scatter of its values, and its place among the others."""
+    """One blade section: profile, uncertainty of its values, and comparison with the average blade."""
 
     profile: Profile | None = None
     frame: SectionFrame | None = None
     sigmas: Mapping[str, float] | None = None  # standard uncertainty of each value of `profile_values`
     comparison: AverageComparison | None = None
     number: int = 0  # from 0
-    deviations_mm: FloatArray | None = None  # (K,) signed, of the points; None without a nominal mesh
-    by_errors: BladeErrors | None = None  # what the errors of its views do to it; None where these are not known
+    deviations_mm: FloatArray | None = None  # (K,) signed, of the points from the nominal; None without a nominal mesh
+    by_errors: BladeErrors | None = None  # errors by its views; None without an error model
 
 
 def find_blades(
@@ -109,7 +109,7 @@ def _evaluate_blade(
 
 
 def profile_values(made: Profile, frame: SectionFrame) -> dict[str, float]:
-    """Return the values of a profile that do not need other blades; those it has not are left out. Angles in rad."""
+    """Return the values of a single profile as far as they are defined; angles in rad."""
     values = {"max_thickness": made.thickness_mm, "stagger": frame.stagger_rad(made.chord, made.ends_mm[0])}
     if made.leading.apex_mm is not None:
         values["leading_radius"] = made.leading.radius_mm
@@ -122,10 +122,10 @@ def profile_values(made: Profile, frame: SectionFrame) -> dict[str, float]:
 
 
 def _simulate_scatter(flat_mm: FloatArray, made: Profile, frame: SectionFrame, trials: int) -> dict[str, float]:
-    """Repeat the evaluation with noise of the points' own scatter (Monte Carlo, JCGM 101); what fails too often is left out.
+    """Monte Carlo evaluation with added noise of the points' own scatter (JCGM 101); values that fail too often are omitted.
 
-    A greatest value grows with the noise. The trials show how much it grows from the noise of the points to √2 of it; what
-    it had grown by before is 1 / (√2 - 1) of that and counts as uncertainty.
+    An extreme grows with the noise. The trials show its growth from the noise of the points to √2 of it; the growth already contained in
+    the value is 1 / (√2 - 1) of that, and counts as uncertainty.
     """
     rng = np.random.default_rng(SEED)
     kept: dict[str, list[float]] = {}

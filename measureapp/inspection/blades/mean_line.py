@@ -1,4 +1,4 @@
-"""The mean line of a blade section: the middle of its thickness, measured at right angles to the line itself."""
+"""Mean line (camber line) of a blade section: centre of the thickness measured normal to the line."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SAMPLES = 1500
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MeanLine:
-    """A curve y(x) along the chord, from ``first_mm`` to ``last_mm`` a polynomial, beyond them straight."""
+    """A curve y(x) along the chord: polynomial from ``first_mm`` to ``last_mm``, straight beyond."""
 
     height: Chebyshev
     slope: Chebyshev
@@ -39,7 +39,7 @@ class MeanLine:
         return np.column_stack([x_mm, self.heights(x_mm)])
 
     def normals(self, x_mm: FloatArray) -> FloatArray:
-        """Return unit normals (N, 2), to the left of the way along the chord."""
+        """Return unit normals (N, 2), to the left of the chord direction."""
         slopes = self.slopes(x_mm)
         return np.column_stack([-slopes, np.ones_like(slopes)]) / np.sqrt(1 + slopes**2)[:, None]
 
@@ -62,7 +62,7 @@ class MeanLine:
 
 
 def initial_mean_line(points_mm: FloatArray) -> MeanLine:
-    """Return a mean line through the middles between the uppermost and lowest points (N, 2) of strips across the chord.
+    """Return an initial mean line through the centres between upper and lower points (N, 2) of strips normal to the chord.
 
     Raises
     ------
@@ -83,7 +83,7 @@ def initial_mean_line(points_mm: FloatArray) -> MeanLine:
 
 
 def shift_mean_line(line: MeanLine, x_mm: FloatArray, shifts_mm: FloatArray) -> MeanLine:
-    """Return the line moved along its normals by ``shifts_mm`` (N,) at ``x_mm`` (N,), which run from its new first to its new last place."""
+    """Shift a line along its normals by ``shifts_mm`` (N,) at ``x_mm`` (N,), which span its new range."""
     moved = line.points(x_mm) + shifts_mm[:, None] * line.normals(x_mm)
     first, last = float(moved[0, 0]), float(moved[-1, 0])
     return _fit_line(moved[:, 0], moved[:, 1], DEGREE, first, last)

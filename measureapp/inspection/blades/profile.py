@@ -1,4 +1,4 @@
-"""One blade section in its plane: mean line, sides, edges, and the values a drawing gives for them."""
+"""Profile of one blade section: mean line, sides, edges, thickness and camber."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ ROUNDS = 15
 LEAST_ON_SIDE = 40
 CONVERGED_MM = 1e-5
 GRID = 400
-EDGE_DEPTHS = 1.2  # radii of an edge that do not belong to the sides
+EDGE_DEPTHS = 1.2  # in edge radii: extent of an edge, excluded from the sides
 EDGE_SHARE = 0.04  # of the length, before the radius is known
 TRIM = 5.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Shape:
-    """Where a section lies: coordinates are along the nominal chord from the leading edge, and to its left."""
+    """Nominal of a section; coordinates are along the nominal chord from the leading edge, and to its left."""
 
     chord_mm: float  # of the nominal
-    open_leading: bool = False  # the blade goes on beyond the place the drawing names
+    open_leading: bool = False  # the blade continues beyond the nominal end
     open_trailing: bool = False
 
 
@@ -35,7 +35,7 @@ class Shape:
 class Sides:
     """Distances of both sides from the mean line as functions of its arc length."""
 
-    first_mm: float  # arc lengths between which the square roots of round edges and the polynomial are laid
+    first_mm: float  # range of arc lengths of the polynomial and of the square roots of round edges
     last_mm: float
     roots: tuple[bool, bool]
     upper: FloatArray
@@ -49,19 +49,19 @@ class Sides:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Profile:
-    """What was found on the points of one section."""
+    """Evaluated profile of one section."""
 
     line: MeanLine
     sides: Sides
     leading: Edge
     trailing: Edge
-    ends_mm: FloatArray  # (2, 2): where the chord begins and ends; at an open end on the mean line
+    ends_mm: FloatArray  # (2, 2): ends of the chord; an open end on the mean line
     thickness_mm: float
-    thickness_at_mm: float  # along the chord from its beginning
+    thickness_at_mm: float  # along the chord from its leading end
     camber_mm: float
     scatter_mm: float  # of the points from the sides
     residuals_mm: FloatArray  # (K,)
-    on_side: BoolArray  # (N,), which points lie on the sides; K of them
+    on_side: BoolArray  # (N,), the K points on the sides
 
     @property
     def chord(self) -> FloatArray:
@@ -70,7 +70,7 @@ class Profile:
 
 
 def side_basis(lengths_mm: FloatArray, first_mm: float, last_mm: float, roots: tuple[bool, bool]) -> FloatArray:
-    """Return the functions (N, B) a side is made of: a polynomial, and the square root in which a round edge begins."""
+    """Return the basis (N, B) of a side: Chebyshev polynomials, and the square roots of round edges."""
     share = np.clip((lengths_mm - first_mm) / (last_mm - first_mm), 0, 1)
     columns = [chebyshev.chebvander(2 * share - 1, SIDE_DEGREE)]
     if roots[0]:
@@ -81,20 +81,20 @@ def side_basis(lengths_mm: FloatArray, first_mm: float, last_mm: float, roots: t
 
 
 def fit_profile(points_mm: FloatArray, shape: Shape, start: Profile | None = None, rounds: int = ROUNDS) -> Profile:
-    """Find mean line, thickness and edges of a section.
+    """Fit mean line, sides and edges of a section.
 
-    The mean line is moved until both sides lie equally far from it, at right angles to it (as the thickness of NACA
-    profiles is laid on: I. H. Abbott, A. E. von Doenhoff, L. S. Stivers, NACA Report 824, 1945).
+    The mean line is shifted until both sides have equal distances normal to it (the thickness convention of NACA profiles: I. H. Abbott,
+    A. E. von Doenhoff, L. S. Stivers, NACA Report 824, 1945).
 
     Parameters
     ----------
     points_mm : (N, 2), in any order, in the coordinates of ``shape``
-    start : of nearly the same points, from which it goes faster
+    start : profile of nearly the same points, as a faster start
 
     Raises
     ------
     FitError
-        The points do not cover the section, or lie on one side of it only.
+        The points do not cover the section, or only one side of it.
     """
     line = initial_mean_line(points_mm) if start is None else start.line
     leading = _missing_edge(shape.open_leading) if start is None else start.leading
@@ -119,11 +119,11 @@ def fit_profile(points_mm: FloatArray, shape: Shape, start: Profile | None = Non
 
 
 def _missing_edge(is_open: bool) -> Edge:
-    return Edge(None, reason="the blade goes on there" if is_open else "its edge was not measured")
+    return Edge(None, reason="the blade continues there" if is_open else "its edge was not measured")
 
 
 def _extent(points_mm: FloatArray, line: MeanLine, shape: Shape) -> tuple[float, float]:
-    """Where the points begin and end along the chord; an open end is where the drawing has it."""
+    """Return the range of the points along the chord; an open end is that of the nominal."""
     x, _ = line.feet(points_mm)
     low, high = np.percentile(x, [0.2, 99.8])
     return (0.0 if shape.open_leading else float(low)), (shape.chord_mm if shape.open_trailing else float(high))
@@ -139,7 +139,7 @@ def _ends_x(line: MeanLine, leading: Edge, trailing: Edge, low: float, high: flo
 
 
 def _caps(leading: Edge, trailing: Edge, ends: tuple[float, float], shape: Shape) -> tuple[float, float]:
-    """Return how much of both ends does not belong to the sides."""
+    """Return the lengths at both ends that do not belong to the sides."""
     length = ends[1] - ends[0]
 
     def of(edge: Edge, is_open: bool) -> float:
@@ -162,7 +162,7 @@ def _fit_sides(
     residuals, kept, solutions = np.zeros(len(x)), np.zeros(len(x), bool), []
     for side in (inside & (heights > 0), inside & (heights <= 0)):
         if side.sum() < LEAST_ON_SIDE:
-            raise FitError("only one side of the blade was measured", "Scan its other side too.")
+            raise FitError("only one side of the blade was measured", "Scan its other side as well.")
         used = side
         for _ in range(3):
             solution = _solve(basis[used], heights[used])
@@ -175,7 +175,7 @@ def _fit_sides(
 
 
 def _solve(basis: FloatArray, heights: FloatArray) -> FloatArray:
-    """Least squares by the normal equations: the basis is well conditioned, and this is done thousands of times."""
+    """Least squares by normal equations, fast and sufficient for the well-conditioned basis."""
     normal = basis.T @ basis
     return np.asarray(np.linalg.solve(normal + 1e-10 * np.trace(normal) * np.eye(len(normal)), basis.T @ heights))
 

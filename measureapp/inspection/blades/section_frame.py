@@ -1,4 +1,4 @@
-"""The points of one blade section, laid into the plane in which it is drawn."""
+"""Coordinate frame of a blade section: points of one blade, flattened into the section's plane."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from measureapp.geometry.transform import rotation_about
 from measureapp.inspection.blades.profile import Shape
 from measureapp.inspection.surface.cutting_surface import CuttingCylinder, CuttingPlane, CuttingSurface
 
-TURN = 1e-5  # rad, over which the effect of a turn is taken
-BEYOND = 0.1  # of the chord: how far beyond the edges of the drawing points still count
+TURN = 1e-5  # rad, step of the numerical derivative
+BEYOND = 0.1  # of the chord: points count up to this far beyond the nominal edges
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SectionFrame:
-    """The cutting surface of the first blade and the drawing's chord in it."""
+    """Cutting surface of the first blade, and the nominal chord in it."""
 
     described: BladeSection
     surface: CuttingSurface
@@ -28,7 +28,7 @@ class SectionFrame:
 
     @classmethod
     def of(cls, described: BladeSection) -> SectionFrame:
-        """Lay the first blade of a program's section flat."""
+        """Return the frame of the first blade of a program's section."""
         axis_point, axis = np.asarray(described.axis_point_mm, float), np.asarray(described.axis, float)
         ends = np.array([described.leading_mm, described.trailing_mm], float)
         if described.radius_mm is not None:
@@ -43,11 +43,11 @@ class SectionFrame:
         return cls(described, surface, flat[0], np.stack([along, [-along[1], along[0]]]), shape)
 
     def rotate_to_first(self, points_mm: FloatArray, number: int) -> FloatArray:
-        """Return points (N, 3) turned about the axis so that blade ``number`` (from 0) comes where the first one is."""
+        """Rotate points (N, 3) about the axis so that blade ``number`` (from 0) coincides with the first."""
         return self.rotate(points_mm, -2 * np.pi * number / self.described.count)
 
     def rotate(self, points_mm: FloatArray, angle_rad: float) -> FloatArray:
-        """Return points (N, 3) turned about the axis."""
+        """Rotate points (N, 3) about the axis."""
         point = np.asarray(self.described.axis_point_mm, float)
         return np.asarray((points_mm - point) @ rotation_about(self.described.axis, angle_rad).T + point)
 
@@ -60,12 +60,12 @@ class SectionFrame:
         return self.rotate(self.surface.lift(flat_mm @ self.axes + self.origin_mm), 2 * np.pi * number / self.described.count)
 
     def select_points(self, points_mm: FloatArray, number: int, most: int) -> IntArray:
-        """Return which points (N, 3) belong to the section of blade ``number`` (from 0), at most ``most`` of them, evenly chosen."""
+        """Return the indices of the points (N, 3) of the section of blade ``number`` (from 0), at most ``most``, evenly chosen."""
         chosen = self.chosen(self.rotate_to_first(points_mm, number))
         return chosen if len(chosen) <= most else chosen[np.linspace(0, len(chosen) - 1, most).astype(int)]
 
     def chosen(self, points_mm: FloatArray) -> IntArray:
-        """Return which points, turned back, belong to the section of the first blade."""
+        """Return the indices of the points of the section of the first blade, among points rotated to it."""
         near = np.flatnonzero(np.abs(self.surface.offsets_mm(points_mm)) < self.described.width_mm / 2)
         flat = self.flatten(points_mm[near])
         length, described = self.shape.chord_mm, self.described
@@ -78,11 +78,11 @@ class SectionFrame:
         return near[inside]
 
     def effect_of_turn(self, points_mm: FloatArray) -> FloatArray:
-        """Return how fast points move in the section (N, 2), in mm per rad, when the part turns about the axis."""
+        """Return the derivative (N, 2) of section coordinates with respect to a rotation about the axis, mm per rad."""
         return (self.flatten(self.rotate(points_mm, TURN)) - self.flatten(points_mm)) / TURN
 
     def stagger_rad(self, chord: FloatArray, start_mm: FloatArray) -> float:
-        """Return the angle from the axis to the chord, or where the plane lies across the axis, from the ray out through the leading end.
+        """Return the stagger: angle from the axis to the chord, or for a plane normal to the axis, from the ray through the leading end.
 
         ``chord`` and ``start_mm`` are in the section's coordinates; counter-clockwise is positive.
         """

@@ -1,4 +1,4 @@
-"""The values of blade sections as dimensions: of one blade, between two, and against the average blade or the nominal."""
+"""Dimensions of blade sections: of one blade, between two, and against the average blade or the nominal."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ MISSING = {
 
 
 def evaluate_blade(described: DimensionProgram, found: tuple[FoundFeature, ...], settings: InspectionSettings) -> Value:
-    """Return the value of a blade dimension from its sections.
+    """Evaluate a blade dimension.
 
     Raises
     ------
     InspectionError
-        The value does not exist: an edge was not measured, there is no nominal, or a single blade has no pitch.
+        The value is undefined: an edge was not measured, there is no nominal, or a pitch of a single blade.
     """
     blades = [one for one in found if isinstance(one, FoundBlade)]
     if described.kind == "pitch":
@@ -50,7 +50,7 @@ def evaluate_blade(described: DimensionProgram, found: tuple[FoundFeature, ...],
 
 
 def _twist(one: FoundBlade, other: FoundBlade, settings: InspectionSettings) -> Value:
-    """Difference of two staggers; what moves both sections alike drops out."""
+    """Difference of two stagger angles; a common motion of both sections cancels."""
     first, second = (_single("stagger", blade, settings) for blade in (one, other))
     budget = combine_budgets(first.budget, second.budget)
     if one.by_errors is not None and other.by_errors is not None:
@@ -59,12 +59,12 @@ def _twist(one: FoundBlade, other: FoundBlade, settings: InspectionSettings) -> 
 
 
 def _angle_difference(one: Mapping[str, FloatArray], other: Mapping[str, FloatArray]) -> Budget:
-    """Shares in degrees of the difference of two angles that share their errors."""
-    return {share: DEGREES * float(np.linalg.norm(other[share] - one[share])) for share in one}
+    """Return the budget in degrees of the difference of two angles with correlated errors."""
+    return {name: DEGREES * float(np.linalg.norm(other[name] - one[name])) for name in one}
 
 
 def _deformation_budget(blade: FoundBlade, settings: InspectionSettings, factor: float) -> Budget:
-    """Shares of a length in the section whose ends move by ``factor`` times what moves the sides on their own."""
+    """Return the budget of a length in the section: ``factor`` times the deformation of the sides."""
     if blade.by_errors is None:
         return {STITCHING: factor * assumed_placement_sigma(blade, settings)}
     return scale_budget(blade.by_errors.deformation_mm, factor)
@@ -76,12 +76,12 @@ def _single(kind: str, blade: FoundBlade, settings: InspectionSettings) -> Value
     for name in MISSING.get(kind, ()):
         edge = getattr(made, name)
         if edge.apex_mm is None:
-            raise InspectionError(f"{blade.name} has no {kind.replace('_', ' ')}: at its {name} end {edge.reason}")
+            raise InspectionError(f"{blade.name}: {kind.replace('_', ' ')} is undefined, as {edge.reason} ({name} end)")
     if kind not in sigmas:
-        raise InspectionError(f"{blade.name}: its points do not determine the {kind.replace('_', ' ')}, simulated noise made it fail")
+        raise InspectionError(f"{blade.name}: the {kind.replace('_', ' ')} is not determined, most trials with simulated noise fail")
     value, sigma = profile_values(made, frame)[kind], sigmas[kind]
     how = f"Monte Carlo, {settings.blade_trials} trials"
-    sides = 1.0 if kind.endswith("radius") else float(np.sqrt(2))  # two places, each seen by views of its own
+    sides = 1.0 if kind.endswith("radius") else float(np.sqrt(2))  # two positions, measured by different views
     if kind != "stagger":
         return Value(value, {NOISE: sigma, **_deformation_budget(blade, settings, sides)}, how)
     lean = scale_budget(_deformation_budget(blade, settings, sides), 1 / float(np.linalg.norm(made.chord)))
@@ -91,12 +91,12 @@ def _single(kind: str, blade: FoundBlade, settings: InspectionSettings) -> Value
 
 
 def _pitch(one: FoundBlade, other: FoundBlade, settings: InspectionSettings) -> Value:
-    """Turn about the axis that lays one blade onto the other."""
+    """Rotation about the axis from one blade to the other."""
     for blade in (one, other):
         if blade.comparison is None:
             raise InspectionError(f"{blade.name}: a pitch needs at least two measured blades of one section")
     if one.frame is not other.frame:
-        raise InspectionError(f"{one.name} and {other.name} are blades of different sections: they have no pitch")
+        raise InspectionError(f"{one.name} and {other.name} are blades of different sections: their pitch is undefined")
     assert one.comparison is not None and other.comparison is not None and one.frame is not None
     count = one.frame.described.count
     steps = (other.number - one.number) % count or count
@@ -108,7 +108,7 @@ def _pitch(one: FoundBlade, other: FoundBlade, settings: InspectionSettings) -> 
 
 
 def _turn_budget(blade: FoundBlade, settings: InspectionSettings) -> Budget:
-    """Shares of the standard uncertainty in rad of how far a blade is turned about the axis."""
+    """Return the budget (rad) of the rotation of a blade about the axis."""
     assert blade.comparison is not None and blade.frame is not None
     points = blade.frame.rotate_to_first(blade.points_mm[blade.comparison.on_side], blade.number)
     lever = float(np.sqrt(np.mean(np.sum(blade.frame.effect_of_turn(points) ** 2, axis=1))))
@@ -116,7 +116,7 @@ def _turn_budget(blade: FoundBlade, settings: InspectionSettings) -> Budget:
 
 
 def _form(blade: FoundBlade, settings: InspectionSettings) -> Value:
-    """Width of the zone about the part's average blade, once the blade is turned onto it about the axis."""
+    """Width of the zone about the part's average blade, after rotation onto it about the axis."""
     if blade.comparison is None:
         raise InspectionError(f"{blade.name}: an average blade needs at least two measured blades of this section")
     against = blade.comparison
@@ -127,14 +127,14 @@ def _form(blade: FoundBlade, settings: InspectionSettings) -> Value:
         against.deviations_mm,
         settings,
         _deformation_budget(blade, settings, 2.0),
-        "about the average blade, turned onto it about the axis",
+        "about the average blade, rotated onto it about the axis",
     )
 
 
 def _profile(blade: FoundBlade, settings: InspectionSettings) -> Value:
-    """Width of the zone about the nominal, as the alignment lays the part."""
+    """Width of the zone about the nominal, in the alignment of the part."""
     if blade.deviations_mm is None:
-        raise InspectionError(f"{blade.name}: a blade profile needs the nominal mesh, and the program names none")
+        raise InspectionError(f"{blade.name}: a blade profile needs a nominal mesh, and the program has none")
     assert blade.profile is not None and blade.frame is not None
     flat = blade.frame.flatten(blade.frame.rotate_to_first(blade.points_mm, blade.number))
     x, heights = blade.profile.line.feet(flat)
@@ -148,16 +148,16 @@ def _profile(blade: FoundBlade, settings: InspectionSettings) -> Value:
 def _zone(
     blade: FoundBlade, where: IntArray, deviations_mm: FloatArray, settings: InspectionSettings, by_views: Budget, what: str
 ) -> Value:
-    """Twice the greatest median deviation over pieces of both sides: neither noise nor a single stray point makes it wider.
+    """Twice the greatest median deviation over segments of both sides, robust against noise and single stray points.
 
-    What a piece is really off by is in all of its points; nothing is left out for being far away.
+    A true deviation is present in all points of a segment; no points are rejected for their distance.
     """
     order = np.argsort(where, kind="stable")
     pieces = np.split(deviations_mm[order], np.flatnonzero(np.diff(where[order])) + 1)
     counts = np.array([len(piece) for piece in pieces])
     full = counts >= max(LEAST_IN_CELL, 0.25 * float(np.median(counts)))
     if full.sum() < LEAST_CELLS:
-        raise InspectionError(f"{blade.name}: its points fill only {full.sum()} pieces of its sides, {LEAST_CELLS} are needed")
+        raise InspectionError(f"{blade.name}: only {full.sum()} segments of its sides have enough points, {LEAST_CELLS} are needed")
     chosen = [piece for piece, enough in zip(pieces, full, strict=True) if enough]
     medians = np.array([np.median(piece) for piece in chosen])
     scatter = [GAUSSIAN * np.median(np.abs(piece - median)) for piece, median in zip(chosen, medians, strict=True)]

@@ -1,1 +1,1 @@
-"""Features: cut around their nominals or grown, fitted, or constructed from others."""
+"""Features: points cut around nominals or grown from seeds, fits, and constructions."""

@@ -1,4 +1,4 @@
-"""Extraction of a measured surface: the means of its points over cells, so that noise does not grow with the number of points."""
+"""Extracted surface: means of the points over cells, so that form values do not grow with the number of points."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ from measureapp.inspection.features.shapes import along_and_off, outward_normals
 LEAST_CELLS = 12
 LEAST_IN_CELL = 5
 FITTED = 3  # mean and slopes of a cell
-RANK = 1e-6  # the normal's own direction has no extent
-WELL_FILLED = 0.25  # of the median count: cells at the rim hold fewer points, whose mean is noisier
+RANK = 1e-6  # tolerance for the extent along the normal
+WELL_FILLED = 0.25  # of the median count: border cells with fewer points have noisier means
 LEAST_AROUND = 24  # cells about an axis, whatever the radius
 COVERAGE = 0.95
 EQUAL_NOISE = 1e-9
 
 SurfaceDistance = Callable[
     [FloatArray], tuple[FloatArray, FloatArray]
-]  # of points (N, 3) their signed distances (N,) from a surface and its unit normals (N, 3) there
+]  # points (N, 3) -> signed distances (N,) from a surface, and its unit normals (N, 3)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,9 +37,9 @@ class Cells:
 
     points_mm: FloatArray  # (K, 3)
     deviations_mm: FloatArray  # (K,), from the feature
-    keys: IntArray  # (K, D), which cell
+    keys: IntArray  # (K, D), index of the cell
     noise_mm: float  # typical standard deviation of a mean, from the scatter within the cells
-    noises_mm: FloatArray  # (K,), of each mean: cells at the rim hold fewer points
+    noises_mm: FloatArray  # (K,), of each mean
     normals: FloatArray  # (K, 3), of the surface
     view_contributions: Mapping[ErrorSource, FloatArray] = field(
         default_factory=dict
@@ -54,21 +54,21 @@ class Cells:
 
     @property
     def form_sigma_mm(self) -> float:
-        """Half the range that noise alone spans over all means in 95 of 100 cases.
+        """Half the range of the noise of all means, 95 % quantile.
 
-        The range of the sum of form and noise differs from that of the form by no more than the range of the noise, so
-        that twice this is an expanded uncertainty whatever the form is.
+        The range of form plus noise differs from that of the form by at most the range of the noise, so that twice this value is an
+        expanded uncertainty for any form.
         """
         return greatest_noise(self.noises_mm)
 
 
 def greatest_noise_factor(count: int) -> float:
-    """Return the multiple of σ that the greatest of ``count`` normal errors does not exceed in 95 of 100 cases."""
+    """Return the 95 % quantile of the greatest of ``count`` normal errors, in standard deviations."""
     return float(ndtri((1 + COVERAGE ** (1 / max(count, 1))) / 2))
 
 
 def greatest_noise(noises_mm: FloatArray) -> float:
-    """Return what the greatest of independent normal errors with these standard deviations does not exceed in 95 of 100 cases."""
+    """Return the 95 % quantile of the greatest of independent normal errors with these standard deviations."""
     least, most = (greatest_noise_factor(len(noises_mm)) * float(noise) for noise in (noises_mm.min(), noises_mm.max()))
     if most - least <= EQUAL_NOISE * most:
         return most
@@ -76,14 +76,14 @@ def greatest_noise(noises_mm: FloatArray) -> float:
 
 
 def cell_means(found: FoundFeature, feature: Feature, keys: IntArray, chosen: BoolArray | None = None) -> Cells:
-    """Return the means over all cells that hold enough points.
+    """Return the means over all cells with enough points.
 
     Parameters
     ----------
-    found : whose points are extracted
-    feature : on whose surface they lie
+    found : feature with the points
+    feature : fitted surface
     keys : (N, D), the cell of each point
-    chosen : mask of the points of ``found`` that are meant; None: all
+    chosen : mask of the points to use; None: all
 
     Raises
     ------
@@ -94,7 +94,7 @@ def cell_means(found: FoundFeature, feature: Feature, keys: IntArray, chosen: Bo
 
 
 def surface_means(found: FoundFeature, beside: SurfaceDistance, keys: IntArray, chosen: BoolArray | None = None) -> Cells:
-    """Return the means from any surface; see `cell_means`."""
+    """Return the means relative to any surface; see `cell_means`."""
     points_mm = found.points_mm if chosen is None else found.points_mm[chosen]
     deviations, _ = beside(points_mm)
     kinds, cell = np.unique(keys, axis=0, return_inverse=True)
@@ -102,15 +102,15 @@ def surface_means(found: FoundFeature, beside: SurfaceDistance, keys: IntArray, 
     counts = np.bincount(cell)
     full = counts >= max(LEAST_IN_CELL, WELL_FILLED * float(np.median(counts)))
     if np.count_nonzero(full) < LEAST_CELLS:
-        raise InspectionError(f"{found.name}: its points fill only {np.count_nonzero(full)} cells, {LEAST_CELLS} are needed")
+        raise InspectionError(f"{found.name}: only {np.count_nonzero(full)} cells have enough points, {LEAST_CELLS} are needed")
     mean = np.bincount(cell, weights=deviations) / counts
     places = np.column_stack([np.bincount(cell, weights=points_mm[:, k]) / counts for k in range(3)])
     away, normals = beside(places)
     scatter = _scatter(cell, points_mm - places[cell], deviations - mean[cell], normals)
-    # the mean of points on a curved surface lies inside it; their mean deviation does not
+    # the mean of points on a curved surface lies inside it, their mean deviation is unbiased
     places = places + (mean - away)[:, None] * normals
     freedoms = float(np.median(counts[full])) - FITTED
-    variance = float(np.median(scatter[full])) / (1 - 2 / (9 * freedoms)) ** 3  # of χ² the median lies below the mean (Wilson and Hilferty)
+    variance = float(np.median(scatter[full])) / (1 - 2 / (9 * freedoms)) ** 3  # median to mean of χ² (Wilson and Hilferty)
     noise = float(np.sqrt(variance / np.median(counts[full])))
     number = np.where(full, np.cumsum(full) - 1, -1)[cell]
     by_views = _by_views(found, places[full], normals[full], number, chosen)
@@ -120,7 +120,7 @@ def surface_means(found: FoundFeature, beside: SurfaceDistance, keys: IntArray, 
 def _by_views(
     found: FoundFeature, places_mm: FloatArray, normals: FloatArray, number: IntArray, chosen: BoolArray | None
 ) -> dict[ErrorSource, FloatArray]:
-    """Return the errors of means at ``places_mm`` by the views of their points; ``number`` (N,) says which mean each is part of, -1 none."""
+    """Return the errors of means at ``places_mm`` by the views of their points; ``number`` (N,) is the mean of each point, -1 for none."""
     if found.view_errors is None or found.view is None:
         return {}
     view = found.view if chosen is None else found.view[chosen]
@@ -134,13 +134,13 @@ def _by_views(
 
 
 def _scatter(cell: IntArray, offsets_mm: FloatArray, deviations_mm: FloatArray, normals: FloatArray) -> FloatArray:
-    """Return the variance (C,) of the points of each cell about the plane through them.
+    """Return the variance (C,) of the points of each cell about their fitted plane.
 
-    A surface that is inclined across a cell has no noise by that: scatter about the mean would count the form as noise.
+    Scatter about the mean would count the inclination of the surface as noise.
 
     Parameters
     ----------
-    cell : (N,), which cell a point is in
+    cell : (N,), cell of each point
     offsets_mm, deviations_mm : (N, 3) and (N,), from the cell's mean
     normals : (C, 3), unit normals of the cells
     """
@@ -166,12 +166,12 @@ def surface_keys(points_mm: FloatArray, feature: Feature, cell_mm: float) -> Int
 
 
 def grid_keys(places_mm: FloatArray, cell_mm: float) -> IntArray:
-    """Return cells (N, D) of a grid in the plane or in space, the first of them about the least coordinates."""
+    """Return cells (N, D) of a 2-D or 3-D grid, starting at the smallest coordinates."""
     return np.floor((places_mm - places_mm.min(axis=0)) / cell_mm + 0.5).astype(np.int64)
 
 
 def round_keys(points_mm: FloatArray, point_mm: FloatArray, direction: FloatArray, cell_mm: float, radius_mm: float) -> IntArray:
-    """Return cells (N, 2) about an axis: which section along it, and where around it."""
+    """Return cells (N, 2) about an axis: section along it, and sector around it."""
     along, _, _ = along_and_off(points_mm, point_mm, direction)
     around = around_count(radius_mm, cell_mm)
     section = np.floor((along - along.min()) / cell_mm).astype(np.int64)
@@ -179,7 +179,7 @@ def round_keys(points_mm: FloatArray, point_mm: FloatArray, direction: FloatArra
 
 
 def around_count(radius_mm: float, cell_mm: float) -> int:
-    """Return into how many cells a turn is divided."""
+    """Return the number of cells per turn."""
     return max(LEAST_AROUND, round(2 * np.pi * radius_mm / cell_mm))
 
 

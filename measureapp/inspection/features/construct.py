@@ -1,4 +1,4 @@
-"""Features made from other features."""
+"""Constructed features: midpoint, mid-plane, intersection and projection."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LEAST_CROSSING_DEG = 5.0
 
 
 def construct(described: ConstructedFeature, known: Mapping[str, FoundFeature]) -> Mapping[str, FoundFeature]:
-    """Return the constructed feature, or each copy of its pattern, from features already found."""
+    """Construct a feature, or each copy of its pattern, from features already found."""
     count = None if described.repeat is None else described.repeat.count
     names = copy_names(described.name, described.repeat)
     made = {}
@@ -31,7 +31,7 @@ def construct(described: ConstructedFeature, known: Mapping[str, FoundFeature]) 
 
 
 def _as_nominal(found: FoundFeature) -> FoundFeature:
-    return FoundFeature(found.name, found.nominal, f"{found.name} has no place in the drawing")
+    return FoundFeature(found.name, found.nominal, f"{found.name} has no nominal position")
 
 
 def _construct_one(shape: str, name: str, one: FoundFeature, other: FoundFeature) -> FoundFeature:
@@ -51,7 +51,7 @@ def _construct_one(shape: str, name: str, one: FoundFeature, other: FoundFeature
 
 
 def _deviations(made: Feature, errors: Errors) -> dict[str, float]:
-    """Standard deviations of position and direction, each in its worst direction."""
+    """Return the standard deviations of position and direction, each in its worst direction."""
     columns = np.hstack(list(errors.values())) if errors else np.zeros((6, 1))
     position, direction = (float(np.linalg.norm(columns[rows], 2)) for rows in (slice(0, 3), slice(3, 6)))
     return {"position_mm": position} | ({} if made.direction is None else {"direction_rad": direction})
@@ -74,7 +74,7 @@ def _midplane(name: str, of: Sequence[Feature]) -> Feature:
 
 
 def _intersection(name: str, of: Sequence[Feature]) -> Feature:
-    """Where an axis meets a plane (a point), or two planes meet (a line)."""
+    """Intersection of an axis and a plane (a point), or of two planes (a line)."""
     first, second = of
     if first.direction is None or second.direction is None or "plane" not in (first.shape, second.shape):
         raise InspectionError(f"{name}: an intersection needs a plane, and a plane or an axis")
@@ -90,7 +90,7 @@ def _intersection(name: str, of: Sequence[Feature]) -> Feature:
 
 
 def _projection(name: str, of: Sequence[Feature]) -> Feature:
-    """A centre or axis seen upright onto a plane: a point, or a line."""
+    """Orthogonal projection of a centre or axis onto a plane: a point, or a line."""
     first, second = of
     if second.shape != "plane" or second.direction is None or first.shape == "plane":
         raise InspectionError(f"{name}: a projection needs a point or axis, and the plane it is projected onto")
@@ -101,7 +101,7 @@ def _projection(name: str, of: Sequence[Feature]) -> Feature:
     length = float(np.linalg.norm(flat))
     if length < np.sin(np.radians(LEAST_CROSSING_DEG)):
         raise InspectionError(
-            f"{name}: the axis {first.name} stands upright on {second.name}; its projection is a point, their intersection"
+            f"{name}: the axis {first.name} is perpendicular to {second.name}; its projection is a point: use their intersection"
         )
     return Feature(name, "line", point, flat / length)
 

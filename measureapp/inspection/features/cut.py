@@ -1,4 +1,4 @@
-"""Cutting the points of one feature out of the cloud, around its nominal."""
+"""Selection of the points of a feature around its nominal."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class NominalFeature:
 
 
 def nominal_features(described: MeasuredFeature) -> tuple[NominalFeature, ...]:
-    """Return the nominal of a feature, or of every copy of its pattern."""
+    """Return the nominal of a feature, or those of all copies of its pattern."""
     if described.repeat is None:
         return (_nominal(described, described.name, np.eye(3)),)
     angle = np.radians(described.repeat.angle_deg)
@@ -41,7 +41,7 @@ def nominal_features(described: MeasuredFeature) -> tuple[NominalFeature, ...]:
 
 def _nominal(described: MeasuredFeature, name: str, turn: FloatArray) -> NominalFeature:
     surface_point = described.shape == "surface_point"
-    assert described.point_mm is not None  # the program refuses a feature without a place that does not grow
+    assert described.point_mm is not None  # the program requires a position unless the feature grows
     direction = None if described.direction is None else turn @ np.asarray(described.direction, float)
     feature = Feature(
         name,
@@ -55,7 +55,7 @@ def _nominal(described: MeasuredFeature, name: str, turn: FloatArray) -> Nominal
 
 
 def within_box(points_mm: FloatArray, cut: Cut | FreeForm, copy_from_first: FloatArray) -> BoolArray:
-    """Return which points (N,) lie within the limits in x, y and z, as the first copy has them."""
+    """Return the mask (N,) of the points within the x, y and z limits, rotated to the first copy."""
     inside = np.ones(len(points_mm), bool)
     as_first = points_mm @ copy_from_first
     for axis, extent in enumerate((cut.x_mm, cut.y_mm, cut.z_mm)):
@@ -65,10 +65,9 @@ def within_box(points_mm: FloatArray, cut: Cut | FreeForm, copy_from_first: Floa
 
 
 def cut_points(points: MeasuredPoints, nominal: NominalFeature, edges: cKDTree | None) -> IntArray:
-    """Return the indices of the points that belong to ``nominal``; ``points`` are in the nominal's frame.
+    """Return the indices of the points of ``nominal``; ``points`` are in the nominal's frame.
 
-    A point belongs when it lies within the band about the nominal surface and within the extents of the cut,
-    keeps its distance from sharp edges, and its normal agrees.
+    They lie within the band about the nominal surface and the limits of the cut, at a distance from sharp edges, with matching normals.
     """
     near = np.flatnonzero(_within_band(points.points_mm, nominal))
     near = near[_within_extents(points.points_mm[near], nominal)]
@@ -108,7 +107,7 @@ def _normals_agree(points_mm: FloatArray, normals: FloatArray, nominal: NominalF
 
 
 def outward_normals_of(nominal: NominalFeature, points_mm: FloatArray) -> FloatArray:
-    """Return the normals of the nominal surface beside each point; of a surface point its direction."""
+    """Return the normals of the nominal surface at each point; for a surface point, its direction."""
     direction = nominal.feature.direction
     if nominal.surface_point and direction is not None:
         return np.broadcast_to(direction, points_mm.shape)

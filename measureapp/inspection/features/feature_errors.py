@@ -1,7 +1,7 @@
-"""What a feature errs by, as independent errors of one standard deviation each, by where they come from.
+"""Errors of features as independent errors, one standard deviation each, by source.
 
-Features share the errors of the views they were seen in, so that what is computed from several of them is uncertain by what does not
-cancel (JCGM 102, 6.2.1).
+Features share the errors of the views they were measured in, so that these partly cancel in values computed from several features
+(JCGM 102, 6.2.1).
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ from measureapp.inspection.features.shapes import outward_normals
 from measureapp.inspection.measured_points import MeasuredPoints
 
 NOISE, STITCHING, CALIBRATION, *_, SCALE = CONTRIBUTIONS
-MOST_POINTS = 4000  # the errors of views change slowly over a feature
-TURN_MM = 100.0  # a turn counts as what it moves so far away, where errors are compared in size
-NEGLIGIBLE = 1e-6  # of the largest variance: each of some dozens
-STEP = 1e-5  # mm and rad: small beside what the shapes are curved by, large beside rounding
+MOST_POINTS = 4000  # sufficient, as the errors of views vary slowly over a feature
+TURN_MM = 100.0  # lever arm that makes rotations comparable with lengths
+NEGLIGIBLE = 1e-6  # share of the largest variance below which an error is dropped
+STEP = 1e-5  # mm and rad, of numerical derivatives
 
 
 class ErrorSource(NamedTuple):
-    """Where independent errors come from; those of one source are the same in all features."""
+    """Source of independent errors; those of one source are common to all features."""
 
     contribution: str  # of `CONTRIBUTIONS`
     owner: str = ""  # the feature, where it alone has them
@@ -37,16 +37,17 @@ Errors = Mapping[ErrorSource, FloatArray]  # (6 + S, M): of point (mm), directio
 
 
 def size_names(feature: Feature) -> tuple[str, ...]:
-    """Return the names of the sizes that a feature has."""
+    """Return the names of the size parameters of a feature."""
     return tuple(name for name in ("radius_mm", "half_angle_rad", "minor_radius_mm") if getattr(feature, name) is not None)
 
 
 def estimate_view_errors(
     feature: Feature, used: MeasuredPoints, weights: FloatArray | None, placement_mm: float, views: float
 ) -> dict[ErrorSource, FloatArray]:
-    """Return how a fitted feature follows the errors of the views that its points were measured in.
+    """Propagate the errors of the views to a fitted feature.
 
-    Where these are not known, every feature stands off on its own by ``placement_mm`` over the root of its views, and so do its radii.
+    Without an error model, an independent displacement of ``placement_mm`` over the root of the number of views is assumed for the
+    feature's position and radii.
     """
     if used.errors is None or used.view is None:
         return assume_placement_errors(feature, placement_mm / max(views, 1.0) ** 0.5)
@@ -57,14 +58,14 @@ def estimate_view_errors(
 
 
 def propagate_point_errors(follows: FloatArray, used: MeasuredPoints, directions: FloatArray) -> dict[ErrorSource, FloatArray]:
-    """Return the errors of values (P, M) that follow displacements of points along ``directions`` (N, 3) by ``follows`` (P, N)."""
+    """Propagate displacements of points along ``directions`` (N, 3) to values with the Jacobian ``follows`` (P, N)."""
     assert used.errors is not None and used.view is not None
     displaced = used.errors.along(used.points_mm, directions, used.view)
     return {ErrorSource(share): follows @ columns for share, columns in displaced.items()}
 
 
 def assume_placement_errors(feature: Feature, placement_mm: float) -> dict[ErrorSource, FloatArray]:
-    """Return the errors of a feature that stands off along every axis, and whose radii err, by ``placement_mm`` independently."""
+    """Return assumed errors of a feature: ``placement_mm`` independently for each coordinate and radius."""
     sizes = size_names(feature)
     columns = np.zeros((6 + len(sizes), 3 + len(sizes)))
     columns[:3, :3] = placement_mm * np.eye(3)
@@ -74,14 +75,14 @@ def assume_placement_errors(feature: Feature, placement_mm: float) -> dict[Error
 
 
 def principal_errors(columns: FloatArray, scale: FloatArray) -> FloatArray:
-    """Return the fewest independent errors (P, R) that are together like ``columns`` (P, M); ``scale`` (P,) makes the rows comparable."""
+    """Principal components: reduce errors ``columns`` (P, M) to the fewest (P, R) of equal covariance; rows are scaled by ``scale``."""
     vectors, sizes, _ = np.linalg.svd(columns * scale[:, None], full_matrices=False)
     kept = sizes**2 > NEGLIGIBLE * max(float(sizes[0]) ** 2, 1e-300) if len(sizes) else np.zeros(0, bool)
     return np.asarray(vectors[:, kept] * sizes[kept] / scale[:, None])
 
 
 def perturb(feature: Feature, by: FloatArray) -> Feature:
-    """Return a feature with a small change (6 + S,) of point, direction and sizes."""
+    """Return a feature with a small change ``by`` (6 + S,) of point, direction and sizes."""
     direction = feature.direction
     if direction is not None:
         direction = direction + by[3:6]
@@ -93,7 +94,7 @@ def perturb(feature: Feature, by: FloatArray) -> Feature:
 def propagate_construction(
     make: Callable[[Sequence[Feature]], Feature], features: Sequence[Feature], errors: Sequence[Errors]
 ) -> dict[ErrorSource, FloatArray]:
-    """Return the errors of a feature that ``make`` makes of others, by the law of propagation (JCGM 102, 6.2.1.3)."""
+    """Propagate errors to a feature constructed by ``make`` from others (JCGM 102, 6.2.1.3)."""
     total: dict[ErrorSource, FloatArray] = {}
     for number, (feature, own) in enumerate(zip(features, errors, strict=True)):
         size = 6 + len(size_names(feature))
@@ -115,7 +116,7 @@ def _parameters(feature: Feature) -> FloatArray:
 
 
 def noise_errors(feature: Feature, factor: float) -> FloatArray:
-    """Return the errors (6 + S, M) of a feature by the noise of its points, from its covariance or, for a point along a normal, its deviation."""
+    """Return the errors (6 + S, M) of a feature by point noise: from its covariance, or the deviation of a point along its normal."""
     size = 6 + len(size_names(feature))
     if feature.covariance is None:
         columns = np.zeros((size, 1))

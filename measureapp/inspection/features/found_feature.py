@@ -1,4 +1,4 @@
-"""Features found on the measured points: fitted around their nominals, or made from others."""
+"""Measured features: point selection, fit with outlier rejection, and plausibility check."""
 
 from __future__ import annotations
 
@@ -35,43 +35,41 @@ GREATEST_TILT_DEG = 20.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FoundFeature:
-    """A feature found on the part, or the reason why it was not."""
+    """A feature found on the part, or the reason why it was not found."""
 
     name: str
     feature: Feature | None
     reason: str = ""
-    correlation_factor: float = 1.0  # by which shared errors of neighbouring points widen the fit's standard deviations
-    views: float = 1.0  # how many views it effectively rests on
-    points_mm: FloatArray = field(default_factory=lambda: np.empty((0, 3)))  # the points it was fitted to
-    nominal: Feature | None = None  # where the drawing has it
-    hole: bool = field(default=False, kw_only=True)  # the material lies outside
-    view_contributions: Errors = field(
-        default_factory=dict, kw_only=True
-    )  # errors that its views give it; of a constructed feature all errors
-    view: IntArray | None = field(default=None, kw_only=True)  # (N,), in which view each of its points was measured
+    correlation_factor: float = 1.0  # factor of the standard deviations by correlated neighbouring points
+    views: float = 1.0  # effective number of views
+    points_mm: FloatArray = field(default_factory=lambda: np.empty((0, 3)))  # the fitted points
+    nominal: Feature | None = None  # as designed
+    hole: bool = field(default=False, kw_only=True)  # material outside
+    view_contributions: Errors = field(default_factory=dict, kw_only=True)  # errors by its views; of a constructed feature all errors
+    view: IntArray | None = field(default=None, kw_only=True)  # (N,), the view of each of its points
     view_errors: ViewErrors | None = field(default=None, kw_only=True)  # of those views; None where not known
-    draws: int = field(default=0, kw_only=True)  # fits to simulated points that its covariance comes from; 0: from the law of propagation
+    draws: int = field(default=0, kw_only=True)  # Monte Carlo draws of its covariance; 0: law of propagation
 
     @property
     def errors(self) -> Errors:
-        """Everything it errs by, by where it comes from; nothing for a feature that was not found."""
+        """All errors by source; empty for a feature that was not found."""
         if self.feature is None or len(self.points_mm) == 0:
             return self.view_contributions
         return {ErrorSource(NOISE, self.name): noise_errors(self.feature, self.correlation_factor), **self.view_contributions}
 
     @property
     def direction_sigma(self) -> float:
-        """Standard deviation of the direction in rad, shared errors included."""
+        """Standard deviation of the direction in rad, with correlated errors."""
         return self._sigma("direction_rad")
 
     @property
     def radius_sigma(self) -> float:
-        """Standard deviation of the radius in mm, shared errors included."""
+        """Standard deviation of the radius in mm, with correlated errors."""
         return self._sigma("radius_mm")
 
     @property
     def half_angle_sigma(self) -> float:
-        """Standard deviation of a cone's half angle in rad, shared errors included."""
+        """Standard deviation of a cone's half angle in rad, with correlated errors."""
         return self._sigma("half_angle_rad")
 
     def _sigma(self, key: str) -> float:
@@ -81,7 +79,7 @@ class FoundFeature:
 def find_feature(
     described: MeasuredFeature, points: MeasuredPoints, edges: cKDTree | None, settings: InspectionSettings
 ) -> Mapping[str, FoundFeature]:
-    """Find a feature and all copies of its pattern on ``points`` (in the nominal's frame)."""
+    """Find a feature, or all copies of its pattern, on ``points`` (in the nominal's frame)."""
     return {nominal.feature.name: _find_copy(nominal, points, edges, settings) for nominal in nominal_features(described)}
 
 
@@ -92,7 +90,7 @@ def _find_copy(nominal: NominalFeature, points: MeasuredPoints, edges: cKDTree |
 def fit_feature(
     expected: NominalFeature, points: MeasuredPoints, chosen: IntArray, settings: InspectionSettings, drawn: Feature | None
 ) -> FoundFeature:
-    """Fit the shape of ``expected``, and lying about there, to the chosen points; ``drawn`` is its place in the drawing, if it has one."""
+    """Fit the shape of ``expected``, starting there, to the chosen points; ``drawn`` is its nominal, if there is one."""
     name = expected.feature.name
     if len(chosen) < settings.least_points:
         reason = f"{name}: only {len(chosen)} points were measured there, {settings.least_points} are needed"
@@ -133,7 +131,7 @@ def _estimate_view_errors(nominal: NominalFeature, feature: Feature, used: Measu
 
 
 def _fit_with_trimming(nominal: NominalFeature, cut: MeasuredPoints, settings: InspectionSettings) -> tuple[Feature, FloatArray, IntArray]:
-    """Fit, leave out what lies too far from the fit, and fit again; return feature, residuals and indices of the points kept."""
+    """Iterative fit with outlier rejection; return feature, residuals, and indices of the points used."""
     kept = np.arange(len(cut))
     for _ in range(TRIM_ROUNDS):
         used = cut.where(kept)
@@ -151,7 +149,7 @@ def _fit_with_trimming(nominal: NominalFeature, cut: MeasuredPoints, settings: I
 
 
 def _fit(nominal: NominalFeature, used: MeasuredPoints, all_points_mm: FloatArray) -> tuple[Feature, FloatArray]:
-    """Fit the shape to ``used``; return it as oriented in the nominal, and the distances of all points of the cut."""
+    """Fit the shape to ``used``; return it with the nominal's orientation, and the distances of all points of the cut."""
     if nominal.surface_point:
         return fit_surface_point(nominal.feature, used, all_points_mm)
     from measureapp.geometry.fits import fit
@@ -170,7 +168,7 @@ def _flip_direction(feature: Feature) -> Feature:
 
 
 def _weights(used: MeasuredPoints) -> FloatArray | None:
-    """Inverse variances about 1, where they are known; no point counts for more than four of the median."""
+    """Return weights from inverse variances, with median 1 and at most 4; None where unknown."""
     if used.sigma_mm is None:
         return None
     sigma_mm = np.asarray(used.sigma_mm, float)
@@ -183,14 +181,14 @@ def _implausible(feature: Feature, nominal: NominalFeature) -> str:
     if feature.direction is not None and expected.direction is not None:
         tilt = np.degrees(np.arccos(np.clip(abs(float(feature.direction @ expected.direction)), 0, 1)))
         if tilt > GREATEST_TILT_DEG:
-            return f"the points there give a {expected.shape} tilted by {tilt:.0f}° against its nominal"
+            return f"the fitted {expected.shape} is tilted by {tilt:.0f}° against its nominal"
     if feature.radius_mm is not None and expected.radius_mm is not None:
         off = feature.radius_mm - expected.radius_mm
         if abs(off) > 2 * nominal.cut.band_mm:
-            return f"the points there give a radius that differs by {off:+.1f} mm from its nominal"
+            return f"the fitted radius differs by {off:+.1f} mm from its nominal"
     return ""
 
 
 def _extent(points_mm: FloatArray) -> FloatArray:
-    """The two corners of the points' box, (2, 3)."""
+    """Return the corners (2, 3) of the bounding box."""
     return np.stack([points_mm.min(axis=0), points_mm.max(axis=0)])

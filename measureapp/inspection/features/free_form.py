@@ -1,4 +1,4 @@
-"""Regions of the nominal mesh, found on the measured points: nothing is fitted, they lie where the alignment has them."""
+"""Free-form features: regions of the nominal mesh with their measured points; nothing is fitted, the alignment places them."""
 
 from __future__ import annotations
 
@@ -21,22 +21,22 @@ from measureapp.inspection.surface.deviation import signed_distances
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.inspection.uncertainty import effective_views
 
-BORDER_MM = 0.02  # a point whose nearest place lies farther aside than above lies beyond the rim of the mesh
+BORDER_MM = 0.02  # tangential offset by which a point lies beyond the border of the mesh
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FoundSurface(FoundFeature):
-    """A region of the nominal mesh: the points measured of it, and the surface they are compared with."""
+    """A region of the nominal mesh with its measured points."""
 
     nominal_surface: NominalSurface | None = None
 
     def distances_and_normals(self, points_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return distances (N,) of points from the drawn surface, positive out of the material, and its normals (N, 3) there."""
+        """Return signed distances (N,) of points from the nominal surface, positive out of the material, and its normals (N, 3)."""
         assert self.nominal_surface is not None
         return signed_distances(points_mm, self.nominal_surface), self.nominal_surface.closest(points_mm).normals
 
     def closest_points(self) -> FloatArray:
-        """Return the nearest places (N, 3) of the drawn surface."""
+        """Return the closest points (N, 3) of the nominal surface."""
         assert self.nominal_surface is not None
         return self.nominal_surface.closest(self.points_mm).points_mm
 
@@ -44,10 +44,10 @@ class FoundSurface(FoundFeature):
 def find_free_forms(
     described: FreeForm, points: MeasuredPoints, surface: NominalSurface | None, edges: cKDTree | None, settings: InspectionSettings
 ) -> Mapping[str, FoundFeature]:
-    """Find a region and all copies of its pattern on ``points`` (in the nominal's frame)."""
+    """Find a region, or all copies of its pattern, on ``points`` (in the nominal's frame)."""
     names = copy_names(described.name, described.repeat)
     if surface is None:
-        reason = "is a region of the nominal mesh, and the program names no `nominal`"
+        reason = "is a region of the nominal mesh, and the program has no `nominal`"
         return {name: FoundFeature(name, None, f"{name} {reason}") for name in names}
     step = 0.0 if described.repeat is None else float(np.radians(described.repeat.angle_deg))
     turns = [rotation_about([0, 0, 1], k * step) for k in range(len(names))]
@@ -87,7 +87,7 @@ def _find_one(
 def _select_points(
     described: FreeForm, turn: FloatArray, points: MeasuredPoints, surface: NominalSurface, edges: cKDTree | None
 ) -> BoolArray:
-    """Return which points (N,) lie near the nominal, on its side, on a face that looks the way asked, and away from its edges."""
+    """Return the mask (N,) of points near the nominal, with matching normals and facing direction, away from its edges."""
     closest = surface.closest(points.points_mm)
     offset = points.points_mm - closest.points_mm
     along = np.einsum("nd,nd->n", offset, closest.normals)

@@ -1,4 +1,4 @@
-"""Features whose points are found by region growing instead of around a nominal."""
+"""Features whose points are selected by region growing from a seed."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from measureapp.inspection.settings import InspectionSettings
 
 
 def grow_features(described: MeasuredFeature, points: MeasuredPoints, settings: InspectionSettings) -> Mapping[str, FoundFeature]:
-    """Grow a feature, or every copy of its pattern, from its seed; ``points`` are in the nominal's frame."""
+    """Grow a feature, or all copies of its pattern, from its seed; ``points`` are in the nominal's frame."""
     assert described.grow is not None
     nominals = {one.feature.name: one for one in nominal_features(described)} if described.placed else {}
     angle = 0.0 if described.repeat is None else np.radians(described.repeat.angle_deg)
@@ -43,7 +43,7 @@ def _grow_copy(
 ) -> FoundFeature:
     drawn = None if nominal is None else nominal.feature
     allowed = within_box(points.points_mm, described.cut, turn)
-    assert described.shape != "surface_point"  # the program refuses one that grows
+    assert described.shape != "surface_point"  # the program refuses growing surface points
     try:
         region = grow_region(points, allowed, described.shape, turn @ np.asarray(asked.seed_mm, float), asked)
     except (InspectionError, FitError) as error:
@@ -54,12 +54,12 @@ def _grow_copy(
     made = fit_feature(expected, points, region.indices, settings, drawn)
     if made.feature is None:
         return made
-    words = f"grown from its seed to {len(region.indices)} points within {region.limit_mm:.3f} mm (noise {region.noise_mm:.3f} mm)"
-    return replace(made, feature=replace(made.feature, how=f"{words}; it ended {region.stop_reason}"))
+    words = f"grown from seed to {len(region.indices)} points within {region.limit_mm:.3f} mm (noise {region.noise_mm:.3f} mm)"
+    return replace(made, feature=replace(made.feature, how=f"{words}; border: {region.stop_reason}"))
 
 
 def _orient_outwards(region: Region, name: str, points: MeasuredPoints) -> Feature:
-    """The region's shape under the feature's name; a plane's normal looks to where its points were seen from."""
+    """Return the region's shape under the feature's name, with a plane's normal pointing towards the sensor."""
     feature = replace(region.feature, name=name)
     if feature.shape != "plane" or feature.direction is None or points.normals is None:
         return feature

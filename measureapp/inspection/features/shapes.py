@@ -1,4 +1,4 @@
-"""Signed distances of points from fitted shapes."""
+"""Signed distances from fitted shapes, and their normals."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from measureapp.errors import InspectionError
 
 
 def along_and_off(points_mm: FloatArray, point_mm: FloatArray, direction: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Split points (N, 3) about a line: position along it (N,), distance from it (N,), unit direction away from it (N, 3)."""
+    """Cylindrical coordinates of points (N, 3) about a line: position along it (N,), distance (N,), unit radial direction (N, 3)."""
     offset = points_mm - point_mm
     along = offset @ direction
     away = offset - along[:, None] * direction
@@ -37,7 +37,7 @@ def signed_distances(feature: Feature, points_mm: FloatArray) -> FloatArray:
 
 
 def outward_normals(feature: Feature, points_mm: FloatArray) -> FloatArray:
-    """Return the unit normals (N, 3) of the shape beside each point, away from its axis or centre."""
+    """Return the unit normals (N, 3) of the shape at each point, away from its axis or centre."""
     centre, direction = feature.point_mm, feature.direction
     if feature.shape == "sphere" or direction is None:
         offset = points_mm - centre

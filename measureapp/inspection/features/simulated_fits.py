@@ -1,7 +1,7 @@
-"""Round features of small pieces: where the law of propagation is not enough, fits to simulated points tell the uncertainty.
+"""Monte Carlo uncertainty (JCGM 101) of round features of small segments, where the law of propagation is not sufficient.
 
-What the points of a small arc determine is a curvature; its normal errors reach further towards large radii than towards
-small ones, and take the axis with them. Of a short cone the tilt of its axis, its angle and its radius turn into each other.
+A small arc determines a curvature: its normal errors are asymmetric in the radius, and correlated with the axis. For a short cone the
+tilt of the axis, the angle and the radius are strongly correlated.
 """
 
 from __future__ import annotations
@@ -19,22 +19,22 @@ from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.features.shapes import outward_normals, signed_distances
 from measureapp.inspection.settings import InspectionSettings
 
-NONLINEAR = 0.1  # relative standard deviation of a radius from which on it is simulated
-TILTED_RAD = 0.04  # standard deviation of a direction, the same
+NONLINEAR = 0.1  # relative standard deviation of a radius above which it is simulated
+TILTED_RAD = 0.04  # standard deviation of a direction above which it is simulated
 SIMULATED_POINTS = 200
-FAILING = 0.05  # share of draws without a shape at which the points do not determine one
-STEPS, SETTLED = 30, 1e-5  # of the Gauss-Newton search, in sizes of the points
+FAILING = 0.05  # greatest share of failed draws of a determined shape
+STEPS, SETTLED = 30, 1e-5  # of the Gauss-Newton iteration, relative to the size of the points
 COVERAGE = 0.95
 SEED = 15
 
 
 def needs_simulation(found: FoundFeature) -> bool:
-    """Whether the linear uncertainty of a round feature is not enough.
+    """Return whether the linear uncertainty of a round feature is insufficient.
 
-    For a curvature with the relative standard deviation u the interval of ± 2 σ, taken at the radius found, holds the true
-    one in 95.4 % of cases at u = 3 %, 95.3 % at 10 %, 93.7 % at 20 % and 92.0 % at 30 %, and misses it towards one side only.
-    An axis that may lean by θ shifts what lies beside it by the square of θ: of pieces of cones whose direction is known to
-    0.03, 0.06 and 0.12 rad, the interval of the radius holds the true one in 95, 90 and 84 % of cases.
+    For a curvature with relative standard deviation u, the interval ± 2 σ at the fitted radius contains the true one in 95.4 % of cases at
+    u = 3 %, 95.3 % at 10 %, 93.7 % at 20 % and 92.0 % at 30 %, and misses it on one side only. A tilt θ of the axis has an effect of
+    second order in θ: for segments of cones with directions known to 0.03, 0.06 and 0.12 rad, the interval of the radius contains the
+    true one in 95, 90 and 84 % of cases.
     """
     feature = found.feature
     if feature is None or feature.radius_mm is None or len(found.points_mm) == 0:
@@ -43,15 +43,15 @@ def needs_simulation(found: FoundFeature) -> bool:
 
 
 def simulate_uncertainties(found: Mapping[str, FoundFeature], settings: InspectionSettings) -> dict[str, FoundFeature]:
-    """Return the features, those of small pieces with the spread of fits to simulated points instead of the linear one."""
+    """Return the features, those of small segments with Monte Carlo instead of linear uncertainties."""
     return {name: _simulate(one, settings.radius_trials) if needs_simulation(one) else one for name, one in found.items()}
 
 
 def _simulate(found: FoundFeature, draws: int) -> FoundFeature:
-    """Spread of the fits to simulated points on the shape found (JCGM 101); a feature whose fits reach too far is not found.
+    """Replace the covariance by the spread of fits to simulated points (JCGM 101); a feature with too large a spread is not found.
 
-    At most 200 of its points are used, with the noise reduced so that they determine the shape as well as all of them. The
-    covariance keeps its principal directions; along each, two standard deviations are what 95 of 100 draws keep within.
+    At most 200 of its points are used, with the noise reduced accordingly. The covariance keeps its principal directions; along each, two
+    standard deviations are the 95 % quantile of the draws.
     """
     feature = found.feature
     assert feature is not None and feature.covariance is not None
@@ -59,7 +59,7 @@ def _simulate(found: FoundFeature, draws: int) -> FoundFeature:
     reach = float(np.quantile(np.abs(off[:, 6]), COVERAGE)) if len(off) >= (1 - FAILING) * draws else np.inf
     if reach > (feature.radius_mm or 0.0):
         what = "a radius" if feature.direction is None else "a radius and an axis"
-        return replace(found, feature=None, reason=f"{found.name}: its points cover too small a piece to determine {what} at their noise")
+        return replace(found, feature=None, reason=f"{found.name}: its points cover too small a segment to determine {what} at their noise")
     directions = np.linalg.eigh(feature.covariance)[1]
     sigmas = np.quantile(np.abs(off @ directions), COVERAGE, axis=0) / 2 / found.correlation_factor
     covariance = (directions * sigmas**2) @ directions.T
@@ -75,7 +75,7 @@ def _simulate(found: FoundFeature, draws: int) -> FoundFeature:
 
 
 def _offsets(found: FoundFeature, feature: Feature, draws: int) -> FloatArray:
-    """Return by how much point, direction and sizes (D, 6 + S) of the fits are off; fewer than ``draws`` where fits fail."""
+    """Return the errors (D, 6 + S) of point, direction and sizes of the simulated fits; fewer than ``draws`` if fits fail."""
     points = found.points_mm[:: -(-len(found.points_mm) // SIMULATED_POINTS)]
     normals = outward_normals(feature, points)
     feet = points - signed_distances(feature, points)[:, None] * normals
@@ -92,7 +92,7 @@ def _offsets(found: FoundFeature, feature: Feature, draws: int) -> FloatArray:
 
 
 def _fit_by_gauss_newton(model: Model, state: State, points: FloatArray) -> State | None:
-    """Return the least-squares state by Gauss-Newton steps from the true one; None where they do not settle."""
+    """Return the least-squares state by Gauss-Newton iteration from the true one; None without convergence."""
     for _ in range(STEPS):
         distances, derivatives = model.evaluate(state, points)
         step = -np.linalg.lstsq(derivatives[0], distances[0], rcond=None)[0]
@@ -105,7 +105,7 @@ def _fit_by_gauss_newton(model: Model, state: State, points: FloatArray) -> Stat
 
 
 def _parameters(feature: Feature, state: State, scaled: Scaled) -> FloatArray:
-    """Point in mm, direction and sizes (6 + S,) of a state, the point at the height of the feature's own along the axis."""
+    """Return point (mm), direction and sizes (6 + S,) of a state, the point at the axial position of the feature's own."""
     if feature.direction is None:
         return np.concatenate([state.point * scaled.scale_mm, np.zeros(3), np.abs(state.sizes) * scaled.scale_mm])
     begin = (feature.point_mm - scaled.centre_mm) / scaled.scale_mm

@@ -1,4 +1,4 @@
-"""A point of a curved surface, measured along its nominal normal (vector point)."""
+"""Surface point: a point of a curved surface, measured along its nominal normal (vector point)."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ QUADRIC = 6  # unknowns
 
 
 def fit_surface_point(nominal: Feature, used: MeasuredPoints, all_points_mm: FloatArray) -> tuple[Feature, FloatArray]:
-    """Fit a quadric height field to a patch and read it at the nominal point.
+    """Fit a quadric height field to a patch, and evaluate it at the nominal point.
 
-    A plane would lie off a curved surface by the mean sagitta of the patch (patch²/8R); the quadric does not.
+    A plane would be biased on a curved surface by the mean sagitta of the patch (patch²/8R).
 
     Returns
     -------
@@ -25,17 +25,17 @@ def fit_surface_point(nominal: Feature, used: MeasuredPoints, all_points_mm: Flo
     Raises
     ------
     FitError
-        The points of the patch lie to one side of the nominal point, so that it would be extrapolated.
+        The points of the patch are on one side of the nominal point, which would require extrapolation.
     """
     normal = nominal.direction
     assert normal is not None
     across = _across(normal)
     design, heights = _design(used.points_mm, nominal.point_mm, normal, across)
     if _one_sided(design[:, 1:3]):
-        raise FitError("the points of the patch do not surround the nominal point", "Scan this place from another side.")
+        raise FitError("the points of the patch do not surround the nominal point", "Scan this area from another side.")
     solution, _, rank, _ = np.linalg.lstsq(design, heights, rcond=1e-9)
     if rank < QUADRIC:
-        raise FitError("the points of the patch do not determine a surface", "Scan this place more densely.")
+        raise FitError("the points of the patch do not determine a surface", "Scan this area more densely.")
     residuals = heights - design @ solution
     variance = float(residuals @ residuals) / max(len(heights) - QUADRIC, 1)
     position_sigma = float(np.sqrt(variance * np.linalg.inv(design.T @ design)[0, 0]))
@@ -54,9 +54,9 @@ def fit_surface_point(nominal: Feature, used: MeasuredPoints, all_points_mm: Flo
 
 
 def linearise_surface_point(nominal: Feature, used: MeasuredPoints) -> tuple[FloatArray, MeasuredPoints, FloatArray]:
-    """Return how point and direction (6, N) follow the points' displacements, the points, and along what (N, 3): upright to the fitted patch.
+    """Return the Jacobian (6, N) of point and direction, the points, and the directions (N, 3) of their displacements.
 
-    The height of a displaced point is read where it is displaced to, so that what it moves along the patch does not count.
+    The directions are normal to the fitted patch, as a displacement along it does not change the height.
     """
     normal = nominal.direction
     assert normal is not None
@@ -72,7 +72,7 @@ def linearise_surface_point(nominal: Feature, used: MeasuredPoints) -> tuple[Flo
 
 
 def _across(normal: FloatArray) -> FloatArray:
-    """Two unit directions (2, 3) across ``normal``."""
+    """Return two unit tangents (2, 3) of the plane normal to ``normal``."""
     first = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
     first /= np.linalg.norm(first)
     return np.stack([first, np.cross(normal, first)])
@@ -85,7 +85,7 @@ def _design(points_mm: FloatArray, centre_mm: FloatArray, normal: FloatArray, ac
 
 
 def _one_sided(uv_mm: FloatArray) -> bool:
-    """Whether a gap of more than 150° around the nominal point holds no points."""
+    """Return whether there is an angular gap of more than 150° around the nominal point."""
     angles = np.sort(np.arctan2(uv_mm[:, 1], uv_mm[:, 0]))
     gaps = np.diff(np.append(angles, angles[0] + 2 * np.pi))
     return bool(gaps.max() > np.radians(150))

@@ -1,1 +1,1 @@
-"""The nominal as a surface: distances from it, and the curves in which it is cut."""
+"""Nominal surface: distances, deviation maps and sections."""

@@ -1,4 +1,4 @@
-"""The planes and cylinders that sections are taken with, and how their curves are laid flat."""
+"""Cutting planes and cylinders of sections, and their flattened coordinates."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from measureapp.geometry.shapes import tangents
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CuttingPlane:
-    """A plane; its curves are drawn along ``across`` and at right angles to it."""
+    """A plane; flattened coordinates are along ``across`` and perpendicular to it."""
 
     point_mm: FloatArray  # (3,)
     normal: FloatArray  # (3,), unit
@@ -20,7 +20,7 @@ class CuttingPlane:
 
     @classmethod
     def through(cls, point_mm: FloatArray, normal: FloatArray, across: FloatArray | None = None) -> CuttingPlane:
-        """Return the plane through a point; ``across`` is laid into the plane, any direction of it when left out or upright."""
+        """Return the plane through a point; ``across`` is projected into it (any tangent if None or parallel to the normal)."""
         unit = np.asarray(normal, float) / np.linalg.norm(normal)
         flat = tangents(unit)[0] if across is None else across - (across @ unit) * unit
         if np.linalg.norm(flat) < 1e-9:
@@ -52,11 +52,11 @@ class CuttingCylinder:
     point_mm: FloatArray  # (3,) on the axis
     axis: FloatArray  # (3,), unit
     radius_mm: float
-    zero: FloatArray  # (3,), unit, at right angles to the axis: where the unrolling starts, opposite of its cut
+    zero: FloatArray  # (3,), unit, perpendicular to the axis: origin of the unrolled length, opposite the seam
 
     @classmethod
     def about(cls, point_mm: FloatArray, axis: FloatArray, radius_mm: float, zero: FloatArray | None = None) -> CuttingCylinder:
-        """Return the cylinder about an axis; ``zero`` points from the axis to where the unrolling starts."""
+        """Return the cylinder about an axis; ``zero`` points from the axis to the origin of the unrolled length."""
         unit = np.asarray(axis, float) / np.linalg.norm(axis)
         flat = tangents(unit)[0] if zero is None else zero - (zero @ unit) * unit
         if np.linalg.norm(flat) < 1e-9:
@@ -68,7 +68,7 @@ class CuttingCylinder:
         return np.linalg.norm(self._radial(points_mm), axis=1) - self.radius_mm
 
     def normals(self, points_mm: FloatArray) -> FloatArray:
-        """Return the cylinder's outward normal beside each point (N, 3)."""
+        """Return the cylinder's outward normal at each point (N, 3)."""
         radial = self._radial(points_mm)
         return radial / np.maximum(np.linalg.norm(radial, axis=1, keepdims=True), 1e-12)
 

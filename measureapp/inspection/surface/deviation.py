@@ -1,4 +1,4 @@
-"""Signed distances of a cloud from its nominal."""
+"""Deviation of a cloud from its nominal surface."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ COVERAGE_SAMPLES = 40_000
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Deviation:
-    """Distances of measured points from the nominal surface along its normals; outside is positive."""
+    """Signed distances of measured points from the nominal surface; positive outside."""
 
     points_mm: FloatArray  # (N, 3), in the nominal's frame
     distances_mm: FloatArray  # (N,)
-    nominal_normals: FloatArray  # (N, 3), of the nominal where each point was measured against it
+    nominal_normals: FloatArray  # (N, 3), of the nominal at each point
     mean_mm: float
     rms_mm: float
     p95_mm: float  # of the absolute distances
     min_mm: float
     max_mm: float
-    unmeasured_share: float  # of the nominal's area: no measured point near
+    unmeasured_share: float  # of the nominal's area without a measured point nearby
     alignment: Alignment
 
     def __post_init__(self) -> None:
@@ -53,12 +53,12 @@ def compute_deviation(
 
     Parameters
     ----------
-    near_mm : a place of the nominal counts as measured when a point lies closer than this
+    near_mm : the nominal counts as measured where a point lies closer than this
 
     Raises
     ------
     InspectionError
-        There are no points, the nominal has no surface, or the points lie on it in another unit only.
+        There are no points, the nominal has no surface, or the points match it in another unit only.
     """
     points = MeasuredPoints.of(measured).seen_from(alignment.nominal_from_part)
     surface = NominalSurface(nominal)
@@ -70,7 +70,7 @@ def compute_deviation(
         distances[chunk], normals[chunk] = distances_and_normals(points.points_mm[chunk], own, surface)
     unmeasured = unmeasured_share(points.points_mm, nominal, near_mm)
     if unmeasured > 0.5 or np.median(np.abs(distances)) > NEAR_SHARE * surface.diagonal_mm:
-        check_unit_against(points, surface)  # a cloud that lies on most of its nominal is in the right unit
+        check_unit_against(points, surface)  # a cloud that covers its nominal is in the right unit
     progress.report(1, 1, "distances from the nominal")
     return Deviation(
         points.points_mm,
@@ -94,8 +94,7 @@ def signed_distances(points_mm: FloatArray, surface: NominalSurface) -> FloatArr
 def distances_and_normals(points_mm: FloatArray, normals: FloatArray | None, surface: NominalSurface) -> tuple[FloatArray, FloatArray]:
     """Return signed distances (N,) from the surface and its normals there (N, 3).
 
-    Points that have normals are measured along them where they lie near a face that looks the same way; all others
-    from the closest point of the surface.
+    For points with normals the distance is taken along them near a face of matching normal; otherwise from the closest surface point.
     """
     if normals is None:
         return _from_closest(points_mm, surface)
@@ -115,8 +114,8 @@ def _from_closest(points_mm: FloatArray, surface: NominalSurface) -> tuple[Float
 
 
 def unmeasured_share(points_mm: FloatArray, nominal: Mesh, near_mm: float) -> float:
-    """Return the share of the nominal's area that no point lies near."""
+    """Return the share of the nominal's area without a point nearby."""
     places = sample_mesh(nominal, COVERAGE_SAMPLES).points_mm
-    tree = cKDTree(points_mm, balanced_tree=False, compact_nodes=False)  # built three times as fast
+    tree = cKDTree(points_mm, balanced_tree=False, compact_nodes=False)  # three times faster to build
     distance, _ = tree.query(places, distance_upper_bound=near_mm, workers=-1)
     return float(np.mean(~np.isfinite(distance)))

@@ -1,4 +1,4 @@
-"""Deviations on the nominal itself: a value for each vertex with points near it, and none for the others."""
+"""Deviation map: mean deviations at the vertices of the subdivided nominal mesh."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from measureapp.inspection.surface.deviation import Deviation
 from measureapp.inspection.surface.nominal import NominalSurface
 
 NEIGHBOURS = 12
-FINEST_SHARE = 0.008  # of the diagonal: longest edge of the mesh that is coloured
+FINEST_SHARE = 0.008  # of the diagonal: longest edge of the subdivided mesh
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class DeviationMap:
-    """The nominal, divided finely enough to show where it was measured, and what was measured."""
+    """The subdivided nominal with its deviations, and where it was measured."""
 
     mesh: Mesh
     distances_mm: FloatArray  # (V,), mean of the nearest points; 0 where nothing was measured
@@ -30,9 +30,9 @@ class DeviationMap:
 
 
 def map_deviation(found: Deviation, nominal: Mesh, reach_mm: float = 2.0) -> DeviationMap:
-    """Average, at each vertex of the nominal, the nearest points within ``reach_mm`` that were measured against this side of it.
+    """Average the deviations of the nearest points within ``reach_mm`` and of matching normal, at each vertex of the nominal.
 
-    Vertices are kept apart at sharp edges, so that a face does not take the value of the face behind a thin wall.
+    Vertices are duplicated at sharp edges, so that a face does not get the value of the opposite face of a thin wall.
 
     Raises
     ------
@@ -53,7 +53,7 @@ def map_deviation(found: Deviation, nominal: Mesh, reach_mm: float = 2.0) -> Dev
 
 
 def _subdivide(surface: NominalSurface) -> tuple[Mesh, FloatArray]:
-    """Triangles no longer than `FINEST_SHARE`, each with corners of its own face, and the normals of the corners."""
+    """Return triangles with edges up to `FINEST_SHARE`, with separate corners per face, and the normals of the corners."""
     from trimesh.remesh import subdivide_to_size
 
     faces = np.arange(3 * len(surface.triangles)).reshape(-1, 3)

@@ -1,4 +1,4 @@
-"""How deviations spread over the bands of a tolerance."""
+"""Histogram of deviations over the bands of a tolerance."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ BANDS_IN_TOLERANCE = 10
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Histogram:
-    """Counts of deviations in equal bands; the first and the last are open outwards."""
+    """Counts of deviations in equal bands; the first and the last are unbounded."""
 
-    edges_mm: FloatArray  # (B + 1,), the outermost are finite: where the open bands begin to be drawn
+    edges_mm: FloatArray  # (B + 1,); the outermost are finite, for display
     counts: IntArray  # (B,)
-    below: float  # share of the points under the lower tolerance
+    below: float  # share of the points below the lower tolerance
     within: float
     above: float
 
 
 def bin_deviations(distances_mm: FloatArray, lower_mm: float, upper_mm: float) -> Histogram:
-    """Sort deviations into ten bands within the tolerance and five on each side of it, the outermost open.
+    """Count deviations in ten bands within the tolerance and five on each side, the outermost unbounded.
 
     Raises
     ------
     InspectionError
-        The lower tolerance does not lie below the upper one, or there are no deviations.
+        The lower tolerance is not below the upper one, or there are no deviations.
 
     >>> found = histogram(np.array([-0.3, 0.0, 0.05, 0.2]), -0.1, 0.1)
     >>> found.below, found.within, found.above
@@ -38,7 +38,7 @@ def bin_deviations(distances_mm: FloatArray, lower_mm: float, upper_mm: float) -
     if not lower_mm < upper_mm:
         raise InspectionError(f"The tolerance from {lower_mm:g} to {upper_mm:g} mm is empty.", "Give the lower limit first.")
     if len(distances_mm) == 0:
-        raise InspectionError("There are no deviations to sort.", "Compare a cloud that has points.")
+        raise InspectionError("There are no deviations.", "Compare a cloud that has points.")
     half = (upper_mm - lower_mm) / 2
     edges = np.linspace(lower_mm - half, upper_mm + half, 2 * BANDS_IN_TOLERANCE + 1)
     counts = np.histogram(np.clip(distances_mm, edges[0], edges[-1]), edges)[0]

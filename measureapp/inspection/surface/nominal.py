@@ -1,4 +1,4 @@
-"""The nominal mesh as a surface that can be asked for distances and sharp edges."""
+"""Nominal surface: closest points, ray casting and sharp edges of a triangle mesh."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ WELD_MM = 1e-4
 
 @dataclass(frozen=True, slots=True)
 class Closest:
-    """The nearest points of a surface, and the outward normals there."""
+    """Closest points of a surface, with outward normals."""
 
     points_mm: FloatArray  # (N, 3)
     normals: FloatArray  # (N, 3) unit normal of the nearest triangle; on edges and corners the angle-weighted pseudo-normal
@@ -30,10 +30,10 @@ class Closest:
 
 @dataclass(frozen=True, slots=True)
 class Hits:
-    """Where rays hit a surface first."""
+    """First hits of rays on a surface."""
 
     distances_mm: FloatArray  # (N,), inf where a ray misses
-    triangles: IntArray  # (N,), meaningless where it misses
+    triangles: IntArray  # (N,), undefined where it misses
 
 
 class NominalSurface:
@@ -71,9 +71,9 @@ class NominalSurface:
         return scene
 
     def closest(self, points_mm: FloatArray) -> Closest:
-        """Return the nearest surface points to ``points_mm`` (N, 3).
+        """Return the closest surface points to ``points_mm`` (N, 3).
 
-        The sign of a distance is right with the pseudo-normals of J. A. Bærentzen and H. Aanæs, IEEE TVCG 11(3), 2005.
+        The pseudo-normals of J. A. Bærentzen and H. Aanæs, IEEE TVCG 11(3), 2005, give the correct sign of a distance.
         """
         import open3d as o3d
 
@@ -94,19 +94,17 @@ class NominalSurface:
         return Closest(points, normals, triangles)
 
     def hits(self, points_mm: FloatArray, directions: FloatArray) -> Hits:
-        """Return where rays from ``points_mm`` (N, 3) along unit ``directions`` (N, 3) hit the surface first."""
+        """Return the first hits of rays from ``points_mm`` (N, 3) along unit ``directions`` (N, 3)."""
         import open3d as o3d
 
         rays = np.empty((len(points_mm), 6), np.float32)
         rays[:, :3], rays[:, 3:] = points_mm - self._offset, directions
         answer = self._scene.cast_rays(o3d.core.Tensor.from_numpy(rays))
-        pieces = np.minimum(
-            answer["primitive_ids"].numpy().astype(np.int64), len(self._pieces.parents) - 1
-        )  # a miss has a number beyond all
+        pieces = np.minimum(answer["primitive_ids"].numpy().astype(np.int64), len(self._pieces.parents) - 1)  # a miss has an invalid id
         return Hits(answer["t_hit"].numpy().astype(np.float64), self._pieces.parents[pieces])
 
     def _pseudo_normals(self, triangles: IntArray, weights: FloatArray) -> FloatArray:
-        """Normals on edges (mean of both sides) and corners (weighted by angle)."""
+        """Return the normals on edges (mean of both sides) and corners (angle-weighted)."""
         at_corner = weights.max(axis=1) > 1 - ON_EDGE
         corner = self.triangles[triangles, weights.argmax(axis=1)]
         opposite = weights.argmin(axis=1)
@@ -117,11 +115,11 @@ class NominalSurface:
 
     @cached_property
     def _edge_normals(self) -> FloatArray:
-        """Sum of the normals of both triangles at the edge opposite to each corner, (T, 3, 3)."""
+        """Return the sum (T, 3, 3) of the normals of both triangles at the edge opposite each corner."""
         return _edge_normal_sums(self.triangles, self.normals)
 
     def sharp_edges(self, spacing_mm: float = 0.5) -> cKDTree | None:
-        """Return a search tree of points along the edges where the surface turns by more than SHARP_DEG; None without any."""
+        """Return a search tree of points along the edges with a dihedral angle above SHARP_DEG; None without such edges."""
         pairs, normal_pairs = _inner_edges(self.triangles, self.normals)
         sharp = np.einsum("nd,nd->n", normal_pairs[:, 0], normal_pairs[:, 1]) < np.cos(np.radians(SHARP_DEG))
         if not sharp.any():
@@ -135,7 +133,7 @@ class NominalSurface:
 
 
 def _weld(mesh: Mesh) -> tuple[FloatArray, IntArray]:
-    """Join equal vertices and drop triangles without area."""
+    """Merge equal vertices and drop triangles without area."""
     keys = np.round(mesh.vertices_mm / WELD_MM).astype(np.int64)
     _, first, inverse = np.unique(keys, axis=0, return_index=True, return_inverse=True)
     vertices, triangles = mesh.vertices_mm[first], inverse.ravel()[np.asarray(mesh.triangles)].reshape(-1, 3)
@@ -154,7 +152,7 @@ def _angle_weighted_normals(corners: FloatArray, triangles: IntArray, normals: F
 
 
 def _sorted_edges(triangles: IntArray) -> tuple[IntArray, IntArray]:
-    """All edges (3T, 2), smaller vertex first, edge k of a triangle opposite to its corner k; and a number for each different edge."""
+    """Return all edges (3T, 2), smaller vertex first, edge k opposite corner k; and an index (3T,) of the distinct edges."""
     edges = np.stack([triangles[:, [1, 2]], triangles[:, [2, 0]], triangles[:, [0, 1]]], axis=1).reshape(-1, 2)
     edges = np.sort(edges, axis=1)
     keys = edges[:, 0].astype(np.int64) * (int(triangles.max()) + 1) + edges[:, 1]
@@ -169,7 +167,7 @@ def _edge_normal_sums(triangles: IntArray, normals: FloatArray) -> FloatArray:
 
 
 def _inner_edges(triangles: IntArray, normals: FloatArray) -> tuple[IntArray, FloatArray]:
-    """Edges shared by exactly two triangles, and the normals of both, (E, 2) and (E, 2, 3)."""
+    """Return the edges (E, 2) shared by exactly two triangles, and the normals of both (E, 2, 3)."""
     edges, number = _sorted_edges(triangles)
     order = np.argsort(number, kind="stable")
     counts = np.bincount(number)

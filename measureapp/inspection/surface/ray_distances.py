@@ -1,4 +1,4 @@
-"""Distances from the nominal along the points' own normals: rays are many times faster than closest points."""
+"""Distances from the nominal by ray casting along the points' normals, many times faster than closest-point queries."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ import numpy as np
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.inspection.surface.nominal import NominalSurface
 
-REACH_MM = 1.0  # farther from the nominal than this the nearest place need not lie along the normal
+REACH_MM = 1.0  # greatest distance at which the closest point is assumed to lie along the normal
 LEAN_DEG = 12.0  # between the normals of point and nominal
-SLIDE_MM = 0.02  # greatest distance along the nominal between where the ray hits and the foot of the perpendicular
+SLIDE_MM = 0.02  # greatest tangential distance between the hit and the foot of the perpendicular
 
 
 def distances_along_normals(points_mm: FloatArray, normals: FloatArray, surface: NominalSurface) -> tuple[FloatArray, IntArray, BoolArray]:
-    """Cast a ray from each point to both sides along its normal, and measure at right angles to the nominal it hits.
+    """Cast rays from each point along its normal to both sides; return point-to-plane distances from the triangles hit.
 
     Parameters
     ----------
@@ -23,8 +23,8 @@ def distances_along_normals(points_mm: FloatArray, normals: FloatArray, surface:
     -------
     distances_mm : (N,) from the plane of the triangle hit, positive on the side its normal points to
     triangles : (N,)
-    sure : (N,) whether the answer holds: hit within `REACH_MM` on a triangle that faces as the point does, and so
-        that the foot of the perpendicular lies within `SLIDE_MM` of the hit; elsewhere the closest point must decide
+    sure : (N,) whether the result is valid: a hit within `REACH_MM` on a triangle of matching normal, with the foot of the
+        perpendicular within `SLIDE_MM` of the hit; otherwise a closest-point query is required
     """
     outwards, inwards = surface.hits(points_mm, normals), surface.hits(points_mm, -normals)
     nearer = outwards.distances_mm < inwards.distances_mm

@@ -1,4 +1,4 @@
-"""Sections: the curves in which a plane or cylinder cuts the nominal, and the measured points along them."""
+"""Sections: intersection curves of the nominal with a plane or cylinder, and the measured points along them."""
 
 from __future__ import annotations
 
@@ -20,27 +20,27 @@ class Section:
     """One section. Coordinates are in the nominal's frame."""
 
     name: str
-    nominal: tuple[FloatArray, ...]  # curves (K, 3); a closed one ends where it began
-    measured_mm: FloatArray  # (N, 3), moved onto the cutting surface along its normal, in order along the nominal's curves
+    nominal: tuple[FloatArray, ...]  # curves (K, 3); a closed one ends at its first point
+    measured_mm: FloatArray  # (N, 3), projected onto the cutting surface, in order along the nominal curves
     deviations_mm: FloatArray  # (N,)
-    nominal_normals: FloatArray  # (N, 3), of the nominal where each point was measured against it
+    nominal_normals: FloatArray  # (N, 3), of the nominal at each point
 
 
 def cut_section(name: str, found: Deviation, surface: NominalSurface, cut: CuttingSurface, half_width_mm: float) -> Section:
-    """Cut the nominal, and take the measured points within ``half_width_mm`` of the cutting surface with their deviations.
+    """Cut the nominal, and select the measured points within ``half_width_mm`` of the cutting surface.
 
     Raises
     ------
     InspectionError
-        The cutting surface meets neither the nominal nor measured points.
+        The cutting surface intersects neither the nominal nor measured points.
     """
     curves = intersect_mesh(surface.vertices_mm, surface.triangles, cut)
     offsets = cut.offsets_mm(found.points_mm)
     near = np.flatnonzero(np.abs(offsets) < half_width_mm)
     if not curves and len(near) == 0:
         raise InspectionError(
-            f"The section {name} meets neither the nominal nor measured points.",
-            f"The nominal reaches from {_format_point(surface.low_mm)} to {_format_point(surface.high_mm)} mm: cut inside it.",
+            f"The section {name} intersects neither the nominal nor measured points.",
+            f"The nominal extends from {_format_point(surface.low_mm)} to {_format_point(surface.high_mm)} mm: place the section inside.",
         )
     moved = found.points_mm[near] - offsets[near, None] * cut.normals(found.points_mm[near])
     order = _order_along_curves(moved, curves)
@@ -48,10 +48,10 @@ def cut_section(name: str, found: Deviation, surface: NominalSurface, cut: Cutti
 
 
 def intersect_mesh(vertices_mm: FloatArray, triangles: IntArray, cut: CuttingSurface) -> tuple[FloatArray, ...]:
-    """Return the curves (K, 3) in which ``cut`` meets a triangle mesh, joined from triangle to triangle.
+    """Return the intersection curves (K, 3) of ``cut`` with a triangle mesh, chained from triangle to triangle.
 
-    An edge is cut where the offset of its ends changes sign; a vertex on the surface counts as outside, so that every
-    triangle is cut in exactly two edges or not at all.
+    An edge is cut if the offset of its ends changes sign; a vertex on the surface counts as outside, so that every triangle is cut at
+    exactly two edges or none.
     """
     outside = cut.offsets_mm(vertices_mm) >= 0
     crossed = triangles[outside[triangles].any(axis=1) & ~outside[triangles].all(axis=1)]
@@ -65,7 +65,7 @@ def intersect_mesh(vertices_mm: FloatArray, triangles: IntArray, cut: CuttingSur
 
 
 def _edge_intersections(start: FloatArray, end: FloatArray, cut: CuttingSurface) -> FloatArray:
-    """Return where edges meet the cutting surface, by bisection."""
+    """Return the intersections of edges with the cutting surface, by bisection."""
     low, high = np.zeros(len(start)), np.ones(len(start))
     sign = np.where(cut.offsets_mm(start) >= 0, 1.0, -1.0)
     for _ in range(BISECTIONS):
@@ -76,7 +76,7 @@ def _edge_intersections(start: FloatArray, end: FloatArray, cut: CuttingSurface)
 
 
 def _chain_segments(segments: IntArray) -> list[list[int]]:
-    """Join segments (S, 2) of point numbers to chains; open ones first begin at their ends."""
+    """Chain segments (S, 2) of point numbers; open chains start at their ends."""
     at: dict[int, list[int]] = {}
     for number, (one, other) in enumerate(segments.tolist()):
         at.setdefault(one, []).append(number)
@@ -100,7 +100,7 @@ def _walk(start: int, segments: IntArray, at: dict[int, list[int]], used: np.nda
 
 
 def _order_along_curves(points_mm: FloatArray, curves: tuple[FloatArray, ...]) -> IntArray:
-    """Return the order of points along the curves they lie next to; without curves as they are."""
+    """Return the order of points along the nearest curves; unchanged without curves."""
     if not curves or len(points_mm) == 0:
         return np.arange(len(points_mm))
     from scipy.spatial import cKDTree

@@ -1,8 +1,8 @@
-"""Long, narrow triangles cut across for searches in single precision.
+"""Subdivision of sliver triangles for closest-point queries in single precision.
 
-The closest point of a triangle L long and h high is off by about (L/h)²·ε·L in single precision (ε = 6e-8): 0.08 mm on
-facets of 120 mm × 1.5 mm, as CAD programs make them. Halving longest edges would never end: at the tip of a needle each half is as
-slender as the whole. Cuts across it, as far apart as its width there allows, are few.
+The error of the closest point on a triangle of length L and height h is about (L/h)²·ε·L in single precision (ε = 6e-8): 0.08 mm on
+facets of 120 mm × 1.5 mm, as CAD programs generate them. Halving the longest edges would not terminate: at the tip of a needle each half
+is as slender as the whole. Transverse cuts, at distances that the local width allows, are few.
 """
 
 from __future__ import annotations
@@ -13,16 +13,16 @@ import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 
-SLENDER = 8.0  # L/h up to which nothing is gained: coordinates themselves are not known better in single precision
-LARGEST = 768.0  # mm, (L/h)²·L of a piece: off by 5e-5 mm
-MOST_CUTS = 4000  # across one needle; what is left at its tip then is narrower than any point is known
+SLENDER = 8.0  # L/h below which a subdivision gains nothing in single precision
+LARGEST = 768.0  # mm, (L/h)²·L of a piece: error of 5e-5 mm
+MOST_CUTS = 4000  # per needle; the remaining tip is narrower than the resolution of points
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Pieces:
     """Triangles, or pieces of them."""
 
-    parents: IntArray  # (M,), the triangle each is a piece of
+    parents: IntArray  # (M,), triangle of each piece
     weights: FloatArray  # (M, 3, 3), barycentric coordinates of each piece's corners in its triangle
 
     def corners_mm(self, corners_mm: FloatArray) -> FloatArray:
@@ -31,7 +31,7 @@ class Pieces:
 
 
 def split_slivers(corners_mm: FloatArray) -> Pieces:
-    """Cut triangles (T, 3, 3) until the closest points of their pieces are right to 5e-5 mm."""
+    """Subdivide triangles (T, 3, 3) until the closest points of their pieces are accurate to 5e-5 mm."""
     whole = Pieces(np.arange(len(corners_mm)), np.broadcast_to(np.eye(3), (len(corners_mm), 3, 3)))
     slender = _is_slender(corners_mm)
     if not slender.any():
@@ -47,7 +47,7 @@ def split_slivers(corners_mm: FloatArray) -> Pieces:
 
 
 def _is_slender(corners_mm: FloatArray) -> BoolArray:
-    """Tell which triangles are too long for their height; those without area have no closest point that could be better."""
+    """Return which triangles are too long for their height; degenerate ones cannot be improved."""
     longest, height = _size(corners_mm)
     return np.asarray((longest > SLENDER * height) & (longest**3 > LARGEST * height**2) & (height > 0))
 
@@ -61,7 +61,7 @@ def _size(corners_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _orient_needles(triangles: Pieces, corners_mm: FloatArray) -> Pieces:
-    """Turn triangles so that the first corner is the tip of a needle; cut those with two tips at the foot of their height."""
+    """Order the corners of triangles with the tip of the needle first; split those with two tips at the foot of their height."""
     places = triangles.corners_mm(corners_mm)
     rows = np.arange(len(places))
     apex = (np.linalg.norm(np.roll(places, -1, axis=1) - places, axis=2).argmax(axis=1) + 2) % 3
@@ -71,7 +71,7 @@ def _orient_needles(triangles: Pieces, corners_mm: FloatArray) -> Pieces:
     foot = np.einsum("td,td->t", top - start, along) / np.einsum("td,td->t", along, along)
     _, height = _size(places)
     margin = height / np.linalg.norm(along, axis=1)
-    two = (foot > margin) & (foot < 1 - margin)  # else the end next to the foot is the needle's base
+    two = (foot > margin) & (foot < 1 - margin)  # otherwise the end next to the foot is the needle's base
     middle = weights[:, 1] + foot[:, None] * (weights[:, 2] - weights[:, 1])
     from_start = np.stack([weights[:, 1], np.where(two[:, None], middle, weights[:, 2]), weights[:, 0]], axis=1)
     from_end = np.stack([weights[:, 2], weights[:, 0], np.where(two[:, None], middle, weights[:, 1])], axis=1)
@@ -86,9 +86,9 @@ def _orient_needles(triangles: Pieces, corners_mm: FloatArray) -> Pieces:
 
 
 def _cut_across(needles: Pieces, corners_mm: FloatArray) -> Pieces:
-    """Cut needles, their tip first, from the base on as far apart as the width there allows, until the tip is short enough.
+    """Cut needles (tip first) transversely from the base, at distances that the local width allows, until the tip is short enough.
 
-    A piece ℓ long is right where the needle is w wide if ℓ³ ≤ LARGEST · w²; both shrink towards the tip.
+    A piece of length ℓ at width w is accurate if ℓ³ ≤ LARGEST · w²; both decrease towards the tip.
     """
     length, width = _size(needles.corners_mm(corners_mm))
     left = np.ones(len(length))  # share of the length between the tip and the last cut
@@ -98,7 +98,7 @@ def _cut_across(needles: Pieces, corners_mm: FloatArray) -> Pieces:
         if len(going) == 0:
             break
         here = width[going] * left[going]
-        step = np.maximum(np.cbrt(LARGEST * here**2) / 2, here) / length[going]  # half: a piece is narrower at its other end
+        step = np.maximum(np.cbrt(LARGEST * here**2) / 2, here) / length[going]  # half, as a piece is narrower at its other end
         after = np.maximum(left[going] - step, 0.5 * left[going])
         parts += _slices(Pieces(needles.parents[going], needles.weights[going]), left[going], after)
         left[going] = after
@@ -108,12 +108,12 @@ def _cut_across(needles: Pieces, corners_mm: FloatArray) -> Pieces:
 
 
 def _toward_base(weights: FloatArray, share: FloatArray) -> FloatArray:
-    """Return the two places (N, 2, 3) at a share of the way from a needle's tip to the corners of its base."""
+    """Return the two points (N, 2, 3) at a share of the distance from a needle's tip to the corners of its base."""
     return np.asarray(weights[:, :1] + share[:, None, None] * (weights[:, 1:] - weights[:, :1]))
 
 
 def _slices(needles: Pieces, before: FloatArray, after: FloatArray) -> tuple[Pieces, Pieces]:
-    """Return the two triangles between two cuts across each needle."""
+    """Return the two triangles between two cuts of each needle."""
     far, near = _toward_base(needles.weights, before), _toward_base(needles.weights, after)
     return (
         Pieces(needles.parents, np.stack([near[:, 0], far[:, 0], far[:, 1]], axis=1)),

@@ -1,4 +1,4 @@
-"""Whether points and nominal are in millimetres and of one size; another unit is asked about, never assumed."""
+"""Unit and size check of points and nominal; another unit is asked for, never assumed."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from measureapp.inspection.surface.nominal import NominalSurface
 
 UNIT_TOLERANCE = 0.2
 LARGEST, SMALLEST = 1.6, 0.12
-FITS, BETTER = 0.5, 3.0  # share of what agrees in another unit, and how many times that of millimetres, at which the unit is asked about
+FITS, BETTER = 0.5, 3.0  # least agreement in another unit, and its ratio to that in millimetres, for a question about the unit
 SAMPLES = 2_000
 NEAR_SHARE = 0.03  # of the nominal's diagonal
 
 
 def robust_diagonal(points_mm: FloatArray) -> float:
-    """Return the diagonal of the box that holds 99 % of the points along each principal axis."""
+    """Return the diagonal of the box that contains 99 % of the points along each principal axis."""
     centred = points_mm - points_mm.mean(axis=0)
     axes = np.linalg.svd(centred[:: max(1, len(centred) // 20_000)], full_matrices=False)[2]
     low, high = np.percentile(centred @ axes.T, [0.5, 99.5], axis=0)
@@ -30,12 +30,12 @@ def robust_diagonal(points_mm: FloatArray) -> float:
 
 
 def check_size(points_mm: FloatArray, nominal_vertices_mm: FloatArray) -> None:
-    """Refuse clouds of another unit or of another size than the nominal.
+    """Refuse clouds of another unit or size than the nominal.
 
     Raises
     ------
     InspectionError
-        The sizes differ by the factor of a unit, which is named and asked about, or by so much that it cannot be this part.
+        The sizes differ by the factor of a unit, which is asked for, or by so much that it must be another part.
     """
     cloud, nominal = robust_diagonal(points_mm), _diagonal(nominal_vertices_mm)
     ratio = cloud / nominal
@@ -46,23 +46,23 @@ def check_size(points_mm: FloatArray, nominal_vertices_mm: FloatArray) -> None:
             raise _ask_nominal_unit(unit, f"The points span {cloud:.4g} mm, the nominal {nominal:.4g}")
     if not SMALLEST < ratio < LARGEST:
         raise InspectionError(
-            f"The points span {cloud:.4g} mm, the nominal {nominal:.4g} mm: this is not the part of the nominal.",
-            "Choose the nominal of this part, or cut the surroundings out of the cloud.",
+            f"The points span {cloud:.4g} mm, the nominal {nominal:.4g} mm: they are not of the same part.",
+            "Choose the nominal of this part, or crop the surroundings from the cloud.",
         )
 
 
 def check_unit(agreeing: Callable[[float], float], what: str) -> None:
-    """Ask about the unit of points that agree with their nominal far better in another unit.
+    """Ask for the unit of points that match their nominal much better in another unit.
 
     Parameters
     ----------
-    agreeing : factor on the points -> share (0…1) of what then agrees
+    agreeing : scale factor of the points -> agreement (0…1)
     what : what agrees, for the sentence: "of the features are found"
 
     Raises
     ------
     InspectionError
-        Naming the unit in which the points agree.
+        Names the unit of agreement.
     """
     as_given = agreeing(1.0)
     if BETTER * as_given > 1:
@@ -70,11 +70,11 @@ def check_unit(agreeing: Callable[[float], float], what: str) -> None:
     shares = {unit: agreeing(unit.in_mm) for unit in OTHER_UNITS}
     unit = max(shares, key=lambda one: shares[one])
     if shares[unit] >= max(FITS, BETTER * as_given):
-        raise ask_points_unit(unit, f"Taken as {unit.words}, {shares[unit]:.0%} {what}; taken as millimetres, {as_given:.0%}")
+        raise ask_points_unit(unit, f"Read as {unit.words}, {shares[unit]:.0%} {what}; read as millimetres, {as_given:.0%}")
 
 
 def check_unit_against(points: MeasuredPoints, surface: NominalSurface) -> None:
-    """Ask about the unit of points that lie on the nominal, and cover it, in another unit only. Raises InspectionError."""
+    """Ask for the unit of points that match and cover the nominal in another unit only. Raises InspectionError."""
     few = points.points_mm[:: -(-len(points) // SAMPLES)]
     places = sample_mesh(Mesh(surface.vertices_mm, surface.triangles, "nominal"), SAMPLES).points_mm
     near_mm = NEAR_SHARE * surface.diagonal_mm
@@ -84,17 +84,17 @@ def check_unit_against(points: MeasuredPoints, surface: NominalSurface) -> None:
         off = np.linalg.norm(factor * few - surface.closest(factor * few).points_mm, axis=1)
         return float(np.mean(np.isfinite(distance)) * np.mean(off < near_mm))
 
-    check_unit(agreeing, "of the nominal and of the points meet")
+    check_unit(agreeing, "of the nominal and of the points match")
 
 
 def ask_points_unit(unit: LengthUnit, finding: str) -> UnitQuestion:
     """Return the question whether the points are in ``unit``."""
-    hint = f"Say so with `--unit {unit}`, or scale the cloud to millimetres."
+    hint = f"If they are, use `--unit {unit}`; otherwise scale the cloud to millimetres."
     return UnitQuestion(f"{finding}: the points look like {unit.words}.", hint, "points", unit, finding)
 
 
 def _ask_nominal_unit(unit: LengthUnit, finding: str) -> UnitQuestion:
-    hint = f'Say so with `--nominal-unit {unit}`, in a program with `nominal_unit = "{unit}"`, or export the nominal in millimetres.'
+    hint = f'If it is, use `--nominal-unit {unit}`, in a program `nominal_unit = "{unit}"`; otherwise export the nominal in millimetres.'
     return UnitQuestion(f"{finding}: the nominal looks like {unit.words}.", hint, "nominal", unit, finding)
 
 

@@ -1,8 +1,8 @@
-"""Datums at maximum or least material: within what their size leaves, the part may shift in them (ISO 2692, ISO 5459).
+"""Datum shift at maximum or least material condition (ISO 2692, ISO 5459).
 
-A shaft thinner than its maximum material virtual size lies loose in a gauge of that size. The part is judged where it then lies
-best. The axis of the datum stays so near that of the drawing that its surface does not leave the virtual size: half the difference
-of sizes, at both ends of what was measured of it. What later datums hold is held again after the shift.
+A shaft smaller than its maximum material virtual size has play in a gauge of that size. The tolerance is evaluated in the best position
+within this play: the axis of the datum may depart from its nominal by half the difference of the sizes, at both ends of its measured
+length. Later datums are satisfied again after the shift.
 """
 
 from __future__ import annotations
@@ -23,33 +23,33 @@ from measureapp.inspection.tolerances.datums import DatumSystem, datum_system
 from measureapp.inspection.tolerances.material import compute_bonus
 from measureapp.inspection.value import require_direction
 
-STEP_MM = 0.01  # of a shift, for its effect: motions are linear over what a size leaves
+STEP_MM = 0.01  # of numerical derivatives: motions are linear within the play
 ROUNDS = 100
 EXACT_MM = 1e-9
 
-Offsets = Callable[[DatumSystem], FloatArray]  # (M, 3): by how far places lie off those of the drawing
+Offsets = Callable[[DatumSystem], FloatArray]  # (M, 3): deviations of points from their nominal positions
 System = Callable[[Sequence[Feature]], DatumSystem]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Play:
-    """How far the axis of one datum may move, measured across it at both its ends."""
+    """Permitted displacement of the axis of one datum, perpendicular to it at both ends."""
 
-    number: int  # which datum
+    number: int  # index of the datum
     ends_mm: FloatArray  # (2,), along its axis
     nominal: Feature
     radius_mm: Callable[[Feature], float]
-    noise_mm: float  # standard uncertainty of that radius by the noise of the means
+    noise_mm: float  # standard uncertainty of that radius by noise
 
     @classmethod
     def of(cls, number: int, material: DatumMaterial, datum: FoundFeature, nominal: Feature, settings: InspectionSettings) -> Play:
-        """Take the play from the datum's size. Raises InspectionError where it has none."""
+        """Compute the play from the datum's size. Raises InspectionError if it has none."""
         bonus, noise = compute_bonus(material.condition, material.size_limits_mm, datum, settings)
         along = (datum.points_mm - nominal.point_mm) @ require_direction(nominal)
         return cls(number, np.array([along.min(), along.max()]), nominal, lambda feature: bonus(feature) / 2, noise / 2)
 
     def offsets(self, system: DatumSystem, feature: Feature) -> FloatArray:
-        """Return by how far (2, 3) both ends of the measured axis lie beside that of the drawing."""
+        """Return the offsets (2, 3) of both ends of the measured axis from the nominal axis."""
         axis = require_direction(self.nominal)
         middle, direction = system.apply(feature.point_mm), system.rotate(require_direction(feature))
         heights = self.nominal.point_mm @ axis + self.ends_mm
@@ -58,7 +58,7 @@ class Play:
 
 
 def perpendicular_part(offsets_mm: FloatArray, axis: FloatArray) -> FloatArray:
-    """Return offsets (N, 3) without their part along an axis."""
+    """Return the component of offsets (N, 3) perpendicular to an axis."""
     return offsets_mm - np.outer(offsets_mm @ axis, axis)
 
 
@@ -69,19 +69,19 @@ def find_plays(
     nominals: Sequence[Feature],
     settings: InspectionSettings,
 ) -> tuple[Play, ...]:
-    """Return the play of every datum that has a material condition; ``names`` are those of the dimension, before copies are counted.
+    """Return the play of every datum with a material condition; ``names`` are those of the dimension, without copy numbers.
 
     Raises
     ------
     InspectionError
-        Such a datum is no measured cylinder, or too little of it was measured.
+        Such a datum is not a measured cylinder, or too little of it was measured.
     """
     made = []
     for material in materials:
         number = list(names).index(material.datum)
         if nominals[number].shape != "cylinder" or len(datums[number].points_mm) == 0:
             raise InspectionError(
-                f"{datums[number].name} is a {nominals[number].shape}: a datum shifts at its material size if it is a cylinder"
+                f"{datums[number].name} is a {nominals[number].shape}: a material condition of a datum requires a measured cylinder"
             )
         made.append(Play.of(number, material, datums[number], nominals[number], settings))
     return tuple(made)
@@ -90,13 +90,13 @@ def find_plays(
 def shift_datum_system(
     drawn: Sequence[Feature], measured: Sequence[Feature], plays: Sequence[Play], offsets: Offsets, more_mm: float = 0.0
 ) -> DatumSystem:
-    """Return the datum system shifted within all plays so that the greatest of the offsets is as small as it can be.
+    """Return the datum system shifted within all plays so that the greatest offset is minimal.
 
-    Where a datum leaves its virtual size whatever the shift, as by its tilt, nothing is shifted.
+    If a datum violates its virtual size for any shift, for example by its tilt, nothing is shifted.
 
     Parameters
     ----------
-    more_mm : added to the radius of every play, for its uncertainty
+    more_mm : added to the radius of every play, to propagate its uncertainty
     """
     start = datum_system(drawn, measured)
     radii = [max(play.radius_mm(measured[play.number]) + more_mm, 0.0) for play in plays]
@@ -118,9 +118,9 @@ def shift_datum_system(
 
 
 def _minimise_greatest_offset(places: Sequence[FloatArray], slopes: Sequence[FloatArray], radii: Sequence[float]) -> FloatArray:
-    """Return the motion (P,) that makes the first places (M, 3) least far off while all others stay within their radii.
+    """Return the motion (P,) that minimises the greatest offset of the first points (M, 3), with all others within their radii.
 
-    A second-order cone program, small enough for sequential quadratic programming: the greatest distance itself is an unknown.
+    A second-order cone program, small enough for sequential quadratic programming, with the greatest distance as an unknown.
     """
     scale = max(float(np.linalg.norm(places[0], axis=1).max()), *radii, EXACT_MM)
     limits = [None, *(radius / scale for radius in radii)]

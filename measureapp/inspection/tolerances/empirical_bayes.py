@@ -1,4 +1,4 @@
-"""Heights without their noise, by empirical Bayes."""
+"""Empirical Bayes estimate of noise-free heights."""
 
 from __future__ import annotations
 
@@ -6,18 +6,18 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 
-LEVELS = 60  # places at which the distribution of heights on a line may lie
+LEVELS = 60  # support points of the distribution of heights
 STEPS = 100
-GREATEST = 1000  # heights that the distribution is estimated from; also bounds its places for points of a plane
+GREATEST = 1000  # greatest number of heights for the estimate, and of support points for points of a plane
 TINY = 1e-300
 
 
 def estimate_noise_free_heights(heights_mm: FloatArray, noise_mm: FloatArray) -> FloatArray:
-    """Return the expected heights without noise, given the measured ones and that all come from one distribution.
+    """Return the posterior mean of the noise-free heights, assuming that all come from one distribution.
 
-    The distribution is the most likely one of any kind (J. Kiefer and J. Wolfowitz, Ann. Math. Stat. 27, 1956), found by
-    expectation maximisation; the mean given each measured height follows by Bayes' rule (W. Jiang and C.-H. Zhang, Ann. Stat.
-    37, 2009). Places that are equally high, which noise alone tells apart, come out equally high again, however many they are.
+    The distribution is the non-parametric maximum likelihood estimate (J. Kiefer and J. Wolfowitz, Ann. Math. Stat. 27, 1956), found by
+    expectation maximisation; the posterior mean follows by Bayes' rule (W. Jiang and C.-H. Zhang, Ann. Stat. 37, 2009). Points of equal
+    height that differ by noise only get equal heights again, whatever their number.
 
     Parameters
     ----------
@@ -43,6 +43,6 @@ def estimate_noise_free_heights(heights_mm: FloatArray, noise_mm: FloatArray) ->
 
 
 def _likelihoods(heights_mm: FloatArray, noise_mm: FloatArray, places: FloatArray) -> FloatArray:
-    """Likelihood (N, M) of each height at each place (K, M), relative to its best."""
+    """Return the likelihood (N, M) of each height at each support point (K, M), relative to its maximum."""
     off = np.sum((heights_mm[:, :, None] - places[:, None, :]) ** 2, axis=0) / (2 * noise_mm[:, None] ** 2)
     return np.asarray(np.exp(off.min(axis=1, keepdims=True) - off))

@@ -1,4 +1,4 @@
-"""Form: flatness, straightness, roundness and cylindricity (ISO 1101) of what was extracted as means of cells."""
+"""Form (ISO 1101): flatness, straightness, roundness and cylindricity of the extracted cell means."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ WORDS = {"minimum-zone": "minimum zone", "least-squares": "least squares"}
 
 
 def evaluate_form(described: DimensionProgram, found: FoundFeature, settings: InspectionSettings) -> Value:
-    """Return the form deviation of one feature without what the noise of the means adds to it, and how sure that is.
+    """Evaluate the form deviation of one feature, corrected for noise, with its uncertainty.
 
     Raises
     ------
     InspectionError
-        The feature has not this kind of form, or too little of it was measured.
+        This form is not defined for the feature, or too little of it was measured.
     """
     feature = require_feature(found)
     cells = extract_cells(found, settings)
@@ -59,7 +59,7 @@ def evaluate_form(described: DimensionProgram, found: FoundFeature, settings: In
 
 
 def assumed_view_spread(found: FoundFeature, settings: InspectionSettings) -> float:
-    """Return what several views add to the form of one surface where it is not known how they lie."""
+    """Return the assumed contribution of view positions to the form of a surface measured in several views without error model."""
     return assumed_placement_sigma(found, settings) if found.views > 1 else 0.0
 
 
@@ -70,9 +70,9 @@ def _zone(shape: Shape, cells: Cells, criterion: Criterion, name: str, settings:
 
 def _remove_noise(zones: list[Zone], width: float, criterion: Criterion, settings: InspectionSettings, how: str) -> Value:
     true = estimate_noise_free_width(zones, width, criterion, settings.form_trials)
-    words = f"{how}; {width:.4f} mm less {true.shift_mm:.4f} mm that noise adds"
+    words = f"{how}; {width:.4f} mm less {true.shift_mm:.4f} mm by noise"
     if true.by_noise:
-        words += f"; noise alone could have made it: one-sided, at most {true.value_mm + 2 * true.sigma_mm:.4f} mm"
+        words += f"; explained by noise alone: one-sided, at most {true.value_mm + 2 * true.sigma_mm:.4f} mm"
     return Value(true.value_mm, combine_budgets({NOISE: true.sigma_mm}, propagate_view_errors(zones, criterion)), words)
 
 
@@ -80,12 +80,12 @@ def extract_cells(found: FoundFeature, settings: InspectionSettings) -> Cells:
     """Return the means of a feature's points over the cells of its surface. Raises InspectionError."""
     feature = require_feature(found)
     if len(found.points_mm) == 0:
-        raise InspectionError(f"{found.name} was made from other features and has no measured surface")
+        raise InspectionError(f"{found.name} is a constructed feature without a measured surface")
     return cell_means(found, feature, surface_keys(found.points_mm, feature, settings.form_cell_mm))
 
 
 def filter_words(settings: InspectionSettings) -> str:
-    """Return how surfaces are extracted, in words."""
+    """Return the extraction filter in words."""
     return f"means of {settings.form_cell_mm:g} mm cells"
 
 
@@ -99,19 +99,19 @@ def zone_width(shape: Shape, points_mm: FloatArray, criterion: Criterion, name: 
 
 
 def find_full_sections(cells: Cells, around: int, settings: InspectionSettings, name: str) -> list[BoolArray]:
-    """Return which cells (K,) make each section that is measured all round. Raises InspectionError when there is none."""
+    """Return the mask (K,) of the cells of each sufficiently complete section. Raises InspectionError if there is none."""
     masks = [cells.keys[:, 0] == key for key in np.unique(cells.keys[:, 0])]
     shares = [len(np.unique(cells.keys[mask, 1])) / around for mask in masks]
     whole = [mask for mask, share in zip(masks, shares, strict=True) if share >= settings.least_turn]
     if not whole:
         raise InspectionError(
-            f"{name}: no section is measured over more than {max(shares):.0%} of its turn, {settings.least_turn:.0%} are needed"
+            f"{name}: no section is measured over more than {max(shares):.0%} of its circumference, {settings.least_turn:.0%} are needed"
         )
     return whole
 
 
 def cells_per_turn(feature: Feature, settings: InspectionSettings) -> int:
-    """Return into how many cells a turn of a round feature is divided."""
+    """Return the number of cells per turn of a round feature."""
     return around_count(feature.radius_mm or settings.form_cell_mm, settings.form_cell_mm)
 
 
@@ -124,11 +124,11 @@ def _require(found: FoundFeature, kind: str, *shapes: str) -> None:
 def _require_turn(cells: Cells, feature: Feature, settings: InspectionSettings, name: str) -> None:
     share = len(np.unique(cells.keys[:, 1])) / cells_per_turn(feature, settings)
     if share < settings.least_turn:
-        raise InspectionError(f"{name}: only {share:.0%} of the turn is measured, {settings.least_turn:.0%} are needed")
+        raise InspectionError(f"{name}: only {share:.0%} of the circumference is measured, {settings.least_turn:.0%} are needed")
 
 
 def _profile(feature: Feature, cells: Cells, section: BoolArray) -> tuple[FloatArray, float]:
-    """Points (K, 3) of one section laid into a plane across the axis, and where that plane lies along it."""
+    """Return points (K, 3) of one section projected into a plane normal to the axis, and the axial position of that plane."""
     axis = require_direction(feature)
     along, _, _ = along_and_off(cells.points_mm[section], feature.point_mm, axis)
     turn = angles(cells.points_mm[section], feature.point_mm, axis)
@@ -157,11 +157,11 @@ def _roundness(criterion: Criterion, found: FoundFeature, cells: Cells, settings
 
 
 def _axis_straightness(criterion: Criterion, found: FoundFeature, cells: Cells, settings: InspectionSettings) -> Value:
-    """Diameter of the cylinder about the centres of all sections (the derived median line of ISO 14660-2)."""
+    """Straightness of the axis: diameter of the cylinder about the centres of all sections (derived median line, ISO 14660-2)."""
     feature = require_feature(found)
     whole = find_full_sections(cells, cells_per_turn(feature, settings), settings, found.name)
     if len(whole) < LEAST_SECTIONS:
-        raise InspectionError(f"{found.name}: its axis has only {len(whole)} whole sections, {LEAST_SECTIONS} are needed")
+        raise InspectionError(f"{found.name}: its axis has only {len(whole)} complete sections, {LEAST_SECTIONS} are needed")
     side, lean = tangents(require_direction(feature)), np.cos(feature.half_angle_rad or 0.0)
     centres, spreads = [], []
     moved: dict[ErrorSource, list[FloatArray]] = {source: [] for source in cells.view_contributions}
@@ -182,7 +182,7 @@ def _axis_straightness(criterion: Criterion, found: FoundFeature, cells: Cells, 
 
 
 def _line_straightness(described: DimensionProgram, found: FoundFeature, settings: InspectionSettings) -> Value:
-    """Greatest straightness of the lines of a plane that run along the direction asked for."""
+    """Straightness of the lines of a plane along a given direction: the greatest of all lines."""
     feature = require_feature(found)
     normal = require_direction(feature)
     if described.along is None:
@@ -190,7 +190,7 @@ def _line_straightness(described: DimensionProgram, found: FoundFeature, setting
     wanted = np.asarray(described.along, float)
     line = wanted - (wanted @ normal) * normal
     if np.linalg.norm(line) < np.sin(np.radians(LEAST_SLANT_DEG)) * np.linalg.norm(wanted):
-        raise InspectionError(f"{found.name}: `along` stands upright on the plane, which has no lines in that direction")
+        raise InspectionError(f"{found.name}: `along` is perpendicular to the plane, which has no lines in that direction")
     line /= np.linalg.norm(line)
     offset = found.points_mm - feature.point_mm
     places = np.column_stack([offset @ np.cross(normal, line), offset @ line])
@@ -214,7 +214,7 @@ def _line_straightness(described: DimensionProgram, found: FoundFeature, setting
 
 
 def _line_width(position: FloatArray, height: FloatArray, criterion: Criterion) -> float:
-    """Height of the narrowest strip about a profile, or the range about its regression line."""
+    """Return the height of the minimum-zone strip of a profile, or the range about its regression line."""
     design = np.column_stack([position, np.ones_like(position)])
     if criterion == "least-squares":
         return float(np.ptp(height - design @ np.linalg.lstsq(design, height, rcond=None)[0]))

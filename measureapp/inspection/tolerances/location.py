@@ -1,4 +1,4 @@
-"""Location (ISO 1101): position of what the drawing places, coaxiality and concentricity."""
+"""Location (ISO 1101): position, coaxiality and concentricity."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ Width = Callable[[Sequence[Feature]], float]
 def evaluate_position(
     described: DimensionProgram, found: FoundFeature, datums: tuple[FoundFeature, ...], settings: InspectionSettings
 ) -> Value:
-    """Return the width of the zone about the exact place: of a sphere for a centre, a cylinder for an axis, two planes for a plane.
+    """Evaluate position: width of the zone about the nominal location (sphere for a centre, cylinder for an axis, slab for a plane).
 
     Raises
     ------
     InspectionError
-        The datums do not fix the place, the feature has no position, or a material condition is asked of what has no size.
+        The datums do not fix the location, the feature has no position, or a material condition is required of a feature without size.
     """
     feature, nominal, drawn = require_feature(found), require_nominal(found), require_nominals(datums)
     datum_system(drawn, [require_feature(one) for one in datums]).require_place(nominal, found.name)
@@ -47,27 +47,27 @@ def evaluate_position(
 
 
 class _Zone:
-    """The zone of an axis or a centre about its place in the drawing, as datums that may shift have it."""
+    """Zone of an axis or a centre about its nominal location, relative to datums with shift."""
 
     def __init__(self, nominal: Feature, drawn: Sequence[Feature], ends_mm: FloatArray, plays: tuple[Play, ...]) -> None:
         self.nominal, self.drawn, self.ends_mm, self.plays = nominal, drawn, ends_mm, plays
 
     def width(self, features: Sequence[Feature], more_mm: float = 0.0) -> float:
-        """Width of the zone that the feature needs, the part shifted as best it can be."""
+        """Return the width of the required zone at the best datum shift."""
         points = points_of(features[0], self.ends_mm)
         system = shift_datum_system(self.drawn, features[1:], self.plays, lambda made: self._offsets(made, points), more_mm)
         return self._width(system, points)
 
     def with_shift(self, made: Value, features: Sequence[Feature]) -> Value:
-        """Say what the datums' sizes gained, and count how uncertain those are by noise."""
+        """Return the value with the datum shift described, and its uncertainty by noise added."""
         if not self.plays:
             return made
         noise = float(np.linalg.norm([play.noise_mm for play in self.plays]))
         best = self.width(features)
         change = max(abs(self.width(features, sign * noise) - best) for sign in (1.0, -1.0))
         unshifted = self._width(datum_system(self.drawn, features[1:]), points_of(features[0], self.ends_mm))
-        sizes = ", ".join(f"{play.nominal.name} loose by {2 * play.radius_mm(features[1 + play.number]):.4f} mm" for play in self.plays)
-        words = f"{made.how}; datum shift: {sizes}, {unshifted:.4f} mm without it"
+        sizes = ", ".join(f"{play.nominal.name} play {2 * play.radius_mm(features[1 + play.number]):.4f} mm" for play in self.plays)
+        words = f"{made.how}; datum shift: {sizes}, {unshifted:.4f} mm without shift"
         return Value(made.value, combine_budgets(made.budget, {NOISE: change}), words, made.bonus)
 
     def _width(self, system: DatumSystem, points_mm: FloatArray) -> float:
@@ -81,13 +81,13 @@ class _Zone:
 def _add_material_bonus(
     described: DimensionProgram, width: Width, found: FoundFeature, datums: tuple[FoundFeature, ...], settings: InspectionSettings, how: str
 ) -> Value:
-    """Return the width with the bonus that the feature's own size gives."""
+    """Return the width with the bonus tolerance of the feature's own size."""
     if described.size_limits_mm is None or described.material_condition == "regardless":
         return evaluate_width(width, found, datums, how)
     bonus, noise = compute_bonus(described.material_condition, described.size_limits_mm, found, settings)
     left = evaluate_width(lambda features: width(features) - bonus(features[0]), found, datums, how)
     gained = bonus(require_feature(found))
-    words = f"{how}; {WORDS[described.material_condition]}: {gained:.4f} mm more than {described.upper_tolerance:g} mm"
+    words = f"{how}; {WORDS[described.material_condition]}: {gained:.4f} mm bonus on {described.upper_tolerance:g} mm"
     return Value(left.value + gained, combine_budgets(left.budget, {NOISE: noise}), words, gained)
 
 
@@ -96,7 +96,7 @@ def _describe(feature: Feature, ends_mm: FloatArray) -> str:
 
 
 def evaluate_coaxiality(kind: str, found: FoundFeature, datum: FoundFeature) -> Value:
-    """Return twice the greatest distance of an axis (coaxiality) or a centre (concentricity) from the datum's axis or centre.
+    """Evaluate coaxiality or concentricity: twice the greatest distance of an axis or a centre from the datum's axis or centre.
 
     Raises
     ------
@@ -108,7 +108,7 @@ def evaluate_coaxiality(kind: str, found: FoundFeature, datum: FoundFeature) -> 
     if feature.shape not in wanted:
         raise InspectionError(f"{found.name} is a {feature.shape}: {kind} is defined for {'axes' if kind == 'coaxiality' else 'centres'}")
     if base.shape not in (*AXES, *(CENTRES if kind == "concentricity" else ())):
-        raise InspectionError(f"{datum.name} is a {base.shape} and no datum for {kind}")
+        raise InspectionError(f"{datum.name} is a {base.shape}, which cannot be a datum for {kind}")
     ends = ends_of(found, feature)
 
     def width(features: Sequence[Feature]) -> float:
@@ -121,12 +121,12 @@ def evaluate_coaxiality(kind: str, found: FoundFeature, datum: FoundFeature) -> 
 
 
 def evaluate_width(width: Width, found: FoundFeature, datums: tuple[FoundFeature, ...], how: str) -> Value:
-    """Return the width with its uncertainty from all that the feature and its datums err by."""
+    """Return the width with its uncertainty from the errors of the feature and its datums."""
     return Value(*propagate(width, (found, *datums)), how)
 
 
 def ends_of(found: FoundFeature, feature: Feature) -> FloatArray:
-    """Return where the measured part of an axis begins and ends along it (2,); a centre and a constructed axis are their point alone."""
+    """Return the axial range (2,) of the measured part of an axis; zero (1,) for a centre or a constructed axis."""
     if feature.shape in CENTRES or feature.direction is None or len(found.points_mm) == 0:
         return np.zeros(1)
     along = (found.points_mm - feature.point_mm) @ feature.direction
@@ -134,7 +134,7 @@ def ends_of(found: FoundFeature, feature: Feature) -> FloatArray:
 
 
 def points_of(feature: Feature, ends: FloatArray) -> FloatArray:
-    """Return the places (N, 3) of an axis at its ends, or of a centre."""
+    """Return the end points (N, 3) of an axis, or the centre."""
     if feature.direction is None:
         return np.asarray(feature.point_mm)[None]
     return feature.point_mm + ends[:, None] * feature.direction

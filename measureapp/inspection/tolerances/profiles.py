@@ -1,4 +1,4 @@
-"""Profile of a surface or line (ISO 1660): the zone about what the drawing has, be it a basic shape or a region of the nominal mesh."""
+"""Profile of a surface or line (ISO 1660): zone about the nominal, a basic shape or a region of the nominal mesh."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ NO_DATUM = DatumSystem((), np.eye(4), np.empty((6, 0)))
 def evaluate_profile(
     described: DimensionProgram, found: FoundFeature, datums: tuple[FoundFeature, ...], settings: InspectionSettings
 ) -> Value:
-    """Return twice the greatest distance of the means from the middle of the zone: of all of them, or where a plane cuts the surface.
+    """Evaluate a profile: twice the greatest distance of the cell means from the centre of the zone, over the surface or a section.
 
     Raises
     ------
     InspectionError
-        The datums do not fix the zone, the drawing has no such surface, or too little of it was measured.
+        The datums do not fix the zone, there is no nominal surface, or too little of it was measured.
     """
     if datums:
         system = datum_system(require_nominals(datums), [require_feature(one) for one in datums])
@@ -45,16 +45,16 @@ def evaluate_profile(
     words = [made.how]
     if described.zone_offset_mm:
         side = "out of" if described.zone_offset_mm > 0 else "into"
-        words.append(f"middle of the zone {abs(described.zone_offset_mm):g} mm {side} the material")
+        words.append(f"centre of the zone offset {abs(described.zone_offset_mm):g} mm {side} the material")
     if not datums:
-        words.append("placed by the alignment")
+        words.append("located by the alignment")
     return Value(made.value, made.budget, ", ".join(words))
 
 
 def evaluate_surface_zone(
     found: FoundFeature, datums: tuple[FoundFeature, ...], cells: Cells, settings: InspectionSettings, zone_offset_mm: float = 0.0
 ) -> Value:
-    """Return twice the greatest distance of means from the drawn surface as the datums place it, moved out of the material."""
+    """Return twice the greatest distance of cell means from the nominal surface in the datum system, with offset out of the material."""
     distances = _distances(found)
     drawn = require_nominals(datums)
 
@@ -63,23 +63,23 @@ def evaluate_surface_zone(
         return 2 * float(np.abs(distances(system.apply(points_mm)) - zone_offset_mm).max())
 
     value, budget = propagate_with_surface(width, datums, cells)
-    # the greatest distance is off by no more than the greatest noise, the width by twice that: the range of the noise
+    # the error of the greatest distance is at most the greatest noise, that of the width twice as much
     own = {NOISE: cells.form_sigma_mm, STITCHING: 2 * assumed_placement_sigma(found, settings)}
     return Value(value, combine_budgets(budget, own), filter_words(settings))
 
 
 def _distances(found: FoundFeature) -> Callable[[FloatArray], FloatArray]:
-    """Return what gives the distances of points (N, 3) from the drawn surface, positive out of the material."""
+    """Return the function of signed distances of points (N, 3) from the nominal surface, positive out of the material."""
     if isinstance(found, FoundSurface):
         return lambda points: found.distances_and_normals(points)[0]
     if require_feature(found).shape not in ("plane", "cylinder", "cone", "sphere"):
-        raise InspectionError(f"{found.name} is a {require_feature(found).shape}: it has no surface that the drawing places")
+        raise InspectionError(f"{found.name} is a {require_feature(found).shape}: it has no nominal surface")
     nominal, side = require_nominal(found), -1.0 if found.hole else 1.0
     return lambda points: side * signed_distances(nominal, points)
 
 
 def _cells(found: FoundFeature, section: Section | None, settings: InspectionSettings) -> Cells:
-    """Return the means of the points, with a section of those within half a cell of its plane."""
+    """Return the cell means, with a section those within half a cell of its plane."""
     if section is None and not isinstance(found, FoundSurface):
         return extract_cells(found, settings)
     near = np.ones(len(found.points_mm), bool)
@@ -88,7 +88,7 @@ def _cells(found: FoundFeature, section: Section | None, settings: InspectionSet
         off = (found.points_mm - np.asarray(section.point_mm, float)) @ (normal / np.linalg.norm(normal))
         near = np.abs(off) < settings.form_cell_mm / 2
         if not near.any():
-            raise InspectionError(f"{found.name} was not measured where the section cuts it")
+            raise InspectionError(f"{found.name} was not measured at its section")
     if isinstance(found, FoundSurface):
         return surface_means(found, found.distances_and_normals, grid_keys(found.closest_points()[near], settings.form_cell_mm), near)
     feature = require_feature(found)

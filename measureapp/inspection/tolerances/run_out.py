@@ -22,15 +22,14 @@ GREATEST_LEAN_DEG = 10.0
 
 
 def evaluate_run_out(kind: str, found: FoundFeature, datum: FoundFeature, settings: InspectionSettings) -> Value:
-    """Return how far a gauge moves while the part turns about the datum axis.
+    """Evaluate run-out: range of a dial gauge reading over a rotation about the datum axis.
 
-    Of a cylinder across the axis (radial), of a plane along it (axial): circular in the worst single section or ring,
-    total over the whole surface.
+    Radial for a cylinder, axial for a plane; circular: the worst section or ring, total: over the whole surface.
 
     Raises
     ------
     InspectionError
-        The datum has no axis, the surface does not lie about it, or no section is measured all round.
+        The datum has no axis, the surface is not aligned to it, or no section is sufficiently complete.
     """
     feature, base = require_feature(found), require_feature(datum)
     _require(found, feature, datum, base)
@@ -51,12 +50,12 @@ def evaluate_run_out(kind: str, found: FoundFeature, datum: FoundFeature, settin
 
 def _require(found: FoundFeature, feature: Feature, datum: FoundFeature, base: Feature) -> None:
     if base.shape not in AXES:
-        raise InspectionError(f"{datum.name} is a {base.shape}: run-out needs an axis as its datum")
+        raise InspectionError(f"{datum.name} is a {base.shape}: run-out requires an axis as its datum")
     if feature.shape not in ("cylinder", "plane") or len(found.points_mm) == 0:
-        raise InspectionError(f"{found.name} is a {feature.shape}: run-out is taken of measured cylinders and planes")
+        raise InspectionError(f"{found.name} is a {feature.shape}: run-out requires a measured cylinder or plane")
     lean = float(np.degrees(np.arccos(min(1.0, abs(float(require_direction(feature) @ require_direction(base)))))))
     if lean > GREATEST_LEAN_DEG:
-        raise InspectionError(f"{found.name} is {lean:.0f}° from lying about the axis of {datum.name}: it has no run-out")
+        raise InspectionError(f"{found.name} is {lean:.0f}° from the axis of {datum.name}: its run-out is undefined")
 
 
 def _extract_cells(found: FoundFeature, base: Feature, axial: bool, settings: InspectionSettings) -> tuple[Cells, int]:
@@ -70,7 +69,7 @@ def _extract_cells(found: FoundFeature, base: Feature, axial: bool, settings: In
 
 
 def _ring_keys(points_mm: FloatArray, point_mm: FloatArray, axis: FloatArray, cell_mm: float) -> IntArray:
-    """Cells (N, 2) of a face: which ring, and where around it."""
+    """Return cells (N, 2) of a face: ring and sector."""
     _, off, _ = along_and_off(points_mm, point_mm, axis)
     turn = angles(points_mm, point_mm, axis)
     return np.column_stack([off / cell_mm, turn / (2 * np.pi) * LEAST_AROUND % LEAST_AROUND]).astype(np.int64)

@@ -1,8 +1,7 @@
-"""What noise does to the width of a zone: widths are extremes, which noise moves in one direction.
+"""Noise correction of zone widths: widths are extremes, which noise always increases.
 
-The propagation of small changes knows of no such shift (JCGM 101, clause 5.10: where the model is not linear, distributions
-are propagated by Monte Carlo). The shift depends on how many places lie nearly furthest, which is estimated from the heights
-themselves, see `estimate_noise_free_heights`.
+Linear propagation does not show this bias (JCGM 101, clause 5.10: non-linear models require Monte Carlo). It depends on the number of
+points near the extremes, which is estimated from the heights themselves, see `estimate_noise_free_heights`.
 """
 
 from __future__ import annotations
@@ -22,9 +21,9 @@ from measureapp.inspection.features.feature_errors import ErrorSource, principal
 from measureapp.inspection.tolerances.empirical_bayes import estimate_noise_free_heights
 from measureapp.inspection.value import Budget
 
-SHIFT_DRAWS = 40  # for the mean shift: known to a sixth of the scatter of a single width
+SHIFT_DRAWS = 40  # for the mean bias, known to a sixth of the scatter of a single width
 COVERAGE = 0.95
-NOISE_ALONE = 0.975  # widths up to this quantile of those of noise alone leave a perfect shape possible
+NOISE_ALONE = 0.975  # widths up to this quantile of those of pure noise are compatible with a perfect shape
 ROUNDS = 30
 SEED = 14
 TINY = 1e-12
@@ -32,18 +31,16 @@ TINY = 1e-12
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Zone:
-    """Distances of extracted points from their shape, and what small changes of the shape do to them."""
+    """Linearised zone: distances of extracted points from a shape, and their derivatives."""
 
     distances_mm: FloatArray  # (K, N): K = 2 for an axis in space
     derivatives: FloatArray  # (K, N, P)
     noise_mm: FloatArray  # (N,), standard deviations of the distances
-    view_contributions: Mapping[ErrorSource, FloatArray] = field(
-        default_factory=dict
-    )  # (K N, M), errors of the distances because of the views
+    view_contributions: Mapping[ErrorSource, FloatArray] = field(default_factory=dict)  # (K N, M), errors of the distances by the views
 
     @classmethod
     def of(cls, shape: Shape, points_mm: FloatArray, noise_mm: FloatArray, by_views: Mapping[ErrorSource, FloatArray]) -> Zone:
-        """Linearise at the least-squares fit; form errors are small beside the shape. Raises FitError."""
+        """Linearise at the least-squares fit, as form deviations are small compared with the shape. Raises FitError."""
         points = np.asarray(points_mm, np.float64)
         scaled = Scaled.of(points)
         model = MODELS["line"] if shape == "line" else ZONES[shape]
@@ -54,11 +51,11 @@ class Zone:
     def of_profile(
         cls, position: FloatArray, height_mm: FloatArray, noise_mm: FloatArray, by_views: Mapping[ErrorSource, FloatArray]
     ) -> Zone:
-        """The strip about a profile over a straight line."""
+        """Return the strip about a profile over a straight line."""
         return cls(height_mm[None], np.stack([position, np.ones_like(position)], axis=1)[None], noise_mm, by_views)
 
     def fit_residuals(self, heights_mm: FloatArray) -> FloatArray:
-        """Return heights (D, K, N) from their own least-squares fits."""
+        """Return the residuals (D, K, N) of heights from their own least-squares fits."""
         return self._rest(heights_mm, np.ones((len(heights_mm), heights_mm.shape[2])))
 
     def widths(self, heights_mm: FloatArray, criterion: Criterion) -> FloatArray:
@@ -66,10 +63,9 @@ class Zone:
         return self.fit_lawson(heights_mm, criterion)[0]
 
     def fit_lawson(self, heights_mm: FloatArray, criterion: Criterion) -> tuple[FloatArray, FloatArray]:
-        """Return the widths (D,) of zones, and the weights (D, N) whose least-squares fits lie in their middle.
+        """Minimum zone by Lawson's algorithm: return the widths (D,), and the weights (D, N) of the equivalent least-squares fits.
 
-        The least greatest distance is approached by C. L. Lawson's reweighting (thesis, UCLA, 1961), for all draws at once: in
-        the end only the contacts weigh.
+        Iterative reweighting for all draws at once (C. L. Lawson, thesis, UCLA, 1961); finally only the contact points have weight.
         """
         draws, many = len(heights_mm), heights_mm.shape[2]
         weights = np.full((draws, many), 1 / many)
@@ -84,18 +80,18 @@ class Zone:
         return widths, weights
 
     def ranges(self, heights_mm: FloatArray, weights: FloatArray) -> FloatArray:
-        """Return the ranges (D,) of heights (D, K, N) about their fits by weights (N,)."""
+        """Return the ranges (D,) of heights (D, K, N) about their weighted fits (weights (N,))."""
         return self._width(self._rest(heights_mm, np.broadcast_to(weights, (len(heights_mm), len(weights)))))
 
     @staticmethod
     def _width(rest_mm: FloatArray) -> FloatArray:
-        """Range of distances (D, 1, N); for an axis in space twice the greatest distance."""
+        """Return the range of distances (D, 1, N); for an axis in space twice the greatest distance."""
         if rest_mm.shape[1] == 1:
             return np.asarray(np.ptp(rest_mm[:, 0], axis=1))
         return np.asarray(2 * np.sqrt(np.sum(rest_mm**2, axis=1)).max(axis=1))
 
     def _rest(self, heights_mm: FloatArray, weights: FloatArray) -> FloatArray:
-        """Heights (D, K, N) from their least-squares fits by weights (D, N)."""
+        """Return the residuals of heights (D, K, N) from their weighted least-squares fits (weights (D, N))."""
         parameters = self.derivatives.shape[2]
         products = np.einsum("knp,knq->npq", self.derivatives, self.derivatives).reshape(self.derivatives.shape[1], -1)
         normal = (weights @ products).reshape(len(weights), parameters, parameters)
@@ -108,28 +104,27 @@ class Zone:
 
 @dataclass(frozen=True, slots=True)
 class NoiseFreeWidth:
-    """The width that a zone would have without noise."""
+    """Width of a zone, corrected for noise."""
 
     value_mm: float
     sigma_mm: float  # half the expanded uncertainty
-    shift_mm: float  # by which noise had widened the zone: taken off
-    by_noise: bool = False  # noise alone could have made it: the interval reaches down to zero
+    shift_mm: float  # bias by noise, subtracted
+    by_noise: bool = False  # explained by noise alone: the interval extends to zero
 
 
 def estimate_noise_free_width(zones: Sequence[Zone], width_mm: float, criterion: Criterion, draws: int) -> NoiseFreeWidth:
-    """Estimate the greatest of some widths as it would be without noise.
+    """Parametric bootstrap: estimate the greatest of several widths without the bias of noise.
 
-    A parametric bootstrap (B. Efron and R. J. Tibshirani, An Introduction to the Bootstrap, 1993, 6.5): the heights without
-    noise are estimated, noise is added to them again, and what it does to their range is taken off the width measured. The same
-    evaluation, that estimate included, of ``draws`` simulated measurements of the estimated form tells by how much it errs. The
-    expanded uncertainty is what 95 % of those errors, bias included, do not exceed (JCGM 101, 7.7): errors of extremes are not
-    normal, and twice their root mean square would cover another share of them. Where noise alone could have made the width, the
-    interval reaches down to zero; a form is never negative, so that it is then one-sided.
+    Noise-free heights are estimated, noise is added to them again, and the resulting increase of their range is subtracted from the
+    measured width (B. Efron and R. J. Tibshirani, An Introduction to the Bootstrap, 1993, 6.5). The same evaluation of ``draws``
+    simulated measurements of the estimated form gives its errors. The expanded uncertainty is the 95 % quantile of their magnitude, bias
+    included (JCGM 101, 7.7), because errors of extremes are not normal. If noise alone explains the width, the interval extends to zero;
+    as a form deviation is never negative, it is then one-sided.
 
     Parameters
     ----------
-    zones : at the least-squares fits; their widths are taken by ``criterion``
-    width_mm : greatest of the zones' widths as measured
+    zones : linearised at the least-squares fits; evaluated by ``criterion``
+    width_mm : greatest measured width of the zones
     """
     if max(float(zone.noise_mm.max()) for zone in zones) <= TINY:
         return NoiseFreeWidth(width_mm, 0.0, 0.0)
@@ -148,9 +143,9 @@ def estimate_noise_free_width(zones: Sequence[Zone], width_mm: float, criterion:
 
 
 def propagate_view_errors(zones: Sequence[Zone], criterion: Criterion) -> Budget:
-    """Return what the errors of the views add to the standard uncertainty of the greatest of some widths, by shares.
+    """Propagate the errors of the views to the greatest of several widths; return the budget.
 
-    Along every principal direction of the errors the larger change to either side counts, as in `propagated`.
+    Along every principal direction of the errors the larger of both changes counts, as in `propagate`.
     """
     heights = [zone.distances_mm[None] for zone in zones]
     base = _greatest(zones, heights, criterion)[0] if zones[0].view_contributions else 0.0
@@ -167,7 +162,7 @@ def propagate_view_errors(zones: Sequence[Zone], criterion: Criterion) -> Budget
         ]
         larger = np.max([np.abs(side - base) for side in sides], axis=0)
         variances[source.contribution] = variances.get(source.contribution, 0.0) + float(larger @ larger)
-    return {share: float(np.sqrt(variance)) for share, variance in variances.items()}
+    return {name: float(np.sqrt(variance)) for name, variance in variances.items()}
 
 
 def _greatest(zones: Sequence[Zone], heights_mm: Sequence[FloatArray], criterion: Criterion) -> FloatArray:
@@ -176,14 +171,14 @@ def _greatest(zones: Sequence[Zone], heights_mm: Sequence[FloatArray], criterion
 
 
 def separate_noise(zones: Sequence[Zone], heights_mm: Sequence[FloatArray]) -> list[FloatArray]:
-    """Return the heights (K, N) of all zones without noise: those of all zones come from one distribution."""
+    """Estimate the noise-free heights (K, N) of all zones, assuming one distribution for all of them."""
     together = estimate_noise_free_heights(np.concatenate(heights_mm, axis=1), np.concatenate([zone.noise_mm for zone in zones]))
     return np.split(together, np.cumsum([one.shape[1] for one in heights_mm[:-1]]), axis=1)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Shift:
-    """By how much noise widens the greatest of the zones."""
+    """Bias of the greatest width by noise."""
 
     zones: Sequence[Zone]
     criterion: Criterion
@@ -194,10 +189,10 @@ class _Shift:
         return cls(zones, criterion, [zone.noise_mm * rng.standard_normal((SHIFT_DRAWS, *zone.distances_mm.shape)) for zone in zones])
 
     def by(self, heights_mm: Sequence[FloatArray]) -> FloatArray:
-        """Return the mean shift for each of D measured heights (D, K, N).
+        """Return the mean bias for each of D measured heights (D, K, N).
 
-        A zone follows the noise of its contacts, so that the fewer they are the less noise widens it: the fits of all draws weigh
-        the contacts that the form has without noise.
+        A zone follows the noise of its contact points, so that few contacts mean little bias: the fits of all draws use the weights of the
+        noise-free contacts.
         """
         forms = [separate_noise(self.zones, [one[number] for one in heights_mm]) for number in range(len(heights_mm[0]))]
         weights = [zone.fit_lawson(np.stack(own), self.criterion)[1] for zone, *own in zip(self.zones, *forms, strict=True)]

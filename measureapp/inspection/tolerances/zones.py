@@ -1,4 +1,4 @@
-"""Orientation, location, run-out and profile (ISO 1101): the width of the zone about a feature, oriented and placed by its datums."""
+"""Orientation, location, run-out and profile (ISO 1101): zone widths relative to datums."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ TINY = 1e-12
 def evaluate_tolerance(
     described: DimensionProgram, found: FoundFeature, datums: tuple[FoundFeature, ...], settings: InspectionSettings
 ) -> Value:
-    """Return the width of the zone that one feature needs.
+    """Evaluate a geometrical tolerance: width of the zone that the feature requires.
 
     Raises
     ------
     InspectionError
-        The datums do not fix the zone, the feature has not this kind of tolerance, or too little of it was measured.
+        The datums do not fix the zone, the tolerance is not defined for the feature, or too little of it was measured.
     """
     kind = described.kind
     if kind in ("parallelism", "perpendicularity", "angularity"):
@@ -48,7 +48,7 @@ def evaluate_tolerance(
 
 
 def _orientation(kind: str, found: FoundFeature, datums: tuple[FoundFeature, ...], settings: InspectionSettings) -> Value:
-    """Of a plane the distance of two planes about its means, of an axis the zone about its associated axis, both as the datums turn them."""
+    """Evaluate parallelism, perpendicularity or angularity: slab about the means of a plane, or zone of an associated axis."""
     feature = require_feature(found)
     if feature.shape not in ("plane", *AXES):
         raise InspectionError(f"{found.name} is a {feature.shape}: {kind} is defined for planes and axes")
@@ -62,7 +62,7 @@ def _orientation(kind: str, found: FoundFeature, datums: tuple[FoundFeature, ...
         return Value(width, combine_budgets(budget, {NOISE: cells.form_sigma_mm}, apart), filter_words(settings))
     length = float(np.ptp(ends_of(found, feature)))
     if length <= 0:
-        raise InspectionError(f"{found.name} was made from other features and has no length over which its {kind} could be taken")
+        raise InspectionError(f"{found.name} is a constructed feature without a length for its {kind}")
 
     def lean(features: Sequence[Feature]) -> float:
         return length * float(np.linalg.norm(np.cross(require_direction(features[0]), toward(features))))
@@ -72,7 +72,7 @@ def _orientation(kind: str, found: FoundFeature, datums: tuple[FoundFeature, ...
 
 
 def _exact_direction(kind: str, found: FoundFeature, datums: tuple[FoundFeature, ...]) -> Callable[[Sequence[Feature]], FloatArray]:
-    """Return what gives the exact direction of the zone, in the frame of the points, from the feature and its datums."""
+    """Return the function from feature and datums to the exact direction of the zone, in the frame of the points."""
     drawn = require_nominals(datums)
     measured = [require_feature(one) for one in datums]
     if len(datums) > 1:
@@ -82,7 +82,7 @@ def _exact_direction(kind: str, found: FoundFeature, datums: tuple[FoundFeature,
     angle = _exact_angle(kind, found, datums[0])
 
     def toward(features: Sequence[Feature]) -> FloatArray:
-        """Of all directions at the exact angle to the datum the one nearest the feature: the datum leaves the others open."""
+        """Return the direction at the exact angle to the datum that is closest to the feature."""
         own, datum = require_direction(features[0]), require_direction(features[1])
         across = own - (own @ datum) * datum
         side = across / max(float(np.linalg.norm(across)), TINY)
@@ -92,14 +92,14 @@ def _exact_direction(kind: str, found: FoundFeature, datums: tuple[FoundFeature,
     own = require_direction(require_feature(found))
     off = float(np.degrees(np.arccos(min(1.0, abs(float(own @ toward((require_feature(found), *measured))))))))
     if off > GREATEST_LEAN_DEG:
-        raise InspectionError(f"{found.name} is {off:.0f}° from where {kind} to {datums[0].name} would have it: it is not meant so")
+        raise InspectionError(f"{found.name} is {off:.0f}° from {kind} to {datums[0].name}: check the feature and its datum")
     return toward
 
 
 def _exact_angle(kind: str, found: FoundFeature, datum: FoundFeature) -> float:
-    """Angle in rad between the direction of the zone and that of the datum: normals of planes, axes of what is round."""
+    """Return the angle (rad) between the directions of zone and datum: normals of planes, axes of round features."""
     if kind == "angularity":
         cosine = require_direction(require_nominal(found)) @ require_direction(require_nominal(datum))
         return float(np.arccos(np.clip(cosine, -1, 1)))
-    alike = (require_feature(found).shape == "plane") == (require_feature(datum).shape == "plane")
-    return 0.0 if alike == (kind == "parallelism") else np.pi / 2
+    same_kind = (require_feature(found).shape == "plane") == (require_feature(datum).shape == "plane")
+    return 0.0 if same_kind == (kind == "parallelism") else np.pi / 2

@@ -1,1 +1,1 @@
-"""The Clouds page and what stands on it."""
+"""The Clouds page and its parts."""

@@ -1,4 +1,4 @@
-"""The picture of the clouds: which are shown, in which colours, and what a clicked place of it is."""
+"""The 3-D picture of the clouds: visible views, colours, and picking of points."""
 
 from __future__ import annotations
 
@@ -22,18 +22,18 @@ if TYPE_CHECKING:
 
 
 class CloudPicture:
-    """Composes the clouds of a stage, without those of hidden views; what was computed for it is kept."""
+    """Composes the clouds of a stage, without hidden views; caches placed clouds and residuals."""
 
     def __init__(self, look: Look, session: Session, hidden: Collection[str]) -> None:
         self._look, self._session, self._hidden = look, session, hidden
         self.placed, self.residuals = PlacedClouds(), Residuals()
 
     def merged(self, stage: str) -> StitchedCloud | None:
-        """Return the merged cloud of a stage: whole, or what filters left; None where the views are shown."""
+        """Return the merged cloud of a stage, complete or filtered; None for stages of single views."""
         return {"merged": self._session.stitched, "filtered": self._session.filtered}.get(stage)
 
     def composer(self, stage: str, colour_by: ColourBy, end_mm: float) -> Composer:
-        """Return what composes the visible views as chosen; its colours end at ``end_mm``."""
+        """Return the composer of the visible views; the colour scale ends at ``end_mm``."""
         if self.merged(stage) is not None:
             return self._merged_composer(stage, colour_by, end_mm)
         placements, views, stitched = placements_of(self._session.stitched), self._session.views, self._session.stitched
@@ -77,7 +77,7 @@ class CloudPicture:
         return view_point(view.viewpoint_id, self.placed.get(view, placement, fine=stage == "after"), place)
 
     def clicked(self, stage: str, point: PickedPoint) -> ClickedPoint:
-        """Return a point to measure from, with the errors of its view where fine stitching tells them."""
+        """Return a point for measuring, with the error model of its view if known."""
         known = self._session.stitched if stage != "before" else None
         names = () if known is None else known.view_names
         number = names.index(point.viewpoint_id) if point.viewpoint_id in names else None

@@ -1,4 +1,4 @@
-"""Clouds: every view with its quality, before and after fine stitching."""
+"""Clouds page: every view with its quality, before and after registration."""
 
 from __future__ import annotations
 
@@ -34,22 +34,22 @@ if TYPE_CHECKING:
 
 EMPTY = (
     "No clouds yet",
-    "Each viewpoint gives a cloud of points; fine stitching lays them together. The demo makes some in a minute or two.",
+    "Each viewpoint gives a point cloud; registration aligns them. The demo creates some in one or two minutes.",
 )
 SCALE_NAMES = {"sigma": "Standard deviation σ", "residual": "Residual"}
 MERGED_RESIDUAL = "Residual (rms)"
-UNDO_FILTER = "Take the last filter back"
-UNDO_CHOICE, UNDO_DISTANCE = "Take the last choice of a view back", "Take the last measured point or distance back"
-STAGES = {"before": "By the axes", "after": "Fine stitched", "merged": "Merged", "filtered": "Filtered"}
+UNDO_FILTER = "Undo the last filter"
+UNDO_CHOICE, UNDO_DISTANCE = "Undo the last choice of a view", "Undo the last measured point or distance"
+STAGES = {"before": "Kinematic", "after": "Registered", "merged": "Merged", "filtered": "Filtered"}
 STAGE_TIPS = {
-    "before": "The clouds as robot, guide and table placed them",
-    "after": "Each cloud moved until it fits its neighbours",
-    "merged": "One cloud; where clouds overlap, the better points weigh more",
-    "filtered": "What filters left of the merged cloud",
+    "before": "Clouds placed by robot, guide and table",
+    "after": "Clouds after registration to their neighbours",
+    "merged": "Weighted mean of all registered clouds",
+    "filtered": "Merged cloud after filtering",
 }
 COLOURS = {"view": "View", "sigma": "σ", "grey": "Grey", "residual": "Residual"}
 COLOUR_TIPS = {
-    "view": "A colour for each view",
+    "view": "One colour per view",
     "sigma": "Standard deviation of each point, in mm",
     "grey": "Brightness in the images",
     "residual": "Distance from the merged surface, in mm",
@@ -58,7 +58,7 @@ ACTION = "Images and holes"
 
 
 class CloudsPage(ViewportPage):
-    """The views as a list with eyes, the clouds in 3-D."""
+    """List of the views with visibility, and the clouds in 3-D."""
 
     name, word, wants_room = "clouds", "Clouds", True
 
@@ -70,7 +70,7 @@ class CloudsPage(ViewportPage):
         self.table = ViewTable(look)
         self.side, self.side_width = self.table, TABLE_WIDTH
         self.picture = CloudPicture(look, session, self.table.hidden)
-        self._asked: tuple[str, int, tuple[int, int] | None] = ("", 0, None)  # view, place of the camera, pixel
+        self._asked: tuple[str, int, tuple[int, int] | None] = ("", 0, None)  # view, index of the camera, pixel
         self.dialog = HolesDialog(look, controllers.holes, self)
         self.holes = Button("Images and holes", look, "holes", tip="The images of the selected view, and why pixels have no point")
         self.holes.clicked.connect(self.act)
@@ -79,10 +79,10 @@ class CloudsPage(ViewportPage):
         self.undo.clicked.connect(self._undo)
         self.action_row.insertWidget(0, self.undo)
         controllers.view_choices.undoChanged.connect(self._show_undo)
-        self._extent_of: StitchedCloud | None = None  # whose extent the filters begin with
+        self._extent_of: StitchedCloud | None = None  # cloud of the initial filter limits
         self._seen_filtered: StitchedCloud | None = None
         self._seen_stitched = False
-        self._point: Label | None = None  # of the point that was clicked last
+        self._point: Label | None = None  # of the last clicked point
         tools = self._tools(look)
         middle = row(card(self.view, self.filters, margin=1, spacing=4), self.table, spacing=16)
         middle.setStretch(0, 1)
@@ -102,16 +102,16 @@ class CloudsPage(ViewportPage):
         self._show()
 
     def _tools(self, look: Look) -> QHBoxLayout:
-        """Return what stands above the picture."""
+        """Return the tool bar above the picture."""
         self.filters = FilterForm(look)
         self.filters.asked.connect(self._filter)
         self.filters.hide()
-        self.filter_button = Button("Filter", look, "filter", "quiet", "Cut and clean the merged cloud; the stitched one is kept")
+        self.filter_button = Button("Filter", look, "filter", "quiet", "Crop and clean the merged cloud; the stitched cloud is kept")
         self.filter_button.setCheckable(True)
         self.filter_button.toggled.connect(self._show_filters)
         self.distance = DistanceTool(look, self)
         self.distance.changed.connect(self._show_distances)
-        fit = Button("Show all", look, "fit", "quiet", "Look at everything from the front")
+        fit = Button("Show all", look, "fit", "quiet", "Show everything from the front")
         fit.clicked.connect(self.view.reset_camera)
         self.hint = label("", "soft")
         self.action_row.insertWidget(0, self.hint)
@@ -136,7 +136,7 @@ class CloudsPage(ViewportPage):
         self.undo.setToolTip(UNDO_DISTANCE if self.distance.can_undo else UNDO_FILTER if filtering.can_undo else UNDO_CHOICE)
 
     def undo_last(self) -> None:
-        """Take back what the button names."""
+        """Undo the step that the button names."""
         if self.undo.isVisible() and self.undo.isEnabled():
             self._undo()
 
@@ -145,7 +145,7 @@ class CloudsPage(ViewportPage):
         self.distance.button.setChecked(False)
 
     def _undo(self) -> None:
-        """Take back what was measured by clicking; when nothing of that is left, the last filter, then the last choice of a view."""
+        """Undo the last distance; without one the last filter, then the last choice of a view."""
         if self.distance.can_undo:
             self.distance.undo()
         elif self.controllers.filtering.can_undo:
@@ -154,7 +154,7 @@ class CloudsPage(ViewportPage):
             self.controllers.view_choices.undo()
 
     def placements(self) -> dict[str, ViewPlacement]:
-        """Return how each view was stitched, so far."""
+        """Return the placements of the views, as far as registered."""
         return placements_of(self.session.stitched)
 
     def _show(self) -> None:
@@ -184,8 +184,8 @@ class CloudsPage(ViewportPage):
         words = f"{several(len(views), 'view')}, {counted(total)} points"
         merged = "" if stitched is None else f"{words}; merged {counted(len(stitched))}"
         left = "" if filtered is None else f", filtered {counted(len(filtered))}"
-        told = f"{merged}{left}." if stitched is not None else f"{words}, placed by the axes."
-        self.state.setText(told if views else "No view is scanned.")
+        summary = f"{merged}{left}." if stitched is not None else f"{words}, kinematic positions."
+        self.state.setText(summary if views else "No views yet.")
         self.table.show_views(views, self.placements())
         self._select(max(0, self.table.currentIndex().row()))
         self.redraw()
@@ -203,7 +203,7 @@ class CloudsPage(ViewportPage):
         return replace(properties, action=ACTION) if self.controllers.holes.can_explain else properties
 
     def act(self) -> None:
-        """Show the images of the selected view or point, and why it has holes."""
+        """Show the images of the selected view or point, and the reasons for its holes."""
         name, place, pixel = self._asked
         calibration = self.session.calibration
         cameras = () if calibration is None else calibration.cameras.names
@@ -211,7 +211,7 @@ class CloudsPage(ViewportPage):
             self.dialog.open_view(name, cameras[place] if place < len(cameras) else "", pixel)
 
     def decide(self) -> None:
-        """Use the selected view although it was left out, or leave it out."""
+        """Use the selected view although it was excluded, or exclude it."""
         name = self._asked[0]
         if name:
             self.controllers.view_choices.choose(name, choice_for(self.placements().get(name))[1])
@@ -220,7 +220,7 @@ class CloudsPage(ViewportPage):
         self.filters.setVisible(on)
 
     def _filter(self) -> None:
-        """Apply the filter as chosen to what is left of the merged cloud."""
+        """Apply the chosen filter to the merged cloud, after earlier filters."""
         try:
             self.controllers.filtering.apply(self.filters.value())
         except InputError as error:
@@ -231,7 +231,7 @@ class CloudsPage(ViewportPage):
         self._show_marks()
 
     def _show_distances(self) -> None:
-        """Show what is measured by clicking, and what to click next."""
+        """Show the measured distances, and what to click next."""
         self.hint.setText(self.distance.hint)
         self._show_undo()
         if self.distance.is_on or self.distance.distances:
@@ -244,7 +244,7 @@ class CloudsPage(ViewportPage):
         self.view.set_labels([*self.distance.labels(self.look.theme), *([self._point] if self._point is not None else [])])
 
     def _show_point(self, layer: int, place: int) -> None:
-        """Tell where a point of the picture comes from: its view, pixel and standard deviation; or measure from it."""
+        """Show view, pixel and standard deviation of a picked point; or measure from it."""
         point = self.picture.picked(self.stage.value(), layer, place)
         if self.distance.is_on:
             self.distance.click(self.picture.clicked(self.stage.value(), point))
@@ -258,9 +258,9 @@ class CloudsPage(ViewportPage):
         self._show_marks()
 
     def composer(self) -> Composer | None:
-        """Compose the visible views as chosen."""
+        """Compose the visible views."""
         views = self.session.views
-        if not views:  # what is measured of a file has none
+        if not views:  # a measured file has none
             return None
         colour_by: ColourBy = self.colour_by.value()  # type: ignore[assignment]
         clouds = [view.cloud for view in views]

@@ -1,4 +1,4 @@
-"""Images and holes: the images of one view, what became of every pixel, and why."""
+"""Images and holes: the images of one view, and the state of every pixel with its reason."""
 
 from __future__ import annotations
 
@@ -21,21 +21,21 @@ if TYPE_CHECKING:
 
 KINDS = {"grey": "Grey", "reasons": "Reasons", "exposure": "Exposure", "snr": "Signal to noise"}
 HEADINGS = {
-    "grey": "What became of the pixels",
-    "reasons": "What became of the pixels",
-    "exposure": "Longest exposure that is not saturated",
+    "grey": "State of the pixels",
+    "reasons": "State of the pixels",
+    "exposure": "Longest unsaturated exposure",
     "snr": "Modulation over noise",
 }
-STAGES = {"point": "Measured", "decode": "Lost in decoding", "match": "Lost in matching the cameras", "clean": "Left out by cleaning"}
-REASON_WORDS = {"point": "Has a point", "seen by another": "Another camera has it"}
+STAGES = {"point": "Measured", "decode": "Lost in decoding", "match": "Lost in matching", "clean": "Removed by cleaning"}
+REASON_WORDS = {"point": "Measured", "seen by another": "Measured by another camera"}
 DIGITS = {"grey level": 0, "phase noise": 4, "projector column": 2, "point σ": 3, "cameras": 0}
-ASK = "Click a pixel in the picture, or a reason in the list, to read why."
-WAITING = "The view is computed again from its stored images."
-PATIENCE = "As soon as it is complete, every pixel can be asked about."
+ASK = "Click a pixel in the picture, or a reason in the list, for an explanation."
+WAITING = "The view is recomputed from its stored images."
+PATIENCE = "The pixels can be inspected as soon as this is complete."
 
 
 class HolesDialog(QDialog):
-    """A window beside the main window; it does not stop the work."""
+    """A non-modal window beside the main window."""
 
     def __init__(self, look: Look, holes: HolesController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -75,7 +75,7 @@ class HolesDialog(QDialog):
         self.progress.setRange(0, 1000)
         self.cancel = Button("Cancel", look, "cancel")
         self.cancel.clicked.connect(self.holes.cancel)
-        self.again = Button("Compute again", look, "again", "primary")
+        self.again = Button("Recompute", look, "again", "primary")
         self.again.clicked.connect(self._explain)
 
     def _lay_out(self) -> None:
@@ -98,7 +98,7 @@ class HolesDialog(QDialog):
         self.setLayout(layout)
 
     def open_view(self, viewpoint_id: str, camera: str = "", pixel: tuple[int, int] | None = None) -> None:
-        """Show a view, and ask about a pixel of one of its cameras where one is given."""
+        """Show a view, and explain a pixel of one of its cameras if given."""
         self._wanted = None if pixel is None else (camera, *pixel)
         if viewpoint_id != self.viewpoint_id:
             self.viewpoint_id, self._explanation = viewpoint_id, None
@@ -111,7 +111,7 @@ class HolesDialog(QDialog):
         self._explain()
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Stop what is computed for this window only."""
+        """Cancel computations for this window only."""
         self.holes.cancel()
         super().closeEvent(event)
 
@@ -134,10 +134,10 @@ class HolesDialog(QDialog):
         self.note.setText(sentence_case(note))
 
     @Slot(str)
-    def _show_stopped(self, why: str) -> None:
+    def _show_stopped(self, reason: str) -> None:
         self._show_running(False)
-        self.state.setText("This view is not explained yet.")
-        self._tell("", "Cannot be explained" if why else "Cancelled", why or "Nothing was changed. Compute again to go on.", "")
+        self.state.setText("This view has not been analysed yet.")
+        self._tell("", "Analysis failed" if reason else "Cancelled", reason or "Nothing was changed. Recompute to continue.", "")
 
     @Slot(object)
     def _show(self, explanation: Explanation) -> None:
@@ -198,7 +198,7 @@ class HolesDialog(QDialog):
 
     @Slot(int, int)
     def _ask(self, line: int, across: int) -> None:
-        """Read why a pixel is what it is."""
+        """Explain the state of a pixel."""
         if self._explanation is None:
             return
         answer = self._explanation.view.pixel(self.cameras.value(), line, across)
@@ -210,7 +210,7 @@ class HolesDialog(QDialog):
 
     @Slot(int, int)
     def _ask_for_reason(self, place: int, _column: int) -> None:
-        """Show a pixel in the middle of those with this reason."""
+        """Show an example pixel with this reason."""
         if self._explanation is not None and place < len(self._reasons):
             self._ask(*self._explanation.view.example(self.cameras.value(), self._reasons[place]))
 
@@ -221,16 +221,16 @@ class HolesDialog(QDialog):
 
 
 def summary(explanation: Explanation) -> str:
-    """Return how much of the view was measured, in a sentence."""
+    """Return the measured share of the view, in a sentence."""
     from measureapp.pipeline.why import NO_HOLES
 
     measured = {name: sum(shares.get(reason, 0.0) for reason in NO_HOLES) for name, shares in explanation.shares.items()}
     said = ", ".join(f"{name} {percent(share)}" for name, share in measured.items())
-    return f"{counted(len(explanation.view.made.cloud))} points. Pixels whose surface is measured: {said}."
+    return f"{counted(len(explanation.view.made.cloud))} points. Pixels with measured surface: {said}."
 
 
 def figures(answer: PixelAnswer) -> str:
-    """Return the numbers of a pixel beside their limits, one on a line."""
+    """Return the figures of a pixel with their limits, one per line."""
     return "\n".join(f"{sentence_case(one.what)} {_number(one)}" for one in answer.numbers)
 
 

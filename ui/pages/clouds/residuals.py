@@ -1,4 +1,4 @@
-"""Residuals of single points, for their colours: computed once for each view and stage, on a job's thread."""
+"""Residuals of single points for colouring: computed once per view and stage, on a job's thread."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ if TYPE_CHECKING:
 
 
 class Residuals:
-    """Distances of the views' points from the merged cloud; kept as long as the clouds are the same."""
+    """Distances of the views' points from the merged cloud, cached for the same clouds."""
 
     def __init__(self) -> None:
         self._surface: MergedSurface | None = None
         self._kept: dict[int, tuple[PointCloud, np.ndarray, np.ndarray]] = {}  # by the cloud's identity
 
     def of(self, cloud: PointCloud, stitched: StitchedCloud) -> np.ndarray:
-        """Return the signed distances (N,) in mm of a placed cloud's points; NaN where there is nothing to compare with."""
+        """Return the signed distances (N,) in mm of a placed cloud's points; NaN without a merged point nearby."""
         return self._found(cloud, stitched)[0]
 
     def merged(self, clouds: Sequence[PointCloud], stitched: StitchedCloud, check: Callable[[], None]) -> np.ndarray:
-        """Return for each merged point the rms (M,) in mm of what the fine stitched clouds leave there."""
+        """Return the rms residual (M,) in mm of the registered clouds at each merged point."""
         found = []
         for cloud in clouds:
             check()

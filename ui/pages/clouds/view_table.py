@@ -1,4 +1,4 @@
-"""The views as a list: an eye, how each was stitched and what is thought of it."""
+"""Table of the views: visibility, registration figures and verdict."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ TABLE_WIDTH = 512
 
 
 class ViewTable(DataTable):
-    """Shows views and knows which of them are hidden."""
+    """Shows views, and holds the set of hidden ones."""
 
     hiddenChanged = Signal()
 
@@ -40,12 +40,12 @@ class ViewTable(DataTable):
         self.cellClicked.connect(self._toggle)
 
     def show_views(self, views: Sequence[ViewResult], placements: Mapping[str, ViewPlacement]) -> None:
-        """Show these views with how they were stitched, so far."""
+        """Show these views with their placements, as far as registered."""
         self._views = views
         self.set_rows([self._cells(index, view, placements.get(view.viewpoint_id)) for index, view in enumerate(views)])
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave the number of points to the properties where the table is narrow."""
+        """Hide the number of points in a narrow table; the properties show it."""
         super().resizeEvent(event)
         self.setColumnHidden(POINTS_COLUMN, self.width() < TABLE_WIDTH)
 

@@ -1,4 +1,4 @@
-"""Views in words: verdicts and properties."""
+"""Texts about views: verdicts and properties."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import ViewResult
     from measureapp.data.view_choices import ViewChoice
 
-USE, LEAVE_OUT = "Use it anyway", "Leave this view out"
-BY_HAND, REFUSED = "accepted by hand", "refused by hand"
+USE, EXCLUDE = "Use this view anyway", "Exclude this view"
+ACCEPTED_BY_HAND, REFUSED = "accepted by hand", "refused by hand"
 
 
 def view_verdict(view: ViewResult, placement: ViewPlacement | None) -> tuple[str, str, str]:
@@ -21,26 +21,26 @@ def view_verdict(view: ViewResult, placement: ViewPlacement | None) -> tuple[str
     quality = view.quality
     used = placement is not None and placement.used
     if placement is not None and placement.verdict.startswith(REFUSED):
-        return "not measured", "Refused", "Refused by hand: it is not used."
+        return "not measured", "Excluded", "Excluded manually."
     if not quality.accepted:
         why = sentence(quality.reason)
-        return ("not proven", "By hand", f"Used by hand. {why}") if used else ("fail", "Poor", why)
+        return ("not proven", "Manual", f"Used by manual choice. {why}") if used else ("fail", "Poor", why)
     if placement is not None and not used:
-        return "fail", "Left out", sentence(placement.verdict.removesuffix(": left out"))
-    if placement is not None and placement.verdict.endswith(BY_HAND):
-        return "not proven", "By hand", "Used by hand. " + sentence(placement.verdict.removesuffix(f": {BY_HAND}"))
+        return "fail", "Excluded", sentence(placement.verdict.removesuffix(": excluded").removesuffix(": left out"))
+    if placement is not None and placement.verdict.endswith(ACCEPTED_BY_HAND):
+        return "not proven", "Manual", "Used by manual choice. " + sentence(placement.verdict.removesuffix(f": {ACCEPTED_BY_HAND}"))
     if placement is not None and placement.verdict != "good":
         return "not proven", "Doubtful", sentence(placement.verdict)
-    return "pass", "Good", "Accepted by cloud statistics" + (" and fine stitching." if placement is not None else ".")
+    return "pass", "Good", "Accepted by cloud quality" + (" and registration." if placement is not None else ".")
 
 
 def choice_for(placement: ViewPlacement | None) -> tuple[str, ViewChoice]:
-    """Return what one can decide about a view, in words, and the choice that means it."""
-    return (LEAVE_OUT, "refuse") if placement is not None and placement.used else (USE, "use")
+    """Return the available decision about a view: its text, and the choice."""
+    return (EXCLUDE, "refuse") if placement is not None and placement.used else (USE, "use")
 
 
 def decoding_group(view: ViewResult) -> Group:
-    """Return how much of the images was decoded."""
+    """Return the decoded share of the images."""
     rows = [(f"Camera {camera}", percent(figures["decoded_ratio"])) for camera, figures in view.decode.items()]
     conflicts = sum(int(figures["order_conflicts"]) for figures in view.decode.values())
     noise = [float(figures["phase_sigma_median"]) for figures in view.decode.values() if figures["phase_sigma_median"]]
@@ -51,7 +51,7 @@ def decoding_group(view: ViewResult) -> Group:
 
 
 def view_properties(view: ViewResult, placement: ViewPlacement | None) -> Properties:
-    """Return what there is to know about one view."""
+    """Return the properties of one view."""
     quality = view.quality
     groups = [
         Group(
@@ -68,13 +68,13 @@ def view_properties(view: ViewResult, placement: ViewPlacement | None) -> Proper
     if placement is not None and not placement.verdict.startswith(REFUSED):
         groups.append(
             Group(
-                "Fine stitching",
+                "Registration",
                 (
                     ("Correction", millimetres(placement.correction_mm)),
-                    ("Correction, turn", quantity(placement.correction_deg, "°")),
-                    ("Neighbours allow", millimetres(placement.bound_mm)),
-                    ("To other views ± σ", millimetres(placement.sigma_mm, 4)),
-                    ("To other views ± σ, turn", quantity(placement.sigma_deg, "°")),
+                    ("Correction, rotation", quantity(placement.correction_deg, "°")),
+                    ("Limit of the correction", millimetres(placement.bound_mm)),
+                    ("Position σ", millimetres(placement.sigma_mm, 4)),
+                    ("Orientation σ", quantity(placement.sigma_deg, "°")),
                     ("Residual (rms)", millimetres(placement.residual_mm)),
                     ("Overlap", percent(placement.overlap, 0)),
                     ("Used", "Yes" if placement.used else "No"),
@@ -82,11 +82,13 @@ def view_properties(view: ViewResult, placement: ViewPlacement | None) -> Proper
             )
         )
         if placement.unconstrained_motions:
-            groups.append(Group("Held by the axes alone", tuple(("", sentence(motion)) for motion in placement.unconstrained_motions)))
+            groups.append(
+                Group("Determined by kinematics only", tuple(("", sentence(motion)) for motion in placement.unconstrained_motions))
+            )
     if view.decode:
         groups.append(decoding_group(view))
     left_out = sorted(((count, name) for name, count in view.rejected.items() if count), reverse=True)
     if left_out:
-        groups.append(Group("Points left out", tuple((sentence(name).rstrip("."), counted(count)) for count, name in left_out)))
+        groups.append(Group("Rejected points", tuple((sentence(name).rstrip("."), counted(count)) for count, name in left_out)))
     verdict, _, why = view_verdict(view, placement)
     return Properties(view.viewpoint_id, tuple(groups), "" if verdict == "pass" else why)

@@ -1,1 +1,1 @@
-"""The Inspection page and what stands on it."""
+"""The Inspection page and its parts."""

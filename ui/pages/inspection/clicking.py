@@ -1,4 +1,4 @@
-"""What clicks into the picture of a measured part do: measure distances, or grow features; one of them at a time."""
+"""Tools operated by clicks in the picture of a measured part: distances and grown features, one at a time."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class ClickingTools(QObject):
-    """A tool for distances and one for features; either switches the other off."""
+    """A tool for distances and one for features, mutually exclusive."""
 
     def __init__(self, look: Look, growing: GrowingController, parent: QObject) -> None:
         super().__init__(parent)
@@ -28,18 +28,18 @@ class ClickingTools(QObject):
 
     @property
     def can_undo(self) -> bool:
-        """Whether something that was clicked can be taken back."""
+        """Whether a click can be undone."""
         return self.distance.can_undo or self.grow.last is not None
 
     def undo(self) -> None:
-        """Take back the last point or distance; when none is left, the feature that grew last."""
+        """Undo the last point or distance; without one, the last grown feature."""
         if self.distance.can_undo:
             self.distance.undo()
         else:
             self._growing.undo()
 
     def end(self) -> None:
-        """Let clicks tell about points again."""
+        """Return to picking points by clicks."""
         for button in (self.distance.button, self.grow.button):
             button.setChecked(False)
 

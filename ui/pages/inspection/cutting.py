@@ -1,4 +1,4 @@
-"""Cuts the part where the section bar says, on a thread; while one cut is made only the last wish waits."""
+"""Interactive section of the part, on a thread; only the latest request waits while one is running."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ui.viewport.layers import LineLayer
 
 
 class Cutting(QObject):
-    """Holds the lines of the cut that is shown; none while nothing is cut."""
+    """Holds the lines of the displayed section; none without a section."""
 
     changed = Signal()
 
@@ -24,7 +24,7 @@ class Cutting(QObject):
 
     @Slot()
     def cut(self) -> None:
-        """Cut the drawing and the measured points."""
+        """Cut the nominal and the measured points."""
         comparison, plane = self._session.comparison, self._bar.value()
         self._again = self._is_cutting
         if comparison is None or comparison.surface is None or plane is None:

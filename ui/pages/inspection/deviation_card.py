@@ -1,4 +1,4 @@
-"""The deviations from the drawing in figures: histogram, legend and one line that sums up."""
+"""Deviations from the nominal: histogram, legend and key figures."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from ui.session import Comparison
 
 
-USUAL_TOLERANCE_MM = 0.1  # what a dimension has that states none
-TOLERANCE = "Tolerance to both sides of the drawing, in mm; it marks the scale and changes no verdict"
+USUAL_TOLERANCE_MM = 0.1  # initial value
+TOLERANCE = "Symmetric tolerance about the nominal in mm, for display only; it does not affect verdicts"
 
 
 class DeviationCard(QFrame):
@@ -56,12 +56,12 @@ class DeviationCard(QFrame):
         self._show_bands()
         self.histogram.show_values(found.distances_mm, DIVERGING, scale_end_mm(comparison))
         self.words.setText(
-            f"Mean {millimetres(found.mean_mm, signed=True)}, rms {millimetres(found.rms_mm)}; 95 % lie within {millimetres(found.p95_mm)}."
+            f"Mean {millimetres(found.mean_mm, signed=True)}, rms {millimetres(found.rms_mm)}; 95 % within {millimetres(found.p95_mm)}."
         )
-        self.unmeasured.say(f"Not measured: {percent(found.unmeasured_share)} of the drawing's surface")
+        self.unmeasured.say(f"Not measured: {percent(found.unmeasured_share)} of the nominal's surface")
 
     def _show_bands(self) -> None:
-        """Mark the tolerance, and tell how many of the points lie within it."""
+        """Mark the tolerance, and show the share of points within it."""
         from measureapp.inspection.surface.histogram import bin_deviations
 
         limit = self.tolerance.value()

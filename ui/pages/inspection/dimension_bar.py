@@ -1,4 +1,4 @@
-"""Adding a dimension by clicking: its kind, the features it is taken of, nominal and tolerance."""
+"""Bar to define a new dimension: kind, features, nominal and tolerance."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from ui.widgets.basic import Button, column, label, row
 
 TIP = "Add a dimension to the inspection program, from features of the list"
 HOW = "Choose features here, or click them in the list"
-UNSET = -1e6  # below every nominal: the field says that it waits for one
+UNSET = -1e6  # below every nominal: no value entered yet
 LIMIT = 20_000.0
 
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of dimension: how it is called, and what it needs."""
+    """A kind of dimension: label and required input."""
 
     words: str
     joined: str = ""  # the word before the second feature; empty: there is none
@@ -42,7 +42,7 @@ KINDS = {
 
 @dataclass(frozen=True)
 class NewDimension:
-    """A dimension as the bar asks for it."""
+    """A dimension as defined in the bar."""
 
     name: str
     kind: str
@@ -53,7 +53,7 @@ class NewDimension:
 
     @property
     def lines(self) -> str:
-        """The lines that ask for it in an inspection program."""
+        """The lines that define it in an inspection program."""
         from measureapp.project.program_text import Value, format_entry
 
         values: dict[str, Value] = {"name": self.name, "kind": self.kind, "features": self.features}
@@ -83,7 +83,7 @@ class DimensionBar(QWidget):
             box.setMinimumContentsLength(5)
             box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.joined, self.plus_minus = label("to", "soft"), label("±", "soft")
-        self.nominal, self.tolerance = _number("Nominal value of the drawing"), _number("Tolerance to both sides")
+        self.nominal, self.tolerance = _number("Nominal value"), _number("Symmetric tolerance")
         self.nominal.setRange(UNSET, LIMIT)
         self.nominal.setSpecialValueText("Nominal")
         self.nominal.setValue(UNSET)
@@ -103,7 +103,7 @@ class DimensionBar(QWidget):
         self._show_kind()
 
     def show_features(self, names: Sequence[str], taken: Sequence[str]) -> None:
-        """Offer these features; ``taken`` are the names that dimensions have already."""
+        """Offer these features; ``taken`` are the names of existing dimensions."""
         self._names = tuple(taken)
         if names != [self.first.itemText(place) for place in range(self.first.count())]:
             for box in (self.first, self.second):
@@ -115,7 +115,7 @@ class DimensionBar(QWidget):
         self._show_ready()
 
     def take(self, feature: str) -> None:
-        """Choose a feature that was clicked: the first one, then the second, and so on."""
+        """Select a clicked feature: alternately the first and the second."""
         second = self._next_is_second and bool(self._kind.joined)
         (self.second if second else self.first).setCurrentText(feature)
         self._next_is_second = not second
@@ -150,13 +150,7 @@ class DimensionBar(QWidget):
         has_features = self.first.count() > (1 if kind.joined else 0)
         has_nominal = kind.is_zone or self.nominal.value() > UNSET
         self.add.setEnabled(has_features and has_nominal)
-        missing = (
-            "There are too few features: grow some first"
-            if not has_features
-            else ""
-            if has_nominal
-            else "Give the nominal value of the drawing"
-        )
+        missing = "Too few features: grow some first" if not has_features else "" if has_nominal else "Enter the nominal value"
         self.add.setToolTip(missing or "Add it to the inspection program and measure again")
 
 

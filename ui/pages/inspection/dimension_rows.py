@@ -1,4 +1,4 @@
-"""Dimensions and features in words: rows of the tree, properties."""
+"""Texts about dimensions and features: rows of the tree, and properties."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def unit_of(dimension: Dimension) -> str:
 
 
 def dimension_words(name: str) -> str:
-    """Return the name of a dimension as words; a letter stays as it is in the drawing."""
+    """Return the name of a dimension as words; single letters are unchanged."""
     return name if len(name) == 1 else sentence_case(name)
 
 
@@ -47,14 +47,14 @@ def dimension_cells(dimension: Dimension) -> list[Cell]:
 
 
 def is_blade(feature: Feature) -> bool:
-    """Tell a blade section, whose curve is no basic shape, by what it alone is: a place among points, without a direction."""
+    """Return whether a feature is a blade section: a measured point feature without a direction."""
     return feature.shape == "point" and feature.points > 0 and feature.direction is None
 
 
 def feature_words(feature: Feature, role: str = "") -> str:
-    """Return one line about a feature: what it is, its shape, how many points and how far they lie apart."""
+    """Return one line about a feature: name, shape, number of points and form deviation."""
     form = "" if is_blade(feature) else f", form {millimetres(feature.form_error_mm)}"
-    found = f"{several(feature.points, 'point')}{form}" if feature.points else "made from others"
+    found = f"{several(feature.points, 'point')}{form}" if feature.points else "constructed"
     return f"{role}{sentence_case(feature.name)}: {_shape_words(feature)}, {found}"
 
 
@@ -70,7 +70,7 @@ def datum_words(datums: Sequence[str]) -> str:
 
 
 def features_of(dimension: Dimension, known: dict[str, Feature]) -> list[tuple[str, Feature | None]]:
-    """Return what a dimension rests on, in the order of its leaves: names, and the features that were found."""
+    """Return features and datums of a dimension, in the order of its leaves: names, and features if found."""
     return [(name, known.get(name)) for name in dict.fromkeys((*dimension.features, *dimension.datums))]
 
 
@@ -98,18 +98,18 @@ def other_features(dimensions: Sequence[Dimension], features: Sequence[Feature])
 
 
 @dataclass(frozen=True)
-class Chosen:
-    """What a row, or a leaf below it, stands for."""
+class Selection:
+    """The dimension and features of a selected row or leaf."""
 
-    dimension: Dimension | None = None  # of the row, if it is that of a dimension
-    features: tuple[Feature, ...] = ()  # the features found that it rests on, or the one of the leaf
+    dimension: Dimension | None = None  # None for the row of other features
+    features: tuple[Feature, ...] = ()  # of the dimension, or of the leaf
     is_leaf: bool = False
 
 
-def chosen_of(inspection: Inspection | None, place: int, leaf: int) -> Chosen:
-    """Return what a row of the tree stands for; nothing where none is selected (-1)."""
+def find_selection(inspection: Inspection | None, place: int, leaf: int) -> Selection:
+    """Return dimension and features of a row of the tree; empty if none is selected (-1)."""
     if inspection is None or place < 0:
-        return Chosen()
+        return Selection()
     dimensions = inspection.dimensions
     if place >= len(dimensions):
         dimension, features = None, list(other_features(dimensions, inspection.features))
@@ -117,7 +117,7 @@ def chosen_of(inspection: Inspection | None, place: int, leaf: int) -> Chosen:
         known = {feature.name: feature for feature in inspection.features}
         dimension, features = dimensions[place], [feature for _, feature in features_of(dimensions[place], known)]
     shown = features if leaf < 0 else features[leaf : leaf + 1]
-    return Chosen(dimension, tuple(feature for feature in shown if feature is not None), leaf >= 0)
+    return Selection(dimension, tuple(feature for feature in shown if feature is not None), leaf >= 0)
 
 
 def _letter(dimension: Dimension, name: str) -> str:
@@ -138,19 +138,19 @@ def quantity_with_unit(words: str, unit: str) -> str:
 
 
 def alignment_group(alignment: Alignment) -> Group:
-    """Return how the part was laid onto the drawing, and what that leaves open."""
+    """Return the alignment to the nominal, and the motions it does not determine."""
     rows = [
         ("Method", sentence_case(alignment.name)),
         ("Residual (rms)", millimetres(alignment.rms_mm)),
         ("Overlap", percent(alignment.overlap, 0)),
     ]
-    rows += [(f"Off at {name}", millimetres(off)) for name, off in alignment.residuals_mm.items()]
-    rows += [("", sentence(f"left open: {motion}")) for motion in alignment.undetermined]
+    rows += [(f"Residual at {name}", millimetres(off)) for name, off in alignment.residuals_mm.items()]
+    rows += [("", sentence(f"not determined: {motion}")) for motion in alignment.undetermined]
     return Group("Alignment", (*rows, *(("", note) for note in alignment.notes)))
 
 
 def dimension_properties(dimension: Dimension, features: Sequence[Feature], alignment: Alignment, rule: str) -> Properties:
-    """Return what there is to know about one dimension, how the part was aligned, and by which ``rule`` it was judged."""
+    """Return the properties of one dimension, with its alignment and decision ``rule``."""
     unit = unit_of(dimension)
     kind = sentence_case(dimension.kind)
     values = Group(
@@ -161,18 +161,18 @@ def dimension_properties(dimension: Dimension, features: Sequence[Feature], alig
             ("Nominal", quantity(dimension.nominal, unit)),
             ("Tolerance", tolerance(dimension.lower_tolerance, dimension.upper_tolerance, unit)),
             ("Measured", quantity(dimension.measured, unit)),
-            ("Error", quantity(dimension.deviation, unit, signed=True)),
-            ("Relative error", percent(dimension.relative_deviation, 3, signed=True)),
+            ("Deviation", quantity(dimension.deviation, unit, signed=True)),
+            ("Relative deviation", percent(dimension.relative_deviation, 3, signed=True)),
             ("Uncertainty (k = 2)", quantity(dimension.round_uncertainty(), unit)),
         ),
     )
     taken = tuple(("", sentence(part)) for part in dimension.traceability.split("; ") if part and not part.startswith("datums "))
     groups = [values]
-    if shares := dimension.rank_contributions():
-        rows = tuple((sentence_case(name), quantity(size, unit, CONTRIBUTION_DIGITS)) for name, size in shares)
-        groups.append(Group("Shares of the uncertainty (k = 2)", rows))
+    if contributions := dimension.rank_contributions():
+        rows = tuple((sentence_case(name), quantity(size, unit, CONTRIBUTION_DIGITS)) for name, size in contributions)
+        groups.append(Group("Uncertainty budget (k = 2)", rows))
     if taken:
-        groups.append(Group("Where the value comes from", taken))
+        groups.append(Group("Traceability", taken))
     groups += [feature_group(feature) for feature in features]
     groups.append(alignment_group(alignment))
     if rule:
@@ -186,8 +186,8 @@ def feature_group(feature: Feature) -> Group:
         f"{sentence_case(feature.name)} ({_shape_words(feature)})",
         (
             ("Points", counted(feature.points)),
-            ("Left out", counted(feature.left_out)),
-            *([] if is_blade(feature) else [("Form error", millimetres(feature.form_error_mm))]),
+            ("Rejected", counted(feature.left_out)),
+            *([] if is_blade(feature) else [("Form deviation", millimetres(feature.form_error_mm))]),
             ("Residual (rms)", millimetres(feature.rms_mm)),
             *([("Radius", millimetres(feature.radius_mm))] if feature.radius_mm is not None else []),
         ),
@@ -200,7 +200,7 @@ def rule_name() -> str:
 
 
 def decision_rule() -> str:
-    """Return the rule by which the dimensions are judged, in words."""
+    """Return the decision rule of the verdicts, in words."""
     from measureapp.inspection.settings import InspectionSettings
     from measureapp.inspection.verdict import RULES
 

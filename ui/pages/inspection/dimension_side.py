@@ -1,4 +1,4 @@
-"""What stands beside the picture of a measured part: the verdict, the dimensions and how they are judged, the deviations."""
+"""Side panel of the Inspection page: verdict, dimensions, decision rule, deviations."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from ui.look.look import Look
 from ui.pages.inspection.deviation_card import DeviationCard
-from ui.pages.inspection.dimension_rows import Chosen, branches_of, chosen_of, decision_rule, rule_name
+from ui.pages.inspection.dimension_rows import Selection, branches_of, decision_rule, find_selection, rule_name
 from ui.widgets.basic import column, label, row
 from ui.widgets.data_tree import DataTree
 from ui.widgets.verdict_banner import VerdictBanner
@@ -21,15 +21,15 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import Inspection
     from ui.session import Comparison
 
-HEADERS = ["Dimension", "Nominal", "Measured", "Error", "U", "Verdict"]
+HEADERS = ["Dimension", "Nominal", "Measured", "Deviation", "U", "Verdict"]
 VERDICTS = ("pass", "fail", "not proven", "not measured")
 UNLIMITED = 16_777_215  # Qt's largest height of a widget
 TABLE_WIDTH, DEVIATION_HEIGHT = 584, 400
-SHARES = (0, 0, 1000, 0, 500, 1)  # the rest stays empty only when table and histogram have what they can use
+SHARES = (0, 0, 1000, 0, 500, 1)  # stretch factors: space is left empty only if table and histogram are at full size
 
 
 class DimensionSide(QWidget):
-    """Shows an inspection and knows which of its rows is chosen."""
+    """Shows an inspection, and holds its selected row."""
 
     rowSelected = Signal(int, int)  # row, leaf below it; -1: the row itself
     closerAsked = Signal()
@@ -46,7 +46,7 @@ class DimensionSide(QWidget):
         self.counts.setLayout(row(*self.summary.values(), 0, spacing=16))
         self.table = DataTree(look, HEADERS, numeric=(1, 2, 3, 4), stretch=0)
         self.table.setAccessibleName("Dimensions")
-        self.table.setAccessibleDescription("The right arrow opens a row, Enter comes closer to what it measures.")
+        self.table.setAccessibleDescription("The right arrow expands a row, Enter zooms to its features.")
         QShortcut(Qt.Key.Key_Return, self.table, self.closerAsked, context=Qt.ShortcutContext.WidgetShortcut)
         self.table.rowSelected.connect(self.rowSelected)
         self.table.heightChanged.connect(self._share_height)
@@ -64,12 +64,12 @@ class DimensionSide(QWidget):
         return () if self._inspection is None else self._inspection.dimensions
 
     @property
-    def chosen(self) -> Chosen:
-        """Return what the selected row or leaf stands for."""
-        return chosen_of(self._inspection, *self.table.selected())
+    def selection(self) -> Selection:
+        """Return dimension and features of the selected row or leaf."""
+        return find_selection(self._inspection, *self.table.selected())
 
     def show_inspection(self, inspection: Inspection | None) -> None:
-        """Show these dimensions; without any, what was shown stays behind the empty page."""
+        """Show these dimensions; None keeps the present ones behind the empty page."""
         self._inspection = inspection
         if inspection is None:
             return
@@ -85,13 +85,13 @@ class DimensionSide(QWidget):
         self._share_height()
 
     def show_comparison(self, comparison: Comparison | None) -> None:
-        """Show the deviations from the drawing, or give their room to the table."""
+        """Show the deviations from the nominal, or use their space for the table."""
         self._is_compared = comparison is not None
         self.deviation.show_comparison(comparison)
         self._share_height()
 
     def show_role(self, *, is_operator: bool) -> None:
-        """Show operators one large verdict, engineers how many there are of each."""
+        """Show operators one large verdict, engineers the number of each."""
         self.banner.setVisible(is_operator and bool(self.dimensions))
         self.counts.setVisible(not is_operator)
 
@@ -101,10 +101,10 @@ class DimensionSide(QWidget):
         self.table.select(failing[0] if failing else 0)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave the nominal values to the properties where the table is narrow."""
+        """Hide the nominal values in a narrow table; the properties show them."""
         super().resizeEvent(event)
         self.table.setColumnHidden(HEADERS.index("Nominal"), self.width() < TABLE_WIDTH)
 
     def _share_height(self) -> None:
-        """Give the histogram what the table does not need."""
+        """Give the histogram the height that the table does not need."""
         self.table.setMaximumHeight(self.table.fitted_height() if self._is_compared else UNLIMITED)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from measureapp.data.feature import Feature
     from measureapp.inspection.section_curves import SectionCurves
 
-OUTLINE = (70, 82, 90)  # seen on the part in both themes
+OUTLINE = (70, 82, 90)  # visible on the part in both themes
 Colour = tuple[int, int, int]
 
 
@@ -33,7 +33,7 @@ def verdict_rgb(theme: Theme, dimension: Dimension) -> Colour:
 def feature_lines(
     features: Sequence[Feature], mine: Collection[Feature], dimension: Dimension | None, sections: SectionCurves | None, colour: Colour
 ) -> list[LineLayer]:
-    """Return all features quietly and ``mine`` in colour; of a dimension also what it measures between or on them."""
+    """Return all features in grey and ``mine`` in colour; for a dimension also the measured lines."""
     blades = {} if sections is None else sections.blades
     quiet = [line for feature in features if feature not in mine for line in _lines(feature, sections)]
     strong = [line for feature in mine if feature.name not in blades for line in _lines(feature, sections)]
@@ -70,12 +70,12 @@ def dimension_labels(
             continue
         words = f"{dimension_words(dimension.name)} {quantity(dimension.measured, unit_of(dimension), 3)}   {dimension.verdict}"
         if sections is not None and dimension.name in sections.profiles:
-            words += f"   drawn x {Whiskers.of(sections.profiles[dimension.name]).gain}"
+            words += f"   magnified x {Whiskers.of(sections.profiles[dimension.name]).gain}"
         place = np.array([feature.point_mm for feature in (mine[:1] if len(mine) > 2 else mine)]).mean(axis=0)
         labels.append(Label(_drawable(words), place, verdict_rgb(theme, dimension), rgb(theme, "surface")))
     return labels
 
 
 def _drawable(words: str) -> str:
-    """Return words with the signs that the font of the 3-D view has."""
+    """Replace characters that the font of the 3-D view lacks."""
     return words.replace("\u00a0", " ").replace("\u2009", " ").replace("\u2212", "-")

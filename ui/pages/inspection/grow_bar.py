@@ -1,4 +1,4 @@
-"""Growing features by clicking: which shape, what grew, and how it is shown."""
+"""Bar to grow features by clicking: shape, result and display."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ if TYPE_CHECKING:
     from ui.look.theme import Theme
 
 SHAPES = {"plane": "Plane", "cylinder": "Cylinder", "sphere": "Sphere", "cone": "Cone"}
-TIP = "Find the face, bore or ball around a place you click"
-HINT = "Click a measured place"
+TIP = "Fit a plane, cylinder, sphere or cone around a point you click"
+HINT = "Click a measured point"
 COPY = "Copy its lines"
 ADD = "Add to the inspection program"
-NOTE = "Added to the inspection program it is measured every time; the lines can also be copied into another one."
+NOTE = "Added to the inspection program, it is measured every time; its lines can also be copied to another program."
 
 
 class GrowBar(QWidget):
-    """Chooses the shape to grow; the controller holds what grew."""
+    """Chooses the shape to grow; the controller holds the grown features."""
 
     changed = Signal()
 
@@ -55,32 +55,32 @@ class GrowBar(QWidget):
 
     @property
     def last(self) -> GrownFeature | None:
-        """What grew last."""
+        """The last grown feature."""
         return self._growing.grown[-1] if self._growing.grown else None
 
     def click(self, place_mm: np.ndarray) -> None:
-        """Grow the chosen shape from a place in the nominal's frame."""
+        """Grow the chosen shape from a point in the nominal's frame."""
         self._growing.grow(place_mm, self.shape.value())  # type: ignore[arg-type]
 
     def lines(self, colour: tuple[int, int, int]) -> list[LineLayer]:
-        """Return the outlines of what grew."""
+        """Return the outlines of the grown features."""
         lines = tuple(line for one in self._growing.grown if len(line := outline(one.feature)))
         return [LineLayer(lines, colour, 3.5)] if lines else []
 
     def labels(self, theme: Theme) -> list[Label]:
-        """Return a label for each feature that grew."""
+        """Return a label for each grown feature."""
         text, surface = theme.colour("text"), theme.colour("surface")
         colours = (text.red(), text.green(), text.blue()), (surface.red(), surface.green(), surface.blue())
         return [Label(short_words(one.feature), np.asarray(one.seed_mm), *colours) for one in self._growing.grown]
 
     def properties(self) -> Properties:
-        """Return what there is to know about the feature that grew last."""
+        """Return the properties of the last grown feature."""
         if self.last is None:
             return Properties("Feature", note=f"{HINT}.")
         feature = self.last.feature
         angle = () if feature.half_angle_rad is None else (("Cone angle", quantity(float(np.degrees(2 * feature.half_angle_rad)), "°")),)
-        place = Group("Place", tuple((axis, millimetres(float(value))) for axis, value in zip("xyz", feature.point_mm, strict=True)))
-        how = Group("How it was found", (*angle, ("", f"{feature.how[:1].upper()}{feature.how[1:]}.")))
+        place = Group("Position", tuple((axis, millimetres(float(value))) for axis, value in zip("xyz", feature.point_mm, strict=True)))
+        how = Group("Traceability", (*angle, ("", f"{feature.how[:1].upper()}{feature.how[1:]}.")))
         return Properties(feature.name.capitalize(), (feature_group(feature), place, how), NOTE, COPY, ADD)
 
     def _show(self) -> None:
@@ -93,6 +93,6 @@ class GrowBar(QWidget):
 
 
 def short_words(feature: Feature) -> str:
-    """Return name and size of a feature, in the signs that the 3-D view has."""
+    """Return name and size of a feature, in characters that the 3-D view has."""
     size = f"form {millimetres(feature.form_error_mm)}" if feature.radius_mm is None else f"radius {millimetres(feature.radius_mm)}"
     return f"{feature.name}   {size}".replace("\u00a0", " ")

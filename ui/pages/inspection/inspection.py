@@ -1,4 +1,4 @@
-"""Inspect: the dimensions beside the measured part."""
+"""Inspection page: the dimensions beside the measured part."""
 
 from __future__ import annotations
 
@@ -37,27 +37,27 @@ if TYPE_CHECKING:
 
 EMPTY = (
     "Nothing measured yet",
-    "An inspection program fits features to the measured points and compares their distances with the drawing.",
+    "An inspection program fits features to the measured points and compares their dimensions with the nominal.",
 )
-UNDO = "Take the last point, distance, feature or change of the program back"
-REMOVE = "Take out of the program"
-FILLED = "Filled without points, never measured on"
+UNDO = "Undo the last point, distance, feature or change of the program"
+REMOVE = "Remove from the program"
+FILLED = "Filled, not measured"
 
 
 class InspectionPage(ViewportPage):
-    """Nominal, measured, error, uncertainty and verdict; the features in 3-D."""
+    """Table of dimensions with verdicts, and the features in 3-D."""
 
     name, word, wants_room = "inspection", "Inspect", True
     for_operator = True
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
         super().__init__(look, session, controllers, EmptyState(look, "inspection", *EMPTY, "Run the demo"))
-        self.measure_file = Button("Measure a file…", look, "file", tip="A cloud or mesh, by a drawing or an inspection program")
+        self.measure_file = Button("Measure a file…", look, "file", tip="Measure a cloud or mesh by a nominal or an inspection program")
         self.empty.add_quiet(self.measure_file)
         self.shape = Segments(SHAPES, name="Picture", tips=SHAPE_TIPS)
         self.shape.set_available("deviation", False)
         self.shape.valueChanged.connect(self.redraw)
-        self._point: Label | None = None  # of the point that was clicked last
+        self._point: Label | None = None  # of the last clicked point
         self._entry: tuple[Properties, str] | None = None  # of the program, while its properties are shown
         self.filled = NotMeasuredLegend(look)
         self.filled.setContentsMargins(12, 4, 12, 4)
@@ -82,8 +82,8 @@ class InspectionPage(ViewportPage):
         self._show()
 
     def _tools(self, look: Look) -> QHBoxLayout:
-        """Return what stands above the picture."""
-        fit = Button("Show all", look, "fit", "quiet", "Look at everything from the front")
+        """Return the tool bar above the picture."""
+        fit = Button("Show all", look, "fit", "quiet", "Show everything from the front")
         fit.clicked.connect(self.view.reset_camera)
         self.labels = Button("Labels", look, "labels", "quiet", "Show the value of every dimension in the picture")
         self.labels.setCheckable(True)
@@ -96,7 +96,7 @@ class InspectionPage(ViewportPage):
         self.hint = label("", "soft")
         self.program = ProgramTools(look, self.session, self.controllers.programming, self)
         self.see_report = Button("See the report", look, "report", "primary")
-        for widget in (self.hint, self.undo, self.program.text, self.program.drawing, self.see_report):
+        for widget in (self.hint, self.undo, self.program.text, self.program.nominal, self.see_report):
             self.action_row.addWidget(widget)
         self.controllers.programming.changed.connect(self._show_undo)
         self.cut = SectionBar(look)
@@ -113,13 +113,13 @@ class InspectionPage(ViewportPage):
         else:
             self.empty.say(*EMPTY)
         self._show_undo()
-        if self._entry is not None:  # what can be done with it is another while a job runs
+        if self._entry is not None:  # its actions depend on whether a job is running
             self._show_entry(*self._entry)
         elif self.grow.is_on:
             self._show_grown()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Compare with the drawing when it is first looked at."""
+        """Compare with the nominal when the page is first shown."""
         super().showEvent(event)
         self.controllers.comparison.compare()
 
@@ -140,7 +140,7 @@ class InspectionPage(ViewportPage):
         self.side.show_inspection(inspection)
         self._show_undo()
         if inspection is None:
-            self.state.setText("No inspection program has run.")
+            self.state.setText("No inspection yet.")
             return
         alignment = inspection.alignment
         self.state.setText(f"{sentence_case(inspection.program)}. Aligned by {alignment.name}, {millimetres(alignment.rms_mm)} rms.")
@@ -155,7 +155,7 @@ class InspectionPage(ViewportPage):
 
     def _select(self) -> None:
         self._point = None
-        inspection, chosen = self.session.inspection, self.side.chosen
+        inspection, chosen = self.session.inspection, self.side.selection
         dimension, features = chosen.dimension, chosen.features
         if inspection is not None and dimension is not None and not chosen.is_leaf:
             self._show_entry(dimension_properties(dimension, features, inspection.alignment, decision_rule()), dimension.name)
@@ -165,13 +165,13 @@ class InspectionPage(ViewportPage):
         self._highlight()
 
     def _show_entry(self, properties: Properties, name: str) -> None:
-        """Show an entry of the program, with the button that takes it out."""
+        """Show an entry of the program, with the button that removes it."""
         can_change = self.program.programming.can_change
         self.show_properties(replace(properties, decision=REMOVE) if can_change else properties)
         self._entry = properties, name
 
     def show_properties(self, properties: Properties) -> None:
-        """Show these properties; whoever shows an entry of the program says so after."""
+        """Show these properties; `_show_entry` marks entries of the program afterwards."""
         self._entry = None
         super().show_properties(properties)
 
@@ -183,8 +183,8 @@ class InspectionPage(ViewportPage):
         return part_composer(self.session, self.shape.value(), self.look.theme.shade)
 
     def _highlight(self) -> None:
-        """Outline all features quietly; those of the selected row stand out, and a dimension carries its value."""
-        inspection, chosen = self.session.inspection, self.side.chosen
+        """Outline all features in grey and those of the selected row in colour; a dimension is labelled with its value."""
+        inspection, chosen = self.session.inspection, self.side.selection
         if inspection is None:
             return
         dimension = None if chosen.is_leaf else chosen.dimension
@@ -201,8 +201,8 @@ class InspectionPage(ViewportPage):
         self.view.set_labels([*labels, *self.clicking.labels(theme), *([self._point] if self._point is not None else [])])
 
     def _look_closer(self) -> None:
-        """Come closer to what the selected row is about."""
-        chosen = self.side.chosen
+        """Zoom to the features of the selected row."""
+        chosen = self.side.selection
         if chosen.features:
             layers = feature_lines(chosen.features, chosen.features, chosen.dimension, self._sections(), OUTLINE)
             self.view.look_at(np.vstack([line for layer in layers for line in layer.lines]))
@@ -221,7 +221,7 @@ class InspectionPage(ViewportPage):
             self.grow.button.setChecked(False)
 
     def undo_last(self) -> None:
-        """Take back what the button would."""
+        """Undo the step that the button names."""
         if self.undo.isVisible() and self.undo.isEnabled():
             self._undo()
 
@@ -230,14 +230,14 @@ class InspectionPage(ViewportPage):
         self.clicking.end()
 
     def _undo(self) -> None:
-        """Take back what was clicked; when nothing of that is left, the last change of the program."""
+        """Undo the last click; without one, the last change of the program."""
         if self.clicking.can_undo:
             self.clicking.undo()
         else:
             self.program.programming.undo()
 
     def _forget_distances(self) -> None:
-        """Forget distances between points of a cloud, or of an alignment, that is no longer there."""
+        """Discard distances in a former cloud or alignment."""
         inspection, cloud = self.session.inspection, self.session.stitched
         self.distance.keep_for(None if inspection is None else (cloud, inspection.alignment.nominal_from_part.matrix.tobytes()))
 
@@ -247,14 +247,14 @@ class InspectionPage(ViewportPage):
         self.labels.setChecked(True)
 
     def decide(self) -> None:
-        """Put the feature that grew last into the program, or take the selected entry out of it."""
+        """Add the last grown feature to the program, or remove the selected entry."""
         if self._entry is not None:
             self.program.programming.remove(self._entry[1])
         elif self.grow.last is not None:
             self.program.add_feature(self.grow.last)
 
     def _show_grown(self) -> None:
-        """Show the features that grew, and what to click next."""
+        """Show the grown features, and what to click next."""
         self._show_undo()
         if self.grow.is_on and self.shape.value() == "surface":
             self.shape.setValue("points")  # the surface has no measured points to click
@@ -265,13 +265,13 @@ class InspectionPage(ViewportPage):
         self._highlight()
 
     def act(self) -> None:
-        """Copy the lines that measure the feature that grew last in an inspection program."""
+        """Copy the program lines of the last grown feature to the clipboard."""
         if self.grow.last is not None:
             QGuiApplication.clipboard().setText(self.grow.last.entry)
-            self.session.tell(f"The lines for {self.grow.last.feature.name} are copied.", "Paste them into the inspection program.", "done")
+            self.session.tell(f"Lines of {self.grow.last.feature.name} copied.", "Paste them into an inspection program.", "done")
 
     def _show_distances(self) -> None:
-        """Show what is measured by clicking, and what to click next."""
+        """Show the measured distances, and what to click next."""
         self.hint.setText(self.distance.hint)
         self._show_undo()
         if self.distance.is_on and self.shape.value() == "surface":
@@ -282,9 +282,9 @@ class InspectionPage(ViewportPage):
         self._highlight()
 
     def _show_point(self, layer: int, place: int) -> None:
-        """Tell where a point of the picture comes from and how far off it is; or measure from it."""
+        """Show source and deviation of a picked point; or measure from it, or grow a feature."""
         stitched, inspection, comparison = self.session.stitched, self.session.inspection, self.session.comparison
-        if stitched is None or inspection is None or layer > 0:  # a place of the drawing that was not measured
+        if stitched is None or inspection is None or layer > 0:  # an unmeasured part of the nominal
             return
         point = merged_point(stitched, place, self.session.views)
         position = inspection.alignment.nominal_from_part.apply(point.position_mm[None])[0]

@@ -14,7 +14,7 @@ CROSS_MM = 6.0
 
 
 def outline(feature: Feature) -> np.ndarray:
-    """Return a polyline (K, 3) around a feature: its boundary's hull in its plane, or its circle."""
+    """Return a polyline (K, 3) around a feature: the convex hull of its boundary in its plane, or its circle."""
     if feature.radius_mm is not None:
         return _circle(feature.point_mm, _axis(feature), feature.radius_mm)
     if feature.boundary_mm is not None and len(feature.boundary_mm) >= 3:
@@ -45,7 +45,7 @@ def _hull(points: np.ndarray, centre: np.ndarray, axis: np.ndarray) -> np.ndarra
     flat = np.column_stack([(points - centre) @ u, (points - centre) @ v])
     try:
         corners = ConvexHull(flat).vertices
-    except QhullError:  # the points lie on one line
+    except QhullError:  # collinear points
         return np.asarray(points)
     closed = flat[np.append(corners, corners[0])]
     return centre + closed[:, :1] * u + closed[:, 1:] * v

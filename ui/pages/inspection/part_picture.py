@@ -1,4 +1,4 @@
-"""The picture of a measured part: its surface, its points, or their deviations from the drawing."""
+"""The 3-D picture of a measured part: surface, points, or deviations from the nominal."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ if TYPE_CHECKING:
 
 SHAPES = {"surface": "Surface", "points": "Points", "deviation": "Deviation"}
 SHAPE_TIPS = {
-    "surface": "The measured surface; hatched where it was filled in without points",
-    "points": "The merged points",
-    "deviation": "Distance of each point from the drawing, in mm",
+    "surface": "Measured surface; hatched where it was filled, not measured",
+    "points": "Merged points",
+    "deviation": "Deviation of each point from the nominal, in mm",
 }
 GREYS = {"light": (196, 204, 208), "dark": (150, 162, 168)}  # of the part
 
 
 def part_composer(session: Session, wanted: str, shade: str) -> Composer | None:
-    """Return what composes the part in the nominal's frame; None while nothing is measured."""
+    """Return the composer of the part in the nominal's frame; None while nothing is measured."""
     inspection, stitched, comparison, mesh = session.inspection, session.stitched, session.comparison, mesh_of(session)
     if inspection is None or stitched is None:
         return None
@@ -46,6 +46,6 @@ def mesh_of(session: Session) -> Mesh | None:
 
 
 def filled_in(session: Session, wanted: str) -> float:
-    """Return the share of the surface shown that was filled in without points."""
+    """Return the share of the shown surface that was filled, not measured."""
     mesh = mesh_of(session)
     return filled_share(mesh) if mesh is not None and wanted == "surface" else 0.0

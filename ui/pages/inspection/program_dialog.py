@@ -1,4 +1,4 @@
-"""The inspection program as text: everything that cannot be clicked, such as the alignment, is changed here."""
+"""Text editor of the inspection program."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from ui.controllers.programming import ProgrammingController
 from ui.look.look import Look
 from ui.widgets.basic import Button, column, label, row
 
-HOW = "Features and dimensions in TOML; the help of the page Inspect lists what can be asked for."
+HOW = "Features and dimensions in TOML; the help of the Inspect page lists all options."
 SIZE = (760, 640)
 
 
 class ProgramDialog(QDialog):
-    """Edits the program of the open project; "Measure again" first checks it, and names the entry that is wrong."""
+    """Edits the program of the open project; "Measure again" checks it first and reports the wrong entry."""
 
     def __init__(self, look: Look, programming: ProgrammingController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -27,9 +27,9 @@ class ProgramDialog(QDialog):
         self.text.setAccessibleName("Inspection program")
         self.text.setTabChangesFocus(True)
         self.problem = label("", wrap=True)
-        self.measure = Button("Measure again", look, "again", "primary", "Check the program, measure with it and keep it with the project")
+        self.measure = Button("Measure again", look, "again", "primary", "Check the program, measure with it, and save it with the project")
         self.measure.clicked.connect(self._measure)
-        close = Button("Close", look, "", "normal", "Leave the program as it is")
+        close = Button("Close", look, "", "normal", "Discard the changes")
         close.clicked.connect(self.reject)
         self.setLayout(
             column(
@@ -39,7 +39,7 @@ class ProgramDialog(QDialog):
         self.resize(*SIZE)
 
     def show_program(self) -> None:
-        """Show the program as the project has it."""
+        """Show the program of the project."""
         self.text.setPlainText(self._programming.text())
         self.problem.hide()
         self.open()

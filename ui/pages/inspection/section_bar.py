@@ -1,4 +1,4 @@
-"""Cutting the part where one looks: a plane across x, y or z, moved by a slider; deviations along the cut, magnified."""
+"""Interactive section: a plane normal to x, y or z, moved by a slider, with magnified deviations."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ if TYPE_CHECKING:
 STEPS = 400
 HALF_WIDTH_MM = 0.5
 NOMINAL = (70, 82, 90)
-TIP = "Cut the part by a plane and see the deviations along it"
+TIP = "Cut the part by a plane and show the deviations along the section"
 AXES = {"x": 0, "y": 1, "z": 2}
 
 
 @dataclass(frozen=True)
 class CutPlane:
-    """A plane across an axis of the drawing."""
+    """A plane normal to an axis of the nominal's frame."""
 
     axis: str
     place_mm: float
 
 
 class SectionBar(QWidget):
-    """Chooses where to cut: `value()` is a `CutPlane`, or None while it is off."""
+    """Chooses a section: `value()` is a `CutPlane`, or None while it is off."""
 
     changed = Signal()
 
@@ -45,28 +45,28 @@ class SectionBar(QWidget):
         self.button = Button("Section", look, "section", "quiet", TIP)
         self.button.setCheckable(True)
         self.button.toggled.connect(self._show)
-        self.axis = Segments({"z": "z", "x": "x", "y": "y"}, name="Cut across")
+        self.axis = Segments({"z": "z", "x": "x", "y": "y"}, name="Section normal to")
         self.axis.valueChanged.connect(self._change)
         self.slider = QSlider(Qt.Orientation.Horizontal)
-        self.slider.setAccessibleName("Where to cut, along the axis")
-        self.slider.setToolTip("Where to cut, along the axis")
+        self.slider.setAccessibleName("Position of the section along the axis")
+        self.slider.setToolTip("Position of the section along the axis")
         self.slider.setRange(0, STEPS)
         self.slider.setValue(STEPS // 2)
         self.slider.valueChanged.connect(self._change)
         self.words = label("", "small")
         self._low, self._high = np.zeros(3), np.zeros(3)
-        self.setLayout(row(label("Across", "soft"), self.axis, self.slider, self.words, margin=8, spacing=12))
+        self.setLayout(row(label("Normal to", "soft"), self.axis, self.slider, self.words, margin=8, spacing=12))
         self._show()
 
     def value(self) -> CutPlane | None:
-        """Return where to cut."""
+        """Return the chosen plane."""
         if not self.button.isChecked() or not (self._high > self._low).any():
             return None
         place, share = AXES[self.axis.value()], self.slider.value() / STEPS
         return CutPlane(self.axis.value(), float(self._low[place] + share * (self._high[place] - self._low[place])))
 
     def setValue(self, plane: CutPlane) -> None:
-        """Cut there."""
+        """Show this section."""
         place = AXES[plane.axis]
         span = max(float(self._high[place] - self._low[place]), 1e-9)
         self.axis.setValue(plane.axis)
@@ -74,7 +74,7 @@ class SectionBar(QWidget):
         self.button.setChecked(True)
 
     def show_extent(self, surface: NominalSurface | None) -> None:
-        """Offer planes that meet this drawing; none where there is none."""
+        """Limit the planes to the extent of this nominal; disable the section without one."""
         self.button.setEnabled(surface is not None)
         if surface is None:
             self.button.setChecked(False)
@@ -82,7 +82,7 @@ class SectionBar(QWidget):
             self._low, self._high = np.asarray(surface.low_mm), np.asarray(surface.high_mm)
 
     def say(self, words: str) -> None:
-        """Tell what is cut, beside the slider."""
+        """Show a text about the section beside the slider."""
         self.words.setText(words)
 
     def _show(self) -> None:
@@ -94,7 +94,7 @@ class SectionBar(QWidget):
 
 
 def cut_lines(comparison: Comparison, plane: CutPlane) -> tuple[list[LineLayer], str]:
-    """Return the curve of the drawing in a plane with the deviations of the points beside it, and what that is in words."""
+    """Return the nominal's curve in a plane with the magnified deviations, and a description."""
     from measureapp.errors import InspectionError
     from measureapp.inspection.surface.cutting_surface import CuttingPlane
     from measureapp.inspection.surface.section import cut_section
@@ -107,7 +107,7 @@ def cut_lines(comparison: Comparison, plane: CutPlane) -> tuple[list[LineLayer],
             where, comparison.deviation, comparison.surface, CuttingPlane.through(plane.place_mm * axis, axis), HALF_WIDTH_MM
         )
     except InspectionError:
-        return [], f"{where}: nothing there"
+        return [], f"{where}: no intersection"
     whiskers = Whiskers.of(found)
     drawn = LineLayer(found.nominal, NOMINAL, 2.0)
     words = f"{where}, deviations × {whiskers.gain}" if len(found.deviations_mm) else f"{where}: not measured"

@@ -1,4 +1,4 @@
-"""Sections as lines of the 3-D view: blades with what a dimension measures on them, and deviations as magnified whiskers."""
+"""Sections as lines of the 3-D view: blades with the measured lines of a dimension, and deviations as magnified whiskers."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ if TYPE_CHECKING:
     from measureapp.inspection.surface.section import Section
 
 MOST_WHISKERS = 240
-WHISKER_SHARE = 0.05  # of the section's extent: how long the longest usual whisker is drawn
-LONGEST_SHARE = 0.12  # where an unusual one is cut off
+WHISKER_SHARE = 0.05  # of the section's extent: length of the 90 % whisker
+LONGEST_SHARE = 0.12  # of the section's extent: longest whisker
 GAINS = (1, 2, 5, 10, 20, 50, 100, 200, 500)
 Colour = tuple[int, int, int]
 
 
-def measured_on(kind: str, curves: BladeCurves) -> list[np.ndarray]:
-    """Return the lines (K, 3) that a blade dimension of this kind is about."""
+def measured_lines(kind: str, curves: BladeCurves) -> list[np.ndarray]:
+    """Return the lines (K, 3) that a blade dimension of this kind measures."""
     chord = [] if curves.chord is None else [curves.chord]
     ends = curves.mean_line[[0, -1]]
     if kind in ("max_thickness", "max_thickness_place"):
@@ -50,7 +50,7 @@ class Whiskers:
 
     @classmethod
     def of(cls, found: Section) -> Whiskers:
-        """Take the means of as many neighbours as leave no more whiskers than one can tell apart."""
+        """Average neighbouring points so that at most `MOST_WHISKERS` whiskers remain."""
         count = len(found.deviations_mm)
         groups = np.array_split(np.arange(count), min(count, MOST_WHISKERS)) if count else []
         middles = np.array([group[len(group) // 2] for group in groups], int)
@@ -60,7 +60,7 @@ class Whiskers:
 
     @property
     def gain(self) -> int:
-        """By how much they are magnified: a round number, so that the usual ones can be seen."""
+        """The magnification: a round number for which typical deviations are visible."""
         if not len(self.means_mm):
             return 1
         usual = max(float(np.percentile(np.abs(self.means_mm), 90)), 1e-6)
@@ -84,8 +84,8 @@ class Whiskers:
 
 
 def blade_layers(kind: str, blades: Sequence[BladeCurves], nominal: Sequence[np.ndarray], colour: Colour, drawn: Colour) -> list[LineLayer]:
-    """Return the outlines of blades, thick what a dimension of this kind measures on them, thin where the drawing has them."""
+    """Return the outlines of blades, thick the measured lines of a dimension of this kind, thin the nominal."""
     outlines = tuple(curve for one in blades for curve in one.outline)
-    about = tuple(line for one in blades for line in measured_on(kind, one))
+    about = tuple(line for one in blades for line in measured_lines(kind, one))
     layers = [LineLayer(tuple(nominal), drawn, 1.5), LineLayer(outlines, colour, 2.5), LineLayer(about, colour, 5.0)]
     return [layer for layer in layers if layer.lines]

@@ -1,1 +1,1 @@
-"""Regions of the measured surface that belong to one shape, grown from a seed."""
+"""Region growing on the measured surface."""

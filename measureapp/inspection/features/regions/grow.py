@@ -1,7 +1,7 @@
-"""Region growing by a surface that is fitted anew as the region grows.
+"""Region growing by iterative surface fitting.
 
-P. J. Besl and R. C. Jain, Segmentation through variable-order surface fitting, IEEE PAMI 10(2), 1988: a small patch is
-fitted, points that agree with it and hang together with the seed make a larger region, the next surface is fitted to that.
+P. J. Besl and R. C. Jain, Segmentation through variable-order surface fitting, IEEE PAMI 10(2), 1988: a small patch is fitted; the points
+that agree with it and are connected to the seed form a larger region, to which the next surface is fitted.
 """
 
 from __future__ import annotations
@@ -24,64 +24,64 @@ from measureapp.inspection.measured_points import MeasuredPoints, thin_indices
 
 FIRST_POINTS = 100
 LEAST_POINTS = 30
-MOST_POINTS = 60_000  # at once; a larger region is grown on an even choice of its points
+MOST_POINTS = 60_000  # a larger region is grown on an even subsample
 FITTED_POINTS = 4_000
-WIDER = 1.5  # of the sphere about the seed from round to round
+WIDER = 1.5  # growth factor of the sphere about the seed
 ROUNDS, SETTLING = 60, 6
 SIGMAS = 3.5
-DETERMINED = 0.1  # relative standard deviation of a radius from which on the shape is known
-COMPARABLE_FIT = 1.5  # the shape must fit a patch this well, compared with the quadric
-WHOLE_PART = 0.95  # share of the part at which a region is no feature of it
+DETERMINED = 0.1  # greatest relative standard deviation of the radius of a determined shape
+COMPARABLE_FIT = 1.5  # greatest ratio of the residuals of the shape and of the quadric
+WHOLE_PART = 0.95  # greatest share of the part in one region
 BENT_SIGMAS = 4.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Region:
-    """The points of one shape about a seed."""
+    """The points of one shape connected to a seed."""
 
-    indices: IntArray  # (K,), ascending, into the points it was grown on
-    feature: Feature  # the shape as it was compared with at last
+    indices: IntArray  # (K,), ascending indices of its points
+    feature: Feature  # the shape in the last iteration
     noise_mm: float
     limit_mm: float  # greatest distance from the shape
-    border_reasons: Mapping[str, float]  # why it stopped -> share of its border
+    border_reasons: Mapping[str, float]  # reason -> share of the border
 
     @property
     def stop_reason(self) -> str:
-        """The ends in words, the most frequent first."""
+        """The reasons in words, most frequent first."""
         ordered = sorted(self.border_reasons.items(), key=lambda end: -end[1])
         return ", ".join(f"{share:.0%} {end}" for end, share in ordered if share >= 0.005)
 
 
-BORDER, TILTED, DEPARTED = "where the measured points end", "where the surface turns away", "where it departs from the shape"
+BORDER, TILTED, DEPARTED = "end of the measured points", "surface tilted", "deviation from the shape"
 
 
 def grow_region(points: MeasuredPoints, allowed: BoolArray, shape: Shape, seed_mm: FloatArray, asked: Grow) -> Region:
     """Grow the region of ``shape`` about a seed.
 
-    A point belongs when it lies within ``form_mm`` + 3.5 σ of the shape, the plane through its neighbours is turned
-    against the shape by no more than ``turn_deg`` + 3.5 σ of such a plane, its own normal, if it has one, looks to the
-    same side as the region's, and it hangs together with the seed by such points.
+    A point belongs to it if it lies within ``form_mm`` + 3.5 σ of the shape, the plane through its neighbours is tilted against the shape
+    by at most ``turn_deg`` + 3.5 σ of such a plane, its own normal, if any, is on the side of the region's, and it is connected to the
+    seed by such points.
 
     Parameters
     ----------
     points : in the frame of the seed
-    allowed : (N,), which of them may belong at all
+    allowed : (N,), mask of the points to consider
 
     Raises
     ------
     InspectionError
-        No surface at the seed, an edge there, another shape, or a region that runs over the whole part.
+        No surface at the seed, an edge there, another shape, or a region that covers the whole part.
     """
     grower = _Grower.at(points, allowed, shape, seed_mm, asked)
     surface, chosen, region = grower.grow()
     indices = grower.at_full_density(surface, chosen, region)
     if len(indices) > WHOLE_PART * len(points):
         raise InspectionError(
-            f"the region that grows from its seed runs over the whole part ({len(indices)} of {len(points)} points)",
-            "Limit it by x_mm, y_mm or z_mm of its cut, or take the points around a nominal.",
+            f"the region grown from its seed covers the whole part ({len(indices)} of {len(points)} points)",
+            "Limit it by x_mm, y_mm or z_mm of its cut, or define a nominal.",
         )
     if len(indices) < LEAST_POINTS:
-        raise InspectionError(f"only {len(indices)} points grow from its seed as one {shape}, {LEAST_POINTS} are needed")
+        raise InspectionError(f"only {len(indices)} points of one {shape} are connected to its seed, {LEAST_POINTS} are needed")
     return Region(indices, surface.feature, grower.noise_mm, grower.limit_mm, grower.border_reasons(surface, chosen, region))
 
 
@@ -94,7 +94,7 @@ class _Grower:
     start: int  # index of the point at the seed
     facing: FloatArray | None  # (3,), normal of the point at the seed
     patch: Patch
-    radius_mm: float  # of the sphere that holds the first patch
+    radius_mm: float  # of the sphere around the first patch
     spacing_mm: float
     noise_mm: float
 
@@ -109,7 +109,7 @@ class _Grower:
         first = first[: FIRST_POINTS + 1]
         first = first[np.isfinite(away[first])]
         if len(first) < LEAST_POINTS:
-            raise InspectionError(f"only {len(first)} points were measured about its seed, {LEAST_POINTS} are needed")
+            raise InspectionError(f"only {len(first)} points were measured around its seed, {LEAST_POINTS} are needed")
         facing = None if points.normals is None else np.asarray(points.normals[start], float)
         patch = _first_patch(points, first, start, facing)
         radius = float(away[first].max())
@@ -124,7 +124,7 @@ class _Grower:
         return self.asked.form_mm + SIGMAS * self.noise_mm
 
     def grow(self) -> tuple[ShapeSurface, Neighbourhood, BoolArray]:
-        """Widen the sphere about the seed until the region ends within it."""
+        """Enlarge the sphere about the seed until the region ends within it."""
         surface: LocalSurface = self.patch
         radius, largest = self.radius_mm, float(self.away_mm[np.isfinite(self.away_mm)].max())
         for _ in range(ROUNDS):
@@ -140,9 +140,9 @@ class _Grower:
                 if isinstance(surface, ShapeSurface):
                     self._refuse_another_shape(surface, around.points_mm, region)
                     return surface, around, region
-                raise InspectionError(f"what grows from its seed is no {self.shape}, or too small a piece to determine one")
+                raise InspectionError(f"the region grown from its seed is not a {self.shape}, or too small to determine one")
             radius *= WIDER
-        raise InspectionError("its region did not come to an end", "Limit it by x_mm, y_mm or z_mm of its cut.")
+        raise InspectionError("its region did not converge", "Limit it by x_mm, y_mm or z_mm of its cut.")
 
     def _around(self, radius_mm: float) -> tuple[Neighbourhood, int]:
         near = np.flatnonzero(self.away_mm <= radius_mm)
@@ -156,18 +156,18 @@ class _Grower:
         agreeing = distances <= self.limit_mm
         which = np.flatnonzero(agreeing)
         agreeing[which[self._is_tilted(surface, around, which)]] = False
-        if not agreeing[start]:  # an outlier itself: the nearest point that agrees stands for it
+        if not agreeing[start]:  # the seed point is an outlier: use the nearest point that agrees
             others = np.flatnonzero(agreeing)
             off = np.linalg.norm(around.points_mm[others] - around.points_mm[start], axis=1)
             if len(others) == 0 or off.min() > 2 * around.link_mm:
                 raise InspectionError(
-                    f"its seed lies on an edge, or the surface there is no {self.shape}", "Put it further inside the surface."
+                    f"its seed lies on an edge, or the surface there is not a {self.shape}", "Move it further inside the surface."
                 )
             start = int(others[off.argmin()])
         return around.connected_component(agreeing, start)
 
     def _is_tilted(self, surface: LocalSurface, around: Neighbourhood, which: IntArray) -> BoolArray:
-        """Which of some points lie where the surface is turned against the one compared with."""
+        """Return the mask of points whose surface is tilted against the fitted one."""
         if len(which) == 0:
             return np.zeros(0, bool)
         most = np.radians(self.asked.turn_deg) + SIGMAS * around.tilt_sigma_rad
@@ -177,7 +177,7 @@ class _Grower:
     def _refit(self, surface: LocalSurface, region_mm: FloatArray) -> LocalSurface:
         used = region_mm[:: -(-len(region_mm) // FITTED_POINTS)]
         if len(used) < LEAST_POINTS:
-            raise InspectionError(f"only {len(used)} points grow from its seed as one {self.shape}, {LEAST_POINTS} are needed")
+            raise InspectionError(f"only {len(used)} points of one {self.shape} are connected to its seed, {LEAST_POINTS} are needed")
         if isinstance(surface, ShapeSurface):
             return ShapeSurface(fit(self.shape, used, start=surface.feature))
         patch = Patch.fit(used, self.patch.axes[2], self.patch.point_mm)
@@ -197,12 +197,12 @@ class _Grower:
         bent, noise = measure_bending(surface.feature, points_mm, region)
         if bent > self.asked.form_mm + BENT_SIGMAS * noise:
             raise InspectionError(
-                f"the surface at its seed is no {self.shape}: over the region that grows there it bends away by {bent:.3f} mm",
-                "Ask for another shape, or put the seed elsewhere.",
+                f"the surface at its seed is not a {self.shape}: it bends away by {bent:.3f} mm over the region",
+                "Choose another shape, or another seed.",
             )
 
     def at_full_density(self, surface: ShapeSurface, around: Neighbourhood, region: BoolArray) -> IntArray:
-        """Return all points that agree with the shape and lie beside points of the region."""
+        """Return all points, at full density, that agree with the shape and lie next to points of the region."""
         grown = around.points_mm[region]
         low, high = grown.min(axis=0) - around.link_mm, grown.max(axis=0) + around.link_mm
         near = np.flatnonzero(np.isfinite(self.away_mm) & np.all((self.points.points_mm > low) & (self.points.points_mm < high), axis=1))
@@ -216,7 +216,7 @@ class _Grower:
         return near[np.isfinite(off)]
 
     def border_reasons(self, surface: ShapeSurface, around: Neighbourhood, region: BoolArray) -> Mapping[str, float]:
-        """Return by which shares of its border the region ended why."""
+        """Return the reasons why the region ended, as shares of its border."""
         at_rim, outside = around.border(region)
         turned = self._is_tilted(surface, around, outside)
         counts = {BORDER: len(at_rim), TILTED: int(turned.sum()), DEPARTED: int((~turned).sum())}
@@ -224,14 +224,14 @@ class _Grower:
 
 
 def _first_patch(points: MeasuredPoints, first: IntArray, start: int, facing: FloatArray | None) -> Patch:
-    """Fit the points nearest the seed that make one smooth patch with it."""
+    """Fit a smooth patch to the points nearest the seed."""
     places = points.points_mm[first]
     if facing is not None and points.normals is not None:
         same = np.asarray(points.normals, float)[first] @ facing > np.cos(np.radians(60.0))
         places = places[same]
     if len(places) < LEAST_POINTS:
         raise InspectionError(
-            f"only {len(places)} points about its seed make one surface, {LEAST_POINTS} are needed", "Put it further inside the surface."
+            f"only {len(places)} points around its seed form one surface, {LEAST_POINTS} are needed", "Move it further inside the surface."
         )
     normal = np.linalg.svd(places - places.mean(axis=0), full_matrices=False)[2][2]
     return Patch.fit(places, normal, points.points_mm[start])

@@ -1,4 +1,4 @@
-"""What a growing region is compared with: first a curved patch about the seed, then the shape itself."""
+"""Surfaces of region growing: a quadric patch at first, then the shape itself."""
 
 from __future__ import annotations
 
@@ -13,34 +13,34 @@ from measureapp.geometry.shapes import tangents
 from measureapp.inspection.features.cells import angles
 from measureapp.inspection.features.shapes import along_and_off, outward_normals, signed_distances
 
-STEEPEST_DEG = 40.0  # a patch over a plane is compared no further round than this
+STEEPEST_DEG = 40.0  # greatest slope at which a patch is valid
 MAD_TO_SIGMA = 1.4826
 OUTLYING = 3.5
 FITS = 4
 
 
 class LocalSurface(Protocol):
-    """A surface that points can be compared with."""
+    """A surface with distances and normals."""
 
     def distances(self, points_mm: FloatArray) -> FloatArray:
         """Return signed distances (N,)."""
 
     def normals(self, points_mm: FloatArray) -> FloatArray:
-        """Return unit normals (N, 3) beside the points, of either sign."""
+        """Return unit normals (N, 3) at the points, of either sign."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Patch:
-    """A quadric height field over a plane: what any smooth surface looks like near a point."""
+    """Quadric height field over a plane: local approximation of a smooth surface."""
 
     point_mm: FloatArray  # (3,)
-    axes: FloatArray  # (3, 3): two directions across, and the height
+    axes: FloatArray  # (3, 3): two tangents, and the height
     terms: FloatArray  # (6,) of 1, u, v, u², uv, v²
-    scatter_mm: float  # standard deviation of its points from it, their number of freedoms taken into account
+    scatter_mm: float  # standard deviation of its points, for their degrees of freedom
 
     @classmethod
     def fit(cls, points_mm: FloatArray, normal: FloatArray, point_mm: FloatArray) -> Patch:
-        """Fit to (N, 3) points by least squares of their heights, without what lies far off."""
+        """Fit to points (N, 3) by least squares of their heights, with outlier rejection."""
         axes = np.vstack([tangents(normal), normal])
         u, v, height = ((points_mm - point_mm) @ axes.T).T
         design = _design(u, v)
@@ -59,7 +59,7 @@ class Patch:
         return np.asarray((height - _design(u, v) @ self.terms) / np.sqrt(1 + np.sum(slope**2, axis=0)))
 
     def normals(self, points_mm: FloatArray) -> FloatArray:
-        """Return the normals of the patch under the points; where it is too steep to be compared with, ones across it."""
+        """Return the normals of the patch at the points; tangents where the patch is too steep to be valid."""
         u, v, _ = ((points_mm - self.point_mm) @ self.axes.T).T
         slope = self._slopes(u, v)
         made = np.stack([-slope[0], -slope[1], np.ones_like(u)])
@@ -74,7 +74,7 @@ class Patch:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ShapeSurface:
-    """The fitted plane, cylinder, sphere or cone."""
+    """A fitted plane, cylinder, sphere or cone."""
 
     feature: Feature
 
@@ -88,10 +88,9 @@ class ShapeSurface:
 
 
 def measure_bending(feature: Feature, points_mm: FloatArray, kept: BoolArray) -> tuple[float, float]:
-    """Return how far (range, mm) a quadratic of the residuals over the surface bends away from the shape, and the bend's noise.
+    """Return the range (mm) of a quadratic fit of the residuals over the surface, and its noise.
 
-    A region that was cut out of another shape, like a strip of a cylinder taken as a plane, keeps such a bend however
-    well its points keep to the limits.
+    A region of another shape, such as a strip of a cylinder taken as a plane, shows such bending even if all its points are within limits.
     """
     points = points_mm[kept]
     u, v = _unroll(feature, points)
@@ -106,7 +105,7 @@ def measure_bending(feature: Feature, points_mm: FloatArray, kept: BoolArray) ->
 
 
 def _unroll(feature: Feature, points_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Coordinates along the surface, between -1 and 1."""
+    """Return coordinates along the surface, between -1 and 1."""
     if feature.shape in ("cylinder", "cone") and feature.direction is not None:
         along, _, _ = along_and_off(points_mm, feature.point_mm, feature.direction)
         turn = angles(points_mm, feature.point_mm, feature.direction)
@@ -121,7 +120,7 @@ def _unroll(feature: Feature, points_mm: FloatArray) -> tuple[FloatArray, FloatA
 
 
 def _gap_end(turn: FloatArray) -> float:
-    """The angle at which the points begin after their widest gap."""
+    """Return the angle at the end of the widest gap of the points."""
     ordered = np.sort(turn)
     gaps = np.diff(np.append(ordered, ordered[0] + 2 * np.pi))
     return float(ordered[(int(gaps.argmax()) + 1) % len(ordered)])
