@@ -147,8 +147,8 @@ def detect_in_stored(other: CollectedObservation, setup: Setup, context: Context
         return detect(images, other.readback, setup.board, context)
     if other.lit is None and PROJECTOR in other.seen:
         raise CalibrationError(
-            f"Of the fringes of observation {other.id} nothing was kept to read the projector's marks from again.",
-            "It was taken with an earlier version: take the position again.",
+            f"The fringes of observation {other.id} were not kept, so the projector's marks cannot be read again.",
+            "It was recorded with an earlier version: record the position again.",
         )
     results = {camera: _look(partial(find_board, image, setup.board)) for camera, image in images.items() if camera != PROJECTOR}
     seen = {camera: one for camera, one in results.items() if isinstance(one, Sighting)}

@@ -57,7 +57,7 @@ class StoredPixels:
 
 def _require_same(path: Path, found: str, kept: str) -> None:
     if found != kept:
-        raise StorageError(f"{path} is not what was kept: its checksum differs.", "Restore it from a backup.")
+        raise StorageError(f"{path} has changed since it was saved: its checksum differs.", "Restore it from a backup.")
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +73,7 @@ class Refusal:
 class CollectedObservation(Observation):
     """An observation with its images on disk.
 
-    `status` and the residuals are those of the last solution; an observation that came later is "new".
+    `status` and the residuals are those of the last solution; an observation that was added later is "new".
     """
 
     images: Mapping[str, StoredImage] = field(default_factory=dict)

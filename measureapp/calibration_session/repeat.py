@@ -28,7 +28,7 @@ def repeat_session(session: CalibrationSession, inputs: Mapping[str, str], folde
     kept = {f"{one.id} {camera}": image for one in session.observations for camera, image in one.images.items()}
     for name, digest in inputs.items():
         if name not in kept or kept[name].checksum != digest:
-            state = "is missing" if name not in kept else "is not the one it was"
+            state = "is missing" if name not in kept else "has changed"
             raise StorageError(
                 f"The image {name!r} of session {session.folder}, from which the calibration was made, {state}.",
                 "Restore it from a backup.",

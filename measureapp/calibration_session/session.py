@@ -280,7 +280,7 @@ class CalibrationSession:
 
     def _check(self, images: Mapping[str, ImageArray], readback: Readback) -> None:
         if not images:
-            raise InputError("An observation needs an image.", "Give one of every camera.")
+            raise InputError("An observation needs an image.", "Give one image per camera.")
         now = self.snapshot()
         for camera, pixels in images.items():
             if camera not in self.setup.camera_names:

@@ -125,7 +125,7 @@ class Store:
             actions = [Action(entry["act"], str(entry["observation"])) for entry in document["actions"]]
             done = int(document["done"])
             if not 0 <= done <= len(actions) or any(action.act not in ("add", "remove") for action in actions):
-                raise ValueError("the list of actions contradicts itself")
+                raise ValueError("the list of actions is inconsistent")
         except (KeyError, TypeError, ValueError, FrameMismatch) as error:
             raise StorageError(f"{self.folder / SESSION} cannot be used: {error}.", "Restore it from a backup, or start again.") from error
         names = dict.fromkeys(action.observation for action in actions)

@@ -94,7 +94,7 @@ def calibration_again(project: ProjectFolder, progress: Progress) -> Again:
         raise InputError(f"The calibration of {project.path} does not name its images.", "Calibrate again with this version.")
     for name in (*expected, *seen):
         if expected.get(name) != seen.get(name):
-            state = "is missing" if name not in seen else "came later" if name not in expected else "is not the one it was"
+            state = "is missing" if name not in seen else "was added later" if name not in expected else "has changed"
             raise StorageError(
                 f"The image {name} of the board, from which {project.path} was calibrated, {state}.", "Restore it from a backup."
             )

@@ -72,7 +72,7 @@ def compare_board(views: Sequence[BoardView], calibration: RigCalibration, board
             observations.append(Observation(view.viewpoint_id, view.readback, pose))
     if len(observations) < LEAST_VIEWS:
         raise CalibrationError(
-            f"The board is seen in {len(observations)} of {len(views)} views: " + " ".join(missed),
+            f"The board is detected in {len(observations)} of {len(views)} views: " + " ".join(missed),
             "Put the board of the calibration on the table, facing the head, and light it.",
         )
     return quick_check(observations, calibration, board, limit_mm=limit_mm)

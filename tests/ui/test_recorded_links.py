@@ -75,7 +75,7 @@ def test_hand_eye_is_found_from_a_folder_of_images_and_a_table_of_robot_poses(qt
 @pytest.mark.parametrize(
     ("table", "said"),
     [
-        (None, "Not known at the images: the robot's pose"),
+        (None, "The images have no read-back of: the robot's pose"),
         ("nonsense", "poses.csv"),
         ("name,x_mm,y_mm,z_mm,qw,qx,qy,qz\na,450,2,500,1,0,0,0\n", "has 1 lines for 3 board positions"),
     ],

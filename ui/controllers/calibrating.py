@@ -100,7 +100,7 @@ class CalibratingController(QObject):
         snapshot, known = collected.snapshot(), self._known
         true = Known() if truth is None else Known(truth.cameras, truth)
         self._job = self._solving.run(
-            "Judging the result",
+            "Evaluating the result",
             lambda job: results.conclude(job, snapshot, known, true),
             self._keep,
             on_stopped=self._stopped,

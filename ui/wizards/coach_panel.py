@@ -66,7 +66,7 @@ class CoachPanel(QWidget):
     def _redraw(self) -> None:
         clear(self._words)
         if not self.lines:
-            self._words.addLayout(self._line("pass", "verdict_pass", "The views are enough. More of them make it a little better still."))
+            self._words.addLayout(self._line("pass", "verdict_pass", "There are enough views. More of them improve the result slightly."))
         for text in self.lines[:MOST_WORDS]:
             self._words.addLayout(self._line("info", "accent", text))
         if len(self.lines) > MOST_WORDS:

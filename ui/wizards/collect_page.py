@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 
 LAYERS = {"corners": "Corners", "coverage": "Coverage", "ghost": "Show next"}
 LAYER_TIPS = {
-    "corners": "The corners found; red ones were left out",
-    "coverage": "Where corners were seen so far; the darker, the more often",
+    "corners": "Detected corners; rejected ones in red",
+    "coverage": "Where corners were detected so far; the darker, the more often",
     "ghost": "Where the board should appear in the next view",
 }
 LIVE_MS = 33
@@ -60,9 +60,9 @@ class CollectPage(QWidget):
         self.picture.clear(NOTHING_YET)
         self.coach = CoachPanel(look)
         self.count = label("", "caption")
-        self.remove = Button("Remove", look, "remove", "quiet", "Leave the chosen view out (Delete)")
-        self.undo = Button("Undo", look, "undo", "quiet", "Take the last change back (Ctrl+Z)")
-        self.redo = Button("Redo", look, "redo", "quiet", "Make the change again (Ctrl+Shift+Z)")
+        self.remove = Button("Remove", look, "remove", "quiet", "Remove the chosen view (Delete)")
+        self.undo = Button("Undo", look, "undo", "quiet", "Undo the last change (Ctrl+Z)")
+        self.redo = Button("Redo", look, "redo", "quiet", "Redo the change (Ctrl+Shift+Z)")
         self.remove.clicked.connect(self.remove_chosen)
         self.undo.clicked.connect(collecting.undo)
         self.redo.clicked.connect(collecting.redo)
@@ -115,7 +115,7 @@ class CollectPage(QWidget):
         self._offer_cameras(collecting.cameras)
         self.strip.show_thumbnails([self._thumbnail(view) for view in collecting.views])
         out = sum(view.verdict in {"fail", "not measured"} for view in collecting.views)
-        self.count.setText(several(len(collecting.views), "view") + (f", {out} left out" if out else ""))
+        self.count.setText(several(len(collecting.views), "view") + (f", {out} not used" if out else ""))
         self.undo.setEnabled(collecting.can_undo)
         self.redo.setEnabled(collecting.can_redo)
         self._coach()

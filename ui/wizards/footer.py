@@ -9,7 +9,7 @@ from ui.look.wording import sentence_case
 from ui.widgets.basic import Button, column, label, row
 from ui.wizards.message_line import MessageLine
 
-WAITING = "Judging the result…"
+WAITING = "Evaluating the result…"
 
 
 class Footer(QWidget):

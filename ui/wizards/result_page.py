@@ -16,8 +16,8 @@ from ui.widgets.segments import Segments
 HEADERS = ["Value", "Estimate", "Standard deviation", "True value", "Error", "Change"]
 TRUE, ERROR, CHANGE = 3, 4, 5
 FAR = 3.0  # standard deviations
-TRUTH_NOTE = "True values are known because the rig is simulated. Nothing that measures reads them."
-CHECK_TIP = "Stop this check; the result stays as it is, and can be accepted meanwhile too"
+TRUTH_NOTE = "True values are known because the rig is simulated. The measurement never reads them."
+CHECK_TIP = "Stop this check; the result does not change and can be accepted now"
 SIDE, MARGIN, SCROLL_BAR = 344, 20, 14
 
 

@@ -32,7 +32,7 @@ TABLES = {  # axis -> name, columns
     "table_rad": ("Table angles", "position,angle_deg"),
 }
 TABLE_FILES = "Tables (*.csv);;All files (*)"
-KEPT_TIP = "The wizard says what is missing while you collect, and keeps every view at once."
+KEPT_TIP = "The wizard shows what is missing while you collect, and saves every view at once."
 
 
 class SetupPage(QWidget):
@@ -61,7 +61,7 @@ class SetupPage(QWidget):
 
     def _lay_out(self, look: Look) -> None:
         self._kept_words = label("", "body", wrap=True)
-        go_on = Button("Go on with it", look, "run")
+        go_on = Button("Continue it", look, "run")
         go_on.clicked.connect(self.resumeClicked)
         kept_row = row(self._kept_words, go_on, spacing=16)
         kept_row.setStretch(0, 1)

@@ -28,9 +28,9 @@ SETUP, COLLECT, RESULT = range(3)
 SMALLEST, USUAL = (1320, 660), (1340, 740)
 MORE = 5  # views at a time, beyond those planned
 HELP_PAGE = "calibration_wizards"
-ANYWAY, KEEP_OLD, NOT_NOW = "Accept all the same", "Keep the old one", "Not now"
+ANYWAY, KEEP_OLD, NOT_NOW = "Accept anyway", "Keep the previous one", "Not now"
 OTHER_IMAGES = "Choose other images"
-JUDGING, NO_RESULT = "Judging the result…", "These views give no result yet."
+JUDGING, NO_RESULT = "Evaluating the result…", "These views do not determine a result yet."
 
 
 class CalibrationWizard(QDialog):
@@ -134,7 +134,7 @@ class CalibrationWizard(QDialog):
         return [
             setup,
             Step(self.kind.words.step, state, words),
-            Step("Result", result, {"done": "Good", "problem": "Look at it"}.get(result, "")),
+            Step("Result", result, {"done": "Good", "problem": "Inspect"}.get(result, "")),
         ]
 
     def _offers(self) -> tuple[str, str, str]:

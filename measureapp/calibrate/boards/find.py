@@ -123,7 +123,7 @@ def require_unambiguous(board: BoardDescription, purpose: str) -> None:
             else ("an even and an odd number of corners, such as 14 × 11 or 9 × 6, or a ChArUco board")
         )
         raise CalibrationError(
-            f"A {board.label} looks the same after half a turn, so {purpose} cannot use it.", f"Take a board with {remedy}."
+            f"A {board.label} is symmetric under half a turn, so {purpose} cannot use it.", f"Take a board with {remedy}."
         )
 
 

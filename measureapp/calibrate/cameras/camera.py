@@ -122,7 +122,7 @@ def _summing_in_one_order() -> Iterator[None]:
 
 def _too_few(sightings: Sequence[Sighting], used: Sequence[Sighting], rejected: Sequence[Rejection]) -> CalibrationError:
     camera = sightings[0].camera if sightings else "a camera"
-    left_out = f" {len(rejected)} were left out because they fit badly." if rejected else ""
+    left_out = f" {len(rejected)} were rejected because they fit badly." if rejected else ""
     return CalibrationError(
         f"Camera {camera!r} has {len(used)} usable views of the board; at least {LEAST_VIEWS} are needed.{left_out}",
         "Add sharp views with the board tilted in different directions.",

@@ -82,7 +82,7 @@ def cleaned(bundle: Bundle, state: BundleState, names: Names) -> Cleaned:
         for corner in np.flatnonzero(one.far & one.sight.used):
             distance = float(np.linalg.norm(one.residuals_px[corner]))
             number = int(corner if one.sight.ids is None else one.sight.ids[corner])
-            reason = f"lies {distance:.2f} px from where it should; {one.limits_px[corner]:.2f} px is the limit"
+            reason = f"lies {distance:.2f} px from its expected position; {one.limits_px[corner]:.2f} px is the limit"
             found.corners.append(CornerRejection(camera, view, number, distance, reason))
         found.kept.append(replace(one.sight, used=one.sight.used & ~one.far))
     return found
@@ -135,7 +135,7 @@ def _moved(judged: Sequence[_Alone]) -> dict[int, str]:
         if value > limit and np.linalg.norm(change) > 0:
             angle, distance = float(np.rad2deg(np.linalg.norm(change[:3]))), float(np.linalg.norm(change[3:]))
             moved[id(views[view][worst].sight)] = (
-                f"it shows the board {distance:.2f} mm and {angle:.2f}° from where the other cameras see it: "
+                f"it shows the board {distance:.2f} mm and {angle:.2f}° from the board pose of the other cameras: "
                 "the board moved between the images, or they belong to different positions"
             )
     return moved

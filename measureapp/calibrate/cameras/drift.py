@@ -50,7 +50,7 @@ def camera_drift(evidence: Sequence[ShiftEvidence], cameras: CameraArrayCalibrat
     drift : ``unknown`` without evidence
     """
     if not evidence:
-        return Drift("unknown", "The images of this scan cannot tell whether the cameras moved; check them with a few views of the board.")
+        return Drift("unknown", "The images of this scan cannot show whether the cameras moved; check them with a few views of the board.")
     whole = sum_evidence(evidence)
     turns = [_turned_alone(whole, number) for number in range(len(whole.cameras))]
     ranked = sorted(turns, key=lambda turn: turn.misfit)
@@ -132,7 +132,7 @@ def _standing(best: _Turn, expected_px: float, whole: ShiftEvidence) -> Standing
 def _sentence(standing: Standing, named: Sequence[str], best: _Turn, expected_px: float) -> str:
     size = f"{best.shift_px:.3f} px"
     if standing == "good":
-        return f"The cameras stand as they were calibrated: none is off by more than {size}, and the calibration left {expected_px:.3f} px."
+        return f"Camera drift check: passed; none is off by more than {size}, and the calibration left {expected_px:.3f} px."
     who = f"Camera {named[0]} has" if len(named) == 1 else f"One of the cameras {' and '.join(named)} has"
     advice = {
         "watch": "check the calibration with a few views of the board before the next measurement that matters.",

@@ -56,7 +56,7 @@ def contradictions(poses: Poses) -> list[Rejection]:
         if len(wrong) * 2 >= len(shared) and len(shared) > 1:
             raise CalibrationError(
                 f"The images of cameras {left!r} and {right!r} do not belong together: in {len(wrong)} of {len(shared)} views "
-                "they saw different board positions.",
+                "they show different board positions.",
                 "Give the images of all cameras in the same order, one of each camera per board position.",
             )
         for view in wrong:
@@ -81,9 +81,9 @@ def _blamed(view: str, pairs: Mapping[tuple[str, str], bool]) -> list[Rejection]
     blamed = common or cameras
     others = [camera for camera in cameras if camera not in blamed]
     if others:
-        reason = f"it does not show the board position that cameras {' and '.join(others)} saw"
+        reason = f"it does not show the board position detected by cameras {' and '.join(others)} saw"
     else:
-        reason = f"cameras {' and '.join(cameras)} did not see the same board position: the board moved, or images were exchanged"
+        reason = f"cameras {' and '.join(cameras)} show different board positions: the board moved, or images were exchanged"
     return [Rejection(camera, view, reason) for camera in blamed]
 
 
@@ -101,7 +101,7 @@ def placed_from_reference(poses: Poses, reference: str, given: Mapping[str, Floa
         known, new = max(shared, key=lambda pair: shared[pair])
         if shared[known, new] == 0:
             raise CalibrationError(
-                f"Camera {new!r} shares no view of the board with the other cameras.",
+                f"Camera {new!r} has no view of the board in common with the other cameras.",
                 "Add views in which both it and another camera see the whole board.",
             )
         placed[new] = placed[known] @ pair_transform(poses[known], poses[new])[0]

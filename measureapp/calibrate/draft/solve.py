@@ -22,6 +22,6 @@ def solve(draft: Draft, progress: Progress | None = None, *, afresh: bool = Fals
         The observations do not determine the result; the message says what is missing.
     """
     if not draft.observations:
-        raise CalibrationError(f"The {draft.setup.board.label} was not seen yet.", "Add observations that show it.")
+        raise CalibrationError(f"The {draft.setup.board.label} was not detected yet.", "Add observations that show it.")
     start = replace(draft, solved=None) if afresh else draft
     return replace(draft.kind.solve(start, progress or NoProgress()), sightings=draft.sightings)

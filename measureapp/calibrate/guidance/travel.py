@@ -56,7 +56,7 @@ def advise_guide(draft: Draft, notes: Notes, *, still_robot: bool = False) -> No
     slides = [one.readback.guide_mm for one in draft.counted if one.readback.guide_mm is not None]
     _advise_travel(SLIDE, slides, len(slides), notes)
     if not slides:
-        notes.wish(f"Take the standing board from {LEAST_SLIDE_POSITIONS} positions of the guide or more, {ADVISED_STROKE_MM:.0f} mm apart")
+        notes.wish(f"Take the fixed board from {LEAST_SLIDE_POSITIONS} positions of the guide or more, {ADVISED_STROKE_MM:.0f} mm apart")
     elif still_robot and _robot_moved(draft):
         notes.wish("Keep the robot still while the guide moves: the errors of its poses would count as errors of the guide")
 

@@ -19,8 +19,8 @@ from measureapp.geometry.transform import RigidTransform, rotation_about
 
 TURN_TARGET_DEG = 40.0  # from one end to the other, about each axis of the camera
 TURNS = (  # about x, y and z of the camera, which sees y down
-    ("Turns up and down", "Look at the board from higher up and from lower down: the camera was tilted up and down by only"),
-    ("Turns left and right", "Look at the board more from the left and from the right: the camera was swung sideways by only"),
+    ("Turns up and down", "View the board from higher up and from lower down: the camera was tilted up and down by only"),
+    ("Turns left and right", "View the board more from the left and from the right: the camera was swung sideways by only"),
     ("Turns about the line of sight", "Roll the camera about its line of sight: it was rolled by only"),
 )
 CANDIDATE_TURNS_RAD = tuple(np.deg2rad([-40.0, -25.0, -12.0, 12.0, 25.0, 40.0]))
@@ -33,7 +33,7 @@ def advise_turns(draft: Draft, notes: Notes) -> None:
     spans = turns_deg(places)
     notes.gauges += [Gauge(name, span, TURN_TARGET_DEG, "°") for (name, _), span in zip(TURNS, spans, strict=True)]
     if not places:
-        notes.wish("Show the standing board from the first robot pose")
+        notes.wish("Show the fixed board from the first robot pose")
         return
     for index in np.argsort(spans):
         if spans[index] < TURN_TARGET_DEG:

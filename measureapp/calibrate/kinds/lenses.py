@@ -55,7 +55,7 @@ def camera_problem(draft: Draft, rejected: Sequence[Rejection] = ()) -> CameraAr
     """
     missing = [name for name in draft.setup.camera_names if name not in draft.sizes_px]
     if missing:
-        raise CalibrationError(f"Camera {missing[0]!r} has no images yet.", "Give one of every camera with an observation.")
+        raise CalibrationError(f"Camera {missing[0]!r} has no images yet.", "Give one image per camera with every observation.")
     return replace(camera_draft(draft, draft.setup.camera_names).problem(), rejected=tuple(rejected))
 
 

@@ -76,7 +76,7 @@ class HandEyeSolution:
         if self.sigma_ratio <= LARGEST_RATIO:
             return ()
         return (
-            f"The residuals are {self.sigma_ratio:.1f} times as large as expected: the board moved, the robot is worse than stated, or "
+            f"The residuals are {self.sigma_ratio:.1f} times as large as expected: the board moved, the robot is less accurate than stated, or "
             "robot poses belong to other images. Check that the board is fixed, state the robot's errors, or take the poses again.",
         )
 

@@ -102,7 +102,7 @@ def _fitted(boards_mm: FloatArray, slide: FloatArray, turn: FloatArray, stroke: 
     if not SCALE_RANGE[0] < scale < SCALE_RANGE[1]:
         raise CalibrationError(
             f"The robot moved {scale:.4g} mm per displayed millimetre of the guide.",
-            "Check that guide positions and poses are in mm, in the same order, and that the board stood still.",
+            "Check that guide positions and poses are in mm, in the same order, and that the board did not move.",
         )
     direction = travel / scale
     residual = boards_mm - boards_mm.mean(axis=0) + away[:, None] * travel

@@ -16,7 +16,7 @@ LEAST_OUTLIER_MM = 0.05  # a misfit below is never called one
 SUSPECTS = 3  # the views that fit worst, each tried to leave out
 RELIEF = 1 / 3  # of the rms misfit that is left without a view which contradicts the others; noise alone leaves four fifths
 MOST_REJECTED = 0.25  # of the views
-MOVED = "the board was seen {misfit:.2f} mm from where the observations together put it: it moved, or was found wrongly; take it again"
+MOVED = "the board pose is {misfit:.2f} mm from the joint solution: the board moved or was detected wrongly; repeat the view"
 STAND_IN_MM = 100.0 * np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]])  # marks of a board of which only poses are known
 
 Name = TypeVar("Name")

@@ -134,7 +134,7 @@ def check_table_angles(given_rad: FloatArray, seen_rad: FloatArray) -> None:
     if np.median(gaps[1:]) > LARGEST_ANGLE_GAP_RAD:
         worst = int(np.argmax(gaps))
         raise CalibrationError(
-            f"The table is said to have turned by {np.rad2deg(given_rad[worst] - given_rad[0]):.2f}°, "
+            f"According to its angles the table turned by {np.rad2deg(given_rad[worst] - given_rad[0]):.2f}°, "
             f"but the board turned by {np.rad2deg(seen_rad[worst] - seen_rad[0]):.2f}°.",
             "Check the unit (degrees) and the order of the table angles, and that the board did not move on the table.",
         )

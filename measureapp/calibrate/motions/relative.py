@@ -95,7 +95,7 @@ def _verdict(spread_deg: float, axis: FloatArray) -> str:
     if spread_deg < PARALLEL_DEG:
         raise CalibrationError(
             f"All motions turn about nearly the same axis of the flange ({direction}; {spread_deg:.1f}° from parallel): "
-            "the camera's place along that axis cannot be seen.",
+            "the camera's position along that axis is not observable.",
             "Add poses turned about a second axis, best at right angles to it.",
         )
     if spread_deg < WEAK_DEG:

@@ -27,7 +27,7 @@ LEAST_SWEEP_RAD = np.deg2rad(2.0)
 SAME_ANGLE_RAD = 1e-7
 OUTLIER_FACTOR = 6.0  # of the median misfit
 MOST_REJECTED = 0.25
-REJECTED = "the board was seen far from where all other sightings put it: it moved, or was found wrongly"
+REJECTED = "the board pose contradicts all other observations: the board moved or was detected wrongly"
 
 
 def approaches_to(poses: Sequence[RigidTransform]) -> tuple[int, ...]:
@@ -45,12 +45,12 @@ def approaches_to(poses: Sequence[RigidTransform]) -> tuple[int, ...]:
 def shortfalls(readbacks: Sequence[AxisReadback]) -> tuple[str, ...]:
     """Say what sightings with these read-backs still miss to determine the rig."""
     few = LEAST_OBSERVATIONS - len(readbacks)
-    missing = [f"{few} more sightings of the board are needed."] if few > 0 else []
+    missing = [f"{few} more observations of the board are needed."] if few > 0 else []
     sweep, stroke = _spans(readbacks)
     if sweep < LEAST_SWEEP_RAD:
-        missing.append("Turn the table between sightings, so that its axis shows.")
+        missing.append("Turn the table between observations to determine its axis.")
     if stroke < LEAST_STROKE_MM:
-        missing.append("Move the guide between sightings, so that its direction shows.")
+        missing.append("Move the guide between observations to determine its direction.")
     return tuple(missing)
 
 
@@ -102,7 +102,7 @@ def solve_rig(
             or _spans([one.axes for one in kept])[0] < LEAST_SWEEP_RAD
         ):
             raise CalibrationError(
-                "Too many sightings of the board contradict each other: " + ", ".join(rejected) + ".",
+                "Too many observations of the board contradict each other: " + ", ".join(rejected) + ".",
                 "Check that the board is fixed on the table, and that tables and images are in the same order.",
             )
     progress.report(1, 1)
@@ -116,11 +116,11 @@ def _check_determined(observations: Sequence[Observation], camera_prior: Labelle
     sweep, _ = _spans([observation.axes for observation in observations])
     if camera_prior is not None and any(observation.by_cameras is None for observation in observations):
         raise CalibrationError(
-            "The board poses do not say how they depend on the cameras.", "Give `by_cameras` with every sighting, or no camera prior."
+            "The derivatives of the board poses with respect to the cameras are missing.", "Give the camera Jacobian of every board pose, or no camera prior."
         )
     if len(observations) < LEAST_OBSERVATIONS or sweep < LEAST_SWEEP_RAD:
         raise CalibrationError(
-            f"{len(observations)} sightings of the board over {np.rad2deg(sweep):.1f}° of the table do not determine the rig.",
+            f"{len(observations)} observations of the board over {np.rad2deg(sweep):.1f}° of the table do not determine the rig.",
             f"Give at least {LEAST_OBSERVATIONS} with different robot poses, and turn the table by 60° or more.",
         )
 

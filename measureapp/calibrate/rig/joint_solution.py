@@ -156,7 +156,7 @@ def _warnings(ratio: float) -> tuple[str, ...]:
     if ratio <= LARGEST_RATIO:
         return ()
     return (
-        f"The residuals are {ratio:.1f} times as large as expected: the robot is worse than stated, the board moved, or tables and images "
+        f"The residuals are {ratio:.1f} times as large as expected: the robot is less accurate than stated, the board moved, or tables and images "
         "do not belong together.",
     )
 
@@ -166,7 +166,7 @@ def _given_cameras(chain: Chain, minimum: Minimum[ChainState], variance: float) 
         return minimum.covariance(variance)
     except CalibrationError as error:
         lost = "; ".join(direction.sentence for direction in unseen(minimum.hessian, chain.labels)) or error.message
-        raise CalibrationError(f"The sightings do not determine the rig: {lost}.", error.hint) from error
+        raise CalibrationError(f"The observations do not determine the rig: {lost}.", error.hint) from error
 
 
 def _joint_labels(chain: Chain, camera_prior: LabelledCovariance | None) -> tuple[str, ...]:

@@ -77,7 +77,7 @@ class Limit:
 
     @property
     def limited_by(self) -> str:
-        """What to do where mainly the noise of the images makes it more than asked; empty otherwise."""
+        """What to do where mainly the noise of the images makes it more than requested; empty otherwise."""
         if self.met_beyond or self.by_images is None or self.by_images < MAINLY * self.beyond:
             return ""
         times = (self.by_images / self.asked) ** 2  # noise averages with the square root of the number of views
@@ -97,8 +97,8 @@ class Limit:
     def sentence(self) -> str:
         """All of it in words."""
         unit = f" {self.unit}" if self.unit == "mm" else self.unit
-        verdict = "as asked" if self.met else "as asked but for the rig's axes" if self.met_beyond else "more than asked"
-        start = f"{self.name} ± {self.sigma:.2g}{unit}, asked {self.asked:.2g}{unit}"
+        verdict = "as asked" if self.met else "exceeded by the rig's axes alone" if self.met_beyond else "more than requested"
+        start = f"{self.name} ± {self.sigma:.2g}{unit}, requested {self.asked:.2g}{unit}"
         if self.axes_allow is None:
             return f"{start}: {verdict}"
         alone = "" if self.by_images is None else f" (the images alone {self.by_images:.2g}{unit})"

@@ -51,8 +51,8 @@ class WeakDirection:
         """The direction in words."""
         what = " together with ".join(WORDS.get(name, name) for name in self.parameters)
         if not np.isfinite(self.sigma_mm):
-            return f"{what}: cannot be seen from these poses"
-        seen = "can hardly be seen from these poses" if self.sigma_mm > HARDLY_SEEN_MM else "is the least certain"
+            return f"{what}: not observable from these poses"
+        seen = "is hardly observable from these poses" if self.sigma_mm > HARDLY_SEEN_MM else "is the least certain"
         return f"{what}: {seen} (± {self.sigma_mm:.3g} mm at the part)"
 
 

@@ -83,7 +83,7 @@ def quick_check(
     explained = {} if good else _explained(observations, calibration, middle, not_tested)
     suspect = "" if good else CAMERAS if camera_px > allowed_px else _suspect(views, explained, limit_mm)
     sentence = (
-        f"The board lies up to {worst.deviation_mm:.3f} mm (view {worst.name}) from where the calibration puts it; "
+        f"The board lies up to {worst.deviation_mm:.3f} mm (view {worst.name}) from its calibrated position; "
         f"{limit_mm:g} mm are allowed: " + _advice(suspect, worst, camera_px, allowed_px)
     )
     return QuickCheck(good, sentence, views, limit_mm, suspect, explained, not_tested)

@@ -36,7 +36,7 @@ def register(group: typer.Typer) -> None:
         angles: Annotated[Path | None, typer.Option(help="Table angles: position,angle_deg, in the order of the images.")] = None,
         power: Annotated[float, typer.Option(help="p of the distance weighting, above 1.")] = 2.0,
         free_angles: Annotated[bool, typer.Option("--free-angles", help="Estimate the angles as well.")] = False,
-        closure_radius_mm: Annotated[float, typer.Option(min=1e-3, help="Radius at which the closure is told, mm.")] = 250.0,
+        closure_radius_mm: Annotated[float, typer.Option(min=1e-3, help="Radius at which the closure is reported, mm.")] = 250.0,
     ) -> None:
         """Find the rotation axis by least squares, distance weighting and maximum likelihood."""
         from dataclasses import replace
@@ -176,6 +176,6 @@ def _lines(document: dict[str, Any]) -> list[str]:
         f"  arcs of radius {min(arcs['radii_mm']):.1f} to {max(arcs['radii_mm']):.1f} mm, centres ± {max(arcs['centre_sigma_mm']):.4f} mm"
     )
     lines += [f"  {name}: {reason}" for name, reason in document["refused"].items()]
-    lines += [f"  left out: position {name}: {reason}" for name, reason in document["moved"].items()]
-    lines += [f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
+    lines += [f"  rejected: position {name}: {reason}" for name, reason in document["moved"].items()]
+    lines += [f"  rejected: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
     return lines + [f"  {warning}" for warning in document["warnings"]]

@@ -36,7 +36,7 @@ class CornerSource:
         if self.corners is None:
             return self._from_images(progress)
         if self.images or self.board != BoardChoice():
-            raise InputError("--corners already holds board and corners.", "Leave out --images and what describes the board, or --corners.")
+            raise InputError("--corners already holds board and corners.", "Omit --images and the options of the board, or --corners.")
         from measureapp.project.calibration.camera_inputs import read_camera_inputs
 
         stored = read_camera_inputs(self.corners)

@@ -102,10 +102,10 @@ def write_map(path: Path, quality: Quality) -> dict[str, Path]:
     from measureapp.project.calibration.uncertainty_maps import write_uncertainty, write_uncertainty_picture
 
     if quality.uncertainty is None:
-        raise InputError("; ".join(quality.reasons), "Leave out --uncertainty-map, or give --standoff-mm.")
+        raise InputError("; ".join(quality.reasons), "Omit --uncertainty-map, or give --standoff-mm.")
     picture = path.with_suffix(PICTURE)
     if picture == path:
-        raise InputError(f"--uncertainty-map {path} would be written over by its picture.", "Give it the suffix .npz.")
+        raise InputError(f"--uncertainty-map {path} would be overwritten by its picture.", "Give it the suffix .npz.")
     write_uncertainty(path, quality.uncertainty)
     write_uncertainty_picture(picture, quality.uncertainty)
     return {"uncertainty_map": path, "uncertainty_picture": picture}

@@ -32,7 +32,7 @@ def register(group: typer.Typer) -> None:
     ) -> None:
         """Collect views of a board for one calibration, in a session that can be left and continued.
 
-        In one call these follow in this order: undo, redo, images, remove, solve, compare, accept, coach.
+        In one call these follow in this order: undo, redo, images, remove, solve, compare, accept, guidance.
         """
         from measureapp.calibration_session.recorded import ReadbackFiles
         from measureapp.cli.calibrate.collect_answer import collect_lines

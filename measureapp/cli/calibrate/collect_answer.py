@@ -56,7 +56,7 @@ def collect_lines(document: Mapping[str, Any]) -> list[str]:
     lines += [_observation_line(one) for one in document["observations"]]
     lines += [f"  missing: {sentence}" for sentence in document["shortfalls"]]
     if document["coach"] is not None:
-        sentences = document["coach"]["sentences"] or ["Enough was collected."]
+        sentences = document["coach"]["sentences"] or ["Nothing is missing."]
         lines += ["Next:", *(f"  {sentence}" for sentence in sentences)]
     if document["estimates"]:
         lines += ["Estimates ± standard deviation:", *(_estimate_line(one) for one in document["estimates"])]
@@ -66,7 +66,7 @@ def collect_lines(document: Mapping[str, Any]) -> list[str]:
         lines += [f"  but: {reason}" for reason in document["verdict"]["but"]]
     if document["comparison"] is not None:
         lines += [document["comparison"]["sentence"], *(_change_line(one) for one in document["comparison"]["changes"])]
-    return lines + ([f"Written: {document['accepted']}"] if document["accepted"] is not None else [])
+    return lines + ([f"Saved to {document['accepted']}"] if document["accepted"] is not None else [])
 
 
 def _observation(one: CollectedObservation) -> dict[str, Any]:

@@ -39,15 +39,15 @@ class SessionStart:
 class Steps:
     """What is done with the session."""
 
-    remove: Annotated[list[str] | None, typer.Option(help="Observation to take out; once per observation.")] = None
-    undo: Annotated[bool, typer.Option("--undo", help="Take back the last change of the session.")] = False
-    redo: Annotated[bool, typer.Option("--redo", help="Do again what was undone last.")] = False
-    advise: Annotated[bool, typer.Option("--coach", help="Say what to show next.")] = False
-    solve: Annotated[bool, typer.Option("--solve", help="Solve what was collected, and judge it in mm.")] = False
+    remove: Annotated[list[str] | None, typer.Option(help="Observation to remove; once per observation.")] = None
+    undo: Annotated[bool, typer.Option("--undo", help="Undo the last change of the session.")] = False
+    redo: Annotated[bool, typer.Option("--redo", help="Redo the last change that was undone.")] = False
+    advise: Annotated[bool, typer.Option("--coach", help="Show guidance: what to show next.")] = False
+    solve: Annotated[bool, typer.Option("--solve", help="Solve, and evaluate the result in mm.")] = False
     validate: Annotated[bool, typer.Option("--validate", help="Solve, and check cameras or projector with views held back.")] = False
     compare: Annotated[Path | None, typer.Option(help="Solve, and compare with a session or an earlier result.")] = None
-    accept: Annotated[Path | None, typer.Option(help="Solve afresh and write the result; for the rig a project or folder.")] = None
+    accept: Annotated[Path | None, typer.Option(help="Solve from scratch and save the result; for the rig a project or folder.")] = None
     valid_days: Annotated[float | None, typer.Option(min=0, help="Days after which an accepted calibration expires.")] = None
-    temperature_c: Annotated[float | None, typer.Option(help="Temperature when the images were taken; default: as it was recorded.")] = None
+    temperature_c: Annotated[float | None, typer.Option(help="Temperature when the images were taken; default: as recorded.")] = None
     good_mm: Annotated[float | None, typer.Option(help="Expanded uncertainty (k = 2) up to which the verdict is good, mm.")] = None
     usable_mm: Annotated[float | None, typer.Option(help="The same up to which it is usable, mm; default: four times --good-mm.")] = None

@@ -98,7 +98,7 @@ def opened(folder: Path, given: Given, sources: Sources) -> CalibrationSession:
     if setup.kind.name != given.kind:
         raise InputError(f"{folder} is a session for {setup.kind.name}, not for {given.kind}.", "Name that kind, or another folder.")
     if given.board.board is not None and given.board.description() != setup.board:
-        raise InputError(f"The session in {folder} uses a {setup.board.label}.", "Leave the options of the board out, or start anew.")
+        raise InputError(f"The session in {folder} uses a {setup.board.label}.", "Omit the options of the board, or start a new session.")
     return session
 
 

@@ -1,4 +1,4 @@
-"""The steps of one call of `calibrate collect`, in their order: undo, redo, images, remove, solve, compare, accept, coach."""
+"""The steps of one call of `calibrate collect`, in their order: undo, redo, images, remove, solve, compare, accept, guidance."""
 
 from __future__ import annotations
 

@@ -34,10 +34,10 @@ def register(group: typer.Typer) -> None:
         answer: Answer,
         robot_poses: RobotPosesOption,
         guide_positions: GuidePositionsOption,
-        hand_eye: Annotated[Path, typer.Option(help="What `calibrate hand-eye --out` wrote, or a pose table of one pose.")],
+        hand_eye: Annotated[Path, typer.Option(help="Saved by `calibrate hand-eye --out`, or a pose table of one pose.")],
         board_poses: BoardPosesOption = None,
     ) -> None:
-        """Find the guide's direction and scale from a board that stands still."""
+        """Find the guide's direction and scale from a fixed board."""
         from measureapp.calibrate.draft.draft import Setup
         from measureapp.calibrate.draft.solve import solve
         from measureapp.calibrate.kinds.guide import problem_of, solve_steady
@@ -145,7 +145,7 @@ def _lines(document: dict[str, Any]) -> list[str]:
         f"Guide direction {direction} ± {deviations['direction_deg']:.4f}°, scale {document['scale']:.6f} ± {deviations['scale']:.6f}",
         f"  straightness {document['straightness_mm']['rms']:.4f} mm rms over {document['stroke_mm']:.0f} mm; "
         f"pure +Y would have cost {document['paper_cost_mm']:.3f} mm",
-        *(f"  left out: {name}: {reason}" for name, reason in document["moved"].items()),
-        *(f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]),
+        *(f"  rejected: {name}: {reason}" for name, reason in document["moved"].items()),
+        *(f"  rejected: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]),
         *(f"  {warning}" for warning in document["warnings"]),
     ]

@@ -124,11 +124,11 @@ def _lines(document: dict[str, Any]) -> list[str]:
     lines.append("  ± " + " ".join(f"{deviations[f'{axis}_mm']:.3f}" for axis in "xyz") + " mm (refined)")
     strongest = max(document["poses"], key=lambda pose: pose["influence_mm"])
     lines.append(
-        f"  methods differ by {document['spread_at_part_mm']:.3f} mm at the part; leaving out {strongest['name']} "
-        f"would move it by {strongest['influence_mm']:.3f} mm, every other pose less"
+        f"  methods differ by {document['spread_at_part_mm']:.3f} mm at the part; without {strongest['name']} "
+        f"it would move by {strongest['influence_mm']:.3f} mm, every other pose less"
     )
     lines += [f"  {name}: {reason}" for name, reason in document["refused"].items()]
-    lines += [f"  left out: {name}: {reason}" for name, reason in document["moved"].items()]
+    lines += [f"  rejected: {name}: {reason}" for name, reason in document["moved"].items()]
     lines += [f"  {warning}" for warning in document["warnings"]]
-    lines += [f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
+    lines += [f"  rejected: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
     return [*lines, f"  motions: {document['degeneracy']['verdict']}, {document['degeneracy']['axis_spread_deg']:.1f}° from parallel"]

@@ -19,7 +19,7 @@ def register(group: typer.Typer) -> None:
 
     @group.command()
     def history(project: Annotated[Path, typer.Argument(help="Project folder.")], as_json: JsonOption = False) -> None:
-        """List what every scan and every check with the board said about the project's calibrations, oldest first."""
+        """List the result of every scan and every board check for the project's calibrations, oldest first."""
         from measureapp.project.documents import calibration_id
         from measureapp.project.folder import ProjectFolder
 
@@ -31,7 +31,7 @@ def register(group: typer.Typer) -> None:
             "created": None if calibration is None else calibration.provenance.created,
             "checks": [asdict(line) for line in lines],
         }
-        words = [history_line(line) for line in lines] or ["No scan or check has said anything about a calibration yet."]
+        words = [history_line(line) for line in lines] or ["There is no result of a scan or board check yet."]
         reply(document, "\n".join(words), as_json)
 
 

@@ -19,8 +19,8 @@ LimitOption = Annotated[
     list[str] | None,
     typer.Option(
         "--limit",
-        help="Standard deviation asked of a figure, such as 'axis position=0.01'; once per figure. Exit code 1 where images and cameras "
-        "leave more; `limits` in the answer has the names and the usual values.",
+        help="Standard deviation required of a figure, such as 'axis position=0.01'; once per figure. Exit code 1 where images and cameras "
+        "exceed it; `limits` in the answer has the names and the usual values.",
     ),
 ]
 

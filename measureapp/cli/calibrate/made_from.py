@@ -55,7 +55,7 @@ def made_from_document(document: Any, source: Path) -> MadeFrom:
         made = MadeFrom(tuple(map(str, entry["arguments"])), str(entry["folder"]), {str(k): str(v) for k, v in entry["inputs"].items()})
     except (KeyError, TypeError, AttributeError) as error:
         raise InputError(
-            f"{source} does not say how it was made.",
+            f"{source} has no record of its inputs.",
             "Give a file that a `calibrate` command of this version wrote, or a project's folder.",
         ) from error
     if not made.arguments or made.arguments[0] != "calibrate":

@@ -36,7 +36,7 @@ RobotRepeatMm = Annotated[
 ]
 RobotAlikeMm = Annotated[
     float,
-    typer.Option("--robot-alike-mm", min=0.0, help="Distance over which the robot's errors are alike, mm; 0: each pose has its own."),
+    typer.Option("--robot-alike-mm", min=0.0, help="Correlation length of the robot's pose errors, mm; 0: uncorrelated."),
 ]
 
 

@@ -43,11 +43,11 @@ def register(group: typer.Typer) -> None:
         out: OutOption = None,
         as_json: JsonOption = False,
     ) -> None:
-        """Calibrate the projector from vertical and horizontal fringes on a board, and write it into cameras.json.
+        """Calibrate the projector from vertical and horizontal fringes on a board, and save it to cameras.json.
 
-        With --cameras these stay as they are and the projector is added; their covariance in cameras.json is carried on. Without,
-        cameras and projector are calibrated together. The board is found in the mean of the sinusoidal images. Views held back say
-        whether the stated standard deviations can be trusted. Write to another file than --cameras, so that `calibrate again` finds its inputs unchanged.
+        With --cameras these stay as they are and the projector is added; their covariance in cameras.json is propagated. Without,
+        cameras and projector are calibrated together. The board is found in the mean of the sinusoidal images. Views held back test
+        the stated standard deviations. Save to another file than --cameras, so that `calibrate again` finds its inputs unchanged.
         """
         from measureapp.calibrate.rig.limits import projector_limits
         from measureapp.pipeline.projector import ProjectorRequest, calibrate_projector
@@ -169,9 +169,9 @@ def _lines(document: dict[str, Any]) -> list[str]:
         "  at " + ", ".join(f"{one['value']:.3f} ± {one['standard_deviation']:.3f}" for one in place) + " mm before the reference camera",
     ]
     if not document["camera_uncertainty_carried_on"]:
-        lines.append("  cameras.json holds no covariance: the standard deviations are those at exactly known cameras")
-    return lines + [f"  left out: {one['manifest']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
+        lines.append("  cameras.json holds no covariance: the standard deviations assume exactly known cameras")
+    return lines + [f"  rejected: {one['manifest']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
 
 
 def _written(document: dict[str, Any]) -> list[str]:
-    return [f"Written: {path}" for path in document["files"].values()]
+    return [f"Saved to {path}" for path in document["files"].values()]

@@ -98,6 +98,6 @@ def _lines(document: dict[str, Any], limits: list[str]) -> list[str]:
     )
     lines += [f"  {one['sentence']}" for one in document["weak_directions"]]
     lines += [f"  {warning}" for warning in document["warnings"]]
-    lines += [f"  cannot be seen: {what}" for what in document["not_observable"]]
-    lines += [f"  left out: {name}: {reason}" for name, reason in document["rejected"].items()]
-    return lines + [f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["images_rejected"]]
+    lines += [f"  not observable: {what}" for what in document["not_observable"]]
+    lines += [f"  rejected: {name}: {reason}" for name, reason in document["rejected"].items()]
+    return lines + [f"  rejected: {one['image']} ({one['camera']}): {one['reason']}" for one in document["images_rejected"]]
