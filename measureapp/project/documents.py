@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, Provenance, RigCalibration, RobotStation, RotationAxis
 from measureapp.data.cloud import RingClosure, ViewPlacement
 from measureapp.data.conditions import Conditions, LensSetting
@@ -19,6 +20,8 @@ from measureapp.data.fringe import AxisReadback
 from measureapp.data.measurement import Alignment, Inspection
 from measureapp.data.validity import Drift, Validity
 from measureapp.geometry.transform import RigidTransform
+
+STORED_NOISE = {"robot_correlation_mm": "robot_alike_mm", "robot_correlation_turn": "robot_alike_turn"}  # field -> its name in files
 
 
 def transform_document(transform: RigidTransform) -> dict[str, Any]:
@@ -100,6 +103,17 @@ def rig_calibration_from(document: Mapping[str, Any], cameras: CameraArrayCalibr
 def link_document(link: Any) -> dict[str, Any]:
     """Return a link of the rig's chain, a dataclass such as `HandEye`, as JSON."""
     return _plain(link)
+
+
+def noise_document(noise: AxisNoise) -> dict[str, float]:
+    """Return the noise of the axes as JSON."""
+    return {STORED_NOISE.get(name, name): value for name, value in asdict(noise).items()}
+
+
+def noise_from(document: Mapping[str, Any]) -> AxisNoise:
+    """Return the noise of the axes of a document."""
+    fields_by_name = {stored: name for name, stored in STORED_NOISE.items()}
+    return AxisNoise(**{fields_by_name.get(name, name): float(value) for name, value in document.items()})
 
 
 def hand_eye_from(document: Mapping[str, Any]) -> HandEye:

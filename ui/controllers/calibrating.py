@@ -12,8 +12,8 @@ from ui.controllers.collecting import CollectingController
 from ui.controllers.collecting_nouns import RigSetup
 from ui.controllers.demo import DemoController
 from ui.controllers.jobs import JobRunner
-from ui.controllers.kept_sessions import project_on_disk
 from ui.controllers.rig_connection import VIRTUAL
+from ui.controllers.stored_sessions import project_on_disk
 from ui.session import Session
 
 if TYPE_CHECKING:

@@ -13,14 +13,14 @@ from PySide6.QtGui import QImage
 
 from measureapp.errors import MeasureError
 from ui.controllers import collecting_work as work
+from ui.controllers.background_solver import BackgroundSolver
 from ui.controllers.beginning import begin_with_images, begin_with_rig
 from ui.controllers.collected_images import CollectedImages
-from ui.controllers.collecting_nouns import Kept, LiveImage, SeenView, Start
+from ui.controllers.collected_views import describe_view
+from ui.controllers.collecting_nouns import CollectedView, LiveImage, Start, StoredSession
 from ui.controllers.jobs import JobRunner
-from ui.controllers.kept_sessions import newest_kept, project_on_disk, sessions_folder
 from ui.controllers.rig_connection import RigConnection, truth_of
-from ui.controllers.seen_views import seen_view
-from ui.controllers.solving_meanwhile import SolvingMeanwhile
+from ui.controllers.stored_sessions import newest_session, project_on_disk, sessions_folder
 from ui.session import Session
 from ui.workers.job import Job
 
@@ -46,8 +46,8 @@ class CollectingController(QObject):
         super().__init__(parent)
         self.kind = kind
         self._session, self._collecting = session, collecting
-        self._solver = SolvingMeanwhile(solving, self)
-        self._solver.solved.connect(self._show_thought)
+        self._solver = BackgroundSolver(solving, self)
+        self._solver.solved.connect(self._show_interim)
         self._job: Job | None = None  # that takes or reads images
         self._more = 0  # views beyond those planned that are still to be taken
         self._held = ExitStack()  # the session's folder, while it is open
@@ -61,7 +61,7 @@ class CollectingController(QObject):
         self._rig: RigDescription | None = None
         self._connection: RigConnection | None = None
         self._images = CollectedImages()
-        self.views: tuple[SeenView, ...] = ()
+        self.views: tuple[CollectedView, ...] = ()
 
     # what there is
 
@@ -81,29 +81,29 @@ class CollectingController(QObject):
         return self._job is not None
 
     @property
-    def is_thinking(self) -> bool:
+    def is_solving(self) -> bool:
         """Whether a solution is being computed."""
         return self._solver.is_running
 
     @property
-    def thought(self) -> work.Thought | None:
+    def interim(self) -> work.InterimResult | None:
         """The last solution with verdict and guidance; None before the first."""
-        return self._solver.thought
+        return self._solver.interim
 
     @property
     def is_solved(self) -> bool:
         """Whether the views determine the result."""
-        return self.thought is not None and self.thought.solved is not None
+        return self.interim is not None and self.interim.solved is not None
 
     @property
     def has_enough(self) -> bool:
         """Whether guidance asks for nothing more."""
-        return self.is_solved and self.thought is not None and self.thought.advice.enough
+        return self.is_solved and self.interim is not None and self.interim.advice.enough
 
     @property
     def is_good(self) -> bool:
         """Whether the views collected so far make a good calibration."""
-        return self.thought is not None and self.thought.verdict is not None and self.thought.verdict.level == "good"
+        return self.interim is not None and self.interim.verdict is not None and self.interim.verdict.level == "good"
 
     @property
     def can_undo(self) -> bool:
@@ -156,9 +156,9 @@ class CollectingController(QObject):
 
     # beginning
 
-    def kept(self) -> Kept | None:
+    def kept(self) -> StoredSession | None:
         """Return the newest session of this kind that holds views."""
-        return newest_kept(sessions_folder(project_on_disk(self._session)), self.kind.name)
+        return newest_session(sessions_folder(project_on_disk(self._session)), self.kind.name)
 
     def begin(self, start: Start) -> None:
         """Begin anew; recorded images are read at once."""
@@ -202,7 +202,7 @@ class CollectingController(QObject):
     @property
     def can_take_more(self) -> bool:
         """Whether the rig can take views beyond those planned that teach something."""
-        return self.thought is not None and self.thought.suggestion is not None
+        return self.interim is not None and self.interim.suggestion is not None
 
     @property
     def can_collect(self) -> bool:
@@ -220,7 +220,7 @@ class CollectingController(QObject):
         self._take_suggested()
 
     def _take_suggested(self) -> None:
-        suggestion = None if self.thought is None else self.thought.suggestion
+        suggestion = None if self.interim is None else self.interim.suggestion
         self._more = 0 if suggestion is None else self._more - 1
         if suggestion is not None:
             self._take((suggestion.viewpoint,))
@@ -339,18 +339,18 @@ class CollectingController(QObject):
         self.now = None if self.collected is None else self.collected.snapshot()
         self.views = () if self.now is None else tuple(self._seen(one) for one in self.now.observations)
 
-    def _seen(self, observation: CollectedObservation) -> SeenView:
+    def _seen(self, observation: CollectedObservation) -> CollectedView:
         known = self._images.thumbnails
         pictures = {camera: known[key] for camera in observation.images if (key := (observation.id, camera)) in known}
-        return seen_view(observation, None if self.thought is None else self.thought.solved, pictures)
+        return describe_view(observation, None if self.interim is None else self.interim.solved, pictures)
 
     @Slot()
-    def _show_thought(self) -> None:
-        if self.collected is not None and self.thought is not None:
-            self.collected.adopt(self.thought.solved)
+    def _show_interim(self) -> None:
+        if self.collected is not None and self.interim is not None:
+            self.collected.adopt(self.interim.solved)
         self._refresh()
         self.changed.emit()
-        if self._more and not self.is_collecting and not self.is_thinking:
+        if self._more and not self.is_collecting and not self.is_solving:
             self._take_suggested()
 
     def close(self) -> None:

@@ -41,7 +41,7 @@ class Start:
 
 
 @dataclass(frozen=True)
-class Kept:
+class StoredSession:
     """What an earlier session left."""
 
     folder: Path
@@ -50,14 +50,14 @@ class Kept:
 
 
 @dataclass(frozen=True, eq=False)
-class SeenView:
+class CollectedView:
     """One view of the board as the pages show it."""
 
     id: str
     name: str
     pictures: Mapping[str, QImage]  # camera -> small image
     corners_px: Mapping[str, np.ndarray]  # camera -> (N, 2)
-    left_out_px: Mapping[str, np.ndarray]  # camera -> (M, 2) corners that the calibration left out
+    rejected_px: Mapping[str, np.ndarray]  # camera -> (M, 2) corners that the calibration left out
     residuals_px: Mapping[str, float]  # camera -> rms
     verdict: ViewVerdict
     reason: str = ""

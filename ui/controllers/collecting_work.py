@@ -55,7 +55,7 @@ class Skipped:
 
 
 @dataclass(frozen=True, eq=False)
-class Thought:
+class InterimResult:
     """What follows from the observations so far: a solution or why there is none, and what to show next."""
 
     solved: Solved | None
@@ -127,9 +127,9 @@ def _thumbnails_of(job: Job, snapshot: Snapshot) -> dict[tuple[str, str], QImage
     return pictures
 
 
-def think(job: Job, snapshot: Snapshot, rig: RigDescription | None) -> Thought:
+def evaluate_snapshot(job: Job, snapshot: Snapshot, rig: RigDescription | None) -> InterimResult:
     """Solve a snapshot and get guidance while collecting goes on; with a rig, also from where it should look next."""
-    from measureapp.calibrate.draft.verdict import judge
+    from measureapp.calibrate.draft.verdict import evaluate
     from measureapp.calibrate.guidance.advise import advise
     from measureapp.calibration_session.suggestion import suggest_viewpoint
 
@@ -141,9 +141,9 @@ def think(job: Job, snapshot: Snapshot, rig: RigDescription | None) -> Thought:
             error, snapshot = problem, snapshot.unsolved()
     job.check()
     draft = snapshot.draft
-    verdict = None if draft.solved is None else judge(draft)
+    verdict = None if draft.solved is None else evaluate(draft)
     suggestion = None if rig is None else suggest_viewpoint(draft, rig, f"{BEYOND_PLAN}{len(snapshot.kept) + 1:02d}")
-    return Thought(draft.solved, error, advise(draft), verdict, suggestion)
+    return InterimResult(draft.solved, error, advise(draft), verdict, suggestion)
 
 
 def connect_rig(job: Job, rig: RigDescription, board: BoardDescription) -> RigConnection:

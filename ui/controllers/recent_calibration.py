@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Slot
 
 from measureapp.errors import InputError
 from ui.controllers.jobs import JobRunner
-from ui.controllers.kept_sessions import newest_result
+from ui.controllers.stored_sessions import newest_result
 from ui.session import Session
 
 if TYPE_CHECKING:

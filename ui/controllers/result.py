@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal
 
 from measureapp.errors import CalibrationError
-from ui.controllers.kept_sessions import RESULT, project_on_disk
-from ui.controllers.seen_views import name_of
-from ui.controllers.value_rows import ValueRow, rows_beside
+from ui.controllers.collected_views import name_of
+from ui.controllers.stored_sessions import RESULT, project_on_disk
+from ui.controllers.value_rows import ValueRow, pair_values
 from ui.look.wording import millimetres, quantity
 from ui.session import Session
 
@@ -45,13 +45,13 @@ class Result:
 
 def conclude(job: Job, snapshot: Snapshot, known: Known, truth: Known) -> Result:
     """Solve from nothing and judge; runs on a job's thread. Raises CalibrationError where there is no answer."""
-    from measureapp.calibrate.draft.verdict import judge, required
+    from measureapp.calibrate.draft.verdict import evaluate, require_solution
 
     snapshot = snapshot.solve(job, afresh=True)
     draft, kind = snapshot.draft, snapshot.setup.kind
-    solved, verdict = required(draft), judge(draft)
+    solved, verdict = require_solution(draft), evaluate(draft)
     merged = kind.merge(draft, solved, known)
-    rows = rows_beside(kind.shown(merged, merged), kind.shown(truth, merged), kind.shown(known, merged))
+    rows = pair_values(kind.shown(merged, merged), kind.shown(truth, merged), kind.shown(known, merged))
     return Result(
         snapshot,
         known,
@@ -79,7 +79,7 @@ def cross_validate(job: Job, found: Result) -> Result:
         return replace(found, held_back=str(error))
     if held_back is None:
         return found
-    judged = verdict.judge(draft, held_back=held_back)
+    judged = verdict.evaluate(draft, held_back=held_back)
     return replace(found, verdict=judged.sentence, sign=SIGNS[judged.level], held_back=held_back.verdict)
 
 

@@ -27,7 +27,7 @@ class ValueRow:
         return DISTORTION_DIGITS if self.estimate.label.startswith("Distortion") else DIGITS[self.estimate.unit]
 
 
-def rows_beside(found: Sequence[Estimate], truth: Sequence[Estimate], previous: Sequence[Estimate]) -> tuple[ValueRow, ...]:
+def pair_values(found: Sequence[Estimate], truth: Sequence[Estimate], previous: Sequence[Estimate]) -> tuple[ValueRow, ...]:
     """Return one row per value found; the others are matched by name."""
     true, before = ({one.name: one.value for one in values} for values in (truth, previous))
     return tuple(ValueRow(one, true.get(one.name), before.get(one.name)) for one in found)

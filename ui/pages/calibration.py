@@ -110,11 +110,11 @@ class CalibrationPage(Page):
         if self.session.busy_with:
             self.session.tell(f"{self.session.busy_with} is still running.", "Wait for it, or cancel it first.", "warning")
             return
-        from measureapp.calibrate.kinds.table import kind_called
+        from measureapp.calibrate.kinds.table import find_kind
         from ui.wizards.wizard import CalibrationWizard
 
         if name not in self.wizards:
-            kind: Kind = kind_called(name)
+            kind: Kind = find_kind(name)
             self.wizards[name] = CalibrationWizard(self.look, kind, self.controllers.calibrating(kind), self)
         self.wizards[name].begin()
 

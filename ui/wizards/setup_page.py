@@ -8,7 +8,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QSpinBox, QWidget
 
 from measureapp.data.board import BoardDescription
-from ui.controllers.collecting_nouns import Kept, RigSetup, Start
+from ui.controllers.collecting_nouns import RigSetup, Start, StoredSession
 from ui.look.look import Look
 from ui.look.wording import several, when
 from ui.widgets.basic import Button, Form, card, column, label, row
@@ -112,7 +112,7 @@ class SetupPage(QWidget):
         self.seed.setValue(rig.seed)
         self.board.setValue(rig.board)
 
-    def offer_kept(self, kept: Kept | None) -> None:
+    def offer_kept(self, kept: StoredSession | None) -> None:
         """Offer to go on with views that were kept, where there are any."""
         self.kept.setVisible(kept is not None)
         if kept is not None:

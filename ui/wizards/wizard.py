@@ -73,7 +73,7 @@ class CalibrationWizard(QDialog):
         collecting.begun.connect(self._begun)
         collecting.changed.connect(self.refresh)
         collecting.progressed.connect(footer.show_progress)
-        collecting.told.connect(footer.say)
+        collecting.told.connect(footer.show_message)
         self.calibrating.concluded.connect(self._show_result)
         self.calibrating.checking.connect(self.result.show_checking)
         self.calibrating.checked.connect(self._show_checked)
@@ -149,7 +149,7 @@ class CalibrationWizard(QDialog):
             if collecting.can_take_more and not collecting.is_collecting:
                 more = f"Take {MORE} more views"
                 return (see, more, "") if collecting.is_good or collecting.took_more else (more, see, "")
-            if not (see or collecting.from_rig or collecting.is_collecting or collecting.is_thinking):
+            if not (see or collecting.from_rig or collecting.is_collecting or collecting.is_solving):
                 return OTHER_IMAGES, "", ""
             return see, "", ""
         more = "Collect more" if collecting.can_collect else "Back to the views"
@@ -161,7 +161,7 @@ class CalibrationWizard(QDialog):
         return (more, ANYWAY, keep) if collecting.can_collect else (keep, ANYWAY, more)
 
     def _do_next(self) -> None:
-        self.footer.say("")
+        self.footer.show_message("")
         offered = self.footer.words[0]
         if self.step == SETUP:
             self.collecting.begin(self.setup.value())
@@ -207,7 +207,7 @@ class CalibrationWizard(QDialog):
     def _resume(self) -> None:
         kept = self.collecting.kept()
         if kept is not None:
-            self.footer.say("")
+            self.footer.show_message("")
             self.collecting.resume(kept.folder)
 
     def _begun(self) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.cameras.array import CameraArrayProblem
 from measureapp.calibrate.cameras.camera import LEAST_VIEWS
-from measureapp.calibrate.cameras.projector_sightings import called
+from measureapp.calibrate.cameras.projector_sightings import device_title
 from measureapp.calibrate.sightings import Rejection, Sighting
 from measureapp.data.board import BoardDescription
 
@@ -18,11 +18,11 @@ ADVISED_VIEWS = 10
 ADVISED_TILT_RAD = np.deg2rad(15.0)
 ADVISED_COVERAGE = 0.6
 CELLS = 5  # the image is divided into CELLS × CELLS for the coverage
-ROUGH_FOCAL = 1.5  # focal length over image width, enough to judge tilts
+ROUGH_FOCAL = 1.5  # focal length over image width, enough to estimate tilts
 
 
 class CameraArrayDraft:
-    """The sightings collected so far, and those that gave nothing with their reasons."""
+    """The sightings collected so far, and the rejected images with their reasons."""
 
     def __init__(self, board: BoardDescription, reference: str, sizes_px: Mapping[str, tuple[int, int]], distortion_count: int = 5) -> None:
         self._board, self._reference, self._sizes = board, reference, dict(sizes_px)
@@ -31,20 +31,20 @@ class CameraArrayDraft:
         self._rejected: dict[tuple[str, str], Rejection] = {}
 
     def add_sighting(self, sighting: Sighting) -> None:
-        """Add what one camera saw in one view."""
+        """Add the sighting of one camera in one view."""
         self._sightings[sighting.camera, sighting.view] = sighting
 
     def reject(self, camera: str, view: str, reason: str) -> None:
-        """Note that one camera gave nothing in a view, and why."""
+        """Note that an image was rejected, with the reason."""
         self._rejected[camera, view] = Rejection(camera, view, reason)
 
     def remove(self, view: str) -> None:
-        """Take a view out again, in all cameras."""
+        """Remove a view, in all cameras."""
         self._sightings = {key: sighting for key, sighting in self._sightings.items() if key[1] != view}
         self._rejected = {key: rejection for key, rejection in self._rejected.items() if key[1] != view}
 
     def coverage(self, camera: str) -> float:
-        """Return the share of the image's 5 × 5 cells in which corners were seen."""
+        """Return the fraction of the image's 5 × 5 cells with corners."""
         pixels = [sighting.corners_px for sighting in self._of(camera)]
         if not pixels:
             return 0.0
@@ -62,15 +62,15 @@ class CameraArrayDraft:
         for camera in self._sizes:
             count = len(self._of(camera))
             if count < LEAST_VIEWS:
-                missing.append(f"{called(camera)}: {LEAST_VIEWS - count} more views are needed.")
+                missing.append(f"{device_title(camera)}: {LEAST_VIEWS - count} more views are needed.")
                 continue
             if count < ADVISED_VIEWS:
-                missing.append(f"{called(camera)}: {ADVISED_VIEWS - count} more views would make it reliable.")
+                missing.append(f"{device_title(camera)}: {ADVISED_VIEWS - count} more views would make it reliable.")
             if self.tilt_rad(camera) < ADVISED_TILT_RAD:
-                missing.append(f"{called(camera)}: tilt the board by 20° to 45° in several directions.")
+                missing.append(f"{device_title(camera)}: tilt the board by 20° to 45° in several directions.")
             if self.coverage(camera) < ADVISED_COVERAGE:
                 missing.append(
-                    f"{called(camera)}: only {self.coverage(camera):.0%} of the image was covered; bring the board to its borders."
+                    f"{device_title(camera)}: only {self.coverage(camera):.0%} of the image was covered; bring the board to its borders."
                 )
         return tuple(missing)
 

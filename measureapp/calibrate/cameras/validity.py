@@ -1,4 +1,4 @@
-"""Whether a calibration belongs to the cameras at hand, and whether it is still valid."""
+"""Validity of a calibration: it belongs to these cameras, and is neither expired nor too warm."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def shortfalls(
     rules: CalibrationRules = CalibrationRules(),  # noqa: B008 - frozen
     standoff_mm: float | None = None,
 ) -> tuple[str, ...]:
-    """Say why a calibration should be made anew or checked; nothing where it is valid.
+    """Return the reasons why a calibration should be renewed or checked; nothing if it is valid.
 
     Parameters
     ----------

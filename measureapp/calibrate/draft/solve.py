@@ -10,11 +10,11 @@ from measureapp.progress import NoProgress, Progress
 
 
 def solve(draft: Draft, progress: Progress | None = None, *, afresh: bool = False) -> Solved:
-    """Solve what was collected; quicker from the second time on, which starts from the last solution.
+    """Solve a draft, starting from its last solution where it has one.
 
     Parameters
     ----------
-    afresh : start from nothing, as for a result that is accepted
+    afresh : ignore the last solution, as for a result that is accepted
 
     Raises
     ------

@@ -25,7 +25,7 @@ SWEEP_TARGET_DEG = 120.0  # the axis of a shorter arc is known worse; the paper 
 
 @dataclass(frozen=True, slots=True)
 class Travel:
-    """How far an axis should be moved, in how many positions, and how that is said."""
+    """How far an axis should be moved, in how many positions, and the texts for it."""
 
     positions: int
     span: float
@@ -62,7 +62,7 @@ def advise_guide(draft: Draft, notes: Notes, *, still_robot: bool = False) -> No
 
 
 def ghost_for_table(draft: Draft) -> Ghost | None:
-    """Return where the board will be seen when the table is turned to where a position is missing."""
+    """Predict the outline of the board after the table is turned to a missing position."""
     solved = draft.solved
     if solved is None or not solved.used:
         return None
@@ -74,7 +74,7 @@ def ghost_for_table(draft: Draft) -> Ghost | None:
 
 
 def ghost_for_guide(draft: Draft) -> Ghost | None:
-    """Return where the board will be seen when the guide is moved to where a position is missing."""
+    """Predict the outline of the board after the guide is moved to a missing position."""
     solved, hand_eye = draft.solved, draft.setup.hand_eye
     if solved is None or hand_eye is None or not solved.used:
         return None

@@ -13,12 +13,12 @@ from measureapp.calibrate.draft.draft import Draft
 from measureapp.calibrate.draft.locate import locate
 from measureapp.calibrate.motions.hand_eye import ADVISED_POSES, HandEyeSolution
 from measureapp.calibrate.motions.next_pose import propose
-from measureapp.calibrate.poses import mean_pose, stacked
+from measureapp.calibrate.poses import mean_pose, stack_matrices
 from measureapp.data.board import BoardDescription
 from measureapp.geometry.transform import RigidTransform, rotation_about
 
 TURN_TARGET_DEG = 40.0  # from one end to the other, about each axis of the camera
-TURNS = (  # about x, y and z of the camera, which sees y down
+TURNS = (  # about x, y and z of the camera, y pointing down
     ("Turns up and down", "View the board from higher up and from lower down: the camera was tilted up and down by only"),
     ("Turns left and right", "View the board more from the left and from the right: the camera was swung sideways by only"),
     ("Turns about the line of sight", "Roll the camera about its line of sight: it was rolled by only"),
@@ -44,7 +44,7 @@ def advise_turns(draft: Draft, notes: Notes) -> None:
 
 
 def seen_places(draft: Draft) -> list[RigidTransform]:
-    """Return camera_from_board of the observations, those with the most frequent table angle: there the board stood still."""
+    """Return camera_from_board of the observations, those with the most frequent table angle: at which the board did not move."""
     cameras, usable = draft.cameras, draft.counted
     if cameras is None or not usable:
         return []
@@ -85,7 +85,7 @@ def ghost_for_turns(draft: Draft) -> Ghost | None:
 
 def _middle(places: Sequence[RigidTransform], board: BoardDescription) -> list[RigidTransform]:
     """The mean place of the board, turned about its middle by steps about each axis of the camera."""
-    mean = mean_pose(stacked(places))
+    mean = mean_pose(stack_matrices(places))
     centre = mean[:3, :3] @ board.middle_mm + mean[:3, 3]
     turned = []
     for axis in np.eye(3):

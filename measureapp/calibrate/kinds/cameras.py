@@ -111,7 +111,7 @@ def outdated_projector(known: Known) -> Sequence[str]:
 
 
 def with_cameras(known: Known, cameras: CameraArrayCalibration) -> Known:
-    """Return what is calibrated with new cameras; a rig of other cameras does not take them over."""
+    """Replace the calibrated cameras; a rig of other cameras keeps its own."""
     rig = known.rig
     same = rig is not None and set(rig.cameras.cameras) == set(cameras.cameras)
     return Known(cameras, replace(rig, cameras=cameras) if rig is not None and same else None)

@@ -1,4 +1,4 @@
-"""What calibrations of lenses share: cameras, the projector, and a rig that calibrates its cameras too."""
+"""Common parts of the calibrations of lenses: cameras, the projector, and a rig that calibrates its cameras too."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from measureapp.calibrate.cameras.array import CameraArrayProblem, CameraArraySolution
 from measureapp.calibrate.cameras.array import solve as solve_array
 from measureapp.calibrate.cameras.draft import CameraArrayDraft
-from measureapp.calibrate.cameras.projector_sightings import called
+from measureapp.calibrate.cameras.projector_sightings import device_title
 from measureapp.calibrate.cameras.uncertainty import POSE_NAMES
 from measureapp.calibrate.cameras.validation import CrossValidation, cross_validate
 from measureapp.calibrate.draft.comparison import Comparison, changes_between, millimetres, sigma_ratio
@@ -47,7 +47,7 @@ def camera_draft(draft: Draft, names: Sequence[str]) -> CameraArrayDraft:
 
 
 def camera_problem(draft: Draft, rejected: Sequence[Rejection] = ()) -> CameraArrayProblem:
-    """Return what the cameras are calibrated from. Raises CalibrationError where one has no images yet.
+    """Return the problem of the cameras. Raises CalibrationError where one has no images yet.
 
     Parameters
     ----------
@@ -73,9 +73,9 @@ def solved_cameras(draft: Draft, solution: CameraArraySolution) -> Solved:
         residuals.setdefault(view.view, {})[view.camera] = view.rms_px
     reasons: dict[str, list[str]] = {}
     for rejection in solution.rejected:
-        reasons.setdefault(rejection.view, []).append(f"{called(rejection.camera)}: {rejection.reason}.")
+        reasons.setdefault(rejection.view, []).append(f"{device_title(rejection.camera)}: {rejection.reason}.")
     for corner in solution.rejected_corners:
-        reasons.setdefault(corner.view, []).append(f"{called(corner.camera)}: corner {corner.corner} rejected, it {corner.reason}.")
+        reasons.setdefault(corner.view, []).append(f"{device_title(corner.camera)}: corner {corner.corner} rejected, it {corner.reason}.")
     return Solved(
         solution=solution,
         of=tuple(one.id for one in draft.observations),

@@ -1,4 +1,4 @@
-"""What the observations cannot show, in words: the weak directions of the normal matrix, named by their largest parameters."""
+"""Observability: the weak directions of the normal matrix, named by their largest parameters."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 
-LEVER_MM = 550.0  # from the camera to the part: what an angle amounts to there
+LEVER_MM = 550.0  # from the camera to the part: lever arm of an angle
 STROKE_MM = 500.0  # what an error of scale amounts to over a usual travel of the guide
 NULL_SHARE = 1e-12
 NAMED_SHARE = 0.3  # of the largest component: parameters below it are not named
@@ -44,7 +44,7 @@ class WeakDirection:
 
     sigma_mm: float  # at the part; infinite where nothing shows it
     parameters: tuple[str, ...]  # the largest first
-    shares: tuple[float, ...]  # their components in the unit vector, in mm at the part
+    components: tuple[float, ...]  # their components in the unit vector, in mm at the part
 
     @property
     def sentence(self) -> str:
@@ -57,7 +57,7 @@ class WeakDirection:
 
 
 def lengths_of(labels: Sequence[str]) -> FloatArray:
-    """Return what one unit of each parameter amounts to at the part, mm."""
+    """Return the displacement at the part by one unit of each parameter, mm."""
     return np.array([LEVER_MM if label.endswith("_rad") else STROKE_MM if label.endswith("scale") else 1.0 for label in labels])
 
 
@@ -69,7 +69,7 @@ def weakest(covariance: FloatArray, labels: Sequence[str], count: int = 3) -> tu
     return tuple(_named(float(np.sqrt(max(values[index], 0.0))), vectors[:, index], labels) for index in order)
 
 
-def unseen(hessian: FloatArray, labels: Sequence[str]) -> tuple[WeakDirection, ...]:
+def unobservable(hessian: FloatArray, labels: Sequence[str]) -> tuple[WeakDirection, ...]:
     """Return the directions that change no residual: null vectors of the normal matrix, whose first rows are ``labels``."""
     lengths = np.concatenate([lengths_of(labels), np.ones(len(hessian) - len(labels))])
     scaled = hessian / np.outer(lengths, lengths)

@@ -36,7 +36,7 @@ def register(group: typer.Typer) -> None:
         What a wizard or `calibrate collect` accepted follows from the images that its session keeps. The inputs are checked against the
         checksums stored with the calibration first. Nothing is written.
         """
-        from measureapp.pipeline.again import is_collected
+        from measureapp.pipeline.recalculate import is_collected
 
         place = calibration / "calibration" if (calibration / "project.json").is_file() else calibration
         if (place / "rig.json" if place.is_dir() else place).is_file() and is_collected(place):
@@ -81,17 +81,17 @@ def _file_again(calibration: Path) -> tuple[Sequence[Difference], int, int]:
 
 
 def _project_again(folder: Path) -> tuple[Sequence[Difference], int, int]:
-    from measureapp.pipeline.again import calibration_again
+    from measureapp.pipeline.recalculate import recalculate_project
     from measureapp.project.folder import ProjectFolder
 
-    result = calibration_again(ProjectFolder.open(folder), TerminalProgress())
+    result = recalculate_project(ProjectFolder.open(folder), TerminalProgress())
     return result.differences, result.numbers, result.images
 
 
 def _session_again(result: Path) -> tuple[Sequence[Difference], int, int]:
-    from measureapp.pipeline.again import collected_again
+    from measureapp.pipeline.recalculate import recalculate_session
 
-    found = collected_again(result, TerminalProgress())
+    found = recalculate_session(result, TerminalProgress())
     return found.differences, found.numbers, found.images
 
 

@@ -30,12 +30,12 @@ def quality_of(problem: CameraArrayProblem, solution: CameraArraySolution, stand
     """Return how far a solution can be trusted; what cannot be computed is named, the calibration itself stands."""
     import numpy as np
 
-    from measureapp.calibrate.cameras.uncertainty import uncertainty_map, volume_seen
+    from measureapp.calibrate.cameras.uncertainty import observed_volume, uncertainty_map
 
     places = np.array([pose.apply(solution.board.middle_mm) for pose in solution.boards.values()])
     reasons, uncertainty = [], None
     try:
-        volume = volume_seen(solution.calibration, places, standoff_mm)
+        volume = observed_volume(solution.calibration, places, standoff_mm)
         uncertainty = uncertainty_map(solution.calibration, solution.parameters, solution.covariance, volume)
     except CalibrationError as error:
         reasons.append(f"No uncertainty map: {error.message}")
@@ -44,7 +44,7 @@ def quality_of(problem: CameraArrayProblem, solution: CameraArraySolution, stand
 
 
 def validation_of(problem: CameraArrayProblem, solution: CameraArraySolution, progress: Progress) -> Quality:
-    """Return what views held back say of a solution, or why nothing; without an uncertainty map."""
+    """Return what views held back say of a solution, or the reason for their rejectionhing; without an uncertainty map."""
     from measureapp.calibrate.cameras.validation import cross_validate
 
     try:

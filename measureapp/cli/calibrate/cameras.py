@@ -11,7 +11,7 @@ import typer
 
 from measureapp.cli.calibrate.camera_corners import CornerSource
 from measureapp.cli.calibrate.camera_quality import quality_answer, quality_lines, quality_of, write_map
-from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
+from measureapp.cli.calibrate.limits import RequiredLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.made_from import MadeFrom, made_from
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import OutOption
@@ -30,7 +30,7 @@ def register(group: typer.Typer) -> None:
     def cameras(
         ctx: typer.Context,
         source: CornerSource,
-        asked: AskedLimits,
+        asked: RequiredLimits,
         out: OutOption = None,
         standoff_mm: Annotated[float | None, typer.Option(help="Distance at which parts are measured; default: that of the board.")] = None,
         uncertainty_map: Annotated[Path | None, typer.Option(help="npz to write the uncertainty map to; a PNG goes beside it.")] = None,

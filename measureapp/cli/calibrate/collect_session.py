@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from measureapp.calibrate.draft.draft import Limits, Setup
-from measureapp.calibrate.kinds.table import kind_called
+from measureapp.calibrate.kinds.table import find_kind
 from measureapp.calibrate.motions.axis_noise import expected_noise
 from measureapp.calibration_session.accepting import read_result
 from measureapp.calibration_session.recorded import ReadbackFiles, add_fringes, add_recorded, add_views
@@ -65,7 +65,7 @@ class Given:
 
     def setup(self, sources: Sources) -> Setup:
         """Return what the session is told. Raises InputError naming the option that is wrong or missing."""
-        kind = kind_called(self.kind)
+        kind = find_kind(self.kind)
         if kind.uses_fringes and not sources.fringes:
             raise InputError(f"A new session for {kind.words.subject} needs fringes.", "Give --fringes 'folder/*/MANIFEST.toml'.")
         names, start = sources.camera_names(), self.start
@@ -88,9 +88,9 @@ class Given:
         )
 
 
-def opened(folder: Path, given: Given, sources: Sources) -> CalibrationSession:
+def open_session(folder: Path, given: Given, sources: Sources) -> CalibrationSession:
     """Continue the session in ``folder``, or start it. Raises InputError where the options contradict the session there."""
-    kind_called(given.kind)
+    find_kind(given.kind)
     if not CalibrationSession.is_in(folder):
         return CalibrationSession.create(folder, given.setup(sources))
     session = CalibrationSession.open(folder)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from measureapp.calibrate.draft.draft import Limits
-from measureapp.calibrate.draft.verdict import Verdict, compare, cross_validate, judge
+from measureapp.calibrate.draft.verdict import Verdict, compare, cross_validate, evaluate
 from measureapp.calibrate.guidance.advise import advise
 from measureapp.calibration_session.accepting import accept
 from measureapp.calibration_session.session import CalibrationSession
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Done:
+class StepsResult:
     """What the steps gave."""
 
     document: Mapping[str, Any]
     within: bool  # no verdict is bad, no comparison out of its bounds
 
 
-def carry_out(steps: Steps, limits: Limits | None, session: CalibrationSession, sources: Sources, progress: Progress) -> Done:
+def run_steps(steps: Steps, limits: Limits | None, session: CalibrationSession, sources: Sources, progress: Progress) -> StepsResult:
     """Do what was asked for. Raises InputError, CalibrationError, StorageError."""
     changes = _edited(steps, session, sources, PartOf(progress, 0.0, 0.6))
     verdict = _solved(steps, session, limits, PartOf(progress, 0.6, 1.0))
@@ -36,7 +36,7 @@ def carry_out(steps: Steps, limits: Limits | None, session: CalibrationSession, 
     advice = advise(session.draft) if steps.advise else None
     document = collect_answer(session.snapshot(), changes, advice, verdict, comparison) | {"accepted": steps.accept}
     within = (verdict is None or verdict.level != "bad") and (comparison is None or comparison.within)
-    return Done(document, within)
+    return StepsResult(document, within)
 
 
 def _edited(steps: Steps, session: CalibrationSession, sources: Sources, progress: Progress) -> dict[str, Sequence[str]]:
@@ -63,4 +63,4 @@ def _solved(steps: Steps, session: CalibrationSession, limits: Limits | None, pr
     if session.solved is None:
         return None
     held_back = cross_validate(session.draft, PartOf(progress, 0.5, 1.0)) if steps.validate else None
-    return judge(session.draft, limits, held_back=held_back)
+    return evaluate(session.draft, limits, held_back=held_back)

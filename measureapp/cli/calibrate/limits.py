@@ -26,7 +26,7 @@ LimitOption = Annotated[
 
 
 @dataclass(frozen=True, slots=True)
-class AskedLimits:
+class RequiredLimits:
     """What the user asks instead of the usual."""
 
     limit: LimitOption = None

@@ -51,7 +51,7 @@ class RobotNoise:
 
     def axis_noise(self, table_arcsec: float = 10.0) -> AxisNoise:
         """Return the noise of all axes."""
-        from measureapp.calibrate.motions.axis_noise import ALIKE_MM, ALIKE_TURN, AxisNoise
+        from measureapp.calibrate.motions.axis_noise import CORRELATION_MM, CORRELATION_TURN, AxisNoise
 
         return AxisNoise(
             robot_mm=self.robot_sigma_mm,
@@ -59,8 +59,8 @@ class RobotNoise:
             table_rad=math.radians(table_arcsec / 3600),
             robot_repeat_mm=self.robot_repeat_mm,
             robot_repeat_rad=math.radians(self.robot_sigma_deg) * self.robot_repeat_mm / self.robot_sigma_mm,
-            robot_alike_mm=self.robot_alike_mm,
-            robot_alike_turn=ALIKE_TURN * self.robot_alike_mm / ALIKE_MM,
+            robot_correlation_mm=self.robot_alike_mm,
+            robot_correlation_turn=CORRELATION_TURN * self.robot_alike_mm / CORRELATION_MM,
         )
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from measureapp.cli.calibrate.camera_quality import quality_answer, quality_lines, validation_of
-from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
+from measureapp.cli.calibrate.limits import RequiredLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.made_from import MadeFrom, made_from
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import BoardChoice, CamerasOption, OutOption
@@ -33,7 +33,7 @@ def register(group: typer.Typer) -> None:
     def projector(
         ctx: typer.Context,
         board: BoardChoice,
-        asked: AskedLimits,
+        asked: RequiredLimits,
         manifests: Annotated[list[Path], typer.Argument(help="MANIFEST.toml of the fringes on the board, one per board position.")],
         cameras: CamerasOption = None,
         projector_px: Annotated[

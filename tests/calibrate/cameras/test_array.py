@@ -256,13 +256,13 @@ def test_the_recorded_pairs_give_the_published_stereo_calibration(opencv_pairs):
 
 
 def test_triangulated_squares_of_the_recorded_pairs_have_their_size(opencv_pairs):
-    from measureapp.calibrate.boards.pose import triangulated
+    from measureapp.calibrate.boards.pose import triangulate
 
     board, _, corners = opencv_pairs
     calibration = solved(board, corners).calibration
     sides = []
     for view in sorted({view for _, view in corners}):
-        points = triangulated({camera: corners[camera, view] for camera in ("left", "right")}, calibration).reshape(6, 9, 3)
+        points = triangulate({camera: corners[camera, view] for camera in ("left", "right")}, calibration).reshape(6, 9, 3)
         sides += [np.linalg.norm(np.diff(points, axis=axis), axis=2).ravel() for axis in (0, 1)]
     assert np.mean(np.concatenate(sides)) == pytest.approx(1.0, abs=0.002)
 

@@ -21,7 +21,7 @@ from measureapp.project.folder import ProjectFolder
 
 
 @dataclass(frozen=True, slots=True)
-class Again:
+class Recalculation:
     """What came out."""
 
     differences: tuple[Difference, ...]
@@ -29,7 +29,7 @@ class Again:
     images: int
 
 
-def collected_again(result: Path, progress: Progress) -> Again:
+def recalculate_session(result: Path, progress: Progress) -> Recalculation:
     """Look for the board once more in the images of the session from which a result was accepted, solve, and compare; nothing is written.
 
     Parameters
@@ -49,7 +49,7 @@ def collected_again(result: Path, progress: Progress) -> Again:
         written = Path(folder) / "result"
         keep(solved.snapshot(), written, valid_days=provenance.get("valid_days"), temperature_c=provenance.get("temperature_c"))
         found, numbers = compare_documents(stored, _documents(written))
-    return Again(found, numbers, len(provenance["inputs"]))
+    return Recalculation(found, numbers, len(provenance["inputs"]))
 
 
 def is_collected(result: Path) -> bool:
@@ -74,7 +74,7 @@ def _documents(result: Path) -> Any:
     return documents if result.is_dir() else documents[""]
 
 
-def calibration_again(project: ProjectFolder, progress: Progress) -> Again:
+def recalculate_project(project: ProjectFolder, progress: Progress) -> Recalculation:
     """Solve a project's calibration from its stored images of the board and compare it with the stored one; nothing is written.
 
     Raises
@@ -101,4 +101,4 @@ def calibration_again(project: ProjectFolder, progress: Progress) -> Again:
     solved = calibrate_from_views(views, project.settings.board, project.rig(), progress).calibration
     documents = [{"cameras": cameras_document(one.cameras), "rig": rig_calibration_document(one)} for one in (stored, solved)]
     found, numbers = compare_documents(*documents)
-    return Again(found, numbers, len(seen))
+    return Recalculation(found, numbers, len(seen))

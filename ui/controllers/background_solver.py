@@ -15,10 +15,10 @@ if TYPE_CHECKING:
     from measureapp.data.rig import RigDescription
 
 
-class SolvingMeanwhile(QObject):
+class BackgroundSolver(QObject):
     """Solves snapshots on a thread of their own. A snapshot that comes while one is being solved waits; only the newest is kept."""
 
-    solved = Signal()  # `thought` is new, or solving was stopped
+    solved = Signal()  # `interim` is new, or solving was stopped
 
     def __init__(self, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -26,7 +26,7 @@ class SolvingMeanwhile(QObject):
         self._job: Job | None = None
         self._discarding = False  # what the running job will find
         self._waiting: tuple[Snapshot, RigDescription | None] | None = None
-        self.thought: work.Thought | None = None
+        self.interim: work.InterimResult | None = None
 
     @property
     def is_running(self) -> bool:
@@ -41,7 +41,7 @@ class SolvingMeanwhile(QObject):
 
     def stop(self) -> None:
         """Stop solving and forget what was found."""
-        self._waiting = self.thought = None
+        self._waiting = self.interim = None
         if self._job is not None:
             self._discarding = True
             self._job.cancel()
@@ -50,12 +50,12 @@ class SolvingMeanwhile(QObject):
         if self._waiting is not None:
             (snapshot, rig), self._waiting = self._waiting, None
             self._job = self._runner.run(
-                "Solving", lambda job: work.think(job, snapshot, rig), self._keep, on_stopped=self._stopped, quiet=True
+                "Solving", lambda job: work.evaluate_snapshot(job, snapshot, rig), self._keep, on_stopped=self._stopped, quiet=True
             )
 
     @Slot(object)
-    def _keep(self, found: work.Thought) -> None:
-        self.thought = None if self._discarding else found
+    def _keep(self, found: work.InterimResult) -> None:
+        self.interim = None if self._discarding else found
         self._stopped()
 
     @Slot()
