@@ -115,7 +115,7 @@ def test_a_single_wrong_corner_is_left_out_and_its_view_kept(head, board, simula
     assert solution.rejected == ()
     assert [(one.camera, one.view, one.corner) for one in solution.rejected_corners] == [("left", "00", 17)]
     assert solution.rejected_corners[0].distance_px == pytest.approx(np.hypot(1.0, 0.5), abs=0.2)
-    assert "px from where it should" in solution.rejected_corners[0].reason
+    assert "px from its expected position" in solution.rejected_corners[0].reason
     assert next(view for view in solution.views if (view.camera, view.view) == ("left", "00")).corners == board.columns * board.rows - 1
 
 
