@@ -1,4 +1,4 @@
-"""Is a project's calibration still good? A few views of the board on its rig tell, without a window."""
+"""Check of a project's calibration with a few views of the board on its rig."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ from measureapp.project.folder import ProjectFolder
 
 
 def check_with_board(project: ProjectFolder, rig: Rig, progress: Progress, limit_mm: float = 0.5) -> QuickCheck:
-    """Take a few views of the board, keep them, compare them with the project's calibration, and note the verdict in its history.
+    """Take and store a few views of the board, compare them with the project's calibration, and add the verdict to its history.
 
     Raises
     ------
     CalibrationError
-        There is no calibration, it is of other cameras, or the board is seen in too few views.
+        There is no calibration, it is of other cameras, or the board is detected in too few views.
     DeviceError
         From the rig.
     """

@@ -26,11 +26,11 @@ NOT_KNOWN = (0, 0)
 
 @dataclass(frozen=True, slots=True)
 class ProjectorRequest:
-    """What is calibrated: the projector before known cameras, or projector and cameras together."""
+    """A calibration of the projector with known cameras, or of projector and cameras together."""
 
     board: BoardDescription
     cameras: CameraArrayCalibration | None  # None: the cameras are calibrated from the same images
-    projector_px: tuple[int, int] | None = None  # width and height; None: what the stacks say
+    projector_px: tuple[int, int] | None = None  # width and height; None: from the stacks
     distortion_count: int = 5
     decoding: DecodeSettings = field(default_factory=DecodeSettings)
 
@@ -46,7 +46,7 @@ def calibrate_projector(stacks: Iterable[FringeStack], positions: int, request: 
     Raises
     ------
     CalibrationError
-        Fewer than three positions, fringes in one direction only, a symmetric board, or what is seen does not determine the projector.
+        Fewer than three positions, fringes in one direction only, a symmetric board, or sightings that do not determine the projector.
     InputError
         The stacks have other cameras or another size than the calibrated ones, or differ in the projector's size.
     """

@@ -1,4 +1,4 @@
-"""A calibration solved again from the images of the board that were stored with it: by a project, or by a session of collecting."""
+"""Recalculation of a calibration from the stored images of the board of a project or a session."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from measureapp.project.folder import ProjectFolder
 
 @dataclass(frozen=True, slots=True)
 class Recalculation:
-    """What came out."""
+    """The differences between a stored and a recalculated calibration."""
 
     differences: tuple[Difference, ...]
     numbers: int
@@ -30,7 +30,7 @@ class Recalculation:
 
 
 def recalculate_session(result: Path, progress: Progress) -> Recalculation:
-    """Look for the board once more in the images of the session from which a result was accepted, solve, and compare; nothing is written.
+    """Repeat detection and solution of the session from which a result was accepted, and compare; nothing is written.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Solving what is collected so far while collecting goes on: one solution at a time, the newest state next."""
+"""Solver of snapshots in the background while collecting: one solution at a time, the newest state next."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class BackgroundSolver(QObject):
-    """Solves snapshots on a thread of their own. A snapshot that comes while one is being solved waits; only the newest is kept."""
+    """Solves snapshots on a background thread. A snapshot that arrives while one is being solved waits; only the newest is kept."""
 
     solved = Signal()  # `interim` is new, or solving was stopped
 
@@ -24,7 +24,7 @@ class BackgroundSolver(QObject):
         super().__init__(parent)
         self._runner = runner
         self._job: Job | None = None
-        self._discarding = False  # what the running job will find
+        self._discarding = False  # the result of the running job
         self._waiting: tuple[Snapshot, RigDescription | None] | None = None
         self.interim: work.InterimResult | None = None
 
@@ -34,13 +34,13 @@ class BackgroundSolver(QObject):
         return self._job is not None
 
     def solve(self, snapshot: Snapshot, rig: RigDescription | None) -> None:
-        """Solve a snapshot, with ``rig`` also suggest from where it should look next; at once or after the one that is being solved."""
+        """Solve a snapshot, with ``rig`` also suggest its next viewpoint; at once or after the one that is being solved."""
         self._waiting = (snapshot, rig)
         if self._job is None:
             self._start()
 
     def stop(self) -> None:
-        """Stop solving and forget what was found."""
+        """Stop solving and discard the result."""
         self._waiting = self.interim = None
         if self._job is not None:
             self._discarding = True

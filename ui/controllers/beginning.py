@@ -39,7 +39,7 @@ def begin_with_images(kind: Kind, start: Start, folder: Path, session: Session) 
     Raises
     ------
     InputError
-        No images, a table that cannot be read or does not fit them, or axes whose positions are not told.
+        No images, a table that cannot be read or does not fit them, or axes without positions.
     CalibrationError
         Fringes in one direction only.
     """

@@ -24,7 +24,7 @@ VERDICTS: Mapping[str, ViewVerdict] = {
 
 
 def describe_view(observation: CollectedObservation, solved: Solved | None, pictures: Mapping[str, QImage]) -> CollectedView:
-    """Return one observation as the last solution judges it."""
+    """Return one observation with its status in the last solution."""
     left_out = {} if solved is None else _rejected_corners(observation, solved)
     return CollectedView(
         id=observation.id,
@@ -42,7 +42,7 @@ def describe_view(observation: CollectedObservation, solved: Solved | None, pict
 
 
 def name_of(observation: CollectedObservation) -> str:
-    """Return what a view is called: as its first image is, or by its number."""
+    """Return the name of a view: that of its first image, or its number."""
     return next((image.name for image in observation.images.values() if image.name), observation.id)
 
 

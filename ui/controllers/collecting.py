@@ -1,4 +1,4 @@
-"""Collecting views of the board for one calibration: taking or reading, removing and undoing, with a solution that keeps up."""
+"""Collecting views of the board for one calibration: taking or reading, removing and undoing, with a solution in the background."""
 
 from __future__ import annotations
 
@@ -35,9 +35,9 @@ if TYPE_CHECKING:
 
 
 class CollectingController(QObject):
-    """One calibration in the making. Pages watch `changed`; every change is on disk before anybody hears of it."""
+    """One calibration in the making. Pages watch `changed`; every change is on disk before the signal."""
 
-    changed = Signal()  # views, advice or what is being done
+    changed = Signal()  # views, guidance or the running task
     begun = Signal()  # there is a collection
     progressed = Signal(float, str)
     told = Signal(str, str, str)  # text, hint, level
@@ -48,7 +48,7 @@ class CollectingController(QObject):
         self._session, self._collecting = session, collecting
         self._solver = BackgroundSolver(solving, self)
         self._solver.solved.connect(self._show_interim)
-        self._job: Job | None = None  # that takes or reads images
+        self._job: Job | None = None  # taking or reading images
         self._more = 0  # views beyond those planned that are still to be taken
         self._held = ExitStack()  # the session's folder, while it is open
         self._forget()
@@ -67,7 +67,7 @@ class CollectingController(QObject):
 
     @property
     def cameras(self) -> tuple[str, ...]:
-        """Who sees the board: the cameras that are being collected from, and the projector before them where it is calibrated."""
+        """The projector, if it is calibrated, and the cameras."""
         return () if self.collected is None else self.collected.setup.seeing
 
     @property
@@ -97,7 +97,7 @@ class CollectingController(QObject):
 
     @property
     def has_enough(self) -> bool:
-        """Whether guidance asks for nothing more."""
+        """Whether nothing is missing."""
         return self.is_solved and self.interim is not None and self.interim.advice.enough
 
     @property
@@ -117,7 +117,7 @@ class CollectingController(QObject):
 
     @property
     def truth(self) -> RigCalibration | None:
-        """What the virtual rig really is; for showing beside a result, never for finding one."""
+        """The ground truth of the virtual rig; for display with a result, never for the calibration."""
         if self.collected is None or self._rig is None:
             return None
         return truth_of(self._rig, self.collected.setup.board)
@@ -133,11 +133,11 @@ class CollectingController(QObject):
         return len(self._viewpoints_left())
 
     def newest_image(self, camera: str) -> LiveImage | None:
-        """Return the newest image of a camera while its board is still looked for."""
+        """Return the newest image of a camera while its board is still being detected."""
         return self._images.newest(camera)
 
     def take_live(self) -> bool:
-        """Take the newest images out of their mailbox; tells whether there were any."""
+        """Fetch the newest images from their mailbox; returns whether there were any."""
         return self._images.take_live()
 
     def image(self, id_: str, camera: str) -> np.ndarray | None:
@@ -201,7 +201,7 @@ class CollectingController(QObject):
 
     @property
     def can_take_more(self) -> bool:
-        """Whether the rig can take views beyond those planned that teach something."""
+        """Whether the rig can take views beyond those planned that add information."""
         return self.interim is not None and self.interim.suggestion is not None
 
     @property
@@ -215,7 +215,7 @@ class CollectingController(QObject):
         return any(view.name.startswith(work.BEYOND_PLAN) for view in self.views)
 
     def take_more(self, count: int) -> None:
-        """Let the rig take views beyond those planned, each where it teaches most after the one before was solved."""
+        """Let the rig take views beyond those planned, each at the viewpoint that adds most information after the one before was solved."""
         self._more = count
         self._take_suggested()
 
@@ -296,7 +296,7 @@ class CollectingController(QObject):
             self._report_nothing_found(self.now)
 
     def _report_nothing_found(self, now: Snapshot) -> None:
-        """Say why no view can be used, with the reason of one of them."""
+        """Report that no view can be used, with the reason of one of them."""
         refusals = [refusal for one in now.observations if one.status == "no board" for refusal in one.refused.values()]
         seen = any(one.seen for one in now.observations)
         if refusals:
@@ -354,7 +354,7 @@ class CollectingController(QObject):
             self._take_suggested()
 
     def close(self) -> None:
-        """End what runs for this wizard and let the rig go; everything collected is on disk."""
+        """Stop the jobs of this wizard and disconnect the rig; everything collected is on disk."""
         if self._job is not None:
             self._job.cancel()
         if self._connection is not None:

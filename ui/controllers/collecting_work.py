@@ -1,4 +1,4 @@
-"""What collecting does on a job's thread: take images with the rig, read recorded ones, open a stored session, solve."""
+"""Tasks of collecting on a job's thread: take images with the rig, read recorded ones, open a stored session, solve."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 THUMBNAIL_PX = 256
 BEYOND_PLAN = "more"  # names of viewpoints beyond those planned begin so
-RIG_FILE = "rig.json"  # beside a session whose images a rig takes
+RIG_FILE = "rig.json"  # next to a session whose images a rig takes
 Work = Callable[["Job"], object]
 
 
@@ -56,13 +56,13 @@ class Skipped:
 
 @dataclass(frozen=True, eq=False)
 class InterimResult:
-    """What follows from the observations so far: a solution or why there is none, and what to show next."""
+    """Solution of the observations so far or the reason for its failure, verdict and guidance."""
 
     solved: Solved | None
     error: MeasureError | None
     advice: Advice
     verdict: Verdict | None
-    suggestion: Suggestion | None  # from where the rig should look next, after the planned viewpoints
+    suggestion: Suggestion | None  # next viewpoint of the rig, after the planned ones
 
 
 def thumbnail(pixels: np.ndarray) -> QImage:
@@ -128,7 +128,7 @@ def _thumbnails_of(job: Job, snapshot: Snapshot) -> dict[tuple[str, str], QImage
 
 
 def evaluate_snapshot(job: Job, snapshot: Snapshot, rig: RigDescription | None) -> InterimResult:
-    """Solve a snapshot and get guidance while collecting goes on; with a rig, also from where it should look next."""
+    """Solve a snapshot, evaluate it and determine guidance; with a rig, also its next viewpoint."""
     from measureapp.calibrate.draft.verdict import evaluate
     from measureapp.calibrate.guidance.advise import advise
     from measureapp.calibration_session.suggestion import suggest_viewpoint

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class RecentCalibrationController(QObject):
-    """Finds the newest accepted calibration below the user's home, and takes it up."""
+    """Finds the newest accepted calibration below the user's home, and makes it the one in use."""
 
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -1,4 +1,4 @@
-"""What a wizard's last page shows: the verdict, every value beside others, and what accepting it does."""
+"""The result page of a wizard: verdict, values with comparison, and acceptance."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ class Result:
     """One solved calibration with its verdict."""
 
     snapshot: Snapshot  # solved
-    known: Known  # what was calibrated before
-    merged: Known  # what is calibrated with the result
+    known: Known  # the calibration before
+    merged: Known  # the calibration with the result
     verdict: str
     sign: Sign
     reasons: tuple[str, ...]  # of the verdict, the limits first
@@ -44,7 +44,7 @@ class Result:
 
 
 def conclude(job: Job, snapshot: Snapshot, known: Known, truth: Known) -> Result:
-    """Solve from nothing and judge; runs on a job's thread. Raises CalibrationError where there is no answer."""
+    """Solve from scratch and evaluate; runs on a job's thread. Raises CalibrationError where there is no solution."""
     from measureapp.calibrate.draft.verdict import evaluate, require_solution
 
     snapshot = snapshot.solve(job, afresh=True)
@@ -69,7 +69,7 @@ def conclude(job: Job, snapshot: Snapshot, known: Known, truth: Known) -> Result
 
 
 def cross_validate(job: Job, found: Result) -> Result:
-    """Test the stated uncertainty with held-back views, and judge again; runs on a job's thread."""
+    """Test the stated uncertainty with held-back views, and evaluate again; runs on a job's thread."""
     from measureapp.calibrate.draft import verdict
 
     draft = found.snapshot.draft
@@ -84,7 +84,7 @@ def cross_validate(job: Job, found: Result) -> Result:
 
 
 def reasons_of(verdict: Verdict) -> tuple[str, ...]:
-    """Return the reasons of a verdict: the limits, what would make it better, what else speaks against it."""
+    """Return the reasons of a verdict: limits, remedy and objections."""
     return (verdict.reason, *([verdict.remedy] if verdict.remedy else []), *verdict.reasons)
 
 

@@ -9,7 +9,7 @@ from ui.controllers.collecting_nouns import StoredSession
 from ui.session import Session
 
 SESSIONS = Path("MeasureApp") / "calibrations"
-RESULT, CAMERAS = "result", "cameras.json"  # in a session's folder: what was accepted of it without a project
+RESULT, CAMERAS = "result", "cameras.json"  # in a session's folder: the result accepted without a project
 
 
 def project_on_disk(session: Session) -> Path | None:

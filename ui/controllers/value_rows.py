@@ -1,4 +1,4 @@
-"""The values of a calibration one by one, beside those of the previous one and, on the virtual rig, the true ones."""
+"""Values of a calibration with the previous ones and, on the virtual rig, the true ones."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ DISTORTION_DIGITS = 5
 
 @dataclass(frozen=True)
 class ValueRow:
-    """A value beside its true and its previous one, where they are known."""
+    """A value with its true and its previous one, where they are known."""
 
     estimate: Estimate
     true: float | None = None

@@ -1,4 +1,4 @@
-"""Calibrate: what is known of the rig's true geometry, and how well."""
+"""Page Calibrate: the calibration of the rig and its uncertainty."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ class CalibrationPage(Page):
         self._show()
 
     def _make_menus(self) -> None:
-        """The wizards as a menu; beside the empty state's button a quiet one for the cameras alone."""
+        """The wizards as a menu; next to the empty state's button a quiet one for the cameras alone."""
         menu = QMenu(self)
         menu.setToolTipsVisible(True)
         menu.aboutToShow.connect(lambda: self.offers)
@@ -205,7 +205,7 @@ class CalibrationPage(Page):
 
 
 def _blur(camera: CameraCalibration | ProjectorCalibration | None) -> tuple[tuple[str, str], ...]:
-    """Return how blurred the images of a camera are, where the board told it."""
+    """Return the blur of a camera's images, where it was determined."""
     known = 0.0 if camera is None else getattr(camera, "blur_px", 0.0)  # a projector has none
     return (("Blur of its images", quantity(known, "px", 2)),) if known else ()
 

@@ -86,7 +86,7 @@ class CollectPage(QWidget):
 
     @property
     def chosen(self) -> CollectedView | None:
-        """The view that is looked at; None while the newest image is."""
+        """The chosen view; None while the newest image is shown."""
         return next((view for view in self._collecting.views if view.id == self.strip.current), None)
 
     def begin(self) -> None:
@@ -99,18 +99,18 @@ class CollectPage(QWidget):
         self._timer.stop()
 
     def choose(self, id_: str) -> None:
-        """Look at one view; an empty id: at the newest image."""
+        """Show one view; with an empty id the newest image."""
         self.strip.choose(id_)
         self._show_chosen()
         self.chosenChanged.emit()
 
     def remove_chosen(self) -> None:
-        """Leave the chosen view out."""
+        """Remove the chosen view."""
         if self.chosen is not None:
             self._collecting.remove(self.chosen.id)
 
     def refresh(self) -> None:
-        """Show the views, what is missing and how good it would be now."""
+        """Show the views, guidance and the present verdict."""
         collecting = self._collecting
         self._offer_cameras(collecting.cameras)
         self.strip.show_thumbnails([self._thumbnail(view) for view in collecting.views])
@@ -122,7 +122,7 @@ class CollectPage(QWidget):
         self._show_chosen()
 
     def _show_guidance(self) -> None:
-        """Say what is missing; the gauges are those of the camera looked at."""
+        """Show guidance; the gauges are those of the camera shown."""
         interim = self._collecting.interim
         if interim is not None:
             camera = self.cameras.value()

@@ -1,4 +1,4 @@
-"""Last step: is it any good? One verdict in millimetres, every value with its standard deviation, and what changed."""
+"""Last step: the verdict in millimetres, every value with its standard deviation, and the changes."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ class ResultPage(QWidget):
         look.changed.connect(self._show_sign)
 
     def show_none(self, words: str) -> None:
-        """Say why there is no result to show."""
+        """Show the reason why there is no result."""
         self._result = None
         self.none.setText(words)
         self.none.show()
@@ -112,7 +112,7 @@ class ResultPage(QWidget):
         self.stop_check.show()
 
     def show_checked(self, result: Result | None) -> None:
-        """Show what the check gave; nothing where it was stopped."""
+        """Show the result of the check; nothing where it was stopped."""
         self.stop_check.hide()
         self._held_back.setVisible(result is not None and bool(result.held_back))
         if result is not None and result.held_back:

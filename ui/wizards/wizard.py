@@ -112,7 +112,7 @@ class CalibrationWizard(QDialog):
         self.refresh()
 
     def refresh(self) -> None:
-        """Show how far every step is and what can be done now."""
+        """Show the state of every step and the possible actions."""
         self.steps.show_steps(self._states(), self.step)
         self.footer.offer(*self._offers(), self.setup.problem() if self.step == SETUP else "")
         if self.step == RESULT and self.calibrating.result is None and not self.calibrating.is_concluding:
@@ -184,7 +184,7 @@ class CalibrationWizard(QDialog):
             self._decide(offered)
 
     def _decide(self, offered: str) -> None:
-        """What is done with the result: take it, leave it, or go back to the views."""
+        """Accept the result, keep the previous one, or go back to the views."""
         if offered in ("Accept", ANYWAY):
             self._accept()
         elif offered in (KEEP_OLD, NOT_NOW):
@@ -239,7 +239,7 @@ class CalibrationWizard(QDialog):
         self.help.show_page(HELP_PAGE)
 
     def done(self, code: int) -> None:
-        """Stop what runs for this wizard; what was collected lies on disk."""
+        """Stop the jobs of this wizard; everything collected is on disk."""
         self.collect.end()
         self.calibrating.close()
         super().done(code)

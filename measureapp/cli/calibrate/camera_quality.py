@@ -1,4 +1,4 @@
-"""What `calibrate cameras` and `calibrate projector` say about how far their results can be trusted."""
+"""Uncertainty map and cross-validation of `calibrate cameras` and `calibrate projector`."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ PICTURE = ".png"
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Quality:
-    """The uncertainty map and the cross-validation, or why there is none."""
+    """The uncertainty map and the cross-validation, or the reasons for their absence."""
 
     uncertainty: UncertaintyMap | None
     validation: CrossValidation | None
@@ -27,7 +27,7 @@ class Quality:
 
 
 def quality_of(problem: CameraArrayProblem, solution: CameraArraySolution, standoff_mm: float | None, progress: Progress) -> Quality:
-    """Return how far a solution can be trusted; what cannot be computed is named, the calibration itself stands."""
+    """Compute uncertainty map and cross-validation of a solution; where one cannot be computed, its reason."""
     import numpy as np
 
     from measureapp.calibrate.cameras.uncertainty import observed_volume, uncertainty_map
@@ -98,7 +98,7 @@ def quality_lines(quality: Quality) -> list[str]:
 
 
 def write_map(path: Path, quality: Quality) -> dict[str, Path]:
-    """Write the uncertainty map and its picture beside it; return their paths by name. Raises InputError where there is none."""
+    """Write the uncertainty map and its picture next to it; return their paths by name. Raises InputError where there is none."""
     from measureapp.project.calibration.uncertainty_maps import write_uncertainty, write_uncertainty_picture
 
     if quality.uncertainty is None:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class RigFiles:
-    """The calibrated rig and where every axis was, where the rig does not tell itself."""
+    """The calibrated rig and the axis positions, for views from files."""
 
     calibration: Annotated[Path | None, typer.Option(help="Saved by `calibrate rig --out`.")] = None
     robot_poses: Annotated[Path | None, typer.Option("--robot-poses", help="base_from_flange: name,x_mm,y_mm,z_mm,qw,qx,qy,qz.")] = None

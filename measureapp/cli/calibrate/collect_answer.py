@@ -1,4 +1,4 @@
-"""What `calibrate collect` answers, as JSON and as lines."""
+"""The answer of `calibrate collect`, as JSON and as lines."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def collect_answer(
     verdict: Verdict | None,
     comparison: Comparison | None,
 ) -> dict[str, Any]:
-    """Return the JSON answer: what was done, every observation, and what was asked for."""
+    """Return the JSON answer: changes, every observation, and the requested results."""
     document: dict[str, Any] = {
         "session": snapshot.folder,
         "kind": snapshot.setup.kind.name,
@@ -91,7 +91,7 @@ def _observation(one: CollectedObservation) -> dict[str, Any]:
 
 
 def _axes(at: Readback | Ghost) -> dict[str, Any]:
-    """Return where the axes are, or should be; None for those that nobody knows."""
+    """Return the positions of the axes; None for those that are not known."""
     return {
         "base_from_flange": None if at.base_from_flange is None else at.base_from_flange.matrix,
         "guide_mm": at.guide_mm,

@@ -1,4 +1,4 @@
-"""The options of `calibrate collect`, by what they are about."""
+"""The options of `calibrate collect`, in groups."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import typer
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Recorded:
-    """What goes with the images, or stands in their place."""
+    """Recorded data with the images, or in their place."""
 
     fringes: Annotated[
         list[str] | None,
@@ -27,7 +27,7 @@ class Recorded:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class SessionStart:
-    """What a new session is told once."""
+    """Settings of a new session."""
 
     hand_eye: Annotated[Path | None, typer.Option(help="Calibrated hand-eye transform, for the guide.")] = None
     reference: Annotated[str | None, typer.Option(help="Reference camera; default: the first given.")] = None
@@ -37,7 +37,7 @@ class SessionStart:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Steps:
-    """What is done with the session."""
+    """Actions on the session."""
 
     remove: Annotated[list[str] | None, typer.Option(help="Observation to remove; once per observation.")] = None
     undo: Annotated[bool, typer.Option("--undo", help="Undo the last change of the session.")] = False

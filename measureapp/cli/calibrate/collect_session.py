@@ -1,4 +1,4 @@
-"""What `calibrate collect` is given: how a session starts, where its images come from, and what it is compared with."""
+"""Inputs of `calibrate collect`: settings of a session, sources of images, and the result for comparison."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class Sources:
 class Given:
     """The options that a new session starts with; a session that is continued has its own.
 
-    With a project, its rig's data sheets say how large the errors of robot and table are, and not `noise`.
+    With a project, the errors of robot and table follow from its rig's data sheets, not from `noise`.
     """
 
     kind: str
@@ -64,7 +64,7 @@ class Given:
     noise: AxisNoise
 
     def setup(self, sources: Sources) -> Setup:
-        """Return what the session is told. Raises InputError naming the option that is wrong or missing."""
+        """Return the setup of the session. Raises InputError naming the option that is wrong or missing."""
         kind = find_kind(self.kind)
         if kind.uses_fringes and not sources.fringes:
             raise InputError(f"A new session for {kind.words.subject} needs fringes.", "Give --fringes 'folder/*/MANIFEST.toml'.")
@@ -127,7 +127,7 @@ def _added(session: CalibrationSession, sources: Sources, progress: Progress) ->
 
 
 def previous_result(path: Path) -> Calibrated:
-    """Return what to compare with: a session is solved, anything else is read. Raises InputError, CalibrationError."""
+    """Return the result for comparison: a session is solved, anything else is read. Raises InputError, CalibrationError."""
     if CalibrationSession.is_in(path):
         session = CalibrationSession.open(path)
         return session.setup.kind.result(session.solve())
@@ -141,7 +141,7 @@ def _hand_eye(path: Path) -> HandEye:
 
 
 def limits_of(good_mm: float | None, usable_mm: float | None) -> Limits | None:
-    """Return what the options of a verdict ask; None for the usual of its kind. Raises InputError for limits that are none."""
+    """Return the limits of a verdict given by options; None for the usual ones of its kind. Raises InputError for limits that are none."""
     if good_mm is None and usable_mm is None:
         return None
     usable = usable_mm if usable_mm is not None else USABLE_OVER_GOOD * (good_mm or 0.0)

@@ -21,14 +21,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class StepsResult:
-    """What the steps gave."""
+    """The results of the steps."""
 
     document: Mapping[str, Any]
     within: bool  # no verdict is bad, no comparison out of its bounds
 
 
 def run_steps(steps: Steps, limits: Limits | None, session: CalibrationSession, sources: Sources, progress: Progress) -> StepsResult:
-    """Do what was asked for. Raises InputError, CalibrationError, StorageError."""
+    """Carry out the requested steps. Raises InputError, CalibrationError, StorageError."""
     changes = _edited(steps, session, sources, PartOf(progress, 0.0, 0.6))
     verdict = _solved(steps, session, limits, PartOf(progress, 0.6, 1.0))
     comparison = None if steps.compare is None else compare(previous_result(steps.compare), session.draft)
@@ -40,7 +40,7 @@ def run_steps(steps: Steps, limits: Limits | None, session: CalibrationSession, 
 
 
 def _edited(steps: Steps, session: CalibrationSession, sources: Sources, progress: Progress) -> dict[str, Sequence[str]]:
-    """Undo, redo, add and remove; return the ids of the observations by what was done with them."""
+    """Undo, redo, add and remove; return the ids of the observations by action."""
     changes: dict[str, Sequence[str]] = {
         "undone": [session.undo().observation] if steps.undo else [],
         "redone": [session.redo().observation] if steps.redo else [],
@@ -54,7 +54,7 @@ def _edited(steps: Steps, session: CalibrationSession, sources: Sources, progres
 
 
 def _solved(steps: Steps, session: CalibrationSession, limits: Limits | None, progress: Progress) -> Verdict | None:
-    """Solve, or accept, and judge what is solved; None where nothing is."""
+    """Solve, or accept, and evaluate the solution; None where there is none."""
     if steps.accept is not None:
         part = PartOf(progress, 0.0, 0.5)
         accept(session, steps.accept, part, valid_days=steps.valid_days, temperature_c=steps.temperature_c)

@@ -1,4 +1,4 @@
-"""`calibrate history`: what scans and checks said about a project's calibrations."""
+"""`calibrate history`: results of scans and checks for a project's calibrations."""
 
 from __future__ import annotations
 

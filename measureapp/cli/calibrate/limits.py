@@ -1,4 +1,4 @@
-"""What a calibration is asked for: the option that sets it, and how an answer tells it."""
+"""Required limits of a calibration: the option, and their part of an answer."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ LimitOption = Annotated[
 
 @dataclass(frozen=True, slots=True)
 class RequiredLimits:
-    """What the user asks instead of the usual."""
+    """Limits given by the user in place of the usual ones."""
 
     limit: LimitOption = None
 
     def values(self, figures: Sequence[str]) -> dict[str, float]:
-        """Return figure -> what is asked of it. Raises InputError for a figure that is not among ``figures`` or a value that is no length."""
+        """Return figure -> required standard deviation. Raises InputError for a figure that is not among ``figures`` or a value that is no length."""
         asked = {}
         for option in self.limit or ():
             name, (_, given, text) = _name(option), option.partition("=")
@@ -49,7 +49,7 @@ class RequiredLimits:
         return asked
 
     def exit_unless_met(self, limits: Sequence[Limit]) -> None:
-        """End with exit code 1 where a figure that the option names is not met beyond what the rig's axes allow, or could not be told."""
+        """End with exit code 1 where a figure that the option names is not met beyond what the rig's axes allow, or could not be determined."""
         if {_name(option) for option in self.limit or ()} - {one.name for one in limits if one.met_beyond}:
             raise typer.Exit(OUT_OF_TOLERANCE)
 

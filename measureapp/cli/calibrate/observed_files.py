@@ -30,7 +30,7 @@ from measureapp.project.tables import read_poses, require_millimetres
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ObservedFiles:
-    """What images of the board by calibrated cameras gave."""
+    """Observations from images of the board by calibrated cameras."""
 
     board: BoardDescription
     cameras: CameraArrayCalibration

@@ -1,4 +1,4 @@
-"""Options that the calibrations of robot, guide and table share, and the observations these lead to."""
+"""Options common to the calibrations of robot, guide and table, and the observations from them."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ RobotAlikeMm = Annotated[
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class RobotNoise:
-    """How the robot errs; rotations repeat and resemble each other as positions do."""
+    """Noise of the robot; rotations have the same ratio of repeatability and the same correlation as positions."""
 
     robot_sigma_mm: RobotSigmaMm = 0.2
     robot_sigma_deg: RobotSigmaDeg = 0.012

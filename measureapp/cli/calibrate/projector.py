@@ -55,7 +55,7 @@ def register(group: typer.Typer) -> None:
         from measureapp.project.fringes.manifest import manifest_files
 
         wanted = asked.values(("projector position", "projector rotation"))
-        for path in manifests:  # what is no manifest is named before the first of many images is read
+        for path in manifests:  # a file that is no manifest is refused before the first of many images is read
             manifest_files(path)
         request = ProjectorRequest(
             board=board.description(),
@@ -91,7 +91,7 @@ def _size(text: str) -> tuple[int, int]:
 
 
 def _dated(calibration: CameraArrayCalibration, made: MadeFrom) -> CameraArrayCalibration:
-    """Return the calibration with the projector's date and what it was made from; with that of the cameras where they came with it."""
+    """Return the calibration with the projector's date and provenance; also that of the cameras where they were calibrated with it."""
     from dataclasses import replace
 
     if calibration.projector is None:  # pragma: no cover - `solve_head` always gives one
