@@ -102,7 +102,7 @@ def keep(snapshot: Snapshot, target: Path, *, valid_days: float | None = None, t
         temperature_c=temperature_c if temperature_c is not None or not warm else median(warm),
         valid_days=valid_days,
         arguments=(*COLLECTED, kind.name, "--session", snapshot.folder.name),
-        folder=_seen_from(snapshot.folder.parent, _place_of(result, target)),
+        folder=_relative_folder(snapshot.folder.parent, _place_of(result, target)),
     )
     if isinstance(result, CameraArrayCalibration):
         result = replace(result, provenance=provenance)
@@ -183,7 +183,7 @@ def _place_of(result: Calibrated, target: Path) -> Path:
     return target / "calibration" if (target / PROJECT).is_file() else target
 
 
-def _seen_from(folder: Path, place: Path) -> str:
+def _relative_folder(folder: Path, place: Path) -> str:
     try:
         return Path(os.path.relpath(folder.resolve(), place.resolve())).as_posix()
     except ValueError:  # another drive

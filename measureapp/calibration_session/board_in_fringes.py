@@ -41,7 +41,7 @@ class BoardInFringes:
         return max(counts, key=lambda camera: counts[camera], default=None)
 
     @property
-    def seen_with_projector(self) -> dict[str, Sighting]:
+    def all_sightings(self) -> dict[str, Sighting]:
         """The marks in every camera, and in the projector's pixels as the best camera reads them."""
         reading = None if self.best is None else self.readings[self.best]
         return {**self.seen, **({PROJECTOR: reading} if isinstance(reading, Sighting) else {})}

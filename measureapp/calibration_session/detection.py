@@ -126,7 +126,7 @@ def detect_in_fringes(stack: FringeStack, setup: Setup, size_px: tuple[int, int]
         The fringes run in one direction only.
     """
     found = detect_under_fringes(stack, stack.viewpoint_id, setup.board, DecodeSettings(), progress)
-    images, seen = dict(found.images), found.seen_with_projector
+    images, seen = dict(found.images), found.all_sightings
     refused = {camera: refusal(error) for camera, error in found.refused.items()}
     best = found.best
     if best is None:

@@ -77,7 +77,7 @@ def observe(positions: Sequence[Position], board: BoardDescription, cameras: Cam
     """
     found: dict[str, Detection] = {}
     with ThreadPoolExecutor(DETECTION_THREADS) as pool:
-        pending = [pool.submit(_detected, position, board) for position in positions]
+        pending = [pool.submit(_detect, position, board) for position in positions]
         try:
             for number, (position, future) in enumerate(zip(positions, pending, strict=True)):
                 progress.report(number, len(positions), f"detecting the board in {position.id}")
@@ -130,7 +130,7 @@ def solve_observed(
         raise observed.explain_failure(error) from error
 
 
-def _detected(position: Position, board: BoardDescription) -> Detection:
+def _detect(position: Position, board: BoardDescription) -> Detection:
     detected = detect(position.read(), position.readback, board, DetectionContext(None))
     unclear = {camera for camera, refusal in detected.refused.items() if refusal.cause == "part"}
     return replace(detected, images={camera: image for camera, image in detected.images.items() if camera in unclear})

@@ -88,7 +88,7 @@ class Snapshot:
             raise explain_by_refused(error, images_without_board(self.observations)) from error
         return replace(self, solved=solved)
 
-    def unsolved(self) -> Snapshot:
+    def without_solution(self) -> Snapshot:
         """Return the session without its solution, which no longer fits."""
         return replace(self, solved=None)
 

@@ -32,10 +32,10 @@ def check_with_board(project: ProjectFolder, rig: Rig, progress: Progress, limit
         From the rig.
     """
     with project.lock():
-        return _checked(project, rig, progress, limit_mm)
+        return _check(project, rig, progress, limit_mm)
 
 
-def _checked(project: ProjectFolder, rig: Rig, progress: Progress, limit_mm: float) -> QuickCheck:
+def _check(project: ProjectFolder, rig: Rig, progress: Progress, limit_mm: float) -> QuickCheck:
     calibration = project.require_calibration()
     check_before_scan(rig, calibration)
     viewpoints = check_viewpoints(rig.description)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from measureapp.calibrate.boards.find import require_unambiguous
 from measureapp.calibrate.boards.observation import Observation
-from measureapp.calibrate.cameras.draft import CameraArrayDraft
+from measureapp.calibrate.cameras.array import CameraArrayProblem
 from measureapp.calibrate.cameras.projector import HeadSolution, solve_head
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
 from measureapp.calibrate.kinds.projector import head_problem
@@ -65,14 +65,13 @@ def calibrate_projector(stacks: Iterable[FringeStack], positions: int, request: 
         size_px = _size_of(stack, size_px, given=request.projector_px is not None)
         _require_same_cameras(stack, sizes, request.cameras)
         found = detect_under_fringes(stack, view, request.board, request.decoding, part)
-        observations.append(Observation(view, seen=found.seen_with_projector))
+        observations.append(Observation(view, seen=found.all_sightings))
         missed += [Rejection(camera, view, f"{error.message} {error.hint}".rstrip(".")) for camera, error in found.refused.items()]
         missed += [] if found.best is not None else [one for one in found.readings.values() if isinstance(one, Rejection)][:1]
     _require_different([marks.of(camera, one.id) for one in observations for camera, marks in one.seen.items()])
     names = request.cameras.names if request.cameras is not None else tuple(sizes)
-    problem = head_problem(
-        observations, CameraArrayDraft(request.board, names[0], sizes, request.distortion_count), request.cameras, tuple(missed)
-    )
+    empty = CameraArrayProblem(request.board, names[0], sizes, (), distortion_count=request.distortion_count)
+    problem = head_problem(empty, observations, request.cameras, tuple(missed))
     read = [one.seen[PROJECTOR].of(PROJECTOR, one.id) for one in observations if PROJECTOR in one.seen]
     return solve_head(problem, read, size_px, PartOf(progress, 0.9, 1.0))
 

@@ -9,7 +9,7 @@ import pytest
 from measureapp.calibrate.draft.draft import Known
 from measureapp.calibrate.kinds.axis import axis_at_height
 from measureapp.calibrate.kinds.table import KINDS
-from ui.controllers.value_rows import pair_values
+from ui.controllers.result import pair_values
 
 
 def test_the_same_axis_through_another_of_its_points_has_the_same_values(calibration):

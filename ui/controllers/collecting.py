@@ -178,7 +178,7 @@ class CollectingController(QObject):
     def resume(self, folder: Path) -> None:
         """Continue a stored session."""
         self._collecting.run(
-            "Opening the session", lambda job: work.open_session(job, folder), self._resumed, on_event=self._happened, quiet=True
+            "Opening the session", lambda job: work.open_session(job, folder), self._resumed, on_event=self._handle_event, quiet=True
         )
 
     @Slot(object)
@@ -254,7 +254,7 @@ class CollectingController(QObject):
 
     def _run(self, title: str, run: work.Work) -> None:
         self._job = self._collecting.run(
-            title, run, self._collected, on_event=self._happened, on_stopped=self._stopped, on_failed=self._tell_failure
+            title, run, self._collected, on_event=self._handle_event, on_stopped=self._stopped, on_failed=self._tell_failure
         )
         self._job.progressed.connect(self.progressed)
         self.changed.emit()
@@ -266,7 +266,7 @@ class CollectingController(QObject):
             self._job.cancel()
 
     @Slot(object)
-    def _happened(self, event: object) -> None:
+    def _handle_event(self, event: object) -> None:
         match event:
             case RigConnection():
                 self._connection = event
@@ -337,9 +337,9 @@ class CollectingController(QObject):
 
     def _refresh(self) -> None:
         self.now = None if self.collected is None else self.collected.snapshot()
-        self.views = () if self.now is None else tuple(self._seen(one) for one in self.now.observations)
+        self.views = () if self.now is None else tuple(self._describe(one) for one in self.now.observations)
 
-    def _seen(self, observation: CollectedObservation) -> CollectedView:
+    def _describe(self, observation: CollectedObservation) -> CollectedView:
         known = self._images.thumbnails
         pictures = {camera: known[key] for camera in observation.images if (key := (observation.id, camera)) in known}
         return describe_view(observation, None if self.interim is None else self.interim.solved, pictures)

@@ -82,7 +82,7 @@ def take(job: Job, rig: Rig, viewpoints: Sequence[Viewpoint], session: Calibrati
         live.put(camera, LiveImage(view, pixels))
 
     for viewpoint, found in capture_views(rig, viewpoints, session, show, job):
-        job.emit_event(_added(found, viewpoint.id))
+        job.emit_event(_describe_added(found, viewpoint.id))
 
 
 def read(job: Job, recorded: Sequence[RecordedView], session: CalibrationSession) -> None:
@@ -94,11 +94,11 @@ def read(job: Job, recorded: Sequence[RecordedView], session: CalibrationSession
         except (InputError, DecodeError) as error:
             job.emit_event(Skipped(error))
             continue
-        job.emit_event(_added(found, view.name))
+        job.emit_event(_describe_added(found, view.name))
     session.identify_parts()
 
 
-def _added(found: CollectedObservation, name: str) -> Added:
+def _describe_added(found: CollectedObservation, name: str) -> Added:
     images = {camera: image.pixels() for camera, image in found.images.items()}
     return Added(found.id, name, images, {camera: thumbnail(pixels) for camera, pixels in images.items()})
 
@@ -138,7 +138,7 @@ def evaluate_snapshot(job: Job, snapshot: Snapshot, rig: RigDescription | None) 
         try:
             snapshot = snapshot.solve(job)
         except CalibrationError as problem:
-            error, snapshot = problem, snapshot.unsolved()
+            error, snapshot = problem, snapshot.without_solution()
     job.check()
     draft = snapshot.draft
     verdict = None if draft.solved is None else evaluate(draft)

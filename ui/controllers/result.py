@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal
 
 from measureapp.errors import CalibrationError
 from ui.controllers.collected_views import name_of
 from ui.controllers.stored_sessions import RESULT, project_on_disk
-from ui.controllers.value_rows import ValueRow, pair_values
 from ui.look.wording import millimetres, quantity
 from ui.session import Session
 
 if TYPE_CHECKING:
     from measureapp.calibrate.draft.draft import Known, Solved
+    from measureapp.calibrate.draft.estimate import Estimate
     from measureapp.calibrate.draft.verdict import Verdict
     from measureapp.calibration_session.snapshot import Snapshot
     from measureapp.data.calibration import CameraCalibration
@@ -22,6 +22,22 @@ if TYPE_CHECKING:
 
 Sign = Literal["pass", "fail", "not proven"]
 SIGNS: Mapping[str, Sign] = {"good": "pass", "usable": "not proven", "bad": "fail"}
+DIGITS = {"px": 2, "mm": 3, "°": 4, "": 6}
+DISTORTION_DIGITS = 5
+
+
+@dataclass(frozen=True)
+class ValueRow:
+    """A value with its true and its previous one, where they are known."""
+
+    estimate: Estimate
+    true: float | None = None
+    previous: float | None = None
+
+    @property
+    def digits(self) -> int:
+        """How many decimals are shown."""
+        return DISTORTION_DIGITS if self.estimate.label.startswith("Distortion") else DIGITS[self.estimate.unit]
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,3 +156,9 @@ def _compare(snapshot: Snapshot, solved: Solved, known: Known, merged: Known) ->
 def _camera_words(camera: CameraCalibration) -> str:
     """Return the residual of a camera, and the blur of its images where it was determined."""
     return quantity(camera.rms_px, "px", 3) + (f", blur {quantity(camera.blur_px, 'px', 2)}" if camera.blur_px else "")
+
+
+def pair_values(found: Sequence[Estimate], truth: Sequence[Estimate], previous: Sequence[Estimate]) -> tuple[ValueRow, ...]:
+    """Return one row per value found; the others are matched by name."""
+    true, before = ({one.name: one.value for one in values} for values in (truth, previous))
+    return tuple(ValueRow(one, true.get(one.name), before.get(one.name)) for one in found)

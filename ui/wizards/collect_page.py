@@ -176,7 +176,7 @@ class CollectPage(QWidget):
             overlay = Overlay(
                 view.corners_px.get(camera), view.rejected_px.get(camera), None if chosen else self._ghost(camera), self._coverage(camera)
             )
-            self._draw(pixels, overlay, f"{view.name}: {self._said(view, camera)}")
+            self._draw(pixels, overlay, f"{view.name}: {self._caption(view, camera)}")
         else:
             self.picture.clear(NOTHING_YET)
 
@@ -201,7 +201,7 @@ class CollectPage(QWidget):
         counts, _, _ = np.histogram2d(corners[:, 1], corners[:, 0], bins=CELLS[::-1], range=((0, size[1]), (0, size[0])))
         return counts
 
-    def _said(self, view: CollectedView, camera: str) -> str:
+    def _caption(self, view: CollectedView, camera: str) -> str:
         reason = view.reasons.get(camera, "") or (view.reason if view.verdict == "fail" else "")
         residual = view.residuals_px.get(camera)
         figure = f"residual {quantity(residual, 'px', 3)}" if residual is not None else ""

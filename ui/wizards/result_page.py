@@ -5,8 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QLabel, QScrollArea, QWidget
 
-from ui.controllers.result import Result
-from ui.controllers.value_rows import ValueRow
+from ui.controllers.result import Result, ValueRow
 from ui.look.look import Look
 from ui.look.wording import NOTHING, quantity
 from ui.widgets.basic import Button, card, clear, column, label, row

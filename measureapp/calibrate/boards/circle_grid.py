@@ -47,7 +47,7 @@ def detect_grid(grey: ImageArray, board: CirclesDescription) -> CircleGrid | Non
         return None
     smooth = blur(grey)
     best, most = None, 0
-    for seen in (replace(found, places=_sheared(found.places, shear)) for shear in SHEARS):
+    for seen in (replace(found, places=_shear(found.places, shear)) for shear in SHEARS):
         plane = _plane(seen, board)
         if plane is None:
             continue
@@ -97,7 +97,7 @@ def rotate_places(places: IntArray, quarter: int) -> IntArray:
     return np.column_stack([x, y])
 
 
-def _sheared(places: IntArray, shear: IntArray) -> IntArray:
+def _shear(places: IntArray, shear: IntArray) -> IntArray:
     """Return places (N, 2) as they are numbered by other steps to the nearest circles."""
     steps = places @ ((1, -1), (1, 1)) // 2
     return np.asarray(steps @ shear @ ((1, 1), (-1, 1)))

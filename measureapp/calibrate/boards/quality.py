@@ -92,7 +92,7 @@ def missing(grey: ImageArray, board: BoardDescription, squares: DetectedSquares 
     """Return the error for an image in which ``board`` was not found; ``squares`` is what was found of a checkerboard instead."""
     return (
         poor_image(grey, board)
-        or _seen_instead(grey, board, squares)
+        or _describe_grid(grey, board, squares)
         or BoardDetectionError(
             f"The {board.label} was not found.",
             "The whole board must be visible, sharp and not over-exposed; check the kind of board and its size.",
@@ -257,7 +257,7 @@ def nothing_sharp(grey: ImageArray) -> bool:
     return bool(high - low > DARK_LEVEL and GAUSSIAN_RISE * (high - low) / (np.sqrt(2 * np.pi) * steepest) > WIDEST_EDGE_PX)
 
 
-def _seen_instead(grey: ImageArray, board: BoardDescription, squares: DetectedSquares | None) -> BoardDetectionError | None:
+def _describe_grid(grey: ImageArray, board: BoardDescription, squares: DetectedSquares | None) -> BoardDetectionError | None:
     """Describe the grid found instead of ``board``."""
     if isinstance(board, CharucoDescription):
         return suggest_charuco(grey, board)

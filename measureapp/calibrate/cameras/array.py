@@ -13,7 +13,7 @@ from measureapp.calibrate.boards.find import require_unambiguous
 from measureapp.calibrate.boards.quality import blur_px
 from measureapp.calibrate.cameras.bundle import Bundle, BundleState, IndexedSighting, adjust
 from measureapp.calibrate.cameras.camera import FIXED_COEFFICIENTS, LEAST_VIEWS, calibrate_camera, estimate_poses
-from measureapp.calibrate.cameras.cleaning import Cleaned, CornerRejection, Names, compacted, reject_corners
+from measureapp.calibrate.cameras.cleaning import Cleaned, CornerRejection, Names, drop_empty_views, reject_corners
 from measureapp.calibrate.cameras.known import (
     LARGEST_DISTORTION,
     complete_covariance,
@@ -92,7 +92,7 @@ def solve(problem: CameraArrayProblem, progress: Progress | None = None, before:
     """
     progress = progress or NoProgress()
     _check(problem)
-    sightings, rejected, start, checks = _started(problem, before, PartOf(progress, 0.0, 0.4))
+    sightings, rejected, start, checks = _start_values(problem, before, PartOf(progress, 0.0, 0.4))
     cameras, views = _indices(problem, sightings)
     sights = [
         IndexedSighting(cameras[one.camera], views[one.view], one.corners_px, np.ones(len(one.corners_px), bool), one.ids, spread)
@@ -111,7 +111,7 @@ def solve(problem: CameraArrayProblem, progress: Progress | None = None, before:
         if not found.anything:
             break
         rejected, corners = rejected + found.rejected, _still_used(corners, found)
-        start, sights, names = compacted(minimum.state, found.kept, names, known)
+        start, sights, names = drop_empty_views(minimum.state, found.kept, names, known)
     else:  # outliers of the last round are rejected as well, so the solution must not contain them
         minimum, bundle = adjust(problem.board, sights, start, free_bow=free_bow, known_cameras=known, progress=progress)
     progress.report(1, 1)
@@ -137,7 +137,7 @@ def _check(problem: CameraArrayProblem) -> None:
         require_unambiguous(problem.board, "a calibration of several cameras")
 
 
-def _started(
+def _start_values(
     problem: CameraArrayProblem, before: CameraArraySolution | None, progress: Progress
 ) -> tuple[list[Sighting], list[Rejection], BundleState, tuple[LoopCheck, ...]]:
     """Calibrate every camera alone, or take its lens from ``before``, and chain them: the start values of the bundle."""

@@ -73,7 +73,7 @@ def reject_corners(bundle: Bundle, state: BundleState, names: Names) -> Cleaned:
     medians = [float(np.median([one.rms_px for one in judged if one.sight.camera == camera] or [0.0])) for camera in range(len(names[0]))]
     found = Cleaned([], [], [])
     fitting = [one for one in judged if not _misfits(one, medians[one.sight.camera], names, found)]
-    moved = _moved(fitting)
+    moved = _moved_boards(fitting)
     for one in fitting:
         camera, view = names[0][one.sight.camera], names[1][one.sight.view]
         if id(one.sight) in moved:
@@ -120,7 +120,7 @@ def _misfits(one: _Alone, median_px: float, names: Names, found: Cleaned) -> boo
     return True
 
 
-def _moved(judged: Sequence[_Alone]) -> dict[int, str]:
+def _moved_boards(judged: Sequence[_Alone]) -> dict[int, str]:
     """Sightings (by id) whose board pose contradicts the other cameras' images of the same view, with the reason."""
     views: dict[int, list[_Alone]] = {}
     for one in judged:
@@ -150,7 +150,7 @@ def _against_others(one: _Alone, view: Sequence[_Alone]) -> tuple[float, FloatAr
     return float(change @ np.linalg.solve(both, change)), change
 
 
-def compacted(
+def drop_empty_views(
     state: BundleState, sights: Sequence[IndexedSighting], names: Names, known_cameras: int
 ) -> tuple[BundleState, list[IndexedSighting], Names]:
     """Drop board positions without sightings. Raises CalibrationError where too few are left for a camera that is not known."""

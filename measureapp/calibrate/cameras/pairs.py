@@ -60,17 +60,17 @@ def find_contradictions(poses: Poses) -> list[Rejection]:
                 "Give the images of all cameras in the same order, one of each camera per board position.",
             )
         for view in wrong:
-            odd.setdefault(view, {})[left, right] = _exchanged(poses[left][view], poses[right][view], middle)
-    return [rejection for view, pairs in odd.items() for rejection in _blamed(view, pairs)]
+            odd.setdefault(view, {})[left, right] = _are_exchanged(poses[left][view], poses[right][view], middle)
+    return [rejection for view, pairs in odd.items() for rejection in _rejections(view, pairs)]
 
 
-def _exchanged(left: RigidTransform, right: RigidTransform, middle: FloatArray) -> bool:
+def _are_exchanged(left: RigidTransform, right: RigidTransform, middle: FloatArray) -> bool:
     """Whether the images of both cameras fit when exchanged (with similar lenses)."""
     turned = stack_matrices([right]) @ invert_poses(stack_matrices([left]))
     return bool(np.linalg.norm(change_between(middle[None], turned)[0, :3]) < LARGEST_TURN_RAD)
 
 
-def _blamed(view: str, pairs: Mapping[tuple[str, str], bool]) -> list[Rejection]:
+def _rejections(view: str, pairs: Mapping[tuple[str, str], bool]) -> list[Rejection]:
     """The cameras whose images of a view are rejected: the one common to all contradictions, or else all of them."""
     swapped = next((pair for pair, exchanged in pairs.items() if exchanged), None)
     if swapped is not None:

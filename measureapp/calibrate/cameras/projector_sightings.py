@@ -119,7 +119,7 @@ def _read_one(values: FloatArray, sigma: FloatArray, valid: BoolArray, place: Fl
     y, x = np.mgrid[window].astype(float)
     x, y = (x - place[0]) / radius, (y - place[1]) / radius
     use = valid[window] & (x * x + y * y <= 1)
-    if not _surrounded(x[use], y[use]):
+    if not _is_surrounded(x[use], y[use]):
         return nothing
     terms = np.column_stack([np.ones(use.sum()), x[use], y[use], x[use] ** 2, x[use] * y[use], y[use] ** 2])
     weight, seen = 1.0 / np.asarray(sigma[window][use], float), np.asarray(values[window][use], float)
@@ -137,7 +137,7 @@ def _read_one(values: FloatArray, sigma: FloatArray, valid: BoolArray, place: Fl
     return float(found[0]), spread * float(np.sqrt(inverse[0, 0]))
 
 
-def _surrounded(x: FloatArray, y: FloatArray) -> bool:
+def _is_surrounded(x: FloatArray, y: FloatArray) -> bool:
     """Whether there are pixels enough, and on all four sides."""
     least = max(LEAST_PIXELS // 4, len(x) // 5)
     return len(x) >= LEAST_PIXELS and all(np.count_nonzero(side) >= least for side in (x > 0, x < 0, y > 0, y < 0))

@@ -174,13 +174,13 @@ def _held_back(view: str, problem: CameraArrayProblem, trained: CameraArraySolut
     free_bow = any(name in BOW_NAMES for name in trained.parameters)
     bundle, state = _one_view(trained.calibration, trained.board, whole.boards[view].matrix, sights, free_bow)
     sigmas = np.concatenate([np.repeat(trained.sigmas_px[names[sight.camera]] * spread_of(sight), 2) for sight in sights])
-    residuals, by_board, by_rest = _linearised(bundle, state)
+    residuals, by_board, by_rest = _linearise(bundle, state)
     for _ in range(POSE_STEPS):
         step = -np.linalg.lstsq(by_board / sigmas[:, None], residuals / sigmas, rcond=None)[0]
         state = bundle.moved(state, np.concatenate([np.zeros(bundle.layout.boards_at), step]))
-        residuals, by_board, by_rest = _linearised(bundle, state)
+        residuals, by_board, by_rest = _linearise(bundle, state)
     count = len(residuals) / 2
-    return HeldBackView(view, float(np.sqrt(residuals @ residuals / count)), _predicted(by_board, by_rest, sigmas, trained.covariance))
+    return HeldBackView(view, float(np.sqrt(residuals @ residuals / count)), _predict_rms(by_board, by_rest, sigmas, trained.covariance))
 
 
 def _one_view(
@@ -197,7 +197,7 @@ def _one_view(
     return Bundle(board, sights, Layout(4 + count, len(cameras), 3 if free_bow else 0)), state
 
 
-def _linearised(bundle: Bundle, state: BundleState) -> tuple[FloatArray, FloatArray, FloatArray]:
+def _linearise(bundle: Bundle, state: BundleState) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Residuals (M,) of one view and their derivatives by the board's pose (M, 6) and by all that views share (M, P)."""
     rows = []
     for sight in bundle.sights:
@@ -209,7 +209,7 @@ def _linearised(bundle: Bundle, state: BundleState) -> tuple[FloatArray, FloatAr
     return np.concatenate([residual for residual, _ in rows]), everything[:, -POSE:], everything[:, :-POSE]
 
 
-def _predicted(by_board: FloatArray, by_rest: FloatArray, sigmas: FloatArray, covariance: FloatArray) -> float:
+def _predict_rms(by_board: FloatArray, by_rest: FloatArray, sigmas: FloatArray, covariance: FloatArray) -> float:
     """Expected rms distance of a held-back view's corners; the board's pose is fitted with the cameras' weights."""
     weighted = by_board / sigmas[:, None]
     taken = by_board @ np.linalg.pinv(weighted)  # part of the whitened residuals that the fitted pose absorbs

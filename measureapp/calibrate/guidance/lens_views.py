@@ -9,8 +9,8 @@ import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray
 from measureapp.calibrate.cameras.camera import estimate_poses
-from measureapp.calibrate.cameras.draft import CELLS, ROUGH_FOCAL
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
+from measureapp.calibrate.cameras.shortfalls import CELLS, ROUGH_FOCAL
 from measureapp.calibrate.sightings import Sighting
 from measureapp.data.board import BoardDescription
 from measureapp.geometry.pinhole import PinholeCamera

@@ -8,8 +8,8 @@ import numpy as np
 
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.cameras.camera import LEAST_VIEWS
-from measureapp.calibrate.cameras.draft import ADVISED_COVERAGE, ADVISED_VIEWS
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
+from measureapp.calibrate.cameras.shortfalls import ADVISED_COVERAGE, ADVISED_VIEWS
 from measureapp.calibrate.draft.advice import Gauge, Ghost, Notes, outline_px, outlines_px
 from measureapp.calibrate.draft.draft import Draft
 from measureapp.calibrate.guidance.lens_views import (

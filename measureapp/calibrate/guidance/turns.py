@@ -28,7 +28,7 @@ CANDIDATE_TURNS_RAD = tuple(np.deg2rad([-40.0, -25.0, -12.0, 12.0, 25.0, 40.0]))
 
 def advise_turns(draft: Draft, notes: Notes) -> None:
     """Note about which axes the camera has to be turned more."""
-    places = seen_places(draft)
+    places = board_poses(draft)
     notes.gauges.append(Gauge("Robot poses", len(places), ADVISED_POSES, ""))
     spans = turns_deg(places)
     notes.gauges += [Gauge(name, span, TURN_TARGET_DEG, "°") for (name, _), span in zip(TURNS, spans, strict=True)]
@@ -43,7 +43,7 @@ def advise_turns(draft: Draft, notes: Notes) -> None:
         notes.wish(f"Take {few} more robot {'pose' if few == 1 else 'poses'}: more average the robot's own errors")
 
 
-def seen_places(draft: Draft) -> list[RigidTransform]:
+def board_poses(draft: Draft) -> list[RigidTransform]:
     """Return camera_from_board of the observations, those with the most frequent table angle: at which the board did not move."""
     cameras, usable = draft.cameras, draft.counted
     if cameras is None or not usable:
@@ -65,7 +65,7 @@ def turns_deg(places: Sequence[RigidTransform]) -> FloatArray:
 
 def ghost_for_turns(draft: Draft) -> Ghost | None:
     """Return where the board should appear next: by the information a pose adds once hand-eye is solved, before that by the turn that is missing."""
-    places = seen_places(draft)
+    places = board_poses(draft)
     cameras = draft.cameras
     if not places or cameras is None:
         return None

@@ -9,7 +9,6 @@ import numpy as np
 
 from measureapp.calibrate.cameras.array import CameraArrayProblem, CameraArraySolution
 from measureapp.calibrate.cameras.array import solve as solve_array
-from measureapp.calibrate.cameras.draft import CameraArrayDraft
 from measureapp.calibrate.cameras.projector_sightings import device_title
 from measureapp.calibrate.cameras.uncertainty import POSE_NAMES
 from measureapp.calibrate.cameras.validation import CrossValidation, cross_validate
@@ -34,16 +33,12 @@ from measureapp.errors import CalibrationError
 from measureapp.progress import Progress
 
 
-def camera_draft(draft: Draft, names: Sequence[str]) -> CameraArrayDraft:
-    """Return the sightings of the lenses of these names, of which the projector may be one."""
+def lens_problem(draft: Draft, names: Sequence[str]) -> CameraArrayProblem:
+    """Return the problem of the lenses of these names, of which the projector may be one."""
     setup = draft.setup
     sizes = {name: size for name, size in draft.sizes_px.items() if name in names}
-    found = CameraArrayDraft(setup.board, setup.reference, sizes, setup.distortion_count)
-    for one in draft.observations:
-        for camera, marks in one.seen.items():
-            if camera in names:
-                found.add_sighting(marks.of(camera, one.id))
-    return found
+    sightings = tuple(marks.of(camera, one.id) for one in draft.observations for camera, marks in one.seen.items() if camera in names)
+    return CameraArrayProblem(setup.board, setup.reference, sizes, sightings, distortion_count=setup.distortion_count)
 
 
 def camera_problem(draft: Draft, rejected: Sequence[Rejection] = ()) -> CameraArrayProblem:
@@ -56,7 +51,7 @@ def camera_problem(draft: Draft, rejected: Sequence[Rejection] = ()) -> CameraAr
     missing = [name for name in draft.setup.camera_names if name not in draft.sizes_px]
     if missing:
         raise CalibrationError(f"Camera {missing[0]!r} has no images yet.", "Give one image per camera with every observation.")
-    return replace(camera_draft(draft, draft.setup.camera_names).problem(), rejected=tuple(rejected))
+    return replace(lens_problem(draft, draft.setup.camera_names), rejected=tuple(rejected))
 
 
 def solve_cameras(draft: Draft, progress: Progress) -> Solved:

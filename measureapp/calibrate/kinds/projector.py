@@ -11,9 +11,9 @@ from typing_extensions import override
 
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.cameras.array import CameraArrayProblem
-from measureapp.calibrate.cameras.draft import CameraArrayDraft
 from measureapp.calibrate.cameras.projector import HeadSolution, as_camera, pair_with_projector, solve_head
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
+from measureapp.calibrate.cameras.shortfalls import shortfalls
 from measureapp.calibrate.cameras.uncertainty import WorkingVolume
 from measureapp.calibrate.cameras.validation import CrossValidation, cross_validate
 from measureapp.calibrate.draft.advice import Ghost, Notes
@@ -22,7 +22,7 @@ from measureapp.calibrate.draft.draft import Draft, Effect, Kind, Known, Limits,
 from measureapp.calibrate.draft.estimate import Estimate, projector_estimates
 from measureapp.calibrate.guidance.lenses import advise_lenses, ghost_for_lenses
 from measureapp.calibrate.kinds.cameras import with_cameras
-from measureapp.calibrate.kinds.lenses import camera_draft, solved_cameras
+from measureapp.calibrate.kinds.lenses import lens_problem, solved_cameras
 from measureapp.calibrate.kinds.on_part import fitting_length_mm, length_uncertainty_with_projector, shape_difference_mm, volume_of
 from measureapp.calibrate.sightings import Rejection
 from measureapp.data.calibration import CameraArrayCalibration, ProjectorCalibration, RigCalibration
@@ -72,7 +72,9 @@ class Projector(Kind):
     def solve(self, draft: Draft, progress: Progress) -> Solved:
         known, setup = draft.setup.cameras, draft.setup
         assert known is not None  # guaranteed by `Setup`
-        problem = head_problem(draft.observations, CameraArrayDraft(setup.board, setup.reference, {}, setup.distortion_count), known)
+        problem = head_problem(
+            CameraArrayProblem(setup.board, setup.reference, {}, (), distortion_count=setup.distortion_count), draft.observations, known
+        )
         read = [one.seen[PROJECTOR].of(PROJECTOR, one.id) for one in draft.observations]
         start = None if draft.solved is None else draft.solved.solution
         head = solve_head(problem, read, draft.sizes_px[PROJECTOR], progress, start)
@@ -82,7 +84,7 @@ class Projector(Kind):
 
     @override
     def shortfalls(self, draft: Draft) -> tuple[str, ...]:
-        return camera_draft(draft, draft.setup.lenses).shortfalls()
+        return shortfalls(lens_problem(draft, draft.setup.lenses))
 
     @override
     def advise(self, draft: Draft, notes: Notes) -> Ghost | None:
@@ -149,8 +151,8 @@ class Projector(Kind):
 
 
 def head_problem(
+    empty: CameraArrayProblem,
     observations: Sequence[Observation],
-    draft: CameraArrayDraft,
     known: CameraArrayCalibration | None,
     rejected: Sequence[Rejection] = (),
 ) -> CameraArrayProblem:
@@ -158,14 +160,11 @@ def head_problem(
 
     Parameters
     ----------
-    draft : empty; with the sizes of cameras that are not known
-    rejected : images that gave nothing, for the list of what was rejected
+    empty : without sightings; with the sizes of cameras that are not known
+    rejected : images without marks, for the list of rejections
     """
-    for one in observations:
-        for camera, marks in one.seen.items():
-            if camera != PROJECTOR:
-                draft.add_sighting(marks.of(camera, one.id))
-    problem = replace(draft.problem(), rejected=tuple(rejected), known=known)
+    sightings = tuple(marks.of(camera, one.id) for one in observations for camera, marks in one.seen.items() if camera != PROJECTOR)
+    problem = replace(empty, sightings=sightings, rejected=tuple(rejected), known=known)
     if known is None:
         return problem
     lenses = {name: known.cameras[name].pinhole for name in known.names}

@@ -11,6 +11,7 @@ from typing_extensions import override
 
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.cameras.array import CameraArraySolution
+from measureapp.calibrate.cameras.shortfalls import shortfalls as lens_shortfalls
 from measureapp.calibrate.cameras.validation import CrossValidation
 from measureapp.calibrate.draft.advice import Ghost, Notes
 from measureapp.calibrate.draft.comparison import Comparison, changes_between, millimetres
@@ -23,7 +24,7 @@ from measureapp.calibrate.guidance.turns import advise_turns, ghost_for_turns
 from measureapp.calibrate.kinds.axis import axis_at_height, axis_changes
 from measureapp.calibrate.kinds.cameras import GOOD_VIEWS, outdated_projector
 from measureapp.calibrate.kinds.fit import explain_by_rejected, name_poses, residuals_mm, residuals_px, solved_axes
-from measureapp.calibrate.kinds.lenses import camera_draft, cross_validate_cameras, solve_cameras
+from measureapp.calibrate.kinds.lenses import cross_validate_cameras, lens_problem, solve_cameras
 from measureapp.calibrate.kinds.on_part import part_points_mm, sample_readbacks, view_consistency_sigma_mm
 from measureapp.calibrate.motions.axis_motion import rigid_motion
 from measureapp.calibrate.rig.joint import number_approaches, shortfalls, solve_rig
@@ -65,7 +66,7 @@ class Rig(Kind):
 
     @override
     def solve(self, draft: Draft, progress: Progress) -> Solved:
-        numbered = _numbered(draft.observations)
+        numbered = _number_observations(draft.observations)
         if draft.setup.cameras is None:
             cameras = solve_cameras(draft, PartOf(progress, 0.0, CAMERAS_SHARE))
             assert cameras.camera_solution is not None  # they were calibrated
@@ -76,11 +77,11 @@ class Rig(Kind):
             rig = solve_located(seen, draft.setup, progress)
         except CalibrationError as error:
             raise explain_by_rejected(error, seen) from error
-        return solved_axes(draft, seen, rig, _predicted(rig), rig.rejected)
+        return solved_axes(draft, seen, rig, _predict_boards(rig), rig.rejected)
 
     @override
     def shortfalls(self, draft: Draft) -> tuple[str, ...]:
-        lenses = camera_draft(draft, draft.setup.lenses).shortfalls() if draft.setup.lenses else ()
+        lenses = lens_shortfalls(lens_problem(draft, draft.setup.lenses)) if draft.setup.lenses else ()
         return (*lenses, *shortfalls([one.axes for one in draft.observations]))
 
     @override
@@ -179,7 +180,7 @@ def solve_located(seen: Located, setup: Setup, progress: Progress) -> RigSolutio
     return solve_rig(seen.observations, setup.cameras, noise=setup.noise, camera_prior=seen.prior, progress=progress)
 
 
-def _numbered(observations: Sequence[Observation]) -> tuple[Observation, ...]:
+def _number_observations(observations: Sequence[Observation]) -> tuple[Observation, ...]:
     """Number the approaches of the robot where they are not known, before any observation is rejected."""
     if all(one.approach is not None for one in observations):
         return tuple(observations)
@@ -189,7 +190,7 @@ def _numbered(observations: Sequence[Observation]) -> tuple[Observation, ...]:
 
 def _with_rig(draft: Draft, cameras: Solved, rig: RigSolution) -> Solved:
     """Return a solved rig together with the cameras calibrated from the same observations."""
-    predicted, calibrated = _predicted(rig), rig.calibration.cameras
+    predicted, calibrated = _predict_boards(rig), rig.calibration.cameras
     reasons = {**cameras.reasons}
     for name, reason in rig.rejected.items():
         whole = f"{reason[0].upper()}{reason[1:]}."
@@ -205,7 +206,7 @@ def _with_rig(draft: Draft, cameras: Solved, rig: RigSolution) -> Solved:
     )
 
 
-def _predicted(rig: RigSolution) -> dict[str, RigidTransform]:
+def _predict_boards(rig: RigSolution) -> dict[str, RigidTransform]:
     return name_poses([residual.name for residual in rig.residuals], rig.chain.predicted(rig.state))
 
 

@@ -126,7 +126,7 @@ def solve(problem: HandEyeProblem, progress: Progress | None = None) -> HandEyeS
             refused[name] = str(error)
     progress.report(len(solvers), len(solvers) + 1, "refining")
     best = min(methods.values(), key=lambda estimate: float(np.mean(estimate.residual_mm)))
-    solution = _refined(problem, best, methods, refused, degeneracy)
+    solution = _refine(problem, best, methods, refused, degeneracy)
     progress.report(1, 1)
     return solution
 
@@ -137,7 +137,7 @@ def _without_board(
     return method(robot, camera)[0]
 
 
-def _refined(
+def _refine(
     problem: HandEyeProblem,
     start: HandEyeEstimate,
     methods: Mapping[str, HandEyeEstimate],

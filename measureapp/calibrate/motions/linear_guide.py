@@ -81,7 +81,7 @@ def solve(problem: GuideProblem) -> GuideSolution:
     boards = robot @ problem.hand_eye.flange_from_camera.matrix @ camera
     slide = slides_of(problem.observations)
     turn = _turns(boards)
-    return _fitted(boards[:, :3, 3], slide, turn, stroke, _by_cameras(problem, robot, slide))
+    return _fit(boards[:, :3, 3], slide, turn, stroke, _by_cameras(problem, robot, slide))
 
 
 def _by_cameras(problem: GuideProblem, robot: FloatArray, slide: FloatArray) -> FloatArray:
@@ -95,7 +95,7 @@ def _by_cameras(problem: GuideProblem, robot: FloatArray, slide: FloatArray) -> 
     return np.asarray(travel @ problem.camera_prior.covariance @ travel.T)
 
 
-def _fitted(boards_mm: FloatArray, slide: FloatArray, turn: FloatArray, stroke: float, camera_jacobian: FloatArray) -> GuideSolution:
+def _fit(boards_mm: FloatArray, slide: FloatArray, turn: FloatArray, stroke: float, camera_jacobian: FloatArray) -> GuideSolution:
     away = slide - slide.mean()
     travel = -(away @ (boards_mm - boards_mm.mean(axis=0))) / float(away @ away)
     scale = float(np.linalg.norm(travel))

@@ -67,7 +67,7 @@ def propose(
     known = np.linalg.inv(solution.minimum.covariance()[:CHOSEN, :CHOSEN])
     lever = lever_at(solution.part_in_camera_mm, state)
     before = _value(np.linalg.inv(known), lever, criterion)
-    added = _added(chain, state, stack_matrices(candidates), information)
+    added = _added_information(chain, state, stack_matrices(candidates), information)
     proposals = []
     for index, (candidate, covariance) in enumerate(zip(candidates, np.linalg.inv(known + added), strict=True)):
         sigma = float(np.sqrt(np.linalg.eigvalsh(lever @ covariance[:POSE, :POSE] @ lever.T)[-1]))
@@ -88,7 +88,7 @@ def _value(covariance: FloatArray, lever: FloatArray, criterion: Criterion) -> f
     return float(np.trace(at_part)) if criterion == "A" else float(np.exp(np.linalg.slogdet(own)[1] / POSE))
 
 
-def _added(chain: Chain, state: ChainState, candidates: FloatArray, information: FloatArray) -> FloatArray:
+def _added_information(chain: Chain, state: ChainState, candidates: FloatArray, information: FloatArray) -> FloatArray:
     """Return the information (N, 12, 12) of hand-eye transform and board in one more sighting from each of the candidates (N, 4, 4)."""
     still = np.zeros(len(candidates))
     by = derivatives(state, candidates, still, still, np.zeros((len(candidates), POSE)))

@@ -49,10 +49,10 @@ def check_direction(robot: FloatArray, camera: FloatArray, shift_mm: FloatArray 
     hint = "Give base_from_flange for the robot and camera_from_board for the board."
     distance = camera[:, 2, 3]
     shift = np.zeros((len(robot), 3)) if shift_mm is None else shift_mm
-    carried = _shifted(robot, shift)
+    carried = _shift(robot, shift)
     own = _misfit(carried, camera)
     spoiled = own > LEAST_SWAPPED_MM and SWAPPED_SHARE * own > min(
-        _misfit(_shifted(invert_poses(robot), shift), camera), _misfit(carried, invert_poses(camera))
+        _misfit(_shift(invert_poses(robot), shift), camera), _misfit(carried, invert_poses(camera))
     )
     if np.all(distance <= 0) or (spoiled and np.median(distance) <= 0):
         raise CalibrationError("The board lies behind the camera: the board poses seem to be board_from_camera.", hint)
@@ -70,7 +70,7 @@ def check_board_size(robot: FloatArray, camera: FloatArray, motions: Motions, sh
     scale = _scale(motions)
     if abs(scale - 1) <= SIZE_TOLERANCE:
         return
-    carried, resized = _shifted(robot, np.zeros((len(robot), 3)) if shift_mm is None else shift_mm), np.array(camera)
+    carried, resized = _shift(robot, np.zeros((len(robot), 3)) if shift_mm is None else shift_mm), np.array(camera)
     resized[:, :3, 3] /= scale
     own = _misfit(carried, camera)
     if own > LEAST_SWAPPED_MM and _misfit(carried, resized) < SWAPPED_SHARE * own:
@@ -97,7 +97,7 @@ def _misfit(robot: FloatArray, camera: FloatArray) -> float:
     return float(np.mean(board_deviations(park_martin(motions), robot, camera)[0]))
 
 
-def _shifted(poses: FloatArray, shift_mm: FloatArray) -> FloatArray:
+def _shift(poses: FloatArray, shift_mm: FloatArray) -> FloatArray:
     result = np.array(poses)
     result[:, :3, 3] += shift_mm
     return result
@@ -119,7 +119,7 @@ def check_guide_unit(base_from_flange: FloatArray, slide_mm: FloatArray, camera_
         return
 
     def misfit(unit: float) -> float:
-        return _misfit(_shifted(base_from_flange, unit * slide_mm[:, None] * along), camera_from_board)
+        return _misfit(_shift(base_from_flange, unit * slide_mm[:, None] * along), camera_from_board)
 
     own = misfit(1.0)
     if own > LEAST_SWAPPED_MM and misfit(1000.0) < SWAPPED_SHARE * own:

@@ -86,7 +86,7 @@ def solve_rig(
     _check_determined(observations, camera_prior)
     free_guide = _spans([observation.axes for observation in observations])[1] >= LEAST_STROKE_MM
     stages = solve_stages(observations, free_guide)
-    kept = _numbered(observations)
+    kept = _number_observations(observations)
     rejected: dict[str, str] = {}
     while True:
         progress.report(len(rejected), len(observations), "joint solution of the rig")
@@ -159,7 +159,7 @@ def _chain(observations: Sequence[Observation], noise: AxisNoise, stages: RigSta
     )
 
 
-def _numbered(observations: Sequence[Observation]) -> list[Observation]:
+def _number_observations(observations: Sequence[Observation]) -> list[Observation]:
     """Number the approaches before sightings are rejected, where they are not given."""
     if all(observation.approach is not None for observation in observations):
         return list(observations)

@@ -93,18 +93,16 @@ def solution_of(
     state = minimum.state
     plain = _given_cameras(chain, minimum, 1.0)
     ratio = float(np.sqrt(marginal_cost(chain, minimum, plain, camera_prior) / max(chain.freedom(), 1)))
-    count = len(chain.labels)
     variance = _variance(ratio, chain.freedom())
     given_cameras = plain * variance
     camera_jacobian = None if camera_prior is None else camera_sensitivity(chain, minimum, given_cameras, variance)
     joint = add_camera_covariance(given_cameras, camera_jacobian, camera_prior)
-    covariance = joint[:count, :count]
+    covariance = joint[: len(chain.labels), : len(chain.labels)]
     if camera_prior is not None and chain.cameras_freed:
         cameras = perturb_cameras(cameras, camera_prior.parameters, state.camera_changes)
-    deviations = dict(zip(chain.labels, (float(value) for value in np.sqrt(np.diag(covariance))), strict=True))
+    deviations = dict(zip(chain.labels, np.sqrt(np.diag(covariance)).tolist(), strict=True))
     change = change_between(chain.camera_from_board, chain.predicted(state))
     distances, angles = np.linalg.norm(change[:, 3:], axis=1), np.linalg.norm(change[:, :3], axis=1)
-    residuals = _residuals(names, distances, angles, state.robot_changes[chain.robot_group])
     return RigSolution(
         calibration=RigCalibration(
             cameras,
@@ -115,7 +113,7 @@ def solution_of(
             _stations(chain, state),
         ),
         stages=stages,
-        residuals=residuals,
+        residuals=_residuals(names, distances, angles, state.robot_changes[chain.robot_group]),
         rejected=rejected,
         standard_deviations=deviations,
         parameters=chain.labels,

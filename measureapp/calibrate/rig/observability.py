@@ -66,7 +66,7 @@ def weakest(covariance: FloatArray, labels: Sequence[str], count: int = 3) -> tu
     lengths = lengths_of(labels)
     values, vectors = np.linalg.eigh(covariance * np.outer(lengths, lengths))
     order = np.argsort(values)[::-1][:count]
-    return tuple(_named(float(np.sqrt(max(values[index], 0.0))), vectors[:, index], labels) for index in order)
+    return tuple(_describe(float(np.sqrt(max(values[index], 0.0))), vectors[:, index], labels) for index in order)
 
 
 def unobservable(hessian: FloatArray, labels: Sequence[str]) -> tuple[WeakDirection, ...]:
@@ -80,10 +80,10 @@ def unobservable(hessian: FloatArray, labels: Sequence[str]) -> tuple[WeakDirect
     for value, vector in zip(values, vectors.T, strict=True):
         if value <= NULL_SHARE * values[-1]:
             direction = (vector / unit)[: len(labels)]
-            found.append(_named(float("inf"), direction / max(float(np.linalg.norm(direction)), 1e-300), labels))
+            found.append(_describe(float("inf"), direction / max(float(np.linalg.norm(direction)), 1e-300), labels))
     return tuple(found)
 
 
-def _named(sigma_mm: float, vector: FloatArray, labels: Sequence[str]) -> WeakDirection:
+def _describe(sigma_mm: float, vector: FloatArray, labels: Sequence[str]) -> WeakDirection:
     order = [int(index) for index in np.argsort(-np.abs(vector))[:MOST_NAMED] if abs(vector[index]) >= NAMED_SHARE * np.abs(vector).max()]
     return WeakDirection(sigma_mm, tuple(labels[index] for index in order), tuple(float(vector[index]) for index in order))

@@ -80,7 +80,7 @@ def quick_check(
     allowed_px = max(CAMERA_FACTOR * _camera_rms(calibration), LEAST_CAMERA_PX)
     camera_px = float(np.median([view.camera_px for view in views]))
     good = worst.deviation_mm <= limit_mm and camera_px <= allowed_px
-    explained = {} if good else _explained(observations, calibration, middle, not_tested)
+    explained = {} if good else _explained_fractions(observations, calibration, middle, not_tested)
     suspect = "" if good else CAMERAS if camera_px > allowed_px else _suspect(views, explained, limit_mm)
     sentence = (
         f"The board lies up to {worst.deviation_mm:.3f} mm (view {worst.name}) from its calibrated position; "
@@ -120,7 +120,7 @@ def _not_tested(observations: Sequence[Observation]) -> tuple[str, ...]:
     return tuple(link for link, unmoved in still.items() if unmoved)
 
 
-def _explained(
+def _explained_fractions(
     observations: Sequence[Observation], calibration: RigCalibration, part_from_board: FloatArray, not_tested: Sequence[str]
 ) -> dict[str, float]:
     """Return the fraction of the mean square deviation that each link, freed alone, explains."""

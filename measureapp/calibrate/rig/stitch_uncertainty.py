@@ -170,7 +170,7 @@ def _sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback], approaches:
     for part in range(POSE):
         rows = named + part + OWN * np.arange(len(poses))
         follows = turn if part < 3 else shift
-        rest[np.ix_(rows, rows)] = _unexplained(chain, poses, follows, together, rotation=part < 3)
+        rest[np.ix_(rows, rows)] = _conditional_covariance(chain, poses, follows, together, rotation=part < 3)
         mean[rows] = -np.where(at_station, 0.0, follows @ rig.state.robot_changes[:, part])  # known, but not undone
     _table_sources(rig, readbacks, rest, mean)
     return np.asarray(gain @ rig.covariance @ gain.T + rest + np.outer(mean, mean))
@@ -202,7 +202,7 @@ def _angles_seen(chain: Chain, readbacks: Sequence[AxisReadback]) -> list[int | 
     return [int(found[0]) if len(found) else None for found in matches]
 
 
-def _unexplained(chain: Chain, poses: FloatArray, follows: FloatArray, together: BoolArray, rotation: bool) -> FloatArray:
+def _conditional_covariance(chain: Chain, poses: FloatArray, follows: FloatArray, together: BoolArray, rotation: bool) -> FloatArray:
     """What the approaches of the calibration do not tell of the robot's errors at ``poses``, and the scatter of approaches ``together``, (V, V)."""
     noise = chain.noise
     large, small = (noise.robot_rad, noise.robot_repeat_rad) if rotation else (noise.robot_mm, noise.robot_repeat_mm)
@@ -230,10 +230,10 @@ def _derivatives(rig: RigUncertainty, readback: AxisReadback) -> tuple[FloatArra
     station = rig.calibration.station(readback)
     flange = (readback.base_from_flange if station is None else station.true).matrix
     named = len(chain.labels) - POSE
-    at = _placed(state, flange, readback, np.zeros(OWN))
+    at = _view_pose(state, flange, readback, np.zeros(OWN))
 
     def change(step: float, shifted: FloatArray, own: FloatArray) -> FloatArray:
-        there, back = (_placed(chain.moved(state, sign * shifted), flange, readback, sign * own) for sign in (1.0, -1.0))
+        there, back = (_view_pose(chain.moved(state, sign * shifted), flange, readback, sign * own) for sign in (1.0, -1.0))
         return (change_between(at[None], there[None]) - change_between(at[None], back[None]))[0] / (2 * step)
 
     steps = [*POSE_STEPS] if chain.free.hand_eye else []
@@ -244,7 +244,7 @@ def _derivatives(rig: RigUncertainty, readback: AxisReadback) -> tuple[FloatArra
     return np.array(by_named).reshape(named, POSE).T, np.array(by_own).T
 
 
-def _placed(state: ChainState, flange: FloatArray, readback: AxisReadback, own: FloatArray) -> FloatArray:
+def _view_pose(state: ChainState, flange: FloatArray, readback: AxisReadback, own: FloatArray) -> FloatArray:
     """Return part_from_camera (4, 4) of a state, with an error of the robot (6) and of the table's angle."""
     axis = RotationAxis(state.axis_point_mm, state.axis_direction, "guide")
     shift = np.eye(4)

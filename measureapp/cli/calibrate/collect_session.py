@@ -108,13 +108,13 @@ def add_sources(session: CalibrationSession, sources: Sources, progress: Progres
     A session that holds nothing is not kept where its first images cannot be used.
     """
     try:
-        return _added(session, sources, progress)
+        return _add(session, sources, progress)
     except MeasureError:
         session.discard_empty()
         raise
 
 
-def _added(session: CalibrationSession, sources: Sources, progress: Progress) -> list[str]:
+def _add(session: CalibrationSession, sources: Sources, progress: Progress) -> list[str]:
     added = []
     if sources.fringes:
         added += [one.id for one in add_fringes(session, fringes_named(sources.fringes), progress)]

@@ -29,8 +29,8 @@ class StepsResult:
 
 def run_steps(steps: Steps, limits: Limits | None, session: CalibrationSession, sources: Sources, progress: Progress) -> StepsResult:
     """Carry out the requested steps. Raises InputError, CalibrationError, StorageError."""
-    changes = _edited(steps, session, sources, PartOf(progress, 0.0, 0.6))
-    verdict = _solved(steps, session, limits, PartOf(progress, 0.6, 1.0))
+    changes = _edit(steps, session, sources, PartOf(progress, 0.0, 0.6))
+    verdict = _solve(steps, session, limits, PartOf(progress, 0.6, 1.0))
     comparison = None if steps.compare is None else compare(previous_result(steps.compare), session.draft)
     progress.report(1, 1)
     advice = advise(session.draft) if steps.advise else None
@@ -39,7 +39,7 @@ def run_steps(steps: Steps, limits: Limits | None, session: CalibrationSession, 
     return StepsResult(document, within)
 
 
-def _edited(steps: Steps, session: CalibrationSession, sources: Sources, progress: Progress) -> dict[str, Sequence[str]]:
+def _edit(steps: Steps, session: CalibrationSession, sources: Sources, progress: Progress) -> dict[str, Sequence[str]]:
     """Undo, redo, add and remove; return the ids of the observations by action."""
     changes: dict[str, Sequence[str]] = {
         "undone": [session.undo().observation] if steps.undo else [],
@@ -53,7 +53,7 @@ def _edited(steps: Steps, session: CalibrationSession, sources: Sources, progres
     return changes
 
 
-def _solved(steps: Steps, session: CalibrationSession, limits: Limits | None, progress: Progress) -> Verdict | None:
+def _solve(steps: Steps, session: CalibrationSession, limits: Limits | None, progress: Progress) -> Verdict | None:
     """Solve, or accept, and evaluate the solution; None where there is none."""
     if steps.accept is not None:
         part = PartOf(progress, 0.0, 0.5)
