@@ -17,12 +17,12 @@ from measureapp.geometry.transform import RigidTransform
 SMALL_TURN_RAD = 1e-4  # below it the series is exact to a part in 1e9, the quotients are not
 
 
-def stacked(transforms: Iterable[RigidTransform]) -> FloatArray:
+def stack_matrices(transforms: Iterable[RigidTransform]) -> FloatArray:
     """Return the matrices (N, 4, 4) of transforms."""
     return np.array([transform.matrix for transform in transforms], float).reshape(-1, 4, 4)
 
 
-def inverted(poses: FloatArray) -> FloatArray:
+def invert_poses(poses: FloatArray) -> FloatArray:
     """Return the inverses of rigid poses (..., 4, 4)."""
     result = np.zeros_like(poses)
     turned = np.swapaxes(poses[..., :3, :3], -1, -2)
@@ -32,7 +32,7 @@ def inverted(poses: FloatArray) -> FloatArray:
     return result
 
 
-def moved(poses: FloatArray, change: FloatArray) -> FloatArray:
+def apply_changes(poses: FloatArray, change: FloatArray) -> FloatArray:
     """Return poses (..., 4, 4) after the small changes (..., 6)."""
     result = np.array(poses, float)
     turn = Rotation.from_rotvec(np.reshape(change[..., :3], (-1, 3))).as_matrix().reshape((*change.shape[:-1], 3, 3))
@@ -42,7 +42,7 @@ def moved(poses: FloatArray, change: FloatArray) -> FloatArray:
 
 
 def change_between(origin: FloatArray, goal: FloatArray) -> FloatArray:
-    """Return the changes (N, 6) that take the poses ``origin`` (N, 4, 4) to ``goal``."""
+    """Return the changes (N, 6) from the poses ``origin`` (N, 4, 4) to ``goal``."""
     turn = goal[:, :3, :3] @ np.swapaxes(origin[:, :3, :3], -1, -2)
     return np.hstack([Rotation.from_matrix(turn).as_rotvec(), goal[:, :3, 3] - origin[:, :3, 3]])
 

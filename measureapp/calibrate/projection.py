@@ -39,7 +39,7 @@ def project_with_derivatives(pinhole: PinholeCamera, points_mm: FloatArray) -> t
     return np.asarray(pixels, np.float64).reshape(-1, 2), derivatives[:, :, 3:6], derivatives[:, :, 6 : 6 + FOCAL_AND_CENTRE + count]
 
 
-def with_intrinsics_moved(pinhole: PinholeCamera, change: FloatArray) -> PinholeCamera:
+def apply_intrinsic_changes(pinhole: PinholeCamera, change: FloatArray) -> PinholeCamera:
     """Return the camera after a change of the parameters of `intrinsic_names`."""
     matrix = np.array(pinhole.matrix)
     matrix[[0, 1, 0, 1], [0, 1, 2, 2]] += change[:FOCAL_AND_CENTRE]

@@ -1,4 +1,4 @@
-"""What a camera calibration starts from: the corners of the board as cameras saw them."""
+"""Sightings of a board by cameras: the input of every calibration, with rejections and residuals."""
 
 from __future__ import annotations
 
@@ -14,23 +14,23 @@ from measureapp.errors import CalibrationError
 Cause = Literal["blurred", "over-exposed", "too dark", "hidden", "part", "wrong board", "not found"]
 
 
-class BoardRefused(CalibrationError):
-    """An image from which no marks are taken; `cause` names why in one word or two."""
+class BoardDetectionError(CalibrationError):
+    """An image without usable marks; `cause` is the reason in one or two words."""
 
     def __init__(self, message: str, hint: str, cause: Cause) -> None:
         super().__init__(message, hint)
         self.cause: Cause = cause
 
 
-class AmbiguousPart(BoardRefused):
-    """An image of a part of the board that may be one of several; where the board was expected to be tells which."""
+class AmbiguousPart(BoardDetectionError):
+    """An image of a part of the board that may be one of several; only an expected board pose identifies it."""
 
     def __init__(self, message: str, hint: str) -> None:
         super().__init__(message, hint, "part")
 
 
-def naming_refused(error: CalibrationError, refused: Sequence[tuple[str, str]]) -> CalibrationError:
-    """Return the error of a calibration that failed, with the first of the images that gave nothing to it: often its cause.
+def explain_by_refused(error: CalibrationError, refused: Sequence[tuple[str, str]]) -> CalibrationError:
+    """Add the first image without marks to the error of a calibration that failed: often its cause.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def naming_refused(error: CalibrationError, refused: Sequence[tuple[str, str]]) 
 LARGEST_SPREAD = 5.0
 
 
-ALL_MARKS: IntArray = np.empty(0, np.int64)  # stands for "every mark of the board" where a sighting is made
+ALL_MARKS: IntArray = np.empty(0, np.int64)  # placeholder for "every mark of the board" when a sighting is made
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,7 +54,7 @@ class Sighting:
     """The marks of a board detected in one image; the detector leaves `camera` and `view` empty, `of` fills them in."""
 
     camera: str
-    view: str  # the same in all cameras that saw the same position
+    view: str  # the same in all cameras for the same position
     corners_px: FloatArray  # (N, 2)
     ids: IntArray = field(default_factory=lambda: ALL_MARKS)  # (N,) rising, indices into ``board.corners_mm``; by default all, in order
     sigma_px: FloatArray | None = None  # (N,) standard deviation of one coordinate, where it was estimated
@@ -73,7 +73,7 @@ class Sighting:
         return replace(self, camera=camera, view=view)
 
 
-def spreads(sightings: Sequence[Sighting]) -> list[FloatArray | None]:
+def relative_sigmas(sightings: Sequence[Sighting]) -> list[FloatArray | None]:
     """Return the standard deviations (N,) of every sighting's corners over the median of its camera; None where none were estimated.
 
     Only their ratios are taken from the images: the level of a camera's noise follows from the residuals of the adjustment.
@@ -91,7 +91,7 @@ def spreads(sightings: Sequence[Sighting]) -> list[FloatArray | None]:
 
 @dataclass(frozen=True, slots=True)
 class Rejection:
-    """A sighting that was left out, or some corners of it, and why."""
+    """A rejected sighting, or rejected corners of it, with the reason."""
 
     camera: str
     view: str

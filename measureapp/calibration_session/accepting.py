@@ -13,7 +13,7 @@ from typing import Any
 
 from measureapp.calibrate.draft.draft import Known
 from measureapp.calibrate.draft.estimate import Calibrated
-from measureapp.calibrate.draft.verdict import required
+from measureapp.calibrate.draft.verdict import require_solution
 from measureapp.calibrate.rig.joint_solution import RigSolution
 from measureapp.calibrate.rig.stitch_uncertainty import uncertainty_of
 from measureapp.calibration_session.session import CalibrationSession
@@ -90,7 +90,7 @@ def keep(snapshot: Snapshot, target: Path, *, valid_days: float | None = None, t
     StorageError
         It cannot be written.
     """
-    solved, kind = required(snapshot.draft), snapshot.setup.kind
+    solved, kind = require_solution(snapshot.draft), snapshot.setup.kind
     entered = [one for one in snapshot.observations if one.id in solved.of]
     inputs = {f"{one.id} {camera}": image.checksum for one in entered for camera, image in one.images.items()}
     warm = [one.temperature_c for one in entered if one.temperature_c is not None]
@@ -102,7 +102,7 @@ def keep(snapshot: Snapshot, target: Path, *, valid_days: float | None = None, t
         temperature_c=temperature_c if temperature_c is not None or not warm else median(warm),
         valid_days=valid_days,
         arguments=(*COLLECTED, kind.name, "--session", snapshot.folder.name),
-        folder=_seen_from(snapshot.folder.parent, _place_of(result, target)),
+        folder=_relative_folder(snapshot.folder.parent, _place_of(result, target)),
     )
     if isinstance(result, CameraArrayCalibration):
         result = replace(result, provenance=provenance)
@@ -119,12 +119,12 @@ def keep(snapshot: Snapshot, target: Path, *, valid_days: float | None = None, t
 
 
 def accept_result(snapshot: Snapshot, merged: Known, place: Path, project: Path | None, *, valid_days: float | None = None) -> Known:
-    """Write a result that was just judged and return what is calibrated now, dated.
+    """Save a result that was just evaluated and return the calibration in use, dated.
 
     Parameters
     ----------
     merged : what is calibrated with the result, by `Kind.merge`
-    place : folder for the result itself, beside its session
+    place : folder for the result itself, next to its session
     project : whose calibration it becomes; None: the rig, where one is calibrated, is written to ``place``, to be offered again
 
     Raises
@@ -183,7 +183,7 @@ def _place_of(result: Calibrated, target: Path) -> Path:
     return target / "calibration" if (target / PROJECT).is_file() else target
 
 
-def _seen_from(folder: Path, place: Path) -> str:
+def _relative_folder(folder: Path, place: Path) -> str:
     try:
         return Path(os.path.relpath(folder.resolve(), place.resolve())).as_posix()
     except ValueError:  # another drive

@@ -1,4 +1,4 @@
-"""One position of the board under fringes: its marks in every camera, and where the projector 'sees' them."""
+"""Detection of the board under fringes: its marks in every camera, and in projector coordinates."""
 
 from __future__ import annotations
 
@@ -22,24 +22,26 @@ from measureapp.progress import Progress
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BoardInFringes:
-    """What one position of the board gave."""
+    """The marks and phases of one position of the board."""
 
     view: str
     images: Mapping[str, ImageArray]  # camera -> (H, W) uint8, the board in even light
     seen: Mapping[str, Sighting]  # camera -> marks
-    refused: Mapping[str, CalibrationError]  # camera -> why it gave none
-    phases: Mapping[str, PhaseMap]  # camera that saw the board -> phase of the vertical fringes, with that of the horizontal ones
-    lit: Mapping[str, ProjectorPixels]  # camera that saw the board -> the projector's pixels around its marks
-    readings: Mapping[str, Sighting | Rejection]  # camera that saw the board -> the marks in the projector's pixels, or why not
+    refused: Mapping[str, CalibrationError]  # camera -> reason why it has none
+    phases: Mapping[str, PhaseMap]  # camera that detected the board -> phase of the vertical fringes, with that of the horizontal ones
+    lit: Mapping[str, ProjectorPixels]  # camera that detected the board -> the projector's pixels around its marks
+    readings: Mapping[
+        str, Sighting | Rejection
+    ]  # camera that detected the board -> the marks in the projector's pixels, or the reason for their rejection
 
     @property
     def best(self) -> str | None:
-        """The camera that speaks for the projector: the one in which most marks have both phases; None without any."""
+        """The camera whose marks are used for the projector: that with most marks with both phases; None without any."""
         counts = {camera: len(one.corners_px) for camera, one in self.readings.items() if isinstance(one, Sighting)}
         return max(counts, key=lambda camera: counts[camera], default=None)
 
     @property
-    def seen_with_projector(self) -> dict[str, Sighting]:
+    def all_sightings(self) -> dict[str, Sighting]:
         """The marks in every camera, and in the projector's pixels as the best camera reads them."""
         reading = None if self.best is None else self.readings[self.best]
         return {**self.seen, **({PROJECTOR: reading} if isinstance(reading, Sighting) else {})}
@@ -48,7 +50,7 @@ class BoardInFringes:
 def detect_under_fringes(
     stack: FringeStack, view: str, board: BoardDescription, settings: DecodeSettings, progress: Progress
 ) -> BoardInFringes:
-    """Find the board in the mean image of every camera, decode the fringes, and look up the marks in the phases.
+    """Find the board in the mean image of every camera, decode the fringes, and interpolate the phases at the marks.
 
     Raises
     ------
@@ -78,7 +80,7 @@ def detect_under_fringes(
 
 
 def require_both_directions(stack: FringeStack) -> None:
-    """Raise CalibrationError for fringes in one direction only, which leave the projector's other coordinate unknown."""
+    """Raise CalibrationError for fringes in one direction only, which do not determine the projector's other coordinate."""
     directions = stack.patterns.directions
     if len(directions) < 2:
         raise CalibrationError(

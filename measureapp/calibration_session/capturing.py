@@ -32,14 +32,14 @@ def capture_views(
         From the rig; what was taken before is stored.
     """
     rig.place_on_table("board")
-    take_one = _under_fringes(rig, session, on_image) if session.setup.kind.uses_fringes else _plainly(rig, session, on_image)
+    take_one = _fringe_capture(rig, session, on_image) if session.setup.kind.uses_fringes else _plain_capture(rig, session, on_image)
     for done, viewpoint in enumerate(viewpoints):
         progress.report(done, len(viewpoints), f"Taking {viewpoint.id}")
         yield viewpoint, take_one(viewpoint, PartOf(progress, done / len(viewpoints), (done + 1) / len(viewpoints)))
     session.identify_parts()
 
 
-def _plainly(rig: Rig, session: CalibrationSession, on_image: OnImage) -> _TakeOne:
+def _plain_capture(rig: Rig, session: CalibrationSession, on_image: OnImage) -> _TakeOne:
     """One plain image of each camera."""
 
     def take_one(viewpoint: Viewpoint, progress: Progress) -> CollectedObservation:
@@ -53,7 +53,7 @@ def _plainly(rig: Rig, session: CalibrationSession, on_image: OnImage) -> _TakeO
     return take_one
 
 
-def _under_fringes(rig: Rig, session: CalibrationSession, on_image: OnImage) -> _TakeOne:
+def _fringe_capture(rig: Rig, session: CalibrationSession, on_image: OnImage) -> _TakeOne:
     """Fringes of both directions, which are loaded into the projector once."""
     size_px = rig.projector.width_px, rig.projector.height_px
     patterns = make_pattern_sets(*size_px)[BOTH_DIRECTIONS]

@@ -13,13 +13,12 @@ from measureapp.arrays import ImageArray
 from measureapp.calibrate.boards.find import find_board
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.boards.pose import pose_of
-from measureapp.calibrate.boards.together import find_beside
-from measureapp.calibrate.boards.turned import find_turned
+from measureapp.calibrate.boards.predicted_part import find_part_by_cameras, find_part_by_table
 from measureapp.calibrate.cameras.projector_picture import projector_picture
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR, ProjectorPixels, projector_sighting
 from measureapp.calibrate.draft.draft import Setup
 from measureapp.calibrate.motions.axis_noise import SAME_POSE
-from measureapp.calibrate.sightings import AmbiguousPart, BoardRefused, Sighting
+from measureapp.calibrate.sightings import AmbiguousPart, BoardDetectionError, Sighting
 from measureapp.calibration_session.board_in_fringes import BoardInFringes, detect_under_fringes
 from measureapp.calibration_session.observation import CollectedObservation, Refusal
 from measureapp.data.board import BoardDescription
@@ -34,73 +33,78 @@ UNLIT = "Light the whole board with the fringes, neither too dark nor clipped."
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Detected:
-    """What one position gave."""
+class Detection:
+    """The sightings and refused images of one position."""
 
-    images: Mapping[str, ImageArray]  # who sees -> what is kept of its images
+    images: Mapping[str, ImageArray]  # camera or projector -> image to be stored
     seen: Mapping[str, Sighting]
     refused: Mapping[str, Refusal]
-    lit: tuple[str, ProjectorPixels] | None = None  # under fringes: the camera that speaks for the projector, and what it saw of it
+    lit: tuple[str, ProjectorPixels] | None = (
+        None  # under fringes: the camera used for the projector, and the projector pixels in its image
+    )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Context:
-    """What is known before images are looked at."""
+class DetectionContext:
+    """Cameras and other observations that identify ambiguous parts of the board."""
 
     cameras: CameraArrayCalibration | None  # calibrated before, or as the views collected so far have them
     observations: Sequence[Observation] = ()  # other positions
 
 
-def detect(images: Mapping[str, ImageArray], readback: Readback, board: BoardDescription, context: Context) -> Detected:
-    """Look for the board in one image of each camera; parts that one cannot tell are told as `identify_parts` does."""
+def detect(images: Mapping[str, ImageArray], readback: Readback, board: BoardDescription, context: DetectionContext) -> Detection:
+    """Detect the board in one image of each camera; ambiguous parts are identified by `identify_parts`."""
     with ThreadPoolExecutor(DETECTION_THREADS) as pool:
-        results = dict(zip(images, pool.map(lambda pixels: _look(lambda: find_board(pixels, board)), images.values()), strict=True))
+        results = dict(zip(images, pool.map(lambda pixels: _try_find(lambda: find_board(pixels, board)), images.values()), strict=True))
     known = {camera: one for camera, one in results.items() if isinstance(one, Sighting)}
     unclear = {camera: images[camera] for camera, one in results.items() if isinstance(one, AmbiguousPart)}
     results |= identify_parts(unclear, known, readback, board, context)
     refused = {camera: refusal(one) for camera, one in results.items() if isinstance(one, CalibrationError)}
-    return Detected(images, {camera: one for camera, one in results.items() if isinstance(one, Sighting)}, refused)
+    return Detection(images, {camera: one for camera, one in results.items() if isinstance(one, Sighting)}, refused)
 
 
 def identify_parts(
-    unclear: Mapping[str, ImageArray], known: Mapping[str, Sighting], readback: Readback, board: BoardDescription, context: Context
+    unclear: Mapping[str, ImageArray], known: Mapping[str, Sighting], readback: Readback, board: BoardDescription, context: DetectionContext
 ) -> dict[str, Sighting | CalibrationError]:
-    """Tell which parts of the board these images show: by cameras that saw the same position, else by where the table turned the board from.
+    """Identify the parts of the board in these images: by cameras that detected the same position, else by other table angles.
 
     Parameters
     ----------
     unclear : camera -> image of a part that may be one of several
-    known : other cameras -> what they saw at the same position
-    readback : where the axes stood
+    known : other cameras -> their sightings of the same position
+    readback : positions of the axes
 
     Returns
     -------
-    camera -> marks, or why it is still not clear; nothing where nothing can tell it
+    camera -> marks, or the reason why they are still ambiguous; empty where they cannot be identified
     """
     cameras, told = context.cameras, dict[str, Sighting | CalibrationError]()
     if cameras is None or not unclear:
         return told
     if known:
-        return {camera: _look(partial(find_beside, image, camera, known, cameras, board)) for camera, image in unclear.items()}
-    turned, table_rad = _turned(context.observations, readback, cameras, board), readback.table_rad
+        return {camera: _try_find(partial(find_part_by_cameras, image, camera, known, cameras, board)) for camera, image in unclear.items()}
+    turned, table_rad = _observations_from_here(context.observations, readback, cameras, board), readback.table_rad
     if table_rad is None or not turned:
         return told
-    return {camera: _look(partial(find_turned, image, camera, turned, table_rad, cameras, board)) for camera, image in unclear.items()}
+    return {
+        camera: _try_find(partial(find_part_by_table, image, camera, turned, table_rad, cameras, board))
+        for camera, image in unclear.items()
+    }
 
 
-def _turned(
+def _observations_from_here(
     observations: Sequence[Observation], readback: Readback, cameras: CameraArrayCalibration, board: BoardDescription
 ) -> list[Observation]:
     """Other observations with the cameras in the same place, the table's angle known."""
     found = []
     for one in observations:
         seen = {camera: marks for camera, marks in one.seen.items() if camera in cameras.cameras}
-        if seen and one.readback.table_rad is not None and _hold_cameras_alike(one.readback, readback):
+        if seen and one.readback.table_rad is not None and _has_same_camera_pose(one.readback, readback):
             found.append(Observation(one.id, one.readback, pose_of(seen, cameras, board)))
     return found
 
 
-def _hold_cameras_alike(one: Readback, other: Readback) -> bool:
+def _has_same_camera_pose(one: Readback, other: Readback) -> bool:
     """Whether the cameras were in the same place; without robot and guide they are taken to be stationary."""
     first, second = one.base_from_flange, other.base_from_flange
     if (first is None) != (second is None) or (one.guide_mm is None) != (other.guide_mm is None):
@@ -110,11 +114,11 @@ def _hold_cameras_alike(one: Readback, other: Readback) -> bool:
     return slid <= SAME_POSE and bool(np.abs(gap).max() <= SAME_POSE)
 
 
-def detect_in_fringes(stack: FringeStack, setup: Setup, size_px: tuple[int, int], progress: Progress) -> Detected:
-    """Look for the board under fringes, and look its marks up in the phases: the projector's.
+def detect_in_fringes(stack: FringeStack, setup: Setup, size_px: tuple[int, int], progress: Progress) -> Detection:
+    """Detect the board under fringes, and its marks in projector coordinates.
 
-    Kept are the board in even light as every camera sees it and, for people, as the projector would; and around the board which pixel of the
-    projector lights each pixel of the camera that sees most of it, from which the projector's marks can be read again.
+    Stored are the board in even light for every camera and, for display, for the projector; and around the board which pixel of the
+    projector lights each pixel of the camera with most marks, from which the projector's marks can be read again.
 
     Raises
     ------
@@ -122,18 +126,18 @@ def detect_in_fringes(stack: FringeStack, setup: Setup, size_px: tuple[int, int]
         The fringes run in one direction only.
     """
     found = detect_under_fringes(stack, stack.viewpoint_id, setup.board, DecodeSettings(), progress)
-    images, seen = dict(found.images), found.seen_with_projector
+    images, seen = dict(found.images), found.all_sightings
     refused = {camera: refusal(error) for camera, error in found.refused.items()}
     best = found.best
     if best is None:
-        refused[PROJECTOR] = _unlit(found)
-        return Detected(images, seen, refused)
+        refused[PROJECTOR] = _projector_refusal(found)
+        return Detection(images, seen, refused)
     images[PROJECTOR] = projector_picture(found.images[best], found.phases[best], size_px)
-    return Detected(images, seen, refused, (best, found.lit[best]))
+    return Detection(images, seen, refused, (best, found.lit[best]))
 
 
-def detect_in_stored(other: CollectedObservation, setup: Setup, context: Context) -> Detected:
-    """Look for the board in the images that were kept of an observation, under fringes in what the projector's marks were read from.
+def detect_in_stored(other: CollectedObservation, setup: Setup, context: DetectionContext) -> Detection:
+    """Detect the board again in the stored images of an observation; under fringes, read the projector's marks from the stored projector pixels.
 
     Raises
     ------
@@ -147,29 +151,29 @@ def detect_in_stored(other: CollectedObservation, setup: Setup, context: Context
         return detect(images, other.readback, setup.board, context)
     if other.lit is None and PROJECTOR in other.seen:
         raise CalibrationError(
-            f"Of the fringes of observation {other.id} nothing was kept to read the projector's marks from again.",
-            "It was taken with an earlier version: take the position again.",
+            f"The fringes of observation {other.id} were not kept, so the projector's marks cannot be read again.",
+            "It was recorded with an earlier version: record the position again.",
         )
-    results = {camera: _look(partial(find_board, image, setup.board)) for camera, image in images.items() if camera != PROJECTOR}
+    results = {camera: _try_find(partial(find_board, image, setup.board)) for camera, image in images.items() if camera != PROJECTOR}
     seen = {camera: one for camera, one in results.items() if isinstance(one, Sighting)}
     refused = {camera: refusal(one) for camera, one in results.items() if isinstance(one, CalibrationError)}
     if other.lit is None:
-        return Detected(images, seen, refused | {name: why for name, why in other.refused.items() if name == PROJECTOR})
+        return Detection(images, seen, refused | {name: why for name, why in other.refused.items() if name == PROJECTOR})
     camera, lit = other.lit.camera, other.lit.verified()
     reading = projector_sighting(seen[camera].of(camera, other.id), lit) if camera in seen else None
     if isinstance(reading, Sighting):
         seen[PROJECTOR] = reading
-    return Detected(images, seen, refused, (camera, lit))
+    return Detection(images, seen, refused, (camera, lit))
 
 
-def _unlit(found: BoardInFringes) -> Refusal:
+def _projector_refusal(found: BoardInFringes) -> Refusal:
     reasons = [reading.reason for reading in found.readings.values() if not isinstance(reading, Sighting)]
     if not reasons:
         return Refusal("not found", "No camera found the board.", "Show it whole, sharp and evenly lit.")
     return Refusal("too dark", f"{reasons[0][0].upper()}{reasons[0][1:]}.", UNLIT)
 
 
-def _look(find: Callable[[], Sighting]) -> Sighting | CalibrationError:
+def _try_find(find: Callable[[], Sighting]) -> Sighting | CalibrationError:
     try:
         return find()
     except CalibrationError as error:
@@ -177,5 +181,5 @@ def _look(find: Callable[[], Sighting]) -> Sighting | CalibrationError:
 
 
 def refusal(error: CalibrationError) -> Refusal:
-    """Return an error as the reason why an image gives nothing."""
-    return Refusal(error.cause if isinstance(error, BoardRefused) else "not found", error.message, error.hint)
+    """Convert an error to the reason why an image has no marks."""
+    return Refusal(error.cause if isinstance(error, BoardDetectionError) else "not found", error.message, error.hint)

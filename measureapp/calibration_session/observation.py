@@ -1,4 +1,4 @@
-"""An observation as a session keeps it: its images, why some of them gave nothing, and how it fits the last solution."""
+"""An observation of a session: its images on disk, refused images with reasons, and its fit to the last solution."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Literal
 
 from measureapp.arrays import ImageArray
 from measureapp.calibrate.boards.observation import Observation
-from measureapp.calibrate.cameras.projector_sightings import ProjectorPixels, called
+from measureapp.calibrate.cameras.projector_sightings import ProjectorPixels, device_title
 from measureapp.calibrate.draft.draft import Solved
 from measureapp.calibrate.sightings import Cause
 from measureapp.errors import StorageError
@@ -57,12 +57,12 @@ class StoredPixels:
 
 def _require_same(path: Path, found: str, kept: str) -> None:
     if found != kept:
-        raise StorageError(f"{path} is not what was kept: its checksum differs.", "Restore it from a backup.")
+        raise StorageError(f"{path} has changed since it was saved: its checksum differs.", "Restore it from a backup.")
 
 
 @dataclass(frozen=True, slots=True)
 class Refusal:
-    """Why no marks were taken from an image."""
+    """The reason why an image has no marks."""
 
     cause: Cause
     message: str
@@ -73,13 +73,13 @@ class Refusal:
 class CollectedObservation(Observation):
     """An observation with its images on disk.
 
-    `status` and the residuals are those of the last solution; an observation that came later is "new".
+    `status` and the residuals are those of the last solution; an observation that was added later is "new".
     """
 
     images: Mapping[str, StoredImage] = field(default_factory=dict)
-    refused: Mapping[str, Refusal] = field(default_factory=dict)  # camera -> why it gave no marks
+    refused: Mapping[str, Refusal] = field(default_factory=dict)  # camera -> reason
     temperature_c: float | None = None  # of the head, where it was measured
-    lit: StoredPixels | None = None  # of a position under fringes: what the projector's marks were read from
+    lit: StoredPixels | None = None  # of a position under fringes: source of the projector's marks
     status: Status = "new"
     reason: str = ""  # in words, where it is not used or only in part
     residuals_px: Mapping[str, float] = field(default_factory=dict)  # camera -> rms distance of its marks from the predicted ones
@@ -87,10 +87,10 @@ class CollectedObservation(Observation):
 
     @property
     def refusals(self) -> str:
-        """Why cameras gave no marks, in sentences."""
-        return " ".join(f"{called(camera)}: {refusal.message} {refusal.hint}" for camera, refusal in self.refused.items())
+        """Reasons of refused images, in sentences."""
+        return " ".join(f"{device_title(camera)}: {refusal.message} {refusal.hint}" for camera, refusal in self.refused.items())
 
-    def judged(self, solved: Solved) -> CollectedObservation:
+    def with_fit(self, solved: Solved) -> CollectedObservation:
         """Return the observation with its fit to a solution that it entered."""
         return replace(
             self,
@@ -101,10 +101,10 @@ class CollectedObservation(Observation):
         )
 
 
-def lost_images(observations: Iterable[CollectedObservation]) -> list[tuple[str, str]]:
+def images_without_board(observations: Iterable[CollectedObservation]) -> list[tuple[str, str]]:
     """Return the images of observations without any marks by name, each with the reason and the remedy."""
     return [
-        (f"observation {one.id}, {called(camera)[0].lower()}{called(camera)[1:]}", f"{refusal.message} {refusal.hint}")
+        (f"observation {one.id}, {device_title(camera)[0].lower()}{device_title(camera)[1:]}", f"{refusal.message} {refusal.hint}")
         for one in observations
         if one.status == "no board"
         for camera, refusal in one.refused.items()

@@ -10,9 +10,9 @@ from measureapp.arrays import ImageArray
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.draft.draft import Draft, Setup, Solved
 from measureapp.calibrate.draft.solve import solve
-from measureapp.calibrate.rig.joint import approaches_to
-from measureapp.calibrate.sightings import Sighting, naming_refused
-from measureapp.calibration_session.detection import DETECTION_THREADS, Context, Detected, detect, identify_parts
+from measureapp.calibrate.rig.joint import number_approaches
+from measureapp.calibrate.sightings import Sighting, explain_by_refused
+from measureapp.calibration_session.detection import DETECTION_THREADS, Detection, DetectionContext, detect, identify_parts
 from measureapp.calibration_session.observation import Refusal
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration
@@ -31,8 +31,8 @@ class Position:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Refused:
-    """An image that gave no marks."""
+class RefusedImage:
+    """An image without usable marks."""
 
     id: str
     camera: str
@@ -46,10 +46,10 @@ class Refused:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Observed:
-    """What the images of all positions gave."""
+    """The sightings and refused images of all positions."""
 
     observations: tuple[Observation, ...]  # all positions, also those without any marks
-    refused: tuple[Refused, ...]
+    refused: tuple[RefusedImage, ...]
     unclear: Mapping[tuple[str, str], ImageArray]  # (position, camera) -> image of an ambiguous part of the board
 
     @property
@@ -58,13 +58,13 @@ class Observed:
         return tuple(one for one in self.observations if one.seen)
 
     def draft(self, setup: Setup, sizes_px: Mapping[str, tuple[int, int]]) -> Draft:
-        """Return what is to be solved."""
+        """Return the draft to be solved."""
         return Draft(setup, self.usable, sizes_px)
 
-    def naming_refused(self, error: CalibrationError) -> CalibrationError:
-        """Return the error of a solution that failed, naming the images that gave nothing: often its cause."""
+    def explain_failure(self, error: CalibrationError) -> CalibrationError:
+        """Add an image without marks to the error of a solution that failed: often its cause."""
         without = {one.id for one in self.observations if not one.seen}
-        return naming_refused(error, [(f"{one.id} ({one.camera})", one.reason) for one in self.refused if one.id in without])
+        return explain_by_refused(error, [(f"{one.id} ({one.camera})", one.reason) for one in self.refused if one.id in without])
 
 
 def observe(positions: Sequence[Position], board: BoardDescription, cameras: CameraArrayCalibration | None, progress: Progress) -> Observed:
@@ -75,9 +75,9 @@ def observe(positions: Sequence[Position], board: BoardDescription, cameras: Cam
     InputError
         An image cannot be read.
     """
-    found: dict[str, Detected] = {}
+    found: dict[str, Detection] = {}
     with ThreadPoolExecutor(DETECTION_THREADS) as pool:
-        pending = [pool.submit(_detected, position, board) for position in positions]
+        pending = [pool.submit(_detect, position, board) for position in positions]
         try:
             for number, (position, future) in enumerate(zip(positions, pending, strict=True)):
                 progress.report(number, len(positions), f"detecting the board in {position.id}")
@@ -86,23 +86,23 @@ def observe(positions: Sequence[Position], board: BoardDescription, cameras: Cam
             pool.shutdown(cancel_futures=True)
             raise
     poses = [position.readback.base_from_flange for position in positions]
-    numbers = approaches_to([pose for pose in poses if pose is not None]) if None not in poses else (None,) * len(poses)
+    numbers = number_approaches([pose for pose in poses if pose is not None]) if None not in poses else (None,) * len(poses)
     observations = tuple(
         Observation(position.id, position.readback, approach=number, seen=found[position.id].seen)
         for position, number in zip(positions, numbers, strict=True)
     )
-    refused = tuple(Refused(id_, camera, why) for id_, one in found.items() for camera, why in one.refused.items())
+    refused = tuple(RefusedImage(id_, camera, why) for id_, one in found.items() for camera, why in one.refused.items())
     unclear = {(one.id, one.camera): found[one.id].images[one.camera] for one in refused if one.refusal.cause == "part"}
     progress.report(1, 1)
-    return identified(Observed(observations, refused, unclear), board, cameras)
+    return identify_ambiguous(Observed(observations, refused, unclear), board, cameras)
 
 
-def identified(observed: Observed, board: BoardDescription, cameras: CameraArrayCalibration | None) -> Observed:
+def identify_ambiguous(observed: Observed, board: BoardDescription, cameras: CameraArrayCalibration | None) -> Observed:
     """Identify ambiguous parts of the board with calibrated cameras; the same object where nothing is gained."""
     gained: dict[str, dict[str, Sighting]] = {}
     for one in observed.observations:
         images = {camera: image for (id_, camera), image in observed.unclear.items() if id_ == one.id}
-        context = Context(cameras, tuple(other for other in observed.usable if other is not one))
+        context = DetectionContext(cameras, tuple(other for other in observed.usable if other is not one))
         results = identify_parts(images, one.seen, one.readback, board, context)
         marks = {camera: found for camera, found in results.items() if isinstance(found, Sighting)}
         if marks:
@@ -122,15 +122,15 @@ def solve_observed(
     """Solve, and once more where the cameras that this calibrates identify further parts of the board. Raises CalibrationError."""
     try:
         solved = solve(observed.draft(setup, sizes_px), PartOf(progress, 0.0, 1.0))
-        further = identified(observed, setup.board, solved.cameras) if setup.cameras is None else observed
+        further = identify_ambiguous(observed, setup.board, solved.cameras) if setup.cameras is None else observed
         if further is not observed:
             solved = solve(further.draft(setup, sizes_px), progress)
         return further, solved
     except CalibrationError as error:
-        raise observed.naming_refused(error) from error
+        raise observed.explain_failure(error) from error
 
 
-def _detected(position: Position, board: BoardDescription) -> Detected:
-    detected = detect(position.read(), position.readback, board, Context(None))
+def _detect(position: Position, board: BoardDescription) -> Detection:
+    detected = detect(position.read(), position.readback, board, DetectionContext(None))
     unclear = {camera for camera, refusal in detected.refused.items() if refusal.cause == "part"}
     return replace(detected, images={camera: image for camera, image in detected.images.items() if camera in unclear})

@@ -60,7 +60,7 @@ class RecordedView(Protocol):
 
     @property
     def name(self) -> str:
-        """What it is called."""
+        """Its name in messages."""
 
     def add_to(self, session: CalibrationSession, progress: Progress) -> CollectedObservation:
         """Read it and add it to a session. Raises InputError, DecodeError where it cannot be read."""
@@ -75,11 +75,11 @@ class RecordedImages:
 
     @property
     def name(self) -> str:
-        """What it is called."""
+        """Its name in messages."""
         return f"image {self.position.name}"
 
     def add_to(self, session: CalibrationSession, progress: Progress) -> CollectedObservation:
-        """Read the images and look for the board in them."""
+        """Read the images and detect the board."""
         progress.report(0, 1)
         files = self.position.files
         return session.add({camera: read_image(path) for camera, path in files.items()}, self.readback, _names(files))
@@ -94,17 +94,17 @@ class RecordedFringeView:
 
     @property
     def name(self) -> str:
-        """What it is called: as its folder is."""
+        """Its name in messages, that of its folder."""
         return self.recorded.name(self.number)
 
     def add_to(self, session: CalibrationSession, progress: Progress) -> CollectedObservation:
-        """Read the fringes, look for the board in them and decode them."""
+        """Read the fringes, detect the board and decode them."""
         names = dict.fromkeys((*self.recorded.cameras, PROJECTOR), self.name)
         return session.add_fringes(self.recorded.read(self.number), names=names, progress=progress)
 
 
 def readbacks_of(positions: Sequence[RecordedPosition], files: ReadbackFiles, needed: Sequence[str]) -> list[Readback]:
-    """Return where the axes stood at recorded positions: by tables, or as it was recorded with them.
+    """Return the axis positions of recorded images: from tables, or as recorded with them.
 
     Parameters
     ----------
@@ -120,7 +120,7 @@ def readbacks_of(positions: Sequence[RecordedPosition], files: ReadbackFiles, ne
     missing = list(dict.fromkeys(axis for one in found for axis in one.missing(needed)))
     if missing:
         raise InputError(
-            f"Not known at the images: {' and '.join(missing)}.",
+            f"The images have no read-back of: {' and '.join(missing)}.",
             "Choose a table with one line per position of the board, or the folder in which a project keeps its views of the board.",
         )
     return found

@@ -11,11 +11,11 @@ from measureapp.progress import PartOf, Progress
 
 
 def repeat_session(session: CalibrationSession, inputs: Mapping[str, str], folder: Path, progress: Progress) -> CalibrationSession:
-    """Detect the board in the stored images of a session again, and solve what a result was made from.
+    """Repeat the detection and solution of a result from the stored images of its session.
 
     Parameters
     ----------
-    inputs : "observation camera" -> checksum of each image the result was made from; what the session collected besides is left out
+    inputs : "observation camera" -> checksum of each image the result was made from; other observations of the session are excluded
     folder : for the new session
 
     Raises
@@ -28,7 +28,7 @@ def repeat_session(session: CalibrationSession, inputs: Mapping[str, str], folde
     kept = {f"{one.id} {camera}": image for one in session.observations for camera, image in one.images.items()}
     for name, digest in inputs.items():
         if name not in kept or kept[name].checksum != digest:
-            state = "is missing" if name not in kept else "is not the one it was"
+            state = "is missing" if name not in kept else "has changed"
             raise StorageError(
                 f"The image {name!r} of session {session.folder}, from which the calibration was made, {state}.",
                 "Restore it from a backup.",

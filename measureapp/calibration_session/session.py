@@ -11,7 +11,14 @@ from measureapp.arrays import ImageArray
 from measureapp.calibrate.draft.draft import Draft, Setup, Solved
 from measureapp.calibrate.sightings import Sighting
 from measureapp.calibration_session.board_in_fringes import projector_size_px
-from measureapp.calibration_session.detection import Context, Detected, detect, detect_in_fringes, detect_in_stored, identify_parts
+from measureapp.calibration_session.detection import (
+    Detection,
+    DetectionContext,
+    detect,
+    detect_in_fringes,
+    detect_in_stored,
+    identify_parts,
+)
 from measureapp.calibration_session.observation import CollectedObservation
 from measureapp.calibration_session.snapshot import Snapshot
 from measureapp.calibration_session.store import Act, Action, Store
@@ -26,10 +33,10 @@ class ImagesThere(InputError):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _State:
-    """Everything that changes, replaced as a whole: a reader sees the session before or after a change, never in between."""
+    """The state of a session, replaced as a whole: readers see it before or after a change, never in between."""
 
     actions: tuple[Action, ...] = ()
-    done: int = 0  # how many of them stand; the rest can be redone
+    done: int = 0  # how many of them are in effect; the rest can be redone
     observations: Mapping[str, CollectedObservation] = field(default_factory=dict)
     solved: Solved | None = None
 
@@ -91,7 +98,7 @@ class CalibrationSession:
 
     @property
     def draft(self) -> Draft:
-        """What is to be solved now, with the last solution."""
+        """The draft of the present state, with the last solution."""
         return self.snapshot().draft
 
     @property
@@ -244,19 +251,19 @@ class CalibrationSession:
         return self.solve(progress, afresh=afresh) if self.identify_parts() else found
 
     def adopt(self, solved: Solved | None) -> None:
-        """Judge the observations by a solution that was found from a snapshot; None: there is none."""
+        """Evaluate the observations by a solution that was found from a snapshot; None: there is none."""
         with self._writing:
             self._state = replace(self._state, solved=solved)
 
-    def _context(self, besides: str = "") -> Context:
-        """What identifies parts of the board: the cameras, known or as last solved, and the other observations."""
+    def _context(self, besides: str = "") -> DetectionContext:
+        """The context for identifying parts of the board: cameras, known or as last solved, and the other observations."""
         now = self.snapshot()
-        return Context(now.draft.cameras, tuple(one for one in now.usable if one.id != besides))
+        return DetectionContext(now.draft.cameras, tuple(one for one in now.usable if one.id != besides))
 
     def _keep(
-        self, found: Detected, readback: Readback, names: Mapping[str, str] | None, *, name: str = "", temperature_c: float | None = None
+        self, found: Detection, readback: Readback, names: Mapping[str, str] | None, *, name: str = "", temperature_c: float | None = None
     ) -> CollectedObservation:
-        """Store what was detected, and add it; images that are there already are refused."""
+        """Store a detection and add it; duplicate images are refused."""
         with self._writing:
             stored = {camera: self._store.keep_image(pixels, (names or {}).get(camera, "")) for camera, pixels in found.images.items()}
             self._refuse_twice({camera: image.checksum for camera, image in stored.items()})
@@ -280,7 +287,7 @@ class CalibrationSession:
 
     def _check(self, images: Mapping[str, ImageArray], readback: Readback) -> None:
         if not images:
-            raise InputError("An observation needs an image.", "Give one of every camera.")
+            raise InputError("An observation needs an image.", "Give one image per camera.")
         now = self.snapshot()
         for camera, pixels in images.items():
             if camera not in self.setup.camera_names:

@@ -1,6 +1,6 @@
 """A session on disk: settings, observations and images, each written once; and the list of actions, rewritten after every change.
 
-session.json         kind, board, what was known before, and the actions with how many of them stand (the rest can be redone)
+session.json         kind, board, what was known before, and the actions with how many of them are in effect (the rest can be redone)
 cameras.json         the cameras, where they were known
 observations/ID.json what was found in the images, with the read-back
 images/HASH.png      the pixels, named by their checksum
@@ -23,8 +23,7 @@ from pydantic import TypeAdapter
 from measureapp.arrays import ImageArray
 from measureapp.calibrate.cameras.projector_sightings import ProjectorPixels
 from measureapp.calibrate.draft.draft import Setup
-from measureapp.calibrate.kinds.table import kind_called
-from measureapp.calibrate.motions.axis_noise import AxisNoise
+from measureapp.calibrate.kinds.table import find_kind
 from measureapp.calibrate.sightings import Sighting
 from measureapp.calibration_session.observation import CollectedObservation, Refusal, StoredImage, StoredPixels
 from measureapp.data.board import AnyBoard
@@ -34,7 +33,7 @@ from measureapp.geometry.transform import RigidTransform
 from measureapp.project.atomic import replacing, write_json
 from measureapp.project.calibration.camera_file import read_cameras, write_cameras
 from measureapp.project.calibration.projector_pixels import checksum_of, write_projector_pixels
-from measureapp.project.documents import hand_eye_from, link_document, transform_document, transform_from
+from measureapp.project.documents import hand_eye_from, link_document, noise_document, noise_from, transform_document, transform_from
 from measureapp.project.frame_store import checksum
 
 SESSION_VERSION, OBSERVATION_VERSION = 3, 2
@@ -81,14 +80,14 @@ class Store:
         return StoredImage(path, digest, (pixels.shape[1], pixels.shape[0]), name)
 
     def keep_lit(self, camera: str, lit: ProjectorPixels) -> StoredPixels:
-        """Write what the projector's marks are read from. Raises StorageError."""
+        """Save the projector pixels from which its marks are read. Raises StorageError."""
         digest = checksum_of(lit)
         path = self.folder / "lit" / f"{digest}.npz"
         write_projector_pixels(path, lit)
         return StoredPixels(path, digest, camera)
 
     def keep_observation(self, observation: CollectedObservation) -> None:
-        """Write what was found in the images of an observation."""
+        """Save the sightings of an observation."""
         write_json(self.folder / "observations" / f"{observation.id}.json", _observation_document(observation))
 
     def keep_setup(self, setup: Setup) -> None:
@@ -97,7 +96,7 @@ class Store:
             write_cameras(self.folder / CAMERAS, setup.cameras)
 
     def keep_session(self, setup: Setup, actions: Sequence[Action], done: int) -> None:
-        """Write the settings and what was done."""
+        """Save the settings and actions."""
         document = {
             "schema_version": SESSION_VERSION,
             **_setup_document(setup),
@@ -107,7 +106,7 @@ class Store:
         write_json(self.folder / SESSION, document)
 
     def read(self) -> tuple[Setup, list[Action], int, dict[str, CollectedObservation]]:
-        """Return settings, actions, how many of them stand, and the observations by id.
+        """Return settings, actions, how many of them are in effect, and the observations by id.
 
         Raises
         ------
@@ -120,12 +119,12 @@ class Store:
             raise InputError(f"{self.folder} holds no calibration session.", "Start one by naming the kind, the board and images.")
         document = _read(self.folder / SESSION)
         try:
-            document = migrated(document)
+            document = migrate(document)
             setup = _setup_from(document, self.folder)
             actions = [Action(entry["act"], str(entry["observation"])) for entry in document["actions"]]
             done = int(document["done"])
             if not 0 <= done <= len(actions) or any(action.act not in ("add", "remove") for action in actions):
-                raise ValueError("the list of actions contradicts itself")
+                raise ValueError("the list of actions is inconsistent")
         except (KeyError, TypeError, ValueError, FrameMismatch) as error:
             raise StorageError(f"{self.folder / SESSION} cannot be used: {error}.", "Restore it from a backup, or start again.") from error
         names = dict.fromkeys(action.observation for action in actions)
@@ -147,7 +146,7 @@ def _read(path: Path) -> Any:
         raise StorageError(f"{path} cannot be read: {error}.", "Restore it from a backup, or start again.") from error
 
 
-def migrated(document: Mapping[str, Any]) -> Mapping[str, Any]:
+def migrate(document: Mapping[str, Any]) -> Mapping[str, Any]:
     """Return a session's document in the present form.
 
     Version 1 kept the hand-eye transform without its standard deviations, version 2 knew no projector.
@@ -161,7 +160,7 @@ def migrated(document: Mapping[str, Any]) -> Mapping[str, Any]:
     if version == 1:
         known = document["flange_from_camera"]
         link = None if known is None else {"flange_from_camera": known}
-        return migrated({**document, "schema_version": 2, "hand_eye": link})
+        return migrate({**document, "schema_version": 2, "hand_eye": link})
     if version == 2:
         return {**document, "schema_version": SESSION_VERSION, "projector_px": None}
     if version != SESSION_VERSION:
@@ -176,7 +175,7 @@ def _setup_document(setup: Setup) -> dict[str, Any]:
         "camera_names": list(setup.camera_names),
         "cameras_known": setup.cameras is not None,
         "hand_eye": None if setup.hand_eye is None else link_document(setup.hand_eye),
-        "noise": asdict(setup.noise),
+        "noise": noise_document(setup.noise),
         "distortion_count": setup.distortion_count,
         "standoff_mm": setup.standoff_mm,
         "length_mm": setup.length_mm,
@@ -188,12 +187,12 @@ def _setup_document(setup: Setup) -> dict[str, Any]:
 def _setup_from(document: Mapping[str, Any], folder: Path) -> Setup:
     known, size_px = document["hand_eye"], document["projector_px"]
     return Setup(
-        kind=kind_called(document["kind"]),
+        kind=find_kind(document["kind"]),
         board=BOARD.validate_python(document["board"]),
         camera_names=tuple(document["camera_names"]),
         cameras=read_cameras(folder / CAMERAS) if document["cameras_known"] else None,
         hand_eye=None if known is None else hand_eye_from(known),
-        noise=AxisNoise(**document["noise"]),
+        noise=noise_from(document["noise"]),
         distortion_count=int(document["distortion_count"]),
         standoff_mm=document["standoff_mm"],
         length_mm=float(document["length_mm"]),

@@ -1,4 +1,4 @@
-"""From where the rig should look at the board next, so that the cameras become most certain: only places it can reach."""
+"""D-optimal viewpoint of the rig: the reachable next view of the board that adds most information on the cameras."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.reach import limit_violations
 
 SLIDES_MM = (0.0, -150.0, 150.0, -300.0, 300.0)  # beside the place straight before the table's centre
-NEAR_MM, NEAR_RAD = 20.0, float(np.deg2rad(8.0))  # of a view there is already: it would teach the same again
-LEAST_GAIN = 0.05  # of ln det of the covariance: below, a view teaches nothing
+NEAR_MM, NEAR_RAD = 20.0, float(np.deg2rad(8.0))  # of an existing view: adds no new information
+LEAST_GAIN = 0.05  # of ln det of the covariance: below, a view adds too little
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -35,7 +35,7 @@ class Suggestion:
 def suggest_viewpoint(draft: Draft, rig: RigDescription, name: str) -> Suggestion | None:
     """Return the reachable viewpoint that adds most to the Fisher information of the cameras; None where none adds anything.
 
-    The board stands where the last observation with a read-back saw it; the head sits on the flange as drawn, which is exact enough
+    The board pose is that of the last observation with a read-back; the nominal pose of the head on the flange is accurate enough
     to aim. Candidates and gain are those of `best_view`.
     """
     solved = draft.solved

@@ -1,4 +1,4 @@
-"""Is a project's calibration still good? A few views of the board on its rig tell, without a window."""
+"""Check of a project's calibration with a few views of the board on its rig."""
 
 from __future__ import annotations
 
@@ -22,20 +22,20 @@ from measureapp.project.folder import ProjectFolder
 
 
 def check_with_board(project: ProjectFolder, rig: Rig, progress: Progress, limit_mm: float = 0.5) -> QuickCheck:
-    """Take a few views of the board, keep them, compare them with the project's calibration, and note the verdict in its history.
+    """Take and store a few views of the board, compare them with the project's calibration, and add the verdict to its history.
 
     Raises
     ------
     CalibrationError
-        There is no calibration, it is of other cameras, or the board is seen in too few views.
+        There is no calibration, it is of other cameras, or the board is detected in too few views.
     DeviceError
         From the rig.
     """
     with project.lock():
-        return _checked(project, rig, progress, limit_mm)
+        return _check(project, rig, progress, limit_mm)
 
 
-def _checked(project: ProjectFolder, rig: Rig, progress: Progress, limit_mm: float) -> QuickCheck:
+def _check(project: ProjectFolder, rig: Rig, progress: Progress, limit_mm: float) -> QuickCheck:
     calibration = project.require_calibration()
     check_before_scan(rig, calibration)
     viewpoints = check_viewpoints(rig.description)
@@ -72,7 +72,7 @@ def compare_board(views: Sequence[BoardView], calibration: RigCalibration, board
             observations.append(Observation(view.viewpoint_id, view.readback, pose))
     if len(observations) < LEAST_VIEWS:
         raise CalibrationError(
-            f"The board is seen in {len(observations)} of {len(views)} views: " + " ".join(missed),
+            f"The board is detected in {len(observations)} of {len(views)} views: " + " ".join(missed),
             "Put the board of the calibration on the table, facing the head, and light it.",
         )
     return quick_check(observations, calibration, board, limit_mm=limit_mm)

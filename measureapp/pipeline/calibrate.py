@@ -53,7 +53,7 @@ def _with_lenses(cameras: CameraArrayCalibration, lenses: Mapping[str, LensSetti
 
 
 def _provenance(method: str, rig: RigDescription, views: Sequence[BoardView]) -> Provenance:
-    """Where the calibration comes from. It is as old as its last image: solving it again does not make it younger."""
+    """Provenance of the calibration. It is as old as its last image: solving it again does not make it younger."""
     recorded = [view.conditions for view in views if view.conditions is not None]
     warm = [conditions.temperature_c for conditions in recorded if conditions.temperature_c is not None]
     return Provenance(
@@ -71,7 +71,7 @@ def checksums_of(views: Sequence[BoardView]) -> dict[str, str]:
 
 
 def _devices(rig: RigDescription, views: Sequence[BoardView]) -> tuple[Mapping[str, str], Mapping[str, LensSetting]]:
-    """Return the serial number of every camera, as it said itself or else as the rig is described, and how its lens was set."""
+    """Return the serial number of every camera, as it reported or else as the rig is described, and its lens setting."""
     last = next((view.conditions for view in reversed(views) if view.conditions is not None), None)
     serials = {camera.name: camera.serial for camera in rig.cameras}
     return (serials, {}) if last is None else ({**serials, **last.serials}, last.lenses)

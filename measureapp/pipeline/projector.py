@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from measureapp.calibrate.boards.find import require_unambiguous
 from measureapp.calibrate.boards.observation import Observation
-from measureapp.calibrate.cameras.draft import CameraArrayDraft
+from measureapp.calibrate.cameras.array import CameraArrayProblem
 from measureapp.calibrate.cameras.projector import HeadSolution, solve_head
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
 from measureapp.calibrate.kinds.projector import head_problem
@@ -26,11 +26,11 @@ NOT_KNOWN = (0, 0)
 
 @dataclass(frozen=True, slots=True)
 class ProjectorRequest:
-    """What is calibrated: the projector before known cameras, or projector and cameras together."""
+    """A calibration of the projector with known cameras, or of projector and cameras together."""
 
     board: BoardDescription
     cameras: CameraArrayCalibration | None  # None: the cameras are calibrated from the same images
-    projector_px: tuple[int, int] | None = None  # width and height; None: what the stacks say
+    projector_px: tuple[int, int] | None = None  # width and height; None: from the stacks
     distortion_count: int = 5
     decoding: DecodeSettings = field(default_factory=DecodeSettings)
 
@@ -46,7 +46,7 @@ def calibrate_projector(stacks: Iterable[FringeStack], positions: int, request: 
     Raises
     ------
     CalibrationError
-        Fewer than three positions, fringes in one direction only, a symmetric board, or what is seen does not determine the projector.
+        Fewer than three positions, fringes in one direction only, a symmetric board, or sightings that do not determine the projector.
     InputError
         The stacks have other cameras or another size than the calibrated ones, or differ in the projector's size.
     """
@@ -65,14 +65,13 @@ def calibrate_projector(stacks: Iterable[FringeStack], positions: int, request: 
         size_px = _size_of(stack, size_px, given=request.projector_px is not None)
         _require_same_cameras(stack, sizes, request.cameras)
         found = detect_under_fringes(stack, view, request.board, request.decoding, part)
-        observations.append(Observation(view, seen=found.seen_with_projector))
+        observations.append(Observation(view, seen=found.all_sightings))
         missed += [Rejection(camera, view, f"{error.message} {error.hint}".rstrip(".")) for camera, error in found.refused.items()]
         missed += [] if found.best is not None else [one for one in found.readings.values() if isinstance(one, Rejection)][:1]
     _require_different([marks.of(camera, one.id) for one in observations for camera, marks in one.seen.items()])
     names = request.cameras.names if request.cameras is not None else tuple(sizes)
-    problem = head_problem(
-        observations, CameraArrayDraft(request.board, names[0], sizes, request.distortion_count), request.cameras, tuple(missed)
-    )
+    empty = CameraArrayProblem(request.board, names[0], sizes, (), distortion_count=request.distortion_count)
+    problem = head_problem(empty, observations, request.cameras, tuple(missed))
     read = [one.seen[PROJECTOR].of(PROJECTOR, one.id) for one in observations if PROJECTOR in one.seen]
     return solve_head(problem, read, size_px, PartOf(progress, 0.9, 1.0))
 

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, Provenance, RigCalibration, RobotStation, RotationAxis
 from measureapp.data.cloud import LoopClosure, ViewPlacement
 from measureapp.data.conditions import Conditions, LensSetting
@@ -26,6 +27,8 @@ STORED_NAMES = {  # attribute -> field of the files where the two differ
     "status": "standing",
     "undetectable": "unseen",
     "undetectable_deg": "unseen_deg",
+    "robot_correlation_mm": "robot_alike_mm",
+    "robot_correlation_turn": "robot_alike_turn",
 }
 ATTRIBUTES = {stored: name for name, stored in STORED_NAMES.items()}
 
@@ -109,6 +112,16 @@ def rig_calibration_from(document: Mapping[str, Any], cameras: CameraArrayCalibr
 def link_document(link: Any) -> dict[str, Any]:
     """Return a link of the rig's chain, a dataclass such as `HandEye`, as JSON."""
     return _plain(link)
+
+
+def noise_document(noise: AxisNoise) -> dict[str, float]:
+    """Return the noise of the axes as JSON."""
+    return {STORED_NAMES.get(name, name): value for name, value in asdict(noise).items()}
+
+
+def noise_from(document: Mapping[str, Any]) -> AxisNoise:
+    """Return the noise of the axes of a document."""
+    return AxisNoise(**{ATTRIBUTES.get(name, name): float(value) for name, value in document.items()})
 
 
 def hand_eye_from(document: Mapping[str, Any]) -> HandEye:

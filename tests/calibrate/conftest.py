@@ -9,7 +9,7 @@ import pytest
 
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.boards.pose import board_pose
-from measureapp.calibrate.poses import moved
+from measureapp.calibrate.poses import apply_changes
 from measureapp.calibrate.sightings import Sighting
 from measureapp.data.board import CheckerboardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, LinearGuide, RotationAxis
@@ -108,7 +108,7 @@ class TrueRig:
         """Return what the camera truly sees; ``robot_error`` is the small change of the flange."""
         flange = readback.base_from_flange
         if robot_error is not None:
-            changed = flange.matrix @ moved(np.eye(4), robot_error)
+            changed = flange.matrix @ apply_changes(np.eye(4), robot_error)
             flange = RigidTransform(orthonormalise(changed), "base", "flange")
         guide_from_camera = self.guide.guide_from_base(readback.guide_mm) @ flange @ self.flange_from_camera
         return guide_from_camera.inverse() @ self.axis.turned(readback.table_rad) @ self.guide_from_board

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.boards.pose import triangulated
+from measureapp.calibrate.boards.pose import triangulate
 from measureapp.calibrate.cameras.array import CameraArrayProblem
 from measureapp.calibrate.cameras.uncertainty import WorkingVolume
 from measureapp.calibrate.sightings import Sighting
@@ -91,7 +91,7 @@ def problem(
 def shape_error_mm(found: CameraArrayCalibration, head: CameraArrayCalibration, points: FloatArray) -> FloatArray:
     """Return what is left (N, 3) of triangulated points against the truth after the best rigid fit; the images are free of noise."""
     pixels = {name: camera.pinhole.project(camera.reference_from_camera.inverse().apply(points)) for name, camera in head.cameras.items()}
-    measured = triangulated(pixels, found)
+    measured = triangulate(pixels, found)
     a, b = measured - measured.mean(axis=0), points - points.mean(axis=0)
     u, _, vt = np.linalg.svd(a.T @ b)
     return a @ (u @ np.diag([1, 1, np.linalg.det(u @ vt)]) @ vt) - b

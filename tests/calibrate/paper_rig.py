@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 
 from measureapp.calibrate.boards.observation import Observation
-from measureapp.calibrate.boards.pose import board_pose, stated_pose, triangulated
-from measureapp.calibrate.cameras.prior import POSE_NAMES, cameras_moved, derivatives, pose_by_cameras
+from measureapp.calibrate.boards.pose import board_pose, stated_pose, triangulate
+from measureapp.calibrate.cameras.prior import POSE_NAMES, derivatives, perturb_cameras, pose_camera_jacobian
 from measureapp.calibrate.motions.axis_motion import rigid_motion
 from measureapp.calibrate.motions.axis_noise import AxisNoise, expected_noise
 from measureapp.calibrate.poses import change_between
-from measureapp.calibrate.rig.joint import approaches_to, solve_rig
+from measureapp.calibrate.rig.joint import number_approaches, solve_rig
 from measureapp.calibrate.rig.joint_solution import RigSolution
 from measureapp.data.board import CheckerboardDescription
 from measureapp.data.calibration import CameraArrayCalibration, LabelledCovariance
@@ -137,34 +137,34 @@ def calibrated(
     prior = camera_prior_of(true_cameras, [pose for _, _, pose in placed], corner_sigma_px)
     generator = np.random.default_rng([seed, 7])
     error = np.linalg.cholesky(prior.covariance) @ generator.normal(size=len(prior.parameters)) * camera_errors
-    cameras = cameras_moved(true_cameras, prior.parameters, error)
+    cameras = perturb_cameras(true_cameras, prior.parameters, error)
     observations = []
-    approaches = approaches_to([read.base_from_flange for _, read, _ in placed])
+    approaches = number_approaches([read.base_from_flange for _, read, _ in placed])
     for approach, (name, read, pose) in zip(approaches, placed, strict=True):
         corners = corners_of(true_cameras, pose, corner_sigma_px * corner_errors, generator)
         if corners:
             seen = board_pose(corners, cameras, BOARD, corner_sigma_px)
-            by_cameras = pose_by_cameras(seen, dict.fromkeys(corners), cameras, BOARD, prior.parameters)
-            observations.append(Observation(name, read, seen, by_cameras, approach))
+            camera_jacobian = pose_camera_jacobian(seen, dict.fromkeys(corners), cameras, BOARD, prior.parameters)
+            observations.append(Observation(name, read, seen, camera_jacobian, approach))
     solution = solve_rig(observations, cameras, noise=noise, camera_prior=prior if camera_prior_used else None, **options)
     return Run(cell, solution, prior, observations, cameras)
 
 
 def errors_of(run: Run) -> dict[str, float]:
     """Return the error of every labelled parameter (board and hand-eye as small changes, directions across the true ones)."""
-    from measureapp.calibrate.motions.axis_motion import across
+    from measureapp.calibrate.motions.axis_motion import perpendicular_basis
 
     truth, found = run.cell.truth.calibration, run.solution
     x = change_between(truth.hand_eye.flange_from_camera.matrix[None], found.calibration.hand_eye.flange_from_camera.matrix[None])[0]
     guide_from_board = truth.table_from_guide.inverse() @ run.cell.truth.table_from_board
     board = change_between(guide_from_board.matrix[None], found.guide_from_board.matrix[None])[0]
     state = found.state
-    guide = across(state.guide_direction) @ (state.guide_direction - truth.guide.direction)
-    axis = across(state.axis_direction) @ (state.axis_direction - truth.axis.direction)
+    guide = perpendicular_basis(state.guide_direction) @ (state.guide_direction - truth.guide.direction)
+    axis = perpendicular_basis(state.axis_direction) @ (state.axis_direction - truth.axis.direction)
     # the point of the true axis in the plane across the found axis through its point
     away = state.axis_point_mm - truth.axis.point_mm
     along = float(away @ state.axis_direction) / float(truth.axis.direction @ state.axis_direction)
-    point = across(state.axis_direction) @ (away - along * truth.axis.direction)
+    point = perpendicular_basis(state.axis_direction) @ (away - along * truth.axis.direction)
     values = [*x, *guide, found.calibration.guide.scale - truth.guide.scale, *axis, *point, *board]
     return dict(zip(found.parameters, map(float, values), strict=True))
 
@@ -188,7 +188,7 @@ def shift_of_points(true: CameraArrayCalibration, found: CameraArrayCalibration)
     points = np.array([[x, y, 550.0 + z] for x in (-140, 0, 140) for y in (-100, 0, 100) for z in (-50, 0, 50)], float)
     points = RIG.camera(RIG.reference).head_from_camera.transform("head", "camera").inverse().apply(points)
     pixels = {name: one.pinhole.project(one.reference_from_camera.inverse().apply(points)) for name, one in true.cameras.items()}
-    return rigid_motion(triangulated(pixels, found), points)
+    return rigid_motion(triangulate(pixels, found), points)
 
 
 def figures_of(run: Run, without_image_errors: Run) -> dict[str, float]:

@@ -6,7 +6,7 @@ import itertools
 
 import numpy as np
 
-from measureapp.calibrate.sightings import BoardRefused, Sighting
+from measureapp.calibrate.sightings import BoardDetectionError, Sighting
 from measureapp.calibration_session import detection
 
 SIGMA_PX = 0.05  # stated noise of the marks
@@ -32,6 +32,6 @@ class Shown:
     def _found(self, image, board):
         marks = self._marks[int(image[0, 0])]
         if isinstance(marks, str):
-            raise BoardRefused(f"The board is {marks}.", "Take it again.", marks)
+            raise BoardDetectionError(f"The board is {marks}.", "Take it again.", marks)
         ids, pixels = marks if isinstance(marks, tuple) else (np.arange(board.count), marks)
         return Sighting("", "", pixels, ids, np.full(len(pixels), self._sigma_px), 2.5)

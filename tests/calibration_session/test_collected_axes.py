@@ -9,18 +9,18 @@ import numpy as np
 import pytest
 
 from measureapp.calibrate.draft.draft import Limits, Setup
-from measureapp.calibrate.draft.verdict import compare, judge
+from measureapp.calibrate.draft.verdict import compare, evaluate
 from measureapp.calibrate.guidance.advise import advise
 from measureapp.calibrate.kinds.table import KINDS
 from measureapp.calibrate.motions.axis_noise import AxisNoise
-from measureapp.calibrate.poses import moved
+from measureapp.calibrate.poses import apply_changes
 from measureapp.calibration_session.accepting import accept, read_result
 from measureapp.calibration_session.session import CalibrationSession
 from measureapp.data.calibration import HandEye
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError, InputError, StorageError
 from measureapp.geometry.transform import RigidTransform, orthonormalise
-from measureapp.pipeline.again import collected_again, is_collected
+from measureapp.pipeline.recalculate import is_collected, recalculate_session
 from measureapp.progress import NoProgress
 from tests.calibration_session.shown_board import SIGMA_PX
 
@@ -47,7 +47,7 @@ def show(shown, session, rig, simulate, readbacks, generator, moved_board=None):
         error = errors.setdefault(readback.base_from_flange.matrix.tobytes(), generator.normal(size=6) * sigma)
         seen = rig.camera_from_board(readback, error)
         if moved_board is not None and number == len(readbacks) - 1:
-            seen = RigidTransform(orthonormalise(moved(seen.matrix, np.array(moved_board))), "camera", "board")
+            seen = RigidTransform(orthonormalise(apply_changes(seen.matrix, np.array(moved_board))), "camera", "board")
         shown.add(session, simulate.corners(rig.head, rig.board, seen, SIGMA_PX, generator), readback)
 
 
@@ -74,7 +74,7 @@ def test_the_axis_collected_is_the_true_one_and_its_verdict_covers_the_error(sho
     camera_from_guide = (rig.guide.guide_from_base(readback.guide_mm) @ readback.base_from_flange @ rig.flange_from_camera).inverse()
     direction = camera_from_guide.rotate(rig.axis.direction)
     assert np.arccos(min(1.0, abs(direction @ axis.direction))) < 5 * axis.direction_sigma_rad + 3 * NOISE.robot_rad
-    verdict = judge(session.draft)
+    verdict = evaluate(session.draft)
     assert verdict.level == "good", verdict
     assert "half a turn apart" in verdict.sentence
     assert all(one.residual_mm < 0.05 for one in session.observations)  # 154 corners of 0.05 px at 550 mm are 0.003 mm
@@ -85,7 +85,7 @@ def test_a_board_that_slipped_on_the_table_is_left_out_by_name(shown, start, rig
     show(shown, session, rig, simulate, chosen(simulate, rig, "axis"), generator, moved_board=[0, 0, 0, 1.5, 0, 0])
     solved = session.solve()
     assert list(solved.rejected) == ["09"]
-    assert "it moved, or was found wrongly" in session.observation("09").reason
+    assert "moved or was detected wrongly" in session.observation("09").reason
 
 
 def test_hand_eye_is_found_within_what_it_promises_and_a_moved_view_is_left_out(shown, start, rig, simulate, generator):
@@ -96,7 +96,7 @@ def test_hand_eye_is_found_within_what_it_promises_and_a_moved_view_is_left_out(
     hand_eye = solved.solution.hand_eye
     part = np.array([[0.0, 0.0, 550.0]])
     off = np.linalg.norm(hand_eye.flange_from_camera.apply(part) - rig.flange_from_camera.apply(part))
-    assert off <= 2.0 * judge(session.draft).expanded_mm  # four standard deviations
+    assert off <= 2.0 * evaluate(session.draft).expanded_mm  # four standard deviations
     ghost = advise(session.draft).ghost
     assert ghost.base_from_flange is not None
     x, board = hand_eye.flange_from_camera, solved.solution.base_from_board
@@ -112,7 +112,7 @@ def test_the_guide_collected_is_the_true_one(shown, start, rig, simulate, genera
     # the robot's constant pose error turns the direction, as its rotation error does
     assert np.arccos(solution.guide.direction @ rig.guide.direction) < 5 * (solution.guide.direction_sigma_rad + NOISE.robot_rad)
     assert solution.guide.scale == pytest.approx(rig.guide.scale, abs=5 * solution.guide.scale_sigma)
-    assert "mm of the guide apart" in judge(session.draft).sentence
+    assert "mm of the guide apart" in evaluate(session.draft).sentence
     assert advise(session.draft).ghost is not None
 
 
@@ -125,7 +125,7 @@ def test_the_rig_is_solved_with_known_cameras_or_with_its_own(shown, start, rig,
     off = hand_eye.flange_from_camera.translation_mm - rig.flange_from_camera.translation_mm
     assert np.linalg.norm(off) < 5 * np.sqrt(3) * hand_eye.translation_sigma_mm
     assert set(solved.used) == {one.id for one in session.observations}
-    verdict = judge(session.draft)
+    verdict = evaluate(session.draft)
     assert "Views of one part fit together" in verdict.sentence
     assert compare(solved.solution.calibration, session.draft).on_part_mm == pytest.approx(0.0, abs=1e-6)
 
@@ -195,7 +195,7 @@ def test_the_verdict_on_one_link_tells_its_own_part_from_that_of_robot_and_hand_
     show(shown, session, rig, simulate, chosen(simulate, rig, kind), generator)
     solution = session.solve().solution
     turn_rad = np.hypot(hand_eye.rotation_sigma_rad, NOISE.robot_rad)
-    verdict = judge(session.draft)
+    verdict = evaluate(session.draft)
     if kind == "guide":
         assert solution.guide.direction_sigma_rad > turn_rad  # as it is kept
         assert verdict.robot_adds_mm == pytest.approx(2 * 500.0 * turn_rad)  # k = 2, over a stroke of 500 mm
@@ -208,7 +208,7 @@ def test_the_verdict_on_one_link_tells_its_own_part_from_that_of_robot_and_hand_
         )  # half a turn shows an axis beside its place twice; a tilt moves points across
         assert verdict.expanded_mm < 2 * 2 * shift_mm
     assert "robot and hand–eye add" in verdict.sentence
-    assert "whole rig" in judge(session.draft, Limits(verdict.expanded_mm * 1.01, 1.0, "a test")).remedy
+    assert "whole rig" in evaluate(session.draft, Limits(verdict.expanded_mm * 1.01, 1.0, "a test")).remedy
     assert CalibrationSession.open(session.folder).setup.hand_eye.rotation_sigma_rad == hand_eye.rotation_sigma_rad
 
 
@@ -222,10 +222,10 @@ def test_an_accepted_calibration_follows_again_from_the_images_of_its_session(sh
     accept(session, result, valid_days=30)
     session.undo()  # what is collected afterwards does not matter
     assert is_collected(result)
-    again = collected_again(result, NoProgress())
+    again = recalculate_session(result, NoProgress())
     assert again.differences == () and again.numbers > 20
     assert again.images == 3 * (len(readbacks) - 1)
     image = session.observation("03").images["left"].path
     cv2.imwrite(str(image), np.full((972, 1296), 7, np.uint16))
     with pytest.raises(StorageError, match="its checksum differs"):
-        collected_again(result, NoProgress())
+        recalculate_session(result, NoProgress())

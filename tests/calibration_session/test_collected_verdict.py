@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from measureapp.calibrate.draft.draft import Limits, Setup
-from measureapp.calibrate.draft.verdict import compare, judge
+from measureapp.calibrate.draft.verdict import compare, evaluate
 from measureapp.calibrate.kinds.table import KINDS
 from measureapp.calibration_session.accepting import accept, read_result
 from measureapp.calibration_session.session import CalibrationSession
@@ -49,39 +49,39 @@ def knocked(head):
 
 def test_the_verdict_tells_a_length_in_mm_and_follows_its_limits(collected):
     session = collected("one", 1)
-    verdict = judge(session.draft)
+    verdict = evaluate(session.draft)
     assert "to a length of 300 mm" in verdict.sentence
     assert verdict.sentence.startswith("Adds ")
-    assert judge(session.draft, Limits(verdict.expanded_mm * 1.01, 1.0, "a test")).level == ("usable" if verdict.reasons else "good")
-    assert judge(session.draft, Limits(verdict.expanded_mm / 2, verdict.expanded_mm * 1.01, "a test")).level == "usable"
-    worse = judge(session.draft, Limits(verdict.expanded_mm / 2, verdict.expanded_mm / 1.5, "a test"))
+    assert evaluate(session.draft, Limits(verdict.expanded_mm * 1.01, 1.0, "a test")).level == ("usable" if verdict.reasons else "good")
+    assert evaluate(session.draft, Limits(verdict.expanded_mm / 2, verdict.expanded_mm * 1.01, "a test")).level == "usable"
+    worse = evaluate(session.draft, Limits(verdict.expanded_mm / 2, verdict.expanded_mm / 1.5, "a test"))
     assert worse.level == "bad"
     assert "4.0 times as many observations" in worse.remedy
 
 
 def test_twice_the_noise_makes_the_verdict_twice_as_large(collected):
-    one, two = (judge(collected(name, 1, sigma).draft).expanded_mm for name, sigma in (("one", 0.05), ("two", 0.10)))
+    one, two = (evaluate(collected(name, 1, sigma).draft).expanded_mm for name, sigma in (("one", 0.05), ("two", 0.10)))
     assert two / one == pytest.approx(2.0, rel=0.15)  # the noise is estimated from some 3000 residuals
 
 
 def test_a_verdict_about_observations_that_changed_says_so(collected):
     session = collected("one", 1)
     session.remove("02")
-    assert any("solve again" in reason for reason in judge(session.draft).reasons)
-    assert judge(session.draft).level != "good"
+    assert any("solve again" in reason for reason in evaluate(session.draft).reasons)
+    assert evaluate(session.draft).level != "good"
 
 
 def test_nothing_solved_has_no_verdict(tmp_path, board):
     session = CalibrationSession.create(tmp_path / "s", Setup(KINDS["cameras"], board, CAMERAS))
     with pytest.raises(CalibrationError, match="no solution yet"):
-        judge(session.draft)
+        evaluate(session.draft)
 
 
 def test_two_calibrations_of_the_same_head_differ_within_what_both_promise(collected, tmp_path):
     accept(collected("one", 1), tmp_path / "cameras.json")
     comparison = compare(read_result(tmp_path / "cameras.json"), collected("two", 2).draft)
     assert comparison.within, comparison.sentence
-    assert 0.5 < comparison.surprise < 1.5  # 39 estimates scatter by 11 % about 1
+    assert 0.5 < comparison.normalised < 1.5  # 39 estimates scatter by 11 % about 1
     inside = [change.within for change in comparison.changes]
     assert np.mean(inside) > 0.8  # 95 % are expected; they are correlated
     assert comparison.on_part_mm > 0
@@ -92,5 +92,5 @@ def test_a_knocked_head_differs_by_more_than_both_promise(collected, head, tmp_p
     comparison = compare(read_result(tmp_path / "cameras.json"), collected("two", 2, of=knocked(head)).draft)
     assert not comparison.within
     assert "the cameras were knocked" in comparison.sentence or "more than" in comparison.sentence
-    assert comparison.surprise > 10
+    assert comparison.normalised > 10
     assert any(change.name == "right x" and not change.within for change in comparison.changes)

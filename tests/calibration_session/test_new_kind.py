@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from measureapp.calibrate.draft.draft import Setup
-from measureapp.calibrate.draft.verdict import compare, judge
+from measureapp.calibrate.draft.verdict import compare, evaluate
 from measureapp.calibrate.guidance.advise import advise
 from measureapp.calibrate.kinds.table import KINDS
 from measureapp.calibration_session.accepting import accept, read_result
@@ -50,7 +50,7 @@ def test_a_kind_in_the_table_is_collected_solved_judged_and_compared(standoff, c
     session.solve()
     true = np.mean([view.camera_from_board.apply(BOARD.middle_mm)[2] for view in shown])
     assert session.solved.solution.distance_mm == pytest.approx(true, rel=1e-3)
-    assert judge(session.draft).sentence.startswith("Places the board to")
+    assert evaluate(session.draft).sentence.startswith("Places the board to")
     assert compare(session.solved.solution, session.draft).on_part_mm == 0.0
     assert CalibrationSession.open(session.folder).setup.kind is standoff
     accepted = accept(session, tmp_path / "standoff.json")

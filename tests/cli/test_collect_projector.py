@@ -89,7 +89,7 @@ def assert_it_follows_again(capsys, result, session):
         (("projector", *BOARD, "--fringes", "{fringes}"), "calibrated cameras are needed"),
         (("projector", *BOARD, "--fringes", "nowhere/*/MANIFEST.toml", "--cameras", "{cameras}"), "No manifest matches"),
         (("cameras", *BOARD, "--fringes", "{fringes}"), "Fringes calibrate a projector only"),
-        (("projector", "--board", "13x11", "--square-mm", "15", "--fringes", "{fringes}", "--cameras", "{cameras}"), "after half a turn"),
+        (("projector", "--board", "13x11", "--square-mm", "15", "--fringes", "{fringes}", "--cameras", "{cameras}"), "under half a turn"),
     ],
 )
 def test_what_does_not_fit_is_refused_in_one_sentence(capsys, fringes, cameras, tmp_path, arguments, message):

@@ -9,7 +9,7 @@ import pytest
 from measureapp.calibrate.draft.draft import Known
 from measureapp.calibrate.kinds.axis import axis_at_height
 from measureapp.calibrate.kinds.table import KINDS
-from ui.controllers.value_rows import rows_beside
+from ui.controllers.result import pair_values
 
 
 def test_the_same_axis_through_another_of_its_points_has_the_same_values(calibration):
@@ -23,7 +23,7 @@ def test_the_same_axis_through_another_of_its_points_has_the_same_values(calibra
 def test_every_value_of_a_rig_finds_its_partner(calibration):
     now = Known(calibration.cameras, calibration)
     moved = Known(calibration.cameras, replace(calibration, guide=replace(calibration.guide, scale=1.5)))
-    rows = rows_beside(KINDS["rig"].shown(now, now), (), KINDS["rig"].shown(moved, now))
+    rows = pair_values(KINDS["rig"].shown(now, now), (), KINDS["rig"].shown(moved, now))
     assert {row.estimate.group for row in rows} == {"Hand–eye", "Linear guide", "Table axis", "Camera left", "Camera right", "Camera upper"}
     assert all(row.true is None and row.previous is not None for row in rows)
     changed = [row.estimate.label for row in rows if row.previous != pytest.approx(row.estimate.value)]

@@ -80,7 +80,7 @@ def test_the_check_with_views_held_back_can_be_stopped_and_the_result_stays(qtbo
     assert wizard.calibrating.result is not None
     assert wizard.calibrating.result.held_back == ""
     assert wizard.result._held_back.isHidden()
-    assert {"Accept", "Accept all the same"} & set(wizard.footer.words)
+    assert {"Accept", "Accept anyway"} & set(wizard.footer.words)
 
 
 def test_delete_removes_a_view_and_ctrl_z_brings_it_back(qtbot, wizard, recorded):
@@ -93,7 +93,7 @@ def test_delete_removes_a_view_and_ctrl_z_brings_it_back(qtbot, wizard, recorded
     QTest.keyClick(wizard, Qt.Key.Key_Delete)
     settle(qtbot, wizard)
     assert wizard.collect.chosen.removed
-    assert "8 views, 1 left out" in wizard.collect.count.text()
+    assert "8 views, 1 not used" in wizard.collect.count.text()
     assert wizard.collecting.collected.solved.of == ("01", "02", "03", "05", "06", "07", "08")
     QTest.keyClick(wizard, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     settle(qtbot, wizard)

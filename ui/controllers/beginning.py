@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from measureapp.errors import InputError
 from ui.controllers import collecting_work as work
 from ui.controllers.collecting_nouns import Start
-from ui.controllers.kept_sessions import next_folder, project_on_disk, sessions_folder
 from ui.controllers.rig_connection import VIRTUAL
+from ui.controllers.stored_sessions import next_folder, project_on_disk, sessions_folder
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ def begin_with_images(kind: Kind, start: Start, folder: Path, session: Session) 
     Raises
     ------
     InputError
-        No images, a table that cannot be read or does not fit them, or axes whose positions are not told.
+        No images, a table that cannot be read or does not fit them, or axes without positions.
     CalibrationError
         Fringes in one direction only.
     """

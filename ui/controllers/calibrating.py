@@ -1,4 +1,4 @@
-"""One wizard's work: collecting, then judging the result beside the calibration before it, then accepting it."""
+"""The result of a wizard: evaluation, comparison with the previous calibration, acceptance."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from ui.controllers.collecting import CollectingController
 from ui.controllers.collecting_nouns import RigSetup
 from ui.controllers.demo import DemoController
 from ui.controllers.jobs import JobRunner
-from ui.controllers.kept_sessions import project_on_disk
 from ui.controllers.rig_connection import VIRTUAL
+from ui.controllers.stored_sessions import project_on_disk
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -24,10 +24,10 @@ if TYPE_CHECKING:
 
 
 class CalibratingController(QObject):
-    """Judges and accepts what was collected."""
+    """Evaluates and accepts a collected calibration."""
 
     concluded = Signal(object)  # Result
-    checking = Signal(float)  # share of the check with views held back
+    checking = Signal(float)  # fraction of the cross-validation
     checked = Signal(object)  # Result after it, or as it was where the check was stopped
 
     def __init__(
@@ -43,7 +43,7 @@ class CalibratingController(QObject):
 
     @property
     def is_concluding(self) -> bool:
-        """Whether the result is being judged."""
+        """Whether the result is being evaluated."""
         return self._job is not None
 
     @property
@@ -69,7 +69,7 @@ class CalibratingController(QObject):
         return RigSetup(rig.name, rig.driver == VIRTUAL, project is not None, resolution, settings.seed, board)
 
     def _calibrated_resolution(self, rig: RigDescription) -> Resolution | None:
-        """Return the resolution at which the cameras were calibrated, where this wizard takes them as they are."""
+        """Return the resolution at which the cameras were calibrated, where this wizard keeps them fixed."""
         from measureapp.data.rig import BINNING
 
         known = self._session.cameras
@@ -90,7 +90,7 @@ class CalibratingController(QObject):
         self.result = None
 
     def conclude(self) -> None:
-        """Solve what was collected from nothing and judge it."""
+        """Solve the collected observations from scratch and evaluate the result."""
         from measureapp.calibrate.draft.draft import Known
 
         collected, truth = self.collecting.collected, self.collecting.truth
@@ -100,7 +100,7 @@ class CalibratingController(QObject):
         snapshot, known = collected.snapshot(), self._known
         true = Known() if truth is None else Known(truth.cameras, truth)
         self._job = self._solving.run(
-            "Judging the result",
+            "Evaluating the result",
             lambda job: results.conclude(job, snapshot, known, true),
             self._keep,
             on_stopped=self._stopped,
@@ -156,7 +156,7 @@ class CalibratingController(QObject):
         self.collecting.told.emit(error.message, error.hint, "error")
 
     def accept(self) -> bool:
-        """Make the result the calibration of the session and of the open project; tells whether that worked."""
+        """Make the result the calibration of the session and of the open project; returns whether that succeeded."""
         if self.result is None:
             return False
         try:
@@ -168,7 +168,7 @@ class CalibratingController(QObject):
         return True
 
     def close(self) -> None:
-        """End what runs; everything collected is on disk."""
+        """Stop running jobs; everything collected is on disk."""
         if self._job is not None:
             self._job.cancel()
         self.forget_result()

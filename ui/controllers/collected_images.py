@@ -16,11 +16,11 @@ if TYPE_CHECKING:
     from measureapp.calibration_session.session import CalibrationSession
     from ui.controllers.collecting_work import Added
 
-IMAGES_KEPT = 9  # in memory, of those looked at last
+IMAGES_KEPT = 9  # in memory, of those shown last
 
 
 class CollectedImages:
-    """Thumbnails by (observation, camera), and full images as long as they are looked at."""
+    """Thumbnails by (observation, camera), and full images as long as they are shown."""
 
     def __init__(self, thumbnails: Mapping[tuple[str, str], QImage] | None = None) -> None:
         self.live: Mailboxes[LiveImage] = Mailboxes()
@@ -29,13 +29,13 @@ class CollectedImages:
         self._full: OrderedDict[tuple[str, str], np.ndarray] = OrderedDict()
 
     def take_live(self) -> bool:
-        """Take the newest images out of their mailbox; tells whether there were any."""
+        """Fetch the newest images from their mailbox; returns whether there were any."""
         found = self.live.take_all()
         self._newest.update(found)
         return bool(found)
 
     def newest(self, camera: str) -> LiveImage | None:
-        """Return the newest image of a camera while its board is still looked for."""
+        """Return the newest image of a camera while its board is still being detected."""
         return self._newest.get(camera)
 
     def add(self, event: Added) -> None:
@@ -48,7 +48,7 @@ class CollectedImages:
                 del self._newest[camera]
 
     def forget_newest(self) -> None:
-        """Nothing is being looked at any more."""
+        """Forget the newest images."""
         self._newest.clear()
 
     def full(self, session: CalibrationSession, id_: str, camera: str) -> np.ndarray | None:

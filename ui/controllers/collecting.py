@@ -1,4 +1,4 @@
-"""Collecting views of the board for one calibration: taking or reading, removing and undoing, with a solution that keeps up."""
+"""Collecting views of the board for one calibration: taking or reading, removing and undoing, with a solution in the background."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from PySide6.QtGui import QImage
 
 from measureapp.errors import MeasureError
 from ui.controllers import collecting_work as work
+from ui.controllers.background_solver import BackgroundSolver
 from ui.controllers.beginning import begin_with_images, begin_with_rig
 from ui.controllers.collected_images import CollectedImages
-from ui.controllers.collecting_nouns import Kept, LiveImage, SeenView, Start
+from ui.controllers.collected_views import describe_view
+from ui.controllers.collecting_nouns import CollectedView, LiveImage, Start, StoredSession
 from ui.controllers.jobs import JobRunner
-from ui.controllers.kept_sessions import newest_kept, project_on_disk, sessions_folder
 from ui.controllers.rig_connection import RigConnection, truth_of
-from ui.controllers.seen_views import seen_view
-from ui.controllers.solving_meanwhile import SolvingMeanwhile
+from ui.controllers.stored_sessions import newest_session, project_on_disk, sessions_folder
 from ui.session import Session
 from ui.workers.job import Job
 
@@ -35,9 +35,9 @@ if TYPE_CHECKING:
 
 
 class CollectingController(QObject):
-    """One calibration in the making. Pages watch `changed`; every change is on disk before anybody hears of it."""
+    """One calibration in the making. Pages watch `changed`; every change is on disk before the signal."""
 
-    changed = Signal()  # views, advice or what is being done
+    changed = Signal()  # views, guidance or the running task
     begun = Signal()  # there is a collection
     progressed = Signal(float, str)
     told = Signal(str, str, str)  # text, hint, level
@@ -46,9 +46,9 @@ class CollectingController(QObject):
         super().__init__(parent)
         self.kind = kind
         self._session, self._collecting = session, collecting
-        self._solver = SolvingMeanwhile(solving, self)
-        self._solver.solved.connect(self._show_thought)
-        self._job: Job | None = None  # that takes or reads images
+        self._solver = BackgroundSolver(solving, self)
+        self._solver.solved.connect(self._show_interim)
+        self._job: Job | None = None  # taking or reading images
         self._more = 0  # views beyond those planned that are still to be taken
         self._held = ExitStack()  # the session's folder, while it is open
         self._forget()
@@ -61,13 +61,13 @@ class CollectingController(QObject):
         self._rig: RigDescription | None = None
         self._connection: RigConnection | None = None
         self._images = CollectedImages()
-        self.views: tuple[SeenView, ...] = ()
+        self.views: tuple[CollectedView, ...] = ()
 
     # what there is
 
     @property
     def cameras(self) -> tuple[str, ...]:
-        """Who sees the board: the cameras that are being collected from, and the projector before them where it is calibrated."""
+        """The projector, if it is calibrated, and the cameras."""
         return () if self.collected is None else self.collected.setup.seeing
 
     @property
@@ -81,29 +81,29 @@ class CollectingController(QObject):
         return self._job is not None
 
     @property
-    def is_thinking(self) -> bool:
+    def is_solving(self) -> bool:
         """Whether a solution is being computed."""
         return self._solver.is_running
 
     @property
-    def thought(self) -> work.Thought | None:
+    def interim(self) -> work.InterimResult | None:
         """The last solution with verdict and guidance; None before the first."""
-        return self._solver.thought
+        return self._solver.interim
 
     @property
     def is_solved(self) -> bool:
         """Whether the views determine the result."""
-        return self.thought is not None and self.thought.solved is not None
+        return self.interim is not None and self.interim.solved is not None
 
     @property
     def has_enough(self) -> bool:
-        """Whether guidance asks for nothing more."""
-        return self.is_solved and self.thought is not None and self.thought.advice.enough
+        """Whether nothing is missing."""
+        return self.is_solved and self.interim is not None and self.interim.advice.enough
 
     @property
     def is_good(self) -> bool:
         """Whether the views collected so far make a good calibration."""
-        return self.thought is not None and self.thought.verdict is not None and self.thought.verdict.level == "good"
+        return self.interim is not None and self.interim.verdict is not None and self.interim.verdict.level == "good"
 
     @property
     def can_undo(self) -> bool:
@@ -117,7 +117,7 @@ class CollectingController(QObject):
 
     @property
     def truth(self) -> RigCalibration | None:
-        """What the virtual rig really is; for showing beside a result, never for finding one."""
+        """The ground truth of the virtual rig; for display with a result, never for the calibration."""
         if self.collected is None or self._rig is None:
             return None
         return truth_of(self._rig, self.collected.setup.board)
@@ -133,11 +133,11 @@ class CollectingController(QObject):
         return len(self._viewpoints_left())
 
     def newest_image(self, camera: str) -> LiveImage | None:
-        """Return the newest image of a camera while its board is still looked for."""
+        """Return the newest image of a camera while its board is still being detected."""
         return self._images.newest(camera)
 
     def take_live(self) -> bool:
-        """Take the newest images out of their mailbox; tells whether there were any."""
+        """Fetch the newest images from their mailbox; returns whether there were any."""
         return self._images.take_live()
 
     def image(self, id_: str, camera: str) -> np.ndarray | None:
@@ -156,9 +156,9 @@ class CollectingController(QObject):
 
     # beginning
 
-    def kept(self) -> Kept | None:
+    def kept(self) -> StoredSession | None:
         """Return the newest session of this kind that holds views."""
-        return newest_kept(sessions_folder(project_on_disk(self._session)), self.kind.name)
+        return newest_session(sessions_folder(project_on_disk(self._session)), self.kind.name)
 
     def begin(self, start: Start) -> None:
         """Begin anew; recorded images are read at once."""
@@ -178,7 +178,7 @@ class CollectingController(QObject):
     def resume(self, folder: Path) -> None:
         """Continue a stored session."""
         self._collecting.run(
-            "Opening the session", lambda job: work.open_session(job, folder), self._resumed, on_event=self._happened, quiet=True
+            "Opening the session", lambda job: work.open_session(job, folder), self._resumed, on_event=self._handle_event, quiet=True
         )
 
     @Slot(object)
@@ -201,8 +201,8 @@ class CollectingController(QObject):
 
     @property
     def can_take_more(self) -> bool:
-        """Whether the rig can take views beyond those planned that teach something."""
-        return self.thought is not None and self.thought.suggestion is not None
+        """Whether the rig can take views beyond those planned that add information."""
+        return self.interim is not None and self.interim.suggestion is not None
 
     @property
     def can_collect(self) -> bool:
@@ -215,12 +215,12 @@ class CollectingController(QObject):
         return any(view.name.startswith(work.BEYOND_PLAN) for view in self.views)
 
     def take_more(self, count: int) -> None:
-        """Let the rig take views beyond those planned, each where it teaches most after the one before was solved."""
+        """Let the rig take views beyond those planned, each at the viewpoint that adds most information after the one before was solved."""
         self._more = count
         self._take_suggested()
 
     def _take_suggested(self) -> None:
-        suggestion = None if self.thought is None else self.thought.suggestion
+        suggestion = None if self.interim is None else self.interim.suggestion
         self._more = 0 if suggestion is None else self._more - 1
         if suggestion is not None:
             self._take((suggestion.viewpoint,))
@@ -254,7 +254,7 @@ class CollectingController(QObject):
 
     def _run(self, title: str, run: work.Work) -> None:
         self._job = self._collecting.run(
-            title, run, self._collected, on_event=self._happened, on_stopped=self._stopped, on_failed=self._tell_failure
+            title, run, self._collected, on_event=self._handle_event, on_stopped=self._stopped, on_failed=self._tell_failure
         )
         self._job.progressed.connect(self.progressed)
         self.changed.emit()
@@ -266,7 +266,7 @@ class CollectingController(QObject):
             self._job.cancel()
 
     @Slot(object)
-    def _happened(self, event: object) -> None:
+    def _handle_event(self, event: object) -> None:
         match event:
             case RigConnection():
                 self._connection = event
@@ -296,7 +296,7 @@ class CollectingController(QObject):
             self._report_nothing_found(self.now)
 
     def _report_nothing_found(self, now: Snapshot) -> None:
-        """Say why no view can be used, with the reason of one of them."""
+        """Report that no view can be used, with the reason of one of them."""
         refusals = [refusal for one in now.observations if one.status == "no board" for refusal in one.refused.values()]
         seen = any(one.seen for one in now.observations)
         if refusals:
@@ -337,24 +337,24 @@ class CollectingController(QObject):
 
     def _refresh(self) -> None:
         self.now = None if self.collected is None else self.collected.snapshot()
-        self.views = () if self.now is None else tuple(self._seen(one) for one in self.now.observations)
+        self.views = () if self.now is None else tuple(self._describe(one) for one in self.now.observations)
 
-    def _seen(self, observation: CollectedObservation) -> SeenView:
+    def _describe(self, observation: CollectedObservation) -> CollectedView:
         known = self._images.thumbnails
         pictures = {camera: known[key] for camera in observation.images if (key := (observation.id, camera)) in known}
-        return seen_view(observation, None if self.thought is None else self.thought.solved, pictures)
+        return describe_view(observation, None if self.interim is None else self.interim.solved, pictures)
 
     @Slot()
-    def _show_thought(self) -> None:
-        if self.collected is not None and self.thought is not None:
-            self.collected.adopt(self.thought.solved)
+    def _show_interim(self) -> None:
+        if self.collected is not None and self.interim is not None:
+            self.collected.adopt(self.interim.solved)
         self._refresh()
         self.changed.emit()
-        if self._more and not self.is_collecting and not self.is_thinking:
+        if self._more and not self.is_collecting and not self.is_solving:
             self._take_suggested()
 
     def close(self) -> None:
-        """End what runs for this wizard and let the rig go; everything collected is on disk."""
+        """Stop the jobs of this wizard and disconnect the rig; everything collected is on disk."""
         if self._job is not None:
             self._job.cancel()
         if self._connection is not None:

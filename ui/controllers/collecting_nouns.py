@@ -1,4 +1,4 @@
-"""What the controller of the wizards and their pages exchange."""
+"""Data types between the controllers of the wizards and their pages."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ ViewVerdict = Literal["pass", "fail", "not proven", "not measured"]
 
 @dataclass(frozen=True)
 class RigSetup:
-    """Which rig can take the images."""
+    """The rig that can take the images."""
 
     name: str
     virtual: bool
@@ -37,12 +37,12 @@ class Start:
     folder: Path | None  # of recorded images; None: the rig takes them
     resolution: Resolution
     seed: int
-    tables: Mapping[str, Path] = field(default_factory=dict)  # where the axes stood at recorded images: axis -> table
+    tables: Mapping[str, Path] = field(default_factory=dict)  # axis positions at recorded images: axis -> table
 
 
 @dataclass(frozen=True)
-class Kept:
-    """What an earlier session left."""
+class StoredSession:
+    """A stored session with views."""
 
     folder: Path
     views: int
@@ -50,18 +50,18 @@ class Kept:
 
 
 @dataclass(frozen=True, eq=False)
-class SeenView:
+class CollectedView:
     """One view of the board as the pages show it."""
 
     id: str
     name: str
     pictures: Mapping[str, QImage]  # camera -> small image
     corners_px: Mapping[str, np.ndarray]  # camera -> (N, 2)
-    left_out_px: Mapping[str, np.ndarray]  # camera -> (M, 2) corners that the calibration left out
+    rejected_px: Mapping[str, np.ndarray]  # camera -> (M, 2) corners rejected by the calibration
     residuals_px: Mapping[str, float]  # camera -> rms
     verdict: ViewVerdict
     reason: str = ""
-    reasons: Mapping[str, str] = field(default_factory=dict)  # camera -> why it gave nothing
+    reasons: Mapping[str, str] = field(default_factory=dict)  # camera -> reason why it has no marks
     residual_mm: float | None = None
     removed: bool = False
     empty: QImage = field(default_factory=QImage)

@@ -1,4 +1,4 @@
-"""What collecting does on a job's thread: take images with the rig, read recorded ones, open a stored session, solve."""
+"""Tasks of collecting on a job's thread: take images with the rig, read recorded ones, open a stored session, solve."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 THUMBNAIL_PX = 256
 BEYOND_PLAN = "more"  # names of viewpoints beyond those planned begin so
-RIG_FILE = "rig.json"  # beside a session whose images a rig takes
+RIG_FILE = "rig.json"  # next to a session whose images a rig takes
 Work = Callable[["Job"], object]
 
 
@@ -55,14 +55,14 @@ class Skipped:
 
 
 @dataclass(frozen=True, eq=False)
-class Thought:
-    """What follows from the observations so far: a solution or why there is none, and what to show next."""
+class InterimResult:
+    """Solution of the observations so far or the reason for its failure, verdict and guidance."""
 
     solved: Solved | None
     error: MeasureError | None
     advice: Advice
     verdict: Verdict | None
-    suggestion: Suggestion | None  # from where the rig should look next, after the planned viewpoints
+    suggestion: Suggestion | None  # next viewpoint of the rig, after the planned ones
 
 
 def thumbnail(pixels: np.ndarray) -> QImage:
@@ -82,7 +82,7 @@ def take(job: Job, rig: Rig, viewpoints: Sequence[Viewpoint], session: Calibrati
         live.put(camera, LiveImage(view, pixels))
 
     for viewpoint, found in capture_views(rig, viewpoints, session, show, job):
-        job.emit_event(_added(found, viewpoint.id))
+        job.emit_event(_describe_added(found, viewpoint.id))
 
 
 def read(job: Job, recorded: Sequence[RecordedView], session: CalibrationSession) -> None:
@@ -94,11 +94,11 @@ def read(job: Job, recorded: Sequence[RecordedView], session: CalibrationSession
         except (InputError, DecodeError) as error:
             job.emit_event(Skipped(error))
             continue
-        job.emit_event(_added(found, view.name))
+        job.emit_event(_describe_added(found, view.name))
     session.identify_parts()
 
 
-def _added(found: CollectedObservation, name: str) -> Added:
+def _describe_added(found: CollectedObservation, name: str) -> Added:
     images = {camera: image.pixels() for camera, image in found.images.items()}
     return Added(found.id, name, images, {camera: thumbnail(pixels) for camera, pixels in images.items()})
 
@@ -127,9 +127,9 @@ def _thumbnails_of(job: Job, snapshot: Snapshot) -> dict[tuple[str, str], QImage
     return pictures
 
 
-def think(job: Job, snapshot: Snapshot, rig: RigDescription | None) -> Thought:
-    """Solve a snapshot and get guidance while collecting goes on; with a rig, also from where it should look next."""
-    from measureapp.calibrate.draft.verdict import judge
+def evaluate_snapshot(job: Job, snapshot: Snapshot, rig: RigDescription | None) -> InterimResult:
+    """Solve a snapshot, evaluate it and determine guidance; with a rig, also its next viewpoint."""
+    from measureapp.calibrate.draft.verdict import evaluate
     from measureapp.calibrate.guidance.advise import advise
     from measureapp.calibration_session.suggestion import suggest_viewpoint
 
@@ -138,12 +138,12 @@ def think(job: Job, snapshot: Snapshot, rig: RigDescription | None) -> Thought:
         try:
             snapshot = snapshot.solve(job)
         except CalibrationError as problem:
-            error, snapshot = problem, snapshot.unsolved()
+            error, snapshot = problem, snapshot.without_solution()
     job.check()
     draft = snapshot.draft
-    verdict = None if draft.solved is None else judge(draft)
+    verdict = None if draft.solved is None else evaluate(draft)
     suggestion = None if rig is None else suggest_viewpoint(draft, rig, f"{BEYOND_PLAN}{len(snapshot.kept) + 1:02d}")
-    return Thought(draft.solved, error, advise(draft), verdict, suggestion)
+    return InterimResult(draft.solved, error, advise(draft), verdict, suggestion)
 
 
 def connect_rig(job: Job, rig: RigDescription, board: BoardDescription) -> RigConnection:

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Slot
 
 from measureapp.errors import InputError
 from ui.controllers.jobs import JobRunner
-from ui.controllers.kept_sessions import newest_result
+from ui.controllers.stored_sessions import newest_result
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class RecentCalibrationController(QObject):
-    """Finds the newest accepted calibration below the user's home, and takes it up."""
+    """Finds the newest accepted calibration below the user's home, and makes it the one in use."""
 
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -1,20 +1,20 @@
-"""What a wizard's last page shows: the verdict, every value beside others, and what accepting it does."""
+"""The result page of a wizard: verdict, values with comparison, and acceptance."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal
 
 from measureapp.errors import CalibrationError
-from ui.controllers.kept_sessions import RESULT, project_on_disk
-from ui.controllers.seen_views import name_of
-from ui.controllers.value_rows import ValueRow, rows_beside
+from ui.controllers.collected_views import name_of
+from ui.controllers.stored_sessions import RESULT, project_on_disk
 from ui.look.wording import millimetres, quantity
 from ui.session import Session
 
 if TYPE_CHECKING:
     from measureapp.calibrate.draft.draft import Known, Solved
+    from measureapp.calibrate.draft.estimate import Estimate
     from measureapp.calibrate.draft.verdict import Verdict
     from measureapp.calibration_session.snapshot import Snapshot
     from measureapp.data.calibration import CameraCalibration
@@ -22,6 +22,22 @@ if TYPE_CHECKING:
 
 Sign = Literal["pass", "fail", "not proven"]
 SIGNS: Mapping[str, Sign] = {"good": "pass", "usable": "not proven", "bad": "fail"}
+DIGITS = {"px": 2, "mm": 3, "°": 4, "": 6}
+DISTORTION_DIGITS = 5
+
+
+@dataclass(frozen=True)
+class ValueRow:
+    """A value with its true and its previous one, where they are known."""
+
+    estimate: Estimate
+    true: float | None = None
+    previous: float | None = None
+
+    @property
+    def digits(self) -> int:
+        """How many decimals are shown."""
+        return DISTORTION_DIGITS if self.estimate.label.startswith("Distortion") else DIGITS[self.estimate.unit]
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,8 +45,8 @@ class Result:
     """One solved calibration with its verdict."""
 
     snapshot: Snapshot  # solved
-    known: Known  # what was calibrated before
-    merged: Known  # what is calibrated with the result
+    known: Known  # the calibration before
+    merged: Known  # the calibration with the result
     verdict: str
     sign: Sign
     reasons: tuple[str, ...]  # of the verdict, the limits first
@@ -44,14 +60,14 @@ class Result:
 
 
 def conclude(job: Job, snapshot: Snapshot, known: Known, truth: Known) -> Result:
-    """Solve from nothing and judge; runs on a job's thread. Raises CalibrationError where there is no answer."""
-    from measureapp.calibrate.draft.verdict import judge, required
+    """Solve from scratch and evaluate; runs on a job's thread. Raises CalibrationError where there is no solution."""
+    from measureapp.calibrate.draft.verdict import evaluate, require_solution
 
     snapshot = snapshot.solve(job, afresh=True)
     draft, kind = snapshot.draft, snapshot.setup.kind
-    solved, verdict = required(draft), judge(draft)
+    solved, verdict = require_solution(draft), evaluate(draft)
     merged = kind.merge(draft, solved, known)
-    rows = rows_beside(kind.shown(merged, merged), kind.shown(truth, merged), kind.shown(known, merged))
+    rows = pair_values(kind.shown(merged, merged), kind.shown(truth, merged), kind.shown(known, merged))
     return Result(
         snapshot,
         known,
@@ -69,7 +85,7 @@ def conclude(job: Job, snapshot: Snapshot, known: Known, truth: Known) -> Result
 
 
 def cross_validate(job: Job, found: Result) -> Result:
-    """Test the stated uncertainty with held-back views, and judge again; runs on a job's thread."""
+    """Test the stated uncertainty with held-back views, and evaluate again; runs on a job's thread."""
     from measureapp.calibrate.draft import verdict
 
     draft = found.snapshot.draft
@@ -79,12 +95,12 @@ def cross_validate(job: Job, found: Result) -> Result:
         return replace(found, held_back=str(error))
     if held_back is None:
         return found
-    judged = verdict.judge(draft, held_back=held_back)
+    judged = verdict.evaluate(draft, held_back=held_back)
     return replace(found, verdict=judged.sentence, sign=SIGNS[judged.level], held_back=held_back.verdict)
 
 
 def reasons_of(verdict: Verdict) -> tuple[str, ...]:
-    """Return the reasons of a verdict: the limits, what would make it better, what else speaks against it."""
+    """Return the reasons of a verdict: limits, remedy and objections."""
     return (verdict.reason, *([verdict.remedy] if verdict.remedy else []), *verdict.reasons)
 
 
@@ -140,3 +156,9 @@ def _compare(snapshot: Snapshot, solved: Solved, known: Known, merged: Known) ->
 def _camera_words(camera: CameraCalibration) -> str:
     """Return the residual of a camera, and the blur of its images where it was determined."""
     return quantity(camera.rms_px, "px", 3) + (f", blur {quantity(camera.blur_px, 'px', 2)}" if camera.blur_px else "")
+
+
+def pair_values(found: Sequence[Estimate], truth: Sequence[Estimate], previous: Sequence[Estimate]) -> tuple[ValueRow, ...]:
+    """Return one row per value found; the others are matched by name."""
+    true, before = ({one.name: one.value for one in values} for values in (truth, previous))
+    return tuple(ValueRow(one, true.get(one.name), before.get(one.name)) for one in found)

@@ -1,4 +1,4 @@
-"""Calibrate: what is known of the rig's true geometry, and how well."""
+"""Page Calibrate: the calibration of the rig and its uncertainty."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ EMPTY_TEXT = (
     "The cameras alone can be calibrated from recorded images too."
 )
 CAMERAS_ONLY = "The cameras are calibrated; hand–eye, linear guide and table axis are not. Calibrate the whole rig next."
-SHARES_TEXT = "Root sum of squares, as if the solutions were independent. They are solved together, so a part of it cancels."
+SHARES_TEXT = "Root sum of squares, as for independent solutions. They are solved together, so a part of it cancels."
 
 
 class CalibrationPage(Page):
@@ -60,7 +60,7 @@ class CalibrationPage(Page):
         self.action_row.addWidget(self.calibrate)
         self.chart = BarChart(look)
         self.shares = card(
-            label("What the calibration adds to a point placed by the axes (1 σ)", "heading"), label(SHARES_TEXT, "soft"), 8, self.chart, 0
+            label("Contribution to the kinematic position of a point (1 σ)", "heading"), label(SHARES_TEXT, "soft"), 8, self.chart, 0
         )
         self.shares.layout().setStretch(self.shares.layout().count() - 2, 1000)  # the chart before the empty end
         layout = column(self.table, self.shares, 0, spacing=16)
@@ -74,11 +74,11 @@ class CalibrationPage(Page):
         self._show()
 
     def _make_menus(self) -> None:
-        """The wizards as a menu; beside the empty state's button a quiet one for the cameras alone."""
+        """The wizards as a menu; next to the empty state's button a quiet one for the cameras alone."""
         menu = QMenu(self)
         menu.setToolTipsVisible(True)
         menu.aboutToShow.connect(lambda: self.offers)
-        self.calibrate = Button("Calibrate", self.look, "calibration", tip="Calibrate the whole rig again, or one part of it")
+        self.calibrate = Button("Calibrate", self.look, "calibration", tip="Calibrate the whole rig again, or one part")
         self.calibrate.setMenu(menu)
         self.cameras_alone = Button("Cameras only…", self.look, "camera", "normal", "Focal length, distortion and pose of every camera")
         self.cameras_alone.clicked.connect(partial(self.open_wizard, "cameras"))
@@ -110,11 +110,11 @@ class CalibrationPage(Page):
         if self.session.busy_with:
             self.session.tell(f"{self.session.busy_with} is still running.", "Wait for it, or cancel it first.", "warning")
             return
-        from measureapp.calibrate.kinds.table import kind_called
+        from measureapp.calibrate.kinds.table import find_kind
         from ui.wizards.wizard import CalibrationWizard
 
         if name not in self.wizards:
-            kind: Kind = kind_called(name)
+            kind: Kind = find_kind(name)
             self.wizards[name] = CalibrationWizard(self.look, kind, self.controllers.calibrating(kind), self)
         self.wizards[name].begin()
 
@@ -125,7 +125,7 @@ class CalibrationPage(Page):
 
     def _show_busy(self) -> None:
         if self.session.busy_with and self.session.calibration is None:
-            self.empty.say("Calibrating…", "The board is shown to the cameras from many sides. The solutions appear here.", offer=False)
+            self.empty.say("Calibrating…", "The board is recorded from many sides. The solutions appear here.", offer=False)
         else:
             self.empty.say("No calibration yet", EMPTY_TEXT)
 
@@ -134,7 +134,7 @@ class CalibrationPage(Page):
         saved = self.controllers.recent_calibration.saved
         self.last_one.setVisible(bool(saved) and self.session.folder is None)
         age = when(saved) if saved else ""
-        self.last_one.setToolTip(f"Take up the calibration that was accepted without a project{f' ({age})' if age else ''}")
+        self.last_one.setToolTip(f"Use the calibration that was accepted without a project{f' ({age})' if age else ''}")
 
     def _show(self) -> None:
         calibration, cameras = self.session.calibration, self.session.cameras
@@ -153,7 +153,7 @@ class CalibrationPage(Page):
         self._rows = solution_rows(calibration, self.session.rig)
         bad = [found.name for found in self._rows if not found.good]
         age = when(calibration.provenance.created)
-        judgement = f"Look at: {', '.join(bad)}." if bad else "All of it is good: scan next."
+        judgement = f"Inspect: {', '.join(bad)}." if bad else "All parts are good: scan next."
         self.state.setText(f"Calibrated {age}. {judgement}" if age else judgement)
         self.verdict.setText(millimetres(worst_residual_mm(calibration)))
         self.table.set_rows([self._cells(found) for found in self._rows])
@@ -199,13 +199,13 @@ class CalibrationPage(Page):
                     )
                     if group.rows
                 ),
-                f"{found.estimate}. Judged by: {found.criterion[0].lower()}{found.criterion[1:]}.",
+                f"{found.estimate}. Criterion: {found.criterion[0].lower()}{found.criterion[1:]}.",
             )
         )
 
 
 def _blur(camera: CameraCalibration | ProjectorCalibration | None) -> tuple[tuple[str, str], ...]:
-    """Return how blurred the images of a camera are, where the board told it."""
+    """Return the blur of a camera's images, where it was determined."""
     known = 0.0 if camera is None else getattr(camera, "blur_px", 0.0)  # a projector has none
     return (("Blur of its images", quantity(known, "px", 2)),) if known else ()
 

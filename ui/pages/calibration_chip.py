@@ -1,4 +1,4 @@
-"""The calibration at a glance: how old, how good in millimetres, and what speaks against it."""
+"""State of the calibration in the header: age, residual in millimetres, and warnings."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ RESIDUAL_TIP = "Age of the calibration, and the largest residual of hand–eye, 
 
 @dataclass(frozen=True)
 class ChipState:
-    """What the chip shows."""
+    """Text, colour and tip of the chip."""
 
     words: str
     colour: str
@@ -30,7 +30,7 @@ class ChipState:
 def calibration_state(
     calibration: RigCalibration | None, rig: RigDescription | None, validity: Validity | None, now: datetime | None = None
 ) -> ChipState:
-    """Return what the header says of the calibration: the gravest thing first."""
+    """Return the state of the calibration: the most severe warning first."""
     if calibration is None:
         return ChipState("Not calibrated", "verdict_not_proven", NONE_TIP)
     age = when(calibration.provenance.created, now) or "before"
@@ -49,7 +49,7 @@ def calibration_state(
 
 
 def _reasons(calibration: RigCalibration, rig: RigDescription | None, validity: Validity | None, now: datetime | None) -> tuple[str, ...]:
-    """What the last scan said, and whether the calibration expired since."""
+    """Warnings of the last scan, and expiry of the calibration."""
     from measureapp.calibrate.cameras.validity import shortfalls
 
     told = () if validity is None else validity.all_warnings

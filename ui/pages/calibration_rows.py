@@ -1,4 +1,4 @@
-"""The solutions of a rig calibration as rows, each judged against what the rig's data sheets promise."""
+"""The solutions of a rig calibration as rows, each evaluated against the rig's data sheets."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ STANDOFF_MM, STROKE_MM, HEIGHT_MM = 550.0, 650.0, 300.0  # where the rig does no
 
 @dataclass(frozen=True)
 class SolutionRow:
-    """One solution: what was estimated, how well, and whether that is good."""
+    """One solution: estimate, residual, and whether that is good."""
 
     name: str
     estimate: str
@@ -92,7 +92,7 @@ def _lens_row(name: str, camera: CameraCalibration | ProjectorCalibration) -> So
 
 
 def worst_residual_mm(calibration: RigCalibration) -> float:
-    """Return the largest residual of the solutions that are judged in millimetres."""
+    """Return the largest residual of the solutions evaluated in millimetres."""
     return max(calibration.hand_eye.residual_mm, calibration.guide.straightness_mm, calibration.axis.residual_mm)
 
 
@@ -105,7 +105,7 @@ def _tilt_deg(axis: RotationAxis) -> float:
 
 
 def contributions(calibration: RigCalibration, rig: RigDescription | None) -> list[tuple[str, float]]:
-    """Return what each standard deviation does to a measured point placed by the axes, in mm, and their root sum of squares."""
+    """Return the contribution of each standard deviation to the kinematic position of a point, in mm, and their root sum of squares."""
     standoff = rig.standoff_mm if rig is not None else STANDOFF_MM
     stroke = max(abs(limit) for limit in rig.guide.limits_mm) if rig is not None else STROKE_MM
     hand_eye, guide, axis = calibration.hand_eye, calibration.guide, calibration.axis

@@ -1,1 +1,1 @@
-"""Wizards that calibrate: set up, show the board, judge the result."""
+"""Calibration wizards: set up, show the board, evaluate the result."""

@@ -1,4 +1,4 @@
-"""Second step: the live image with its overlay, the coach, and the views collected so far."""
+"""Second step: the live image with its overlay, the guidance, and the views collected so far."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ import numpy as np
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from measureapp.calibrate.cameras.projector_sightings import PROJECTOR, called
+from measureapp.calibrate.cameras.projector_sightings import PROJECTOR, device_title
 from ui.controllers.collecting import CollectingController
-from ui.controllers.collecting_nouns import SeenView
+from ui.controllers.collecting_nouns import CollectedView
 from ui.look.look import Look
 from ui.look.wording import quantity, sentence_case, several
 from ui.widgets.basic import Button, clear, column, label, row
@@ -19,15 +19,15 @@ from ui.widgets.gauges import Level
 from ui.widgets.image_view import grey_image
 from ui.widgets.segments import Segments
 from ui.widgets.thumbnail_strip import Thumbnail, ThumbnailStrip
-from ui.wizards.coach_panel import CoachPanel
+from ui.wizards.guidance_panel import GuidancePanel
 
 if TYPE_CHECKING:
     from measureapp.calibrate.draft.advice import Gauge
 
 LAYERS = {"corners": "Corners", "coverage": "Coverage", "ghost": "Show next"}
 LAYER_TIPS = {
-    "corners": "The corners found; red ones were left out",
-    "coverage": "Where corners were seen so far; the darker, the more often",
+    "corners": "Detected corners; rejected ones in red",
+    "coverage": "Where corners were detected so far; the darker, the more often",
     "ghost": "Where the board should appear in the next view",
 }
 LIVE_MS = 33
@@ -58,11 +58,11 @@ class CollectPage(QWidget):
         self.live.clicked.connect(lambda: self.choose(""))
         self.picture = BoardPicture(look)
         self.picture.clear(NOTHING_YET)
-        self.coach = CoachPanel(look)
+        self.guidance = GuidancePanel(look)
         self.count = label("", "caption")
-        self.remove = Button("Remove", look, "remove", "quiet", "Leave the chosen view out (Delete)")
-        self.undo = Button("Undo", look, "undo", "quiet", "Take the last change back (Ctrl+Z)")
-        self.redo = Button("Redo", look, "redo", "quiet", "Make the change again (Ctrl+Shift+Z)")
+        self.remove = Button("Remove", look, "remove", "quiet", "Remove the chosen view (Delete)")
+        self.undo = Button("Undo", look, "undo", "quiet", "Undo the last change (Ctrl+Z)")
+        self.redo = Button("Redo", look, "redo", "quiet", "Redo the change (Ctrl+Shift+Z)")
         self.remove.clicked.connect(self.remove_chosen)
         self.undo.clicked.connect(collecting.undo)
         self.redo.clicked.connect(collecting.redo)
@@ -80,13 +80,13 @@ class CollectPage(QWidget):
         listing = row(self.count, 0, self.remove, self.undo, self.redo, spacing=4)
         middle = column(tools, self.picture, listing, self.strip, spacing=6)
         middle.setStretch(1, 1)
-        layout = row(middle, self.coach, spacing=16)
+        layout = row(middle, self.guidance, spacing=16)
         layout.setStretch(0, 1)
         self.setLayout(layout)
 
     @property
-    def chosen(self) -> SeenView | None:
-        """The view that is looked at; None while the newest image is."""
+    def chosen(self) -> CollectedView | None:
+        """The chosen view; None while the newest image is shown."""
         return next((view for view in self._collecting.views if view.id == self.strip.current), None)
 
     def begin(self) -> None:
@@ -99,39 +99,41 @@ class CollectPage(QWidget):
         self._timer.stop()
 
     def choose(self, id_: str) -> None:
-        """Look at one view; an empty id: at the newest image."""
+        """Show one view; with an empty id the newest image."""
         self.strip.choose(id_)
         self._show_chosen()
         self.chosenChanged.emit()
 
     def remove_chosen(self) -> None:
-        """Leave the chosen view out."""
+        """Remove the chosen view."""
         if self.chosen is not None:
             self._collecting.remove(self.chosen.id)
 
     def refresh(self) -> None:
-        """Show the views, what is missing and how good it would be now."""
+        """Show the views, guidance and the present verdict."""
         collecting = self._collecting
         self._offer_cameras(collecting.cameras)
         self.strip.show_thumbnails([self._thumbnail(view) for view in collecting.views])
         out = sum(view.verdict in {"fail", "not measured"} for view in collecting.views)
-        self.count.setText(several(len(collecting.views), "view") + (f", {out} left out" if out else ""))
+        self.count.setText(several(len(collecting.views), "view") + (f", {out} not used" if out else ""))
         self.undo.setEnabled(collecting.can_undo)
         self.redo.setEnabled(collecting.can_redo)
-        self._coach()
+        self._show_guidance()
         self._show_chosen()
 
-    def _coach(self) -> None:
-        """Say what is missing; the gauges are those of the camera looked at."""
-        thought = self._collecting.thought
-        if thought is not None:
+    def _show_guidance(self) -> None:
+        """Show guidance; the gauges are those of the camera shown."""
+        interim = self._collecting.interim
+        if interim is not None:
             camera = self.cameras.value()
-            shown = [gauge for gauge in thought.advice.gauges if gauge.camera in {"", camera}]
-            self.coach.advise(thought.advice.sentences, [Level(one.name, one.value / one.target, gauge_words(one)) for one in shown])
-            self.coach.judge(thought.verdict.sentence if thought.verdict else "", str(thought.error) if thought.error else "")
-        elif not self._collecting.is_thinking:
-            self.coach.advise((), ())
-            self.coach.judge("", "")
+            shown = [gauge for gauge in interim.advice.gauges if gauge.camera in {"", camera}]
+            self.guidance.show_guidance(
+                interim.advice.sentences, [Level(one.name, one.value / one.target, gauge_words(one)) for one in shown]
+            )
+            self.guidance.show_verdict(interim.verdict.sentence if interim.verdict else "", str(interim.error) if interim.error else "")
+        elif not self._collecting.is_solving:
+            self.guidance.show_guidance((), ())
+            self.guidance.show_verdict("", "")
 
     def _offer_cameras(self, names: tuple[str, ...]) -> None:
         if names == self._camera_names or not names:
@@ -143,7 +145,7 @@ class CollectPage(QWidget):
         self._camera_place.addWidget(self.cameras)
 
     def _change_camera(self) -> None:
-        self._coach()
+        self._show_guidance()
         self.strip.show_thumbnails([self._thumbnail(view) for view in self._collecting.views])
         self._show_chosen()
 
@@ -167,14 +169,14 @@ class CollectPage(QWidget):
             self._draw(
                 newest.pixels,
                 overlay,
-                f"{called(camera)}, {newest.view}: {'shows fringes' if camera == PROJECTOR else 'looking for the board'}",
+                f"{device_title(camera)}, {newest.view}: {'shows fringes' if camera == PROJECTOR else 'looking for the board'}",
             )
         elif view is not None:
             pixels = collecting.image(view.id, camera)
             overlay = Overlay(
-                view.corners_px.get(camera), view.left_out_px.get(camera), None if chosen else self._ghost(camera), self._coverage(camera)
+                view.corners_px.get(camera), view.rejected_px.get(camera), None if chosen else self._ghost(camera), self._coverage(camera)
             )
-            self._draw(pixels, overlay, f"{view.name}: {self._said(view, camera)}")
+            self._draw(pixels, overlay, f"{view.name}: {self._caption(view, camera)}")
         else:
             self.picture.clear(NOTHING_YET)
 
@@ -185,8 +187,8 @@ class CollectPage(QWidget):
             self.picture.show_image(grey_image(pixels), (pixels.shape[1], pixels.shape[0]), overlay, caption)
 
     def _ghost(self, camera: str) -> np.ndarray | None:
-        thought = self._collecting.thought
-        ghost = None if thought is None else thought.advice.ghost if thought.suggestion is None else thought.suggestion.ghost
+        interim = self._collecting.interim
+        ghost = None if interim is None else interim.advice.ghost if interim.suggestion is None else interim.suggestion.ghost
         return None if ghost is None else ghost.outlines_px.get(camera)
 
     def _coverage(self, camera: str) -> np.ndarray | None:
@@ -199,7 +201,7 @@ class CollectPage(QWidget):
         counts, _, _ = np.histogram2d(corners[:, 1], corners[:, 0], bins=CELLS[::-1], range=((0, size[1]), (0, size[0])))
         return counts
 
-    def _said(self, view: SeenView, camera: str) -> str:
+    def _caption(self, view: CollectedView, camera: str) -> str:
         reason = view.reasons.get(camera, "") or (view.reason if view.verdict == "fail" else "")
         residual = view.residuals_px.get(camera)
         figure = f"residual {quantity(residual, 'px', 3)}" if residual is not None else ""
@@ -208,7 +210,7 @@ class CollectPage(QWidget):
         corners = several(len(view.corners_px[camera]), "corner")
         return ", ".join(part for part in (corners, figure, reason) if part)
 
-    def _thumbnail(self, view: SeenView) -> Thumbnail:
+    def _thumbnail(self, view: CollectedView) -> Thumbnail:
         camera = self.cameras.value()
         residual = view.residuals_px.get(camera)
         found = camera in view.corners_px

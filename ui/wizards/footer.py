@@ -1,22 +1,49 @@
-"""The bottom of a wizard: what was said last, what runs, and the buttons."""
+"""The footer of a wizard: the last message, the running task, and the buttons."""
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QProgressBar, QPushButton, QWidget
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtWidgets import QFrame, QLabel, QProgressBar, QPushButton, QWidget
 
 from ui.look.look import Look
 from ui.look.wording import sentence_case
 from ui.widgets.basic import Button, column, label, row
-from ui.wizards.message_line import MessageLine
+from ui.widgets.job_strip import LEVEL_ICONS
 
-WAITING = "Judging the result…"
+WAITING = "Evaluating the result…"
+
+
+class MessageLine(QFrame):
+    """One message with its icon: what happened and what to do about it; empty at first."""
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self._look, self._level = look, "info"
+        self._icon, self.words = QLabel(), label("", "body", wrap=True)
+        self._icon.setAlignment(Qt.AlignmentFlag.AlignVCenter)
+        self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        layout = row(self._icon, self.words, spacing=8)
+        layout.setStretch(1, 1)
+        self.setLayout(layout)
+        look.changed.connect(self._redraw)
+        self.show_message("")
+
+    def show_message(self, text: str, hint: str = "", level: str = "info") -> None:
+        """Show a message; an empty text clears the line."""
+        self._level = level
+        self.words.setText(f"{text} {hint}".strip())
+        self._redraw()
+
+    def _redraw(self) -> None:
+        self._icon.setVisible(bool(self.words.text()))
+        self._icon.setPixmap(self._look.icon(*LEVEL_ICONS[self._level]).pixmap(QSize(20, 20)))
 
 
 class Footer(QWidget):
-    """One filled button, up to two quiet ones, progress with Stop, and one sentence."""
+    """One filled button, up to two quiet ones, progress with Stop, and one message."""
 
     def __init__(self, look: Look, resting: QWidget) -> None:
-        """``resting`` takes the focus when a button that has it goes."""
+        """``resting`` takes the focus from a button that disappears."""
         super().__init__()
         self._resting = resting
         self.message = MessageLine(look)
@@ -37,12 +64,12 @@ class Footer(QWidget):
         self.setLayout(layout)
         self.setMinimumHeight(48)
 
-    def say(self, text: str, hint: str = "", level: str = "info") -> None:
-        """Say one sentence with its remedy."""
-        self.message.say(text, hint, level)
+    def show_message(self, text: str, hint: str = "", level: str = "info") -> None:
+        """Show a message with its remedy."""
+        self.message.show_message(text, hint, level)
 
     def offer(self, primary: str, second: str, third: str, missing: str = "") -> None:
-        """Offer these buttons; empty words: not offered. ``missing`` says what the filled one waits for."""
+        """Offer these buttons; empty words: not offered. ``missing`` is what the filled one waits for."""
         self.words = (primary, second, third)
         self.missing.setText(missing)
         self.missing.setVisible(bool(missing))
@@ -58,17 +85,17 @@ class Footer(QWidget):
         if button.hasFocus() and not usable:
             self._resting.setFocus()
 
-    def show_running(self, collecting: bool, judging: bool) -> None:
-        """Show that views are taken or read, or that the result is being judged."""
-        self._running.setVisible(collecting or judging)
+    def show_running(self, collecting: bool, evaluating: bool) -> None:
+        """Show that views are taken or read, or that the result is being evaluated."""
+        self._running.setVisible(collecting or evaluating)
         self.stop.setVisible(collecting)
-        if judging:
+        if evaluating:
             self.note.setText(WAITING)
-        if not (collecting or judging):
+        if not (collecting or evaluating):
             self.bar.setValue(0)
             self.note.setText("")
 
-    def show_progress(self, share: float, note: str) -> None:
+    def show_progress(self, fraction: float, note: str) -> None:
         """Show how far it is."""
-        self.bar.setValue(round(1000 * share))
+        self.bar.setValue(round(1000 * fraction))
         self.note.setText(sentence_case(note))

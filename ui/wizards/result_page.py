@@ -1,12 +1,11 @@
-"""Last step: is it any good? One verdict in millimetres, every value with its standard deviation, and what changed."""
+"""Last step: the verdict in millimetres, every value with its standard deviation, and the changes."""
 
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QLabel, QScrollArea, QWidget
 
-from ui.controllers.result import Result
-from ui.controllers.value_rows import ValueRow
+from ui.controllers.result import Result, ValueRow
 from ui.look.look import Look
 from ui.look.wording import NOTHING, quantity
 from ui.widgets.basic import Button, card, clear, column, label, row
@@ -16,8 +15,8 @@ from ui.widgets.segments import Segments
 HEADERS = ["Value", "Estimate", "Standard deviation", "True value", "Error", "Change"]
 TRUE, ERROR, CHANGE = 3, 4, 5
 FAR = 3.0  # standard deviations
-TRUTH_NOTE = "True values are known because the rig is simulated. Nothing that measures reads them."
-CHECK_TIP = "Stop this check; the result stays as it is, and can be accepted meanwhile too"
+TRUTH_NOTE = "True values are known because the rig is simulated. The measurement never reads them."
+CHECK_TIP = "Stop this check; the result does not change and can be accepted now"
 SIDE, MARGIN, SCROLL_BAR = 344, 20, 14
 
 
@@ -68,7 +67,7 @@ class ResultPage(QWidget):
         look.changed.connect(self._show_sign)
 
     def show_none(self, words: str) -> None:
-        """Say why there is no result to show."""
+        """Show the reason why there is no result."""
         self._result = None
         self.none.setText(words)
         self.none.show()
@@ -112,7 +111,7 @@ class ResultPage(QWidget):
         self.stop_check.show()
 
     def show_checked(self, result: Result | None) -> None:
-        """Show what the check gave; nothing where it was stopped."""
+        """Show the result of the check; nothing where it was stopped."""
         self.stop_check.hide()
         self._held_back.setVisible(result is not None and bool(result.held_back))
         if result is not None and result.held_back:

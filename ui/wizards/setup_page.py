@@ -8,7 +8,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QSpinBox, QWidget
 
 from measureapp.data.board import BoardDescription
-from ui.controllers.collecting_nouns import Kept, RigSetup, Start
+from ui.controllers.collecting_nouns import RigSetup, Start, StoredSession
 from ui.look.look import Look
 from ui.look.wording import several, when
 from ui.widgets.basic import Button, Form, card, column, label, row
@@ -32,11 +32,11 @@ TABLES = {  # axis -> name, columns
     "table_rad": ("Table angles", "position,angle_deg"),
 }
 TABLE_FILES = "Tables (*.csv);;All files (*)"
-KEPT_TIP = "The wizard says what is missing while you collect, and keeps every view at once."
+KEPT_TIP = "The wizard shows what is missing while you collect, and saves every view at once."
 
 
 class SetupPage(QWidget):
-    """Edits a `Start`; offers to go on with what was kept."""
+    """Edits a `Start`; offers to continue a stored session."""
 
     resumeClicked = Signal()
     changed = Signal()
@@ -61,7 +61,7 @@ class SetupPage(QWidget):
 
     def _lay_out(self, look: Look) -> None:
         self._kept_words = label("", "body", wrap=True)
-        go_on = Button("Go on with it", look, "run")
+        go_on = Button("Continue it", look, "run")
         go_on.clicked.connect(self.resumeClicked)
         kept_row = row(self._kept_words, go_on, spacing=16)
         kept_row.setStretch(0, 1)
@@ -91,7 +91,7 @@ class SetupPage(QWidget):
         self.setLayout(layout)
 
     def _table_part(self) -> list[QWidget]:
-        """The tables that tell where the axes stood at recorded images."""
+        """The tables of axis positions at recorded images."""
         if not self.tables:
             return []
         form = Form()
@@ -103,7 +103,7 @@ class SetupPage(QWidget):
         return [fields, label(TABLES_HINT, "small", wrap=True)]
 
     def offer_rig(self, rig: RigSetup) -> None:
-        """Show which rig would take the images, and start with its board."""
+        """Show the rig that can take the images, and start with its board."""
         self._virtual = rig.virtual
         self._rig_name.setText(rig.name)
         self._rig_note.setText(VIRTUAL_HINT if rig.virtual else REAL_HINT)
@@ -112,7 +112,7 @@ class SetupPage(QWidget):
         self.seed.setValue(rig.seed)
         self.board.setValue(rig.board)
 
-    def offer_kept(self, kept: Kept | None) -> None:
+    def offer_kept(self, kept: StoredSession | None) -> None:
         """Offer to go on with views that were kept, where there are any."""
         self.kept.setVisible(kept is not None)
         if kept is not None:
@@ -120,14 +120,14 @@ class SetupPage(QWidget):
             self._kept_words.setText(f"{several(kept.views, 'view')} of an earlier session are kept{f' ({age})' if age else ''}.")
 
     def value(self) -> Start:
-        """Return what is set. Raises ValueError where the board's sizes contradict each other."""
+        """Return the settings. Raises ValueError where the board's sizes contradict each other."""
         board: BoardDescription = self.board.value()
         folder = self.folder.value() if self.source.value() == IMAGES else None
         tables = {axis: path for axis, field in self.tables.items() if (path := field.value()) is not None}
         return Start(board, folder, self.resolution.value(), self.seed.value(), tables)
 
     def problem(self) -> str:
-        """Return why one cannot begin yet; empty where one can."""
+        """Return the reason why the wizard cannot begin yet; empty where it can."""
         if self.board.problem():
             return "Check the board"
         if self.source.value() == IMAGES and self.folder.value() is None:

@@ -28,9 +28,9 @@ SETUP, COLLECT, RESULT = range(3)
 SMALLEST, USUAL = (1320, 660), (1340, 740)
 MORE = 5  # views at a time, beyond those planned
 HELP_PAGE = "calibration_wizards"
-ANYWAY, KEEP_OLD, NOT_NOW = "Accept all the same", "Keep the old one", "Not now"
+ANYWAY, KEEP_OLD, NOT_NOW = "Accept anyway", "Keep the previous one", "Not now"
 OTHER_IMAGES = "Choose other images"
-JUDGING, NO_RESULT = "Judging the result…", "These views give no result yet."
+JUDGING, NO_RESULT = "Evaluating the result…", "These views do not determine a result yet."
 
 
 class CalibrationWizard(QDialog):
@@ -73,7 +73,7 @@ class CalibrationWizard(QDialog):
         collecting.begun.connect(self._begun)
         collecting.changed.connect(self.refresh)
         collecting.progressed.connect(footer.show_progress)
-        collecting.told.connect(footer.say)
+        collecting.told.connect(footer.show_message)
         self.calibrating.concluded.connect(self._show_result)
         self.calibrating.checking.connect(self.result.show_checking)
         self.calibrating.checked.connect(self._show_checked)
@@ -112,7 +112,7 @@ class CalibrationWizard(QDialog):
         self.refresh()
 
     def refresh(self) -> None:
-        """Show how far every step is and what can be done now."""
+        """Show the state of every step and the possible actions."""
         self.steps.show_steps(self._states(), self.step)
         self.footer.offer(*self._offers(), self.setup.problem() if self.step == SETUP else "")
         if self.step == RESULT and self.calibrating.result is None and not self.calibrating.is_concluding:
@@ -134,7 +134,7 @@ class CalibrationWizard(QDialog):
         return [
             setup,
             Step(self.kind.words.step, state, words),
-            Step("Result", result, {"done": "Good", "problem": "Look at it"}.get(result, "")),
+            Step("Result", result, {"done": "Good", "problem": "Inspect"}.get(result, "")),
         ]
 
     def _offers(self) -> tuple[str, str, str]:
@@ -149,7 +149,7 @@ class CalibrationWizard(QDialog):
             if collecting.can_take_more and not collecting.is_collecting:
                 more = f"Take {MORE} more views"
                 return (see, more, "") if collecting.is_good or collecting.took_more else (more, see, "")
-            if not (see or collecting.from_rig or collecting.is_collecting or collecting.is_thinking):
+            if not (see or collecting.from_rig or collecting.is_collecting or collecting.is_solving):
                 return OTHER_IMAGES, "", ""
             return see, "", ""
         more = "Collect more" if collecting.can_collect else "Back to the views"
@@ -161,7 +161,7 @@ class CalibrationWizard(QDialog):
         return (more, ANYWAY, keep) if collecting.can_collect else (keep, ANYWAY, more)
 
     def _do_next(self) -> None:
-        self.footer.say("")
+        self.footer.show_message("")
         offered = self.footer.words[0]
         if self.step == SETUP:
             self.collecting.begin(self.setup.value())
@@ -184,7 +184,7 @@ class CalibrationWizard(QDialog):
             self._decide(offered)
 
     def _decide(self, offered: str) -> None:
-        """What is done with the result: take it, leave it, or go back to the views."""
+        """Accept the result, keep the previous one, or go back to the views."""
         if offered in ("Accept", ANYWAY):
             self._accept()
         elif offered in (KEEP_OLD, NOT_NOW):
@@ -207,7 +207,7 @@ class CalibrationWizard(QDialog):
     def _resume(self) -> None:
         kept = self.collecting.kept()
         if kept is not None:
-            self.footer.say("")
+            self.footer.show_message("")
             self.collecting.resume(kept.folder)
 
     def _begun(self) -> None:
@@ -239,7 +239,7 @@ class CalibrationWizard(QDialog):
         self.help.show_page(HELP_PAGE)
 
     def done(self, code: int) -> None:
-        """Stop what runs for this wizard; what was collected lies on disk."""
+        """Stop the jobs of this wizard; everything collected is on disk."""
         self.collect.end()
         self.calibrating.close()
         super().done(code)

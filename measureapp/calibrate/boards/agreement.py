@@ -1,4 +1,4 @@
-"""Do the cameras see the board in one place? Where they do not, they are not those that were calibrated, or the board moved between images."""
+"""Rejection of board poses in which calibrated cameras contradict each other: other cameras, or a board that moved between images."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Generic
 
 import numpy as np
 
-from measureapp.calibrate.boards.pose import BoardPose, Name, with_seen_noise
+from measureapp.calibrate.boards.pose import BoardPose, Name, with_residual_noise
 from measureapp.errors import CalibrationError
 
 CONTRADICTION_FACTOR = 3.0  # of the median rms of all board poses
@@ -22,15 +22,15 @@ EXCHANGED = (
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class BoardPlaces(Generic[Name]):
-    """Where the board stood in each observation, and the observations whose cameras contradict each other."""
+class BoardPoses(Generic[Name]):
+    """The board pose of each observation, and the observations whose cameras contradict each other."""
 
     poses: Mapping[Name, BoardPose]
     rejected: Mapping[Name, str]
 
 
-def agreeing(poses: Mapping[Name, BoardPose]) -> BoardPlaces[Name]:
-    """Return the poses in which the cameras agree, weighted with the noise that all of them show.
+def reject_contradicting(poses: Mapping[Name, BoardPose]) -> BoardPoses[Name]:
+    """Reject poses in which the cameras contradict each other; weight the others with their common residual noise.
 
     Raises
     ------
@@ -42,4 +42,4 @@ def agreeing(poses: Mapping[Name, BoardPose]) -> BoardPlaces[Name]:
         raise CalibrationError(EXCHANGED[0].format(rms=median), EXCHANGED[1])
     limit = max(CONTRADICTION_FACTOR * median, LEAST_CONTRADICTION_PX)
     rejected = {name: CONTRADICTED.format(rms=pose.rms_px) for name, pose in poses.items() if pose.rms_px > limit}
-    return BoardPlaces(with_seen_noise({name: pose for name, pose in poses.items() if name not in rejected}), rejected)
+    return BoardPoses(with_residual_noise({name: pose for name, pose in poses.items() if name not in rejected}), rejected)

@@ -1,4 +1,4 @@
-"""Which circles of a board a grid in the image may be: whole circles, and places where there certainly is none."""
+"""Identification of a circle grid: complete circles, and positions that are certainly empty."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ import cv2
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, ImageArray, IntArray
-from measureapp.calibrate.boards.circle_lattice import CirclesInSight, circles_in_sight
-from measureapp.calibrate.boards.refine import local_axes, mapped
-from measureapp.calibrate.boards.squares import blurred
+from measureapp.calibrate.boards.circle_lattice import DetectedCircles, detect_circles
+from measureapp.calibrate.boards.refine import apply_homography, local_axes
+from measureapp.calibrate.boards.squares import blur
 from measureapp.data.board import CirclesDescription
 
 AROUND = np.array([[np.cos(angle), np.sin(angle)] for angle in np.linspace(0, 2 * np.pi, 24, endpoint=False)])
 HARMONICS = np.column_stack([np.ones(len(AROUND)), AROUND, AROUND[:, 0] ** 2 - AROUND[:, 1] ** 2, AROUND[:, 0] * AROUND[:, 1]])
 SMOOTH = HARMONICS @ np.linalg.pinv(HARMONICS)  # of a value per direction, its part that an ellipse about any centre near by has
-INNERMOST, OUTERMOST, SAMPLES = 0.5, 1.5, 48  # of the radius: from where to where the outline is looked for
+INNERMOST, OUTERMOST, SAMPLES = 0.5, 1.5, 48  # of the radius: range in which the outline is searched
 NEAR = 0.2  # of the radius: how far from the outline it is dark within, and white around
 CUT_PX, CUT_FACTOR = 0.3, 4.0  # what an outline may leave its ellipse by, px, and times what the median circle's does
-DISC_SHARES = (0.0, 0.5, 1.0)  # of the radius: where a place is looked at that may be empty
+DISC_SHARES = (0.0, 0.5, 1.0)  # of the radius: where a position is tested for being empty
 LEVEL_SHARE = 0.25  # of the contrast: what white may differ by from the white round the circles next to it
 LEAST_CONTRAST = 0.35  # of the median circle's
 LEAST_RUN = 4  # empty places in a row; a white sheet that is laid over the board cuts circles unless it lies along a row
@@ -28,26 +28,26 @@ NEXT = ((1, 1), (1, -1), (-1, 1), (-1, -1))  # steps to the nearest circles
 # Circles are as round as they should be under the right steps only.
 SHEARS = np.array([((1, 0), (0, 1)), ((1, 1), (0, 1)), ((1, -1), (0, 1)), ((1, 0), (1, 1)), ((1, 0), (-1, 1))])
 OFF_SHARE = 0.15  # of the distance of circles: what lens distortion may leave of a homography
-Lie = tuple[int, int, int]  # quarter turns, and what is added to x and y of a place, to make it one of the board
+Placement = tuple[int, int, int]  # quarter turns, and what is added to x and y of a place, to make it one of the board
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CircleGrid:
     """The whole circles of a grid, and the places beside them where there is nothing but white."""
 
-    places: IntArray  # (N, 2), as of `CirclesInSight`
+    places: IntArray  # (N, 2), as of `DetectedCircles`
     centres_px: FloatArray  # (N, 2)
     empty: IntArray  # (M, 2)
 
 
-def grid_in_sight(grey: ImageArray, board: CirclesDescription) -> CircleGrid | None:
-    """Find the circles of ``board``'s size that are seen whole, and where there are none; None without a grid."""
-    found = circles_in_sight(grey)
+def detect_grid(grey: ImageArray, board: CirclesDescription) -> CircleGrid | None:
+    """Detect complete circles of ``board``'s size, and empty positions; None without a grid."""
+    found = detect_circles(grey)
     if found is None:
         return None
-    smooth = blurred(grey)
+    smooth = blur(grey)
     best, most = None, 0
-    for seen in (replace(found, places=_sheared(found.places, shear)) for shear in SHEARS):
+    for seen in (replace(found, places=_shear(found.places, shear)) for shear in SHEARS):
         plane = _plane(seen, board)
         if plane is None:
             continue
@@ -58,12 +58,12 @@ def grid_in_sight(grey: ImageArray, board: CirclesDescription) -> CircleGrid | N
     return best
 
 
-def lies_of(board: CirclesDescription, grid: CircleGrid) -> list[Lie]:
-    """Return every way the grid may lie on the board: all circles on it, and none where the image has none."""
+def possible_placements(board: CirclesDescription, grid: CircleGrid) -> list[Placement]:
+    """Return every placement of the grid on the board: all circles on it, and none at an empty position."""
     found = []
     size = np.array([2 * board.columns, board.rows])
     for quarter in range(4):
-        places, empty = turned(grid.places, quarter), turned(grid.empty, quarter)
+        places, empty = rotate_places(grid.places, quarter), rotate_places(grid.empty, quarter)
         low, room = places.min(axis=0), size - 1 - np.ptp(places, axis=0)
         for x in range(int(room[0]) + 1):
             for y in range(int(room[1]) + 1):
@@ -75,21 +75,21 @@ def lies_of(board: CirclesDescription, grid: CircleGrid) -> list[Lie]:
 
 def is_whole(grey: ImageArray, board: CirclesDescription) -> bool:
     """Whether the image shows all circles of ``board``, and white on all four sides of them."""
-    grid = grid_in_sight(grey, board)
+    grid = detect_grid(grey, board)
     if grid is None or len(grid.places) < board.count:
         return False
     size = (2 * board.columns, board.rows)
-    ends = [turned(grid.empty, quarter) + np.array([x, y]) for quarter, x, y in lies_of(board, grid)]
+    ends = [rotate_places(grid.empty, quarter) + np.array([x, y]) for quarter, x, y in possible_placements(board, grid)]
     return any(bool(np.all(np.any(end < 0, axis=0) & np.any(end >= size, axis=0))) for end in ends)
 
 
-def ids_of(board: CirclesDescription, places: IntArray, lie: Lie) -> IntArray:
+def ids_of(board: CirclesDescription, places: IntArray, lie: Placement) -> IntArray:
     """Return which marks (N,) of the board the places (N, 2) are."""
-    x, y = (turned(places, lie[0]) + lie[1:]).T
+    x, y = (rotate_places(places, lie[0]) + lie[1:]).T
     return np.asarray(y * board.columns + (x - y % 2) // 2, np.int64)
 
 
-def turned(places: IntArray, quarter: int) -> IntArray:
+def rotate_places(places: IntArray, quarter: int) -> IntArray:
     """Return places (N, 2) turned by quarters."""
     x, y = places[:, 0], places[:, 1]
     for _ in range(quarter):
@@ -97,13 +97,13 @@ def turned(places: IntArray, quarter: int) -> IntArray:
     return np.column_stack([x, y])
 
 
-def _sheared(places: IntArray, shear: IntArray) -> IntArray:
+def _shear(places: IntArray, shear: IntArray) -> IntArray:
     """Return places (N, 2) as they are numbered by other steps to the nearest circles."""
     steps = places @ ((1, -1), (1, 1)) // 2
     return np.asarray(steps @ shear @ ((1, 1), (-1, 1)))
 
 
-def _plane(seen: CirclesInSight, board: CirclesDescription) -> FloatArray | None:
+def _plane(seen: DetectedCircles, board: CirclesDescription) -> FloatArray | None:
     """The homography from places in mm to the image."""
     across = np.linalg.norm(seen.centres_px[1:] - seen.centres_px[0], axis=1).min()
     found = cv2.findHomography(seen.places * board.spacing_mm, seen.centres_px, cv2.RANSAC, OFF_SHARE * float(across))[0]
@@ -111,7 +111,7 @@ def _plane(seen: CirclesInSight, board: CirclesDescription) -> FloatArray | None
 
 
 def _whole(
-    grey: ImageArray, seen: CirclesInSight, plane: FloatArray, board: CirclesDescription
+    grey: ImageArray, seen: DetectedCircles, plane: FloatArray, board: CirclesDescription
 ) -> tuple[BoolArray, tuple[FloatArray, FloatArray]]:
     """Which circles (N,) have the outline that a circle of this size has; grey levels within them and around them (N,).
 
@@ -146,7 +146,7 @@ def _crossing(levels: FloatArray, brighter: BoolArray, middle: FloatArray) -> Fl
 
 def _empty(
     smooth: ImageArray,
-    seen: CirclesInSight,
+    seen: DetectedCircles,
     whole: BoolArray,
     levels: tuple[FloatArray, FloatArray],
     plane: FloatArray,
@@ -162,8 +162,10 @@ def _empty(
         return np.empty((0, 2), np.int64)
     places, next_to = np.array(list(beside)), np.array(list(beside.values()))
     disc = np.concatenate([share * board.diameter_mm / 2 * AROUND for share in DISC_SHARES])
-    expected = mapped(plane, places * board.spacing_mm)
-    off = seen.centres_px[next_to] - mapped(plane, seen.places[next_to] * board.spacing_mm)  # lens distortion, alike next to it
+    expected = apply_homography(plane, places * board.spacing_mm)
+    off = seen.centres_px[next_to] - apply_homography(
+        plane, seen.places[next_to] * board.spacing_mm
+    )  # lens distortion, nearly equal for neighbours
     grey = _levels(smooth, (expected + off)[:, None] + disc @ local_axes(plane, places * board.spacing_mm))
     dark, white = levels[0][next_to], levels[1][next_to]
     blank = np.all(np.abs(grey - white[:, None]) < LEVEL_SHARE * (white - dark)[:, None], axis=1)

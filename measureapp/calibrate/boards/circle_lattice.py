@@ -9,7 +9,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from measureapp.arrays import FloatArray, ImageArray, IntArray
-from measureapp.calibrate.boards.squares import full_size, shrunk
+from measureapp.calibrate.boards.squares import full_size, shrink
 
 SEARCH_PX = 1300
 BLOCK_SHARE = 0.12  # side of the neighbourhood that says what is dark, over the longer side
@@ -24,7 +24,7 @@ Lattice = dict[tuple[int, int], int]  # place in steps to nearest neighbours -> 
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class CirclesInSight:
+class DetectedCircles:
     """A staggered grid of unknown size; its x and y turn as those of the image do.
 
     Places count half the distances along rows and whole distances between rows from an arbitrary circle: x + y is even.
@@ -45,16 +45,16 @@ class CirclesInSight:
         return (int(spans.min()) + 1) // 2 or 1, int(spans.max()) + 1
 
 
-def circles_in_sight(grey: ImageArray) -> CirclesInSight | None:
-    """Look for any staggered grid of dark circles."""
-    small, scale = shrunk(grey, SEARCH_PX)
+def detect_circles(grey: ImageArray) -> DetectedCircles | None:
+    """Detect a staggered grid of dark circles of any size."""
+    small, scale = shrink(grey, SEARCH_PX)
     blobs = _blobs(small)
     lattice = _lattice(blobs)
     if len(lattice) < LEAST_CIRCLES:
         return None
     steps = np.array(list(lattice))
     places = np.column_stack([steps[:, 0] - steps[:, 1], steps[:, 0] + steps[:, 1]])
-    return CirclesInSight(places, full_size(blobs[np.array(list(lattice.values()))], scale))
+    return DetectedCircles(places, full_size(blobs[np.array(list(lattice.values()))], scale))
 
 
 def _blobs(small: ImageArray) -> FloatArray:

@@ -6,8 +6,8 @@ import cv2
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, ImageArray, IntArray
-from measureapp.calibrate.boards.circle_grid import grid_in_sight, ids_of, lies_of
-from measureapp.calibrate.boards.part import LEAST_MARKS, the_one
+from measureapp.calibrate.boards.circle_grid import detect_grid, ids_of, possible_placements
+from measureapp.calibrate.boards.part import LEAST_MARKS, identify_part
 from measureapp.calibrate.boards.refine import SmoothGrid, cut_off, homography, local_axes, smooth_grid
 from measureapp.data.board import CirclesDescription
 
@@ -34,14 +34,14 @@ def find_circles(
     ----------
     .. [1] J. Heikkilä, IEEE Trans. Pattern Analysis and Machine Intelligence 22(10), 1066-1077, 2000.
     """
-    grid = grid_in_sight(grey, board)
+    grid = detect_grid(grey, board)
     if grid is None or len(grid.places) < LEAST_MARKS:
         return None
-    lies = lies_of(board, grid)
+    lies = possible_placements(board, grid)
     if not lies:
         return None
     parts = [(ids_of(board, grid.places, lie), grid.centres_px) for lie in lies]
-    ids, _ = parts[the_one(board, parts, expected_px, alike=2 if board.is_symmetric else 1)]  # either end may come first
+    ids, _ = parts[identify_part(board, parts, expected_px, symmetry=2 if board.is_symmetric else 1)]  # either end may come first
     order = np.argsort(ids)
     ids, coarse = ids[order], grid.centres_px[order]
     marks = board.flat_corners_mm[ids, :2]

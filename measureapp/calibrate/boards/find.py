@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 
 from measureapp.arrays import FloatArray, ImageArray, IntArray
-from measureapp.calibrate.boards.charuco import find_charuco, shows_markers
+from measureapp.calibrate.boards.charuco import find_charuco, has_markers
 from measureapp.calibrate.boards.circles import find_circles
 from measureapp.calibrate.boards.part import find_part
 from measureapp.calibrate.boards.quality import (
@@ -21,7 +21,7 @@ from measureapp.calibrate.boards.quality import (
     require_usable,
 )
 from measureapp.calibrate.boards.refine import mark_sigmas, off_the_grid
-from measureapp.calibrate.boards.squares import find_squares, squares_in_sight
+from measureapp.calibrate.boards.squares import detect_squares, find_squares
 from measureapp.calibrate.sightings import Sighting
 from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
 from measureapp.errors import CalibrationError
@@ -30,14 +30,14 @@ PRECISION_REACH = 0.3  # half the side of the patch that says how well a mark is
 
 
 def find_board(image: ImageArray, board: BoardDescription, expected_px: FloatArray | None = None) -> Sighting:
-    """Find the marks of ``board``, each with its standard deviation: all of them, or those in sight where it can be told which they are.
+    """Detect the marks of ``board``, each with its standard deviation: all, or the visible ones where they can be identified.
 
-    Any part of a ChArUco board can be told; of a checkerboard or a circle grid one that shows where the board ends.
+    Any part of a ChArUco board can be identified; of a checkerboard or a circle grid one that shows where the board ends.
 
     Parameters
     ----------
     image : (H, W) or (H, W, 3), 8 or 16 bit
-    expected_px : (``board.count``, 2), about where each mark should be if that is known; tells parts apart that look alike
+    expected_px : (``board.count``, 2), approximate position of each mark, if known; distinguishes parts of equal appearance
 
     Raises
     ------
@@ -58,7 +58,7 @@ def find_board(image: ImageArray, board: BoardDescription, expected_px: FloatArr
     ids, corners, spacing = found
     sigma = mark_sigmas(grey, board, ids, corners, np.full(len(ids), PRECISION_REACH * spacing))
     edge_px = require_usable(grey, board, ids, corners, sigma)
-    on_grid = ~off_the_grid(board, ids, corners)  # seen askance, a corner of a whole board may be refined onto the next edge
+    on_grid = ~off_the_grid(board, ids, corners)  # at an oblique angle, a corner of a complete board may be refined onto the next edge
     return Sighting("", "", corners[on_grid], ids[on_grid], sigma[on_grid], edge_px)
 
 
@@ -82,11 +82,11 @@ def _squares(grey: ImageArray, board: CheckerboardDescription, expected_px: Floa
     whole = find_squares(grey, board)
     if whole is not None:
         return np.arange(board.count), *whole
-    squares = squares_in_sight(grey)
+    squares = detect_squares(grey)
     if squares is None or squares.count < TELLING_SHARE * board.count:
         raise missing(grey, board)
     if not are_squares(grey, squares.corners_px):
-        raise poor_image(grey, board) or (printed_squares() if shows_markers(grey) else partly_hidden(board, squares.count))
+        raise poor_image(grey, board) or (printed_squares() if has_markers(grey) else partly_hidden(board, squares.count))
     require_plain(grey, squares.corners_px)
     try:
         part = find_part(grey, board, squares, expected_px)
@@ -115,7 +115,7 @@ def detect(image: ImageArray, board: BoardDescription) -> FloatArray:
 
 
 def require_unambiguous(board: BoardDescription, purpose: str) -> None:
-    """Refuse a board that looks the same after half a turn. Raises CalibrationError."""
+    """Refuse a board that is symmetric under half a turn. Raises CalibrationError."""
     if board.is_symmetric:
         remedy = (
             "an odd number of rows, such as 4 × 11"
@@ -123,7 +123,7 @@ def require_unambiguous(board: BoardDescription, purpose: str) -> None:
             else ("an even and an odd number of corners, such as 14 × 11 or 9 × 6, or a ChArUco board")
         )
         raise CalibrationError(
-            f"A {board.label} looks the same after half a turn, so {purpose} cannot use it.", f"Take a board with {remedy}."
+            f"A {board.label} is symmetric under half a turn, so {purpose} cannot use it.", f"Take a board with {remedy}."
         )
 
 

@@ -16,15 +16,15 @@ from measureapp.errors import CalibrationError
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Observation:
-    """One position of the board as seen by all cameras at the same time.
+    """One position of the board, observed by all cameras at the same time.
 
-    Every calibration starts from these: detection fills `seen`, `located` adds the pose, and a pose from a table may stand alone.
+    Every calibration starts from these: detection fills `seen`, `locate` adds the pose; a pose from a table needs no `seen`.
     """
 
     id: str
     readback: Readback = field(default_factory=Readback)
     board: BoardPose | None = None  # in the reference camera's frame; None before the cameras are known
-    by_cameras: FloatArray | None = None  # (6, C), derivative of the board pose with respect to a `LabelledCovariance` of the cameras
+    camera_jacobian: FloatArray | None = None  # (6, C), derivative of the board pose with respect to a `LabelledCovariance` of the cameras
     approach: int | None = None  # of the robot, see `approaches_to`; None: equal poses in succession are one approach
     seen: Mapping[str, Sighting] = field(default_factory=dict)  # camera -> marks
 
@@ -41,9 +41,9 @@ class Observation:
         return self.readback.full()
 
 
-def derivatives_of(observations: Sequence[Observation]) -> FloatArray | None:
+def camera_jacobians_of(observations: Sequence[Observation]) -> FloatArray | None:
     """Return the derivatives (N, 6, C) of the board poses with respect to the cameras; None where not all observations have them."""
-    known = [one.by_cameras for one in observations if one.by_cameras is not None]
+    known = [one.camera_jacobian for one in observations if one.camera_jacobian is not None]
     return np.array(known) if known and len(known) == len(observations) else None
 
 

@@ -1,4 +1,4 @@
-"""A part of a plain checkerboard, where it can be told which part it is."""
+"""Detection of an identifiable part of a plain checkerboard."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, ImageArray, IntArray
-from measureapp.calibrate.boards.refine import cut_off, refined, window_of
-from measureapp.calibrate.boards.squares import SquaresInSight
+from measureapp.calibrate.boards.refine import cut_off, refine_corners, window_of
+from measureapp.calibrate.boards.squares import DetectedSquares
 from measureapp.calibrate.sightings import AmbiguousPart
 from measureapp.data.board import BoardDescription, CheckerboardDescription
 
@@ -18,7 +18,7 @@ NEARER = 0.25  # of the distance of the next possible part
 
 
 def find_part(
-    grey: ImageArray, board: CheckerboardDescription, seen: SquaresInSight, expected_px: FloatArray | None = None
+    grey: ImageArray, board: CheckerboardDescription, seen: DetectedSquares, expected_px: FloatArray | None = None
 ) -> tuple[IntArray, FloatArray, float] | None:
     """Find ids (N,), corners (N, 2) to sub-pixel and the smallest distance of neighbours, px; None where no part of ``board`` fits.
 
@@ -30,22 +30,24 @@ def find_part(
     CalibrationError
         Several parts of the board look like the one that is seen, or the corners cannot be refined.
     """
-    places = places_of(board, seen)
+    places = possible_places(board, seen)
     if seen.count < LEAST_MARKS or not places:
         return None
-    quarter, row, column = places[the_one(board, [_marks_at(board, seen, place) for place in places], expected_px)]
+    quarter, row, column = places[identify_part(board, [_marks_at(board, seen, place) for place in places], expected_px)]
     grid, there = np.rot90(seen.corners_px, quarter), np.rot90(seen.there, quarter)
     ids, _ = _marks_at(board, seen, (quarter, row, column))
     spacing = min(_least(np.diff(grid, axis=axis), there, axis) for axis in (0, 1))
     inside = np.all((grid[there] > BORDER_PX) & (grid[there] < np.array(grey.shape[::-1]) - 1 - BORDER_PX), axis=1)
-    corners = refined(grey, grid[there][inside], spacing, window_of(spacing))
+    corners = refine_corners(grey, grid[there][inside], spacing, window_of(spacing))
     ids = ids[inside]
     good = ~cut_off(board, ids, corners)
     return ids[good], corners[good], spacing
 
 
-def the_one(board: BoardDescription, parts: Sequence[tuple[IntArray, FloatArray]], expected_px: FloatArray | None, alike: int = 1) -> int:
-    """Return which of the parts of a board it is that is seen: the only one, or the one where marks are expected.
+def identify_part(
+    board: BoardDescription, parts: Sequence[tuple[IntArray, FloatArray]], expected_px: FloatArray | None, symmetry: int = 1
+) -> int:
+    """Identify the visible part of a board: the only candidate, or the one at the expected marks.
 
     Parts lie apart by whole distances of marks. The nearest is trusted where it is so much nearer to what is expected than the next one that
     an error of the expectation cannot have exchanged them.
@@ -53,14 +55,14 @@ def the_one(board: BoardDescription, parts: Sequence[tuple[IntArray, FloatArray]
     Parameters
     ----------
     parts : ids (N,) and pixels (N, 2) of each
-    alike : how many parts are the same marks on a symmetric board
+    symmetry : how many candidates are the same marks on a symmetric board
 
     Raises
     ------
     AmbiguousPart
-        There are several, and nothing tells which.
+        There are several candidates, and no expectation.
     """
-    if len(parts) <= alike:
+    if len(parts) <= symmetry:
         return 0
     if expected_px is not None:
         off = np.array([np.sqrt(np.mean((pixels - expected_px[ids]) ** 2)) for ids, pixels in parts])
@@ -68,12 +70,12 @@ def the_one(board: BoardDescription, parts: Sequence[tuple[IntArray, FloatArray]
         if off[nearest] < NEARER * off[next_one]:
             return int(nearest)
     raise AmbiguousPart(
-        f"Only {len(parts[0][0])} of the {board.count} marks of the {board.label} can be seen, and they may be any of {len(parts) // alike} parts of it.",
+        f"Only {len(parts[0][0])} of the {board.count} marks of the {board.label} can be seen, and they may be any of {len(parts) // symmetry} parts of it.",
         "Show one whole side of the board with the white margin at both of its ends, or use a ChArUco board, of which any part is enough.",
     )
 
 
-def _marks_at(board: CheckerboardDescription, seen: SquaresInSight, place: tuple[int, int, int]) -> tuple[IntArray, FloatArray]:
+def _marks_at(board: CheckerboardDescription, seen: DetectedSquares, place: tuple[int, int, int]) -> tuple[IntArray, FloatArray]:
     """Return ids (N,) and pixels (N, 2) of the corners that were found, as they lie at a place."""
     quarter, row, column = place
     there = np.rot90(seen.there, quarter)
@@ -81,8 +83,8 @@ def _marks_at(board: CheckerboardDescription, seen: SquaresInSight, place: tuple
     return (rows + row) * board.columns + columns + column, np.rot90(seen.corners_px, quarter)[there]
 
 
-def places_of(board: CheckerboardDescription, seen: SquaresInSight) -> list[tuple[int, int, int]]:
-    """Return every (quarter turns, first row, first column) at which the grid that is seen may lie on the board."""
+def possible_places(board: CheckerboardDescription, seen: DetectedSquares) -> list[tuple[int, int, int]]:
+    """Return every possible (quarter turns, first row, first column) of the detected grid on the board."""
     found = []
     for quarter in range(4):
         there = np.rot90(seen.there, quarter)

@@ -1,4 +1,4 @@
-"""The pose of the board from the corners all cameras see, with its information matrix."""
+"""Resection: pose of the board from its corners in all cameras, with its information matrix."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray, read_only
 from measureapp.calibrate.least_squares import NormalEquations, minimise
-from measureapp.calibrate.poses import moved
+from measureapp.calibrate.poses import apply_changes
 from measureapp.calibrate.projection import cross_matrices, project_with_derivatives
 from measureapp.calibrate.sightings import Sighting, rms
 from measureapp.data.board import BoardDescription
@@ -52,13 +52,13 @@ def board_pose(
     corner_sigma_px: float = ASSUMED_SIGMA_PX,
     ids: Mapping[str, IntArray] | None = None,
 ) -> BoardPose:
-    """Find camera_from_board by least squares over the corners of all cameras that see the board.
+    """Estimate camera_from_board by least squares over the corners in all cameras that detected the board (resection).
 
     Parameters
     ----------
     corners_px : camera -> corners (N, 2), ordered like ``board.corners_mm``
     corner_sigma_px : standard deviation of one coordinate of a corner, from the camera calibration
-    ids : camera -> which corners (N,) it saw, where it did not see all of them
+    ids : camera -> which corners (N,) it detected, if not all
 
     Raises
     ------
@@ -79,7 +79,7 @@ def board_pose(
         start,
         lambda pose: _normal(pose, seen),
         lambda pose: _cost(pose, seen),
-        lambda pose, step: np.asarray(moved(pose, step)),
+        lambda pose, step: np.asarray(apply_changes(pose, step)),
         iterations=30,
     )
     pose = RigidTransform(orthonormalise(minimum.state), "camera", "board")
@@ -95,7 +95,7 @@ def pose_of(
     return board_pose(corners, cameras, board, corner_sigma_px, {camera: one.ids for camera, one in seen.items()})
 
 
-def with_seen_noise(poses: Mapping[Name, BoardPose]) -> dict[Name, BoardPose]:
+def with_residual_noise(poses: Mapping[Name, BoardPose]) -> dict[Name, BoardPose]:
     """Scale the information of poses found with the assumed noise of corners to the noise that the residuals of all of them show."""
     if not poses:
         return {}
@@ -103,7 +103,7 @@ def with_seen_noise(poses: Mapping[Name, BoardPose]) -> dict[Name, BoardPose]:
     return {name: replace(pose, information=pose.information * (ASSUMED_SIGMA_PX / sigma) ** 2) for name, pose in poses.items()}
 
 
-def triangulated(corners_px: Mapping[str, FloatArray], cameras: CameraArrayCalibration) -> FloatArray:
+def triangulate(corners_px: Mapping[str, FloatArray], cameras: CameraArrayCalibration) -> FloatArray:
     """Return the points (N, 3) in the reference camera's frame nearest to the rays of two or more cameras."""
     normal, right = np.zeros((1, 3, 3)), np.zeros((1, 3))
     for name, pixels in corners_px.items():

@@ -1,4 +1,4 @@
-"""Whether an image is good enough to take a board's marks from, and what is wrong with one in which there is no board."""
+"""Quality of an image of a board, and the diagnosis of one in which no board was found."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ import cv2
 import numpy as np
 
 from measureapp.arrays import FloatArray, ImageArray, IntArray
-from measureapp.calibrate.boards.charuco import charuco_instead
+from measureapp.calibrate.boards.charuco import suggest_charuco
 from measureapp.calibrate.boards.circle_grid import is_whole
-from measureapp.calibrate.boards.circle_lattice import circles_in_sight
-from measureapp.calibrate.boards.refine import homography, local_axes, mapped
-from measureapp.calibrate.boards.squares import SquaresInSight, blurred, levels_at
-from measureapp.calibrate.sightings import BoardRefused
+from measureapp.calibrate.boards.circle_lattice import detect_circles
+from measureapp.calibrate.boards.refine import apply_homography, homography, local_axes
+from measureapp.calibrate.boards.squares import DetectedSquares, blur, levels_at
+from measureapp.calibrate.sightings import BoardDetectionError
 from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
 
 FULL_SCALE = 255
@@ -49,9 +49,9 @@ def require_usable(grey: ImageArray, board: BoardDescription, ids: IntArray, cor
     matrix = homography(board, ids, corners_px)
     axes = local_axes(matrix, board.flat_corners_mm[ids, :2])
     spacing = board.neighbour_mm * float(np.median(np.linalg.norm(axes, axis=2)))
-    off = np.linalg.norm(corners_px - mapped(matrix, board.flat_corners_mm[ids, :2]), axis=1).max()
+    off = np.linalg.norm(corners_px - apply_homography(matrix, board.flat_corners_mm[ids, :2]), axis=1).max()
     if off > WORST_FIT_SHARE * spacing:
-        raise BoardRefused(
+        raise BoardDetectionError(
             f"The marks in the image do not lie as on a {board.label}.",
             "Check the board's size, its dictionary and that nothing mirrors the image.",
             "wrong board",
@@ -62,11 +62,11 @@ def require_usable(grey: ImageArray, board: BoardDescription, ids: IntArray, cor
     widths = edge_widths(grey, board, corners_px, axes)
     widest = max(WIDEST_EDGE_PX, WIDEST_EDGE_SHARE * spacing)
     if max(widths) > widest:
-        raise BoardRefused(
+        raise BoardDetectionError(
             f"The board is blurred: its edges are {max(widths):.1f} px wide, {widest:.1f} px is the most.", BLURRED, "blurred"
         )
     if np.median(sigma_px) > WORST_SIGMA_PX:
-        raise BoardRefused(
+        raise BoardDetectionError(
             f"The marks scatter by {np.median(sigma_px):.2f} px about a smooth grid, {WORST_SIGMA_PX} px is the most.",
             "Take a sharper and brighter image of the flat board.",
             "blurred",
@@ -88,12 +88,12 @@ def edge_widths(grey: ImageArray, board: BoardDescription, corners_px: FloatArra
     return tuple(_profile_width(_aligned(_profiles(grey, *places))) for places in _edges(board, corners_px, axes))
 
 
-def missing(grey: ImageArray, board: BoardDescription, squares: SquaresInSight | None = None) -> BoardRefused:
-    """Return what is to be said of an image in which ``board`` was not found; ``squares`` is what was found of a checkerboard instead."""
+def missing(grey: ImageArray, board: BoardDescription, squares: DetectedSquares | None = None) -> BoardDetectionError:
+    """Return the error for an image in which ``board`` was not found; ``squares`` is what was found of a checkerboard instead."""
     return (
         poor_image(grey, board)
-        or _seen_instead(grey, board, squares)
-        or BoardRefused(
+        or _describe_grid(grey, board, squares)
+        or BoardDetectionError(
             f"The {board.label} was not found.",
             "The whole board must be visible, sharp and not over-exposed; check the kind of board and its size.",
             "not found",
@@ -101,25 +101,27 @@ def missing(grey: ImageArray, board: BoardDescription, squares: SquaresInSight |
     )
 
 
-def poor_image(grey: ImageArray, board: BoardDescription) -> BoardRefused | None:
-    """Return what is wrong with the image as a whole, if anything is."""
+def poor_image(grey: ImageArray, board: BoardDescription) -> BoardDetectionError | None:
+    """Return the defect of the image as a whole, if any."""
     sample = grey[::4, ::4]
     bright = float(np.percentile(sample, 99))
     if bright < DARK_LEVEL:
-        return BoardRefused(f"The {board.label} was not found: the image is too dark ({bright:.0f} of 255).", EXPOSED_MORE, "too dark")
+        return BoardDetectionError(
+            f"The {board.label} was not found: the image is too dark ({bright:.0f} of 255).", EXPOSED_MORE, "too dark"
+        )
     clipped = float(np.mean(sample >= FULL_SCALE))
     if clipped > CLIPPED_IMAGE:
-        return BoardRefused(
+        return BoardDetectionError(
             f"The {board.label} was not found: the image is over-exposed ({clipped:.0%} clipped).", EXPOSED_LESS, "over-exposed"
         )
     if nothing_sharp(grey):
-        return BoardRefused(f"The {board.label} was not found: nothing in the image is sharp, it is blurred.", BLURRED, "blurred")
+        return BoardDetectionError(f"The {board.label} was not found: nothing in the image is sharp, it is blurred.", BLURRED, "blurred")
     return None
 
 
-def partly_hidden(board: BoardDescription, count: int) -> BoardRefused:
-    """Return what is to be said of a board of which only ``count`` marks can be seen."""
-    return BoardRefused(
+def partly_hidden(board: BoardDescription, count: int) -> BoardDetectionError:
+    """Return the error for a board of which only ``count`` marks are visible."""
+    return BoardDetectionError(
         f"The {board.label} was not found: only {count} of its {board.count} marks can be seen, the rest is hidden or outside the image.",
         "Show the whole board, or use a ChArUco board, of which a part is enough.",
         "hidden",
@@ -139,28 +141,28 @@ def _require_levels(grey: ImageArray, corners_px: FloatArray, reach_px: float) -
         clipped.append(np.mean(patch >= FULL_SCALE) > CLIPPED_MARK)
         bright.append(np.percentile(patch, 90))
     if np.mean(clipped) > CLIPPED_MARKS:
-        raise BoardRefused(
+        raise BoardDetectionError(
             f"The board is over-exposed: its white is clipped at {np.mean(clipped):.0%} of the marks, which makes them scatter.",
             EXPOSED_LESS,
             "over-exposed",
         )
     if np.median(bright) < DARK_LEVEL:
-        raise BoardRefused(f"The board is too dark: its white is {np.median(bright):.0f} of 255.", EXPOSED_MORE, "too dark")
+        raise BoardDetectionError(f"The board is too dark: its white is {np.median(bright):.0f} of 255.", EXPOSED_MORE, "too dark")
 
 
 def are_squares(grey: ImageArray, grid: FloatArray) -> bool:
     """Whether the cells of a grid of corners are squares of a board, plain along their sides; other rows of the same corners cut across."""
     right, down = grid[:-1, 1:] - grid[:-1, :-1], grid[1:, :-1] - grid[:-1, :-1]
-    middles, smooth = grid[:-1, :-1] + 0.5 * right + 0.5 * down, blurred(grey)
+    middles, smooth = grid[:-1, :-1] + 0.5 * right + 0.5 * down, blur(grey)
     sides = [(a, b) for a in (-1.0, -0.5, 0.0, 0.5, 1.0) for b in (-1.0, -0.5, 0.0, 0.5, 1.0) if max(abs(a), abs(b)) == 1.0]
     levels = np.array([levels_at(smooth, middles + SIDE_SHARE * (a * right + b * down)) for a, b in sides])
     contrast = np.percentile(levels, 95) - np.percentile(levels, 5)
     return bool(np.median(np.ptp(levels, axis=0)) <= PRINTED_SQUARE * contrast)
 
 
-def printed_squares() -> BoardRefused:
-    """Return what is to be said of a board with markers in its squares, described as one without."""
-    return BoardRefused(
+def printed_squares() -> BoardDetectionError:
+    """Return the error for a board with markers in its squares, described as one without."""
+    return BoardDetectionError(
         "The squares of the board are not plain: markers are printed in them.",
         "Describe it as a ChArUco board with its dictionary.",
         "wrong board",
@@ -168,10 +170,10 @@ def printed_squares() -> BoardRefused:
 
 
 def require_plain(grey: ImageArray, grid: FloatArray) -> None:
-    """Refuse squares with something printed in them, which draws the corners to itself. Raises BoardRefused."""
+    """Refuse squares with something printed in them, which displaces the corners. Raises BoardRefused."""
     right, down = grid[:-1, 1:] - grid[:-1, :-1], grid[1:, :-1] - grid[:-1, :-1]
     middles = grid[:-1, :-1] + 0.5 * right + 0.5 * down
-    smooth = blurred(grey)
+    smooth = blur(grey)
     places = [middles + 0.12 * (a * right + b * down) for a in (-2, -1, 0, 1, 2) for b in (-2, -1, 0, 1, 2)]
     levels = np.array([levels_at(smooth, place) for place in places])
     level = np.median(levels, axis=0)
@@ -244,9 +246,9 @@ def blur_px(edges_px: Sequence[float]) -> float:
 
 
 def nothing_sharp(grey: ImageArray) -> bool:
-    """Whether the steepest edges of the image, taken as blurred by a Gaussian, are too wide; a quarter of its rows is looked at."""
+    """Whether the steepest edges of the image, taken as blurred by a Gaussian, are too wide; a quarter of its rows is examined."""
     rows = max(len(grey) // (STRIPS * STRIP_SHARE), 8)
-    strips = [blurred(grey[at : at + rows]) for at in np.linspace(0, max(len(grey) - rows, 0), STRIPS).astype(int)]
+    strips = [blur(grey[at : at + rows]) for at in np.linspace(0, max(len(grey) - rows, 0), STRIPS).astype(int)]
     slope = np.concatenate(
         [np.hypot(cv2.Sobel(one, cv2.CV_32F, 1, 0, scale=0.125), cv2.Sobel(one, cv2.CV_32F, 0, 1, scale=0.125)) for one in strips]
     )
@@ -255,12 +257,12 @@ def nothing_sharp(grey: ImageArray) -> bool:
     return bool(high - low > DARK_LEVEL and GAUSSIAN_RISE * (high - low) / (np.sqrt(2 * np.pi) * steepest) > WIDEST_EDGE_PX)
 
 
-def _seen_instead(grey: ImageArray, board: BoardDescription, squares: SquaresInSight | None) -> BoardRefused | None:
-    """Say what kind of grid there is instead of ``board``."""
+def _describe_grid(grey: ImageArray, board: BoardDescription, squares: DetectedSquares | None) -> BoardDetectionError | None:
+    """Describe the grid found instead of ``board``."""
     if isinstance(board, CharucoDescription):
-        return charuco_instead(grey, board)
+        return suggest_charuco(grey, board)
     if isinstance(board, CirclesDescription):
-        circles = circles_in_sight(grey)
+        circles = detect_circles(grey)
         if circles is None or circles.count < TELLING_SHARE * board.count:
             return None
         columns, rows = circles.size
@@ -275,9 +277,9 @@ def _seen_instead(grey: ImageArray, board: BoardDescription, squares: SquaresInS
     return _another(board, f"{longer} × {shorter} corners", squares.count, whole=squares.is_whole, larger=larger)
 
 
-def _another(board: BoardDescription, looks_like: str, count: int, *, whole: bool, larger: bool) -> BoardRefused:
+def _another(board: BoardDescription, looks_like: str, count: int, *, whole: bool, larger: bool) -> BoardDetectionError:
     if whole or larger:
-        return BoardRefused(
+        return BoardDetectionError(
             f"The {board.label} was not found: the board in the image looks like one of {looks_like}.",
             f"Give the size of the board that was used, or use the {board.label}.",
             "wrong board",

@@ -29,7 +29,7 @@ def window_of(spacing_px: float, free_px: float = np.inf) -> int:
     return int(np.clip(min(WINDOW_SHARE * spacing_px, free_px), *WINDOW_LIMITS_PX))
 
 
-def refined(grey: ImageArray, corners: FloatArray, spacing_px: float, window: int) -> FloatArray:
+def refine_corners(grey: ImageArray, corners: FloatArray, spacing_px: float, window: int) -> FloatArray:
     """Refine corners (N, 2) to sub-pixel [1]_.
 
     Raises
@@ -59,14 +59,14 @@ def homography(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -
     return np.asarray(found, np.float64)
 
 
-def mapped(matrix: FloatArray, points: FloatArray) -> FloatArray:
+def apply_homography(matrix: FloatArray, points: FloatArray) -> FloatArray:
     """Map points (N, 2) by a homography."""
     high = np.column_stack([points, np.ones(len(points))]) @ matrix.T
     return np.asarray(high[:, :2] / high[:, 2:])
 
 
 def local_axes(matrix: FloatArray, points_mm: FloatArray) -> FloatArray:
-    """Return what 1 mm along x and along y of the board is in the image, in px, at points (N, 2): (N, 2 axes, 2)."""
+    """Return the images of 1 mm along x and y of the board, px, at points (N, 2): (N, 2 axes, 2)."""
     high = np.column_stack([points_mm, np.ones(len(points_mm))]) @ matrix.T
     flat = high[:, :2] / high[:, 2:]
     return np.stack([(matrix[:2, a] - flat * matrix[2, a]) / high[:, 2:] for a in (0, 1)], axis=1)
@@ -83,14 +83,14 @@ class SmoothGrid:
 
     def image_of(self, points_mm: FloatArray) -> FloatArray:
         """Return the images (N, 2) of points (N, 2) of the plane."""
-        flat = mapped(self.matrix, points_mm)
+        flat = apply_homography(self.matrix, points_mm)
         return np.asarray(flat + _cubic_terms((flat - self.centre_px) / self.span_px)[:, : len(self.bend)] @ self.bend)
 
 
 def smooth_grid(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> SmoothGrid:
     """Fit the plane's image to the marks ``ids``; from few of them the distortion's slopes only."""
     matrix = homography(board, ids, corners_px)
-    flat = mapped(matrix, board.flat_corners_mm[ids, :2])
+    flat = apply_homography(matrix, board.flat_corners_mm[ids, :2])
     centre = flat.mean(axis=0)
     span = float(np.abs(flat - centre).max())
     terms = _cubic_terms((flat - centre) / span)[:, : None if len(ids) >= LEAST_MARKS_FOR_CUBIC else LINEAR_TERMS]
@@ -123,16 +123,16 @@ def _precision(grey: ImageArray, corner: FloatArray, reach_px: float) -> float:
 
 
 def off_the_grid(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> BoolArray:
-    """Say which marks (N,) lie where a smooth grid does not have them: refined onto something else, such as a marker's corner."""
+    """Return which marks (N,) are outliers of a smooth grid: refined onto something else, such as a marker's corner."""
     rest, _ = _left_over(board, ids, corners_px)
     away = np.linalg.norm(rest, axis=1)
     return np.asarray(away > max(FAR_FACTOR * MEDIAN_TO_SIGMA * float(np.median(np.abs(rest))), FAR_PX))
 
 
 def cut_off(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> BoolArray:
-    """Say which marks (N,) of a part of a board what cuts it off has shifted: some tenths of a pixel and, along its edge, all to one side.
+    """Return which marks (N,) at the cut edge of a part of a board are displaced: some tenths of a pixel and, along its edge, all to one side.
 
-    Several of them bend the grid that is fitted to all; so the worst is taken out and the rest fitted again, until none is far.
+    Several of them bend the grid that is fitted to all; so the worst is removed and the rest fitted again, until none is far.
     """
     off = np.zeros(len(ids), bool)
     while np.count_nonzero(off) < MOST_CUT * len(ids):
@@ -151,6 +151,6 @@ def _level(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> fl
 
 
 def _left_over(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> tuple[FloatArray, int]:
-    """What is left of the marks (N, 2) after a homography and a distortion that is cubic in the image; number of the latter's terms."""
+    """Residuals of the marks (N, 2) after a homography and a distortion that is cubic in the image; number of the latter's terms."""
     grid = smooth_grid(board, ids, corners_px)
     return corners_px - grid.image_of(board.flat_corners_mm[ids, :2]), len(grid.bend)

@@ -1,4 +1,4 @@
-"""The corners of a checkerboard: found, ordered, and what else a grid of squares in the image may be."""
+"""Detection of the corners of a checkerboard, their order, and properties of the detected grid."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, ImageArray
-from measureapp.calibrate.boards.refine import refined, window_of
+from measureapp.calibrate.boards.refine import refine_corners, window_of
 from measureapp.data.board import BoardDescription
 
 SEARCH_PX = 1000  # longer side of the image the board is searched in
@@ -24,7 +24,7 @@ GROW_UNTIL = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 20, 1e-2)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class SquaresInSight:
+class DetectedSquares:
     """A grid of squares of unknown size; its rows and columns turn as x and y of the image do."""
 
     corners_px: FloatArray  # (R, C, 2), full-size pixels, to a pixel or so
@@ -59,16 +59,16 @@ def find_squares(grey: ImageArray, board: BoardDescription) -> tuple[FloatArray,
     CalibrationError
         The corners cannot be refined.
     """
-    small, scale = shrunk(grey, SEARCH_PX)
+    small, scale = shrink(grey, SEARCH_PX)
     coarse = _search(small, board)
     if coarse is None:
         return None
     spacing = _least_spacing(full_size(coarse, scale), board)
-    corners = refined(grey, full_size(coarse, scale), spacing, window_of(spacing))
+    corners = refine_corners(grey, full_size(coarse, scale), spacing, window_of(spacing))
     return _from_black_corner(grey, _right_handed(corners, board), board), spacing
 
 
-def shrunk(grey: ImageArray, longest_px: int) -> tuple[ImageArray, float]:
+def shrink(grey: ImageArray, longest_px: int) -> tuple[ImageArray, float]:
     """Return the image with its longer side at most ``longest_px``, and by what it was scaled."""
     scale = min(1.0, longest_px / max(grey.shape))
     if scale == 1.0:
@@ -81,9 +81,9 @@ def full_size(points: FloatArray, scale: float) -> FloatArray:
     return (points + 0.5) / scale - 0.5
 
 
-def squares_in_sight(grey: ImageArray) -> SquaresInSight | None:
-    """Look for any grid of squares, from 3 × 3 corners outwards as far as it reaches."""
-    small, scale = shrunk(grey, SEARCH_PX)
+def detect_squares(grey: ImageArray) -> DetectedSquares | None:
+    """Detect a grid of squares of any size, from 3 × 3 corners outwards as far as it reaches."""
+    small, scale = shrink(grey, SEARCH_PX)
     cv2.setRNGSeed(SEARCH_SEED)
     found, seed, meta = cv2.findChessboardCornersSBWithMeta(small, SEED, cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_LARGER)
     if not found or len(seed) != meta.size:
@@ -96,14 +96,14 @@ def squares_in_sight(grey: ImageArray) -> SquaresInSight | None:
     there = np.ones(grid.shape[:2], bool)
     for _ in range(4):  # each side in turn is the last row
         grid, there = _grown(small, np.rot90(grid), np.rot90(there), contrast)
-    levels = levels_at(blurred(small), _cells(grid))
+    levels = levels_at(blur(small), _cells(grid))
     even = np.indices(levels.shape).sum(axis=0) % 2 == 0
     sides = tuple(_ends_in_white(small, np.rot90(grid, quarter), np.rot90(there, quarter)) for quarter in range(4))
-    return SquaresInSight(full_size(grid, scale), there, bool(levels[even].mean() < levels[~even].mean()), sides)
+    return DetectedSquares(full_size(grid, scale), there, bool(levels[even].mean() < levels[~even].mean()), sides)
 
 
 def _search(picture: ImageArray, board: BoardDescription) -> FloatArray | None:
-    """Search by the symmetry of corners [1]_, and, where that misses squares seen askance by 60° or so, by their outlines [2]_.
+    """Search by the symmetry of corners [1]_, and, where that misses squares at oblique angles of about 60°, by their outlines [2]_.
 
     References
     ----------
@@ -112,7 +112,9 @@ def _search(picture: ImageArray, board: BoardDescription) -> FloatArray | None:
     """
     size = (board.columns, board.rows)
     cv2.setRNGSeed(SEARCH_SEED)
-    found, corners = cv2.findChessboardCornersSB(picture, size, flags=cv2.CALIB_CB_NORMALIZE_IMAGE)  # `refined` does better than ACCURACY
+    found, corners = cv2.findChessboardCornersSB(
+        picture, size, flags=cv2.CALIB_CB_NORMALIZE_IMAGE
+    )  # `refine_corners` does better than ACCURACY
     if not found:
         outlined = cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_FAST_CHECK
         found, corners = cv2.findChessboardCorners(picture, size, flags=outlined)
@@ -137,14 +139,14 @@ def _from_black_corner(grey: ImageArray, corners: FloatArray, board: BoardDescri
     if board.is_symmetric:
         return corners
     grid = corners.reshape(board.rows, board.columns, 2)
-    levels = levels_at(blurred(grey), _cells(grid))
+    levels = levels_at(blur(grey), _cells(grid))
     like_first = np.indices(levels.shape).sum(axis=0) % 2 == 0
     if levels[like_first].mean() > levels[~like_first].mean():
         return corners[::-1]
     return corners
 
 
-def blurred(picture: ImageArray) -> ImageArray:
+def blur(picture: ImageArray) -> ImageArray:
     """Return the image averaged over 3 × 3 pixels."""
     return np.asarray(cv2.blur(picture, (3, 3)), np.uint8)
 
@@ -158,7 +160,7 @@ def levels_at(picture: ImageArray, places: FloatArray) -> FloatArray:
 def _contrasts(picture: ImageArray, grid: FloatArray) -> FloatArray:
     """How much brighter one diagonal pair of squares round each corner is than the other; its sign alternates over a board."""
     down, right = np.gradient(grid, axis=0), np.gradient(grid, axis=1)
-    smooth = blurred(picture)
+    smooth = blur(picture)
     at = [[levels_at(smooth, grid + PROBE_SHARE * (a * down + b * right)) for b in (-1, 1)] for a in (-1, 1)]
     sign = np.where(np.indices(grid.shape[:2]).sum(axis=0) % 2 == 0, 1.0, -1.0)
     even = np.minimum(at[0][0], at[1][1]) - np.maximum(at[0][1], at[1][0])
@@ -193,7 +195,7 @@ def _ends_in_white(picture: ImageArray, grid: FloatArray, there: BoolArray) -> b
     Part of the side may be hidden. A white cover is not taken for the margin unless its edge follows the squares' along that part
     within a fifth of a square.
     """
-    smooth = blurred(picture)
+    smooth = blur(picture)
     inner = levels_at(smooth, _cells(grid))
     limit = (np.percentile(inner, 10) + np.percentile(inner, 90)) / 2
     step = grid[-1] - grid[-2]

@@ -1,1 +1,1 @@
-"""Cameras and the projector: bundle adjustment, how sure it is, and whether it is still valid."""
+"""Cameras and the projector: bundle adjustment, its uncertainty, and the validity of a calibration."""

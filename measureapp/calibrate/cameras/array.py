@@ -1,4 +1,4 @@
-"""All cameras of the head: each alone by Zhang's method, then in pairs, then all in one bundle adjustment."""
+"""Calibration of all cameras of the head: Zhang's method for each, poses from pairs, then one bundle adjustment."""
 
 from __future__ import annotations
 
@@ -11,16 +11,23 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.boards.find import require_unambiguous
 from measureapp.calibrate.boards.quality import blur_px
-from measureapp.calibrate.cameras.bundle import Bundle, BundleState, Sight, adjust
-from measureapp.calibrate.cameras.camera import FIXED_COEFFICIENTS, LEAST_VIEWS, calibrate_camera, with_known_lens
-from measureapp.calibrate.cameras.cleaning import Cleaned, CornerRejection, Names, cleaned, compacted
-from measureapp.calibrate.cameras.known import LARGEST_DISTORTION, completed, padded, poses_seen, require_agreement, require_known
-from measureapp.calibrate.cameras.pairs import LoopCheck, contradictions, loops, placed_from_reference
-from measureapp.calibrate.cameras.projector_sightings import called
+from measureapp.calibrate.cameras.bundle import Bundle, BundleState, IndexedSighting, adjust
+from measureapp.calibrate.cameras.camera import FIXED_COEFFICIENTS, LEAST_VIEWS, calibrate_camera, estimate_poses
+from measureapp.calibrate.cameras.cleaning import Cleaned, CornerRejection, Names, drop_empty_views, reject_corners
+from measureapp.calibrate.cameras.known import (
+    LARGEST_DISTORTION,
+    complete_covariance,
+    estimate_board_poses,
+    pad_distortion,
+    require_agreement,
+    require_known,
+)
+from measureapp.calibrate.cameras.pairs import LoopCheck, find_contradictions, loops, placed_from_reference
+from measureapp.calibrate.cameras.projector_sightings import device_title
 from measureapp.calibrate.least_squares import Minimum
-from measureapp.calibrate.poses import inverted
+from measureapp.calibrate.poses import invert_poses
 from measureapp.calibrate.projection import intrinsic_names
-from measureapp.calibrate.sightings import Rejection, Sighting, ViewResidual, naming_refused, rms, spreads
+from measureapp.calibrate.sightings import Rejection, Sighting, ViewResidual, explain_by_refused, relative_sigmas, rms
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, LabelledCovariance, Provenance
 from measureapp.errors import CalibrationError
@@ -28,7 +35,7 @@ from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.progress import NoProgress, PartOf, Progress
 
-ROUNDS = 6  # adjust, leave out what does not fit, adjust again
+ROUNDS = 6  # of adjustment and outlier rejection
 WEAK_FOCAL_SHARE = 0.05
 LEAST_SIGHTS_FOR_BOW = 12
 BOW_NAMES = ("board.bow_xx_mm", "board.bow_xy_mm", "board.bow_yy_mm")
@@ -37,7 +44,7 @@ POSE_NAMES = ("rotation_x_rad", "rotation_y_rad", "rotation_z_rad", "x_mm", "y_m
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CameraArrayProblem:
-    """Everything the solution depends on."""
+    """Board, images and sightings from which cameras are calibrated."""
 
     board: BoardDescription
     reference: str
@@ -51,7 +58,7 @@ class CameraArrayProblem:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CameraArraySolution:
-    """Calibrated cameras, how well every view fits, and what was left out."""
+    """Calibrated cameras, the residual of every view, and the rejections."""
 
     calibration: CameraArrayCalibration
     joint_rms_px: float
@@ -85,11 +92,11 @@ def solve(problem: CameraArrayProblem, progress: Progress | None = None, before:
     """
     progress = progress or NoProgress()
     _check(problem)
-    sightings, rejected, start, checks = _started(problem, before, PartOf(progress, 0.0, 0.4))
+    sightings, rejected, start, checks = _start_values(problem, before, PartOf(progress, 0.0, 0.4))
     cameras, views = _indices(problem, sightings)
     sights = [
-        Sight(cameras[one.camera], views[one.view], one.corners_px, np.ones(len(one.corners_px), bool), one.ids, spread)
-        for one, spread in zip(sightings, spreads(sightings), strict=True)
+        IndexedSighting(cameras[one.camera], views[one.view], one.corners_px, np.ones(len(one.corners_px), bool), one.ids, spread)
+        for one, spread in zip(sightings, relative_sigmas(sightings), strict=True)
     ]
     known = 0 if problem.known is None else sum(name in problem.known.cameras for name in cameras)
     names: Names = (tuple(cameras), tuple(views))
@@ -100,12 +107,12 @@ def solve(problem: CameraArrayProblem, progress: Progress | None = None, before:
     for number in range(ROUNDS):
         part = PartOf(progress, 0.4 + 0.6 * number / ROUNDS, 0.4 + 0.6 * (number + 1) / ROUNDS, "bundle: ")
         minimum, bundle = adjust(problem.board, sights, start, free_bow=free_bow, known_cameras=known, progress=part)
-        found = cleaned(bundle, minimum.state, names)
+        found = reject_corners(bundle, minimum.state, names)
         if not found.anything:
             break
         rejected, corners = rejected + found.rejected, _still_used(corners, found)
-        start, sights, names = compacted(minimum.state, found.kept, names, known)
-    else:  # the last round's finds are left out as well, so the solution must not contain them
+        start, sights, names = drop_empty_views(minimum.state, found.kept, names, known)
+    else:  # outliers of the last round are rejected as well, so the solution must not contain them
         minimum, bundle = adjust(problem.board, sights, start, free_bow=free_bow, known_cameras=known, progress=progress)
     progress.report(1, 1)
     edges = {name: [one.edge_px for one in sightings if one.camera == name] for name in names[0]}
@@ -113,7 +120,7 @@ def solve(problem: CameraArrayProblem, progress: Progress | None = None, before:
 
 
 def _still_used(corners: list[CornerRejection], found: Cleaned) -> list[CornerRejection]:
-    """Add the corners found; those of a sighting left out whole are no longer named one by one."""
+    """Add the corners found; those of a sighting rejected as a whole are not listed."""
     out = {(one.camera, one.view) for one in found.rejected}
     return [one for one in (*corners, *found.corners) if (one.camera, one.view) not in out]
 
@@ -130,7 +137,7 @@ def _check(problem: CameraArrayProblem) -> None:
         require_unambiguous(problem.board, "a calibration of several cameras")
 
 
-def _started(
+def _start_values(
     problem: CameraArrayProblem, before: CameraArraySolution | None, progress: Progress
 ) -> tuple[list[Sighting], list[Rejection], BundleState, tuple[LoopCheck, ...]]:
     """Calibrate every camera alone, or take its lens from ``before``, and chain them: the start values of the bundle."""
@@ -145,23 +152,23 @@ def _started(
         progress.report(done, len(order), f"camera {camera}")
         own = [sighting for sighting in problem.sightings if sighting.camera == camera]
         if camera in known:
-            lenses.append(padded(known[camera].pinhole, count))
-            poses[camera] = poses_seen(own, known[camera], problem.board)
+            lenses.append(pad_distortion(known[camera].pinhole, count))
+            poses[camera] = estimate_board_poses(own, known[camera], problem.board)
             continue
         if len(own) < LEAST_VIEWS:
             few = CalibrationError(
-                f"{called(camera)} has {len(own)} {'view' if len(own) == 1 else 'views'} of the board; at least {LEAST_VIEWS} are needed.",
+                f"{device_title(camera)} has {len(own)} {'view' if len(own) == 1 else 'views'} of the board; at least {LEAST_VIEWS} are needed.",
                 "Add views with the board tilted in different directions.",
             )
-            raise naming_refused(few, [(f"view {one.view}", one.reason) for one in problem.rejected if one.camera == camera])
+            raise explain_by_refused(few, [(f"view {one.view}", one.reason) for one in problem.rejected if one.camera == camera])
         if before is None:
             alone = calibrate_camera(own, problem.board, problem.sizes_px[camera], count)
         else:
-            alone = with_known_lens(own, problem.board, before.calibration.cameras[camera].pinhole)
+            alone = estimate_poses(own, problem.board, before.calibration.cameras[camera].pinhole)
         rejected += alone.rejected
         lenses.append(alone.pinhole)
         poses[camera] = dict(alone.camera_from_board)
-    for rejection in contradictions(poses):
+    for rejection in find_contradictions(poses):
         poses[rejection.camera].pop(rejection.view, None)
         rejected.append(rejection)
     placed = placed_from_reference(
@@ -204,7 +211,7 @@ def _solution(
         covariance = covariance[: len(labels), : len(labels)]
     else:
         given = sum(name in known.cameras for name in cameras)
-        covariance = completed(covariance, bundle, minimum, variance, known.covariance, labels, bundle.layout.lens_at(given))
+        covariance = complete_covariance(covariance, bundle, minimum, variance, known.covariance, labels, bundle.layout.lens_at(given))
     sigmas = np.sqrt(variance) * np.array(bundle.sigmas_px)
     counts = [sum(int(sight.used.sum()) for sight in bundle.sights if sight.camera == camera) for camera in range(len(cameras))]
     deviations = dict(zip(labels, np.sqrt(np.diag(covariance)), strict=True))
@@ -281,5 +288,5 @@ def _pair_rms(bundle: Bundle, residuals: list[FloatArray], cameras: tuple[str, .
 def left_from_right(calibration: CameraArrayCalibration, left: str, right: str) -> RigidTransform:
     """Return the pose of camera ``right`` in the frame of camera ``left``."""
     place = calibration.cameras[left].reference_from_camera.matrix
-    chain = inverted(place) @ calibration.cameras[right].reference_from_camera.matrix
+    chain = invert_poses(place) @ calibration.cameras[right].reference_from_camera.matrix
     return RigidTransform(orthonormalise(chain), left, right)

@@ -10,8 +10,8 @@ import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
 from measureapp.calibrate.least_squares import Minimum, NormalEquations, minimise
-from measureapp.calibrate.poses import inverted, moved
-from measureapp.calibrate.projection import cross_matrices, project_with_derivatives, with_intrinsics_moved
+from measureapp.calibrate.poses import apply_changes, invert_poses
+from measureapp.calibrate.projection import apply_intrinsic_changes, cross_matrices, project_with_derivatives
 from measureapp.data.board import BoardDescription
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.progress import Progress
@@ -36,7 +36,7 @@ class BundleState:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Sight:
+class IndexedSighting:
     """The corners of board position ``view`` in camera ``camera``, with those that count."""
 
     camera: int
@@ -49,7 +49,7 @@ class Sight:
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """Where each parameter stands in the vector: per camera lens and (but for the reference) pose, the bow, then the boards."""
+    """Index of each parameter in the vector: per camera lens and (but for the reference) pose, the bow, then the boards."""
 
     lens: int  # parameters of a lens
     cameras: int
@@ -80,14 +80,14 @@ class Layout:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Bundle:
-    """The adjustment of given sights on a given board.
+    """Bundle adjustment of given sightings of a given board.
 
     Residuals are counted in standard deviations of the camera that saw them: a projector whose pixels come from phases is
     not as sharp as a camera. `cost`, the normal equations and `huber` are in these units.
     """
 
     board: BoardDescription
-    sights: tuple[Sight, ...]
+    sights: tuple[IndexedSighting, ...]
     layout: Layout
     huber: float = np.inf
     sigmas_px: tuple[float, ...] = ()  # per camera, standard deviation of one coordinate of a corner; empty: 1 px
@@ -102,20 +102,20 @@ class Bundle:
         """Return the standard deviation of one coordinate of a corner in a camera."""
         return self.sigmas_px[camera] if self.sigmas_px else 1.0
 
-    def sigmas_of(self, sight: Sight) -> FloatArray:
+    def sigmas_of(self, sight: IndexedSighting) -> FloatArray:
         """Return the standard deviation (N,) of one coordinate of every corner of a sight."""
         return self.sigma_px(sight.camera) * spread_of(sight)
 
-    def corners_mm(self, state: BundleState, sight: Sight) -> FloatArray:
+    def corners_mm(self, state: BundleState, sight: IndexedSighting) -> FloatArray:
         """Return the corners of a sight on the board as bowed in ``state`` (N, 3)."""
         corners = np.array(_of(self.flat_mm, sight))
         corners[:, 2] += _of(self.bow_terms, sight) @ state.bow_mm
         return corners
 
-    def residuals(self, state: BundleState, sight: Sight) -> FloatArray:
-        """Return projected minus seen corners (N, 2)."""
+    def residuals(self, state: BundleState, sight: IndexedSighting) -> FloatArray:
+        """Return projected minus detected corners (N, 2)."""
         board = state.reference_from_board[sight.view]
-        camera = inverted(state.reference_from_camera[sight.camera])
+        camera = invert_poses(state.reference_from_camera[sight.camera])
         points = (self.corners_mm(state, sight) @ board[:3, :3].T + board[:3, 3]) @ camera[:3, :3].T + camera[:3, 3]
         return state.pinholes[sight.camera].project(points) - sight.corners_px
 
@@ -149,11 +149,11 @@ class Bundle:
     def _weight(self, length: FloatArray) -> FloatArray:
         return np.where(length <= self.huber, 1.0, self.huber / np.maximum(length, TINY))
 
-    def _whitened(self, state: BundleState, sight: Sight) -> FloatArray:
+    def _whitened(self, state: BundleState, sight: IndexedSighting) -> FloatArray:
         """The lengths of the residuals that count, in standard deviations."""
         return np.asarray(np.linalg.norm(self.residuals(state, sight)[sight.used], axis=1) / self.sigmas_of(sight)[sight.used])
 
-    def linearised(self, state: BundleState, sight: Sight) -> tuple[FloatArray, FloatArray, IntArray]:
+    def linearised(self, state: BundleState, sight: IndexedSighting) -> tuple[FloatArray, FloatArray, IntArray]:
         """Return residuals (N, 2), their derivatives (N, 2, K) and which parameters these are (K,): lens, board pose and the others."""
         board = state.reference_from_board[sight.view]
         place = state.reference_from_camera[sight.camera]
@@ -181,11 +181,11 @@ class Bundle:
         lenses, places = [], [state.reference_from_camera[0]]
         for camera, pinhole in enumerate(state.pinholes):
             at = layout.lens_at(camera)
-            lenses.append(with_intrinsics_moved(pinhole, step[at : at + layout.lens]))
+            lenses.append(apply_intrinsic_changes(pinhole, step[at : at + layout.lens]))
             if camera:
                 at = layout.pose_at(camera)
-                places.append(moved(state.reference_from_camera[camera], step[at : at + POSE]))
-        boards = moved(state.reference_from_board, step[layout.boards_at :].reshape(-1, POSE))
+                places.append(apply_changes(state.reference_from_camera[camera], step[at : at + POSE]))
+        boards = apply_changes(state.reference_from_board, step[layout.boards_at :].reshape(-1, POSE))
         bow = state.bow_mm + step[layout.bow_at : layout.boards_at] if layout.bow else state.bow_mm
         return BundleState(tuple(lenses), np.array(places), boards, bow)
 
@@ -198,14 +198,14 @@ class Bundle:
 
 def adjust(
     board: BoardDescription,
-    sights: Sequence[Sight],
+    sights: Sequence[IndexedSighting],
     start: BundleState,
     *,
     free_bow: bool,
     known_cameras: int = 0,
     progress: Progress | None = None,
 ) -> tuple[Minimum[BundleState], Bundle]:
-    """Minimise the robust reprojection error over lenses, camera poses, board poses and, where asked, the board's bow.
+    """Minimise the robust reprojection error over lenses, camera poses, board poses and, if requested, the board's bow.
 
     Each camera's noise is estimated from its own residuals, and the adjustment repeated until the noise no longer changes.
     The first ``known_cameras`` stay as they are.
@@ -227,7 +227,7 @@ def adjust(
 
 
 def _linearised_beyond(bundle: Bundle, held: int, state: BundleState) -> NormalEquations:
-    """Return the normal equations in which the first ``held`` parameters do not move."""
+    """Return the normal equations with the first ``held`` parameters fixed."""
     normal = bundle.linearise(state)
     if not held:
         return normal
@@ -236,8 +236,8 @@ def _linearised_beyond(bundle: Bundle, held: int, state: BundleState) -> NormalE
     return NormalEquations(hessian, gradient, normal.cost)
 
 
-def robust_bundle(board: BoardDescription, sights: Sequence[Sight], state: BundleState, *, free_bow: bool) -> Bundle:
-    """Return the bundle of ``sights`` whose weights and limit of linear growth follow from the residuals at ``state``."""
+def robust_bundle(board: BoardDescription, sights: Sequence[IndexedSighting], state: BundleState, *, free_bow: bool) -> Bundle:
+    """Return the bundle of ``sights`` with weights and Huber limits from the residuals at ``state``."""
     layout = Layout(4 + len(state.pinholes[0].distortion), len(state.pinholes), BOW if free_bow else 0)
     plain = Bundle(board, tuple(sights), layout)
     return Bundle(board, tuple(sights), layout, HUBER_FACTOR * float(np.sqrt(2)), robust_sigmas(plain, state))
@@ -251,10 +251,10 @@ def robust_sigmas(bundle: Bundle, state: BundleState) -> tuple[float, ...]:
     return tuple(max(1.4826 * float(np.median(np.abs(np.concatenate(own)))), LEAST_SIGMA_PX) if own else LEAST_SIGMA_PX for own in seen)
 
 
-def spread_of(sight: Sight) -> FloatArray:
+def spread_of(sight: IndexedSighting) -> FloatArray:
     """Return the standard deviation (N,) of every corner over the usual one of its camera."""
     return np.ones(len(sight.corners_px)) if sight.spread is None else sight.spread
 
 
-def _of(marks: FloatArray, sight: Sight) -> FloatArray:
+def _of(marks: FloatArray, sight: IndexedSighting) -> FloatArray:
     return marks if sight.ids is None else marks[sight.ids]

@@ -1,4 +1,4 @@
-"""One camera from views of a board, by Zhang's method."""
+"""Calibration of one camera by Zhang's method."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class MonoSolution:
 def calibrate_camera(
     sightings: Sequence[Sighting], board: BoardDescription, size_px: tuple[int, int], distortion_count: int = 5
 ) -> MonoSolution:
-    """Calibrate one camera [1]_, leaving out views that fit three times worse than the median view.
+    """Calibrate one camera by Zhang's method [1]_, rejecting views with three times the median residual.
 
     Raises
     ------
@@ -62,8 +62,8 @@ def calibrate_camera(
     return MonoSolution(pinhole, {sighting.view: pose for sighting, pose in zip(used, poses, strict=True)}, tuple(rejected))
 
 
-def with_known_lens(sightings: Sequence[Sighting], board: BoardDescription, pinhole: PinholeCamera) -> MonoSolution:
-    """Return the board poses of one camera whose lens is roughly known; no view is left out, since a rough lens may be what fits badly."""
+def estimate_poses(sightings: Sequence[Sighting], board: BoardDescription, pinhole: PinholeCamera) -> MonoSolution:
+    """Estimate the board poses of one camera by resection with a roughly known lens; no view is rejected, since the lens may cause the residuals."""
     poses = {}
     for sighting in sightings:
         marks, flat = board.marks_mm(sighting.ids), pinhole.normalise(sighting.corners_px)
@@ -74,7 +74,7 @@ def with_known_lens(sightings: Sequence[Sighting], board: BoardDescription, pinh
 
 
 def bad_view_reason(error_px: float, median_px: float) -> str:
-    """Say why a view was left out."""
+    """Return the reason why a view was rejected."""
     return (
         f"its rms of {error_px:.2f} px is more than {BAD_VIEW_FACTOR:.0f} times the median of {median_px:.2f} px: "
         "its corners were found in a wrong place, or the image is blurred"
@@ -122,7 +122,7 @@ def _summing_in_one_order() -> Iterator[None]:
 
 def _too_few(sightings: Sequence[Sighting], used: Sequence[Sighting], rejected: Sequence[Rejection]) -> CalibrationError:
     camera = sightings[0].camera if sightings else "a camera"
-    left_out = f" {len(rejected)} were left out because they fit badly." if rejected else ""
+    left_out = f" {len(rejected)} were rejected because they fit badly." if rejected else ""
     return CalibrationError(
         f"Camera {camera!r} has {len(used)} usable views of the board; at least {LEAST_VIEWS} are needed.{left_out}",
         "Add sharp views with the board tilted in different directions.",

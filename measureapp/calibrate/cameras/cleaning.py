@@ -1,4 +1,4 @@
-"""Which sightings and corners a bundle adjustment leaves out, and why."""
+"""Outlier rejection in a bundle adjustment: corners, sightings, and boards that moved."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray
-from measureapp.calibrate.cameras.bundle import POSE, Bundle, BundleState, Sight, spread_of
+from measureapp.calibrate.cameras.bundle import POSE, Bundle, BundleState, IndexedSighting, spread_of
 from measureapp.calibrate.cameras.camera import BAD_VIEW_FACTOR, BAD_VIEW_FLOOR_PX, LEAST_VIEWS, bad_view_reason
 from measureapp.calibrate.sightings import Rejection, rms
 from measureapp.errors import CalibrationError
@@ -22,7 +22,7 @@ Names = tuple[tuple[str, ...], tuple[str, ...]]  # cameras, views
 
 @dataclass(frozen=True, slots=True)
 class CornerRejection:
-    """One corner of a used sighting that was left out, and why."""
+    """One rejected corner of a used sighting, with the reason."""
 
     camera: str
     view: str
@@ -33,24 +33,24 @@ class CornerRejection:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Cleaned:
-    """What stays of the sights of a bundle and what was left out."""
+    """The sightings kept in a bundle, and the rejections."""
 
-    kept: list[Sight]
+    kept: list[IndexedSighting]
     rejected: list[Rejection]
     corners: list[CornerRejection]
 
     @property
     def anything(self) -> bool:
-        """Whether something was left out."""
+        """Whether something was rejected."""
         return bool(self.rejected or self.corners)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Alone:
-    """What one sighting says by itself about where the board stood, linearised at the common solution."""
+    """The board pose of one sighting alone, linearised at the common solution."""
 
-    sight: Sight
-    residuals_px: FloatArray  # (N, 2), with the board where this sighting alone wants it
+    sight: IndexedSighting
+    residuals_px: FloatArray  # (N, 2), with the board pose of this sighting alone
     information: FloatArray  # (6, 6) of the board's pose
     gradient: FloatArray  # (6,)
     far: BoolArray  # (N,), corners too far off
@@ -61,19 +61,19 @@ class _Alone:
         return rms(self.residuals_px, self.sight.used & ~self.far)
 
 
-def cleaned(bundle: Bundle, state: BundleState, names: Names) -> Cleaned:
-    """Leave out corners far off, sightings whose corners fit no board position, and those of a board that moved.
+def reject_corners(bundle: Bundle, state: BundleState, names: Names) -> Cleaned:
+    """Reject far corners, sightings whose corners fit no board pose, and those of a board that moved.
 
     Every sighting is judged with the board where it alone wants it, so that a board that moved between the images of two
     cameras is told apart from corners found in a wrong place. Of the sightings of one view at most one is left out as moved:
     with three cameras the one that the two others contradict. The statistic is Hotelling's T² of the difference of two
     estimates of the pose, compared with its median over the views, so that a lens model that does not fit perfectly raises no alarm.
     """
-    judged = [_alone(bundle, state, sight) for sight in bundle.sights]
+    judged = [_fit_alone(bundle, state, sight) for sight in bundle.sights]
     medians = [float(np.median([one.rms_px for one in judged if one.sight.camera == camera] or [0.0])) for camera in range(len(names[0]))]
     found = Cleaned([], [], [])
     fitting = [one for one in judged if not _misfits(one, medians[one.sight.camera], names, found)]
-    moved = _moved(fitting)
+    moved = _moved_boards(fitting)
     for one in fitting:
         camera, view = names[0][one.sight.camera], names[1][one.sight.view]
         if id(one.sight) in moved:
@@ -82,18 +82,18 @@ def cleaned(bundle: Bundle, state: BundleState, names: Names) -> Cleaned:
         for corner in np.flatnonzero(one.far & one.sight.used):
             distance = float(np.linalg.norm(one.residuals_px[corner]))
             number = int(corner if one.sight.ids is None else one.sight.ids[corner])
-            reason = f"lies {distance:.2f} px from where it should; {one.limits_px[corner]:.2f} px is the limit"
+            reason = f"lies {distance:.2f} px from its expected position; {one.limits_px[corner]:.2f} px is the limit"
             found.corners.append(CornerRejection(camera, view, number, distance, reason))
         found.kept.append(replace(one.sight, used=one.sight.used & ~one.far))
     return found
 
 
-def _alone(bundle: Bundle, state: BundleState, sight: Sight) -> _Alone:
+def _fit_alone(bundle: Bundle, state: BundleState, sight: IndexedSighting) -> _Alone:
     residual, jacobian, _ = bundle.linearised(state, sight)
     by_board = jacobian[:, :, bundle.layout.lens : bundle.layout.lens + POSE]
     sigma, spread = bundle.sigmas_of(sight), spread_of(sight)
     left, far, limits_px = residual, np.zeros(len(residual), bool), BAD_VIEW_FLOOR_PX * spread
-    for _ in range(3):  # far corners spoil the step, so they are left out of the next
+    for _ in range(3):  # far corners bias the step, so they are excluded from the next
         used = sight.used & ~far
         flat = (by_board[used] / sigma[used, None, None]).reshape(-1, POSE)
         values = (residual[used] / sigma[used, None]).ravel()
@@ -120,8 +120,8 @@ def _misfits(one: _Alone, median_px: float, names: Names, found: Cleaned) -> boo
     return True
 
 
-def _moved(judged: Sequence[_Alone]) -> dict[int, str]:
-    """The sights (by id) whose board stood elsewhere than in the other cameras' images of the same view, with the reason."""
+def _moved_boards(judged: Sequence[_Alone]) -> dict[int, str]:
+    """Sightings (by id) whose board pose contradicts the other cameras' images of the same view, with the reason."""
     views: dict[int, list[_Alone]] = {}
     for one in judged:
         views.setdefault(one.sight.view, []).append(one)
@@ -135,14 +135,14 @@ def _moved(judged: Sequence[_Alone]) -> dict[int, str]:
         if value > limit and np.linalg.norm(change) > 0:
             angle, distance = float(np.rad2deg(np.linalg.norm(change[:3]))), float(np.linalg.norm(change[3:]))
             moved[id(views[view][worst].sight)] = (
-                f"it shows the board {distance:.2f} mm and {angle:.2f}° from where the other cameras see it: "
+                f"it shows the board {distance:.2f} mm and {angle:.2f}° from the board pose of the other cameras: "
                 "the board moved between the images, or they belong to different positions"
             )
     return moved
 
 
 def _against_others(one: _Alone, view: Sequence[_Alone]) -> tuple[float, FloatArray]:
-    """T² between the board's place in one sighting and in the others of its view, and the change (6,) between both."""
+    """Squared Mahalanobis distance between the board pose of one sighting and that of the others in its view, and their difference (6,)."""
     others = np.sum([other.information for other in view if other is not one], axis=0)
     gradient = np.sum([other.gradient for other in view if other is not one], axis=0)
     change = np.linalg.solve(others, gradient) - np.linalg.solve(one.information, one.gradient)
@@ -150,8 +150,10 @@ def _against_others(one: _Alone, view: Sequence[_Alone]) -> tuple[float, FloatAr
     return float(change @ np.linalg.solve(both, change)), change
 
 
-def compacted(state: BundleState, sights: Sequence[Sight], names: Names, known_cameras: int) -> tuple[BundleState, list[Sight], Names]:
-    """Drop board positions no camera sees any more. Raises CalibrationError where too few are left for a camera that is not known."""
+def drop_empty_views(
+    state: BundleState, sights: Sequence[IndexedSighting], names: Names, known_cameras: int
+) -> tuple[BundleState, list[IndexedSighting], Names]:
+    """Drop board positions without sightings. Raises CalibrationError where too few are left for a camera that is not known."""
     for camera, name in list(enumerate(names[0]))[known_cameras:]:
         left = sum(sight.camera == camera for sight in sights)
         if left < LEAST_VIEWS:

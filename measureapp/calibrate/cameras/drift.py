@@ -1,4 +1,4 @@
-"""Has a camera turned since the calibration? Any scan tells which, by how far the phases of all cameras contradict each other."""
+"""Camera drift check: rotation of a camera since the calibration, from the phase contradictions between all cameras of a scan."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from measureapp.data.validity import Drift, DriftStatus
 # smaller by the square root of their number. One as large as the residual of a single corner is therefore no noise.
 WATCH_FACTOR, DRIFTED_FACTOR = 1.0, 3.0  # of the residual that the calibration left
 LEAST_EXPECTED_PX = 0.02  # what defocus and response of the projector do to phases differs a little from camera to camera
-UNKNOWN_PX = 0.1  # where the calibration does not say what it left
+UNKNOWN_PX = 0.1  # where the calibration states no residual
 TELLING = 0.05  # of the variance of the noise, per residual: the errors of a good calibration explain less,
 APART = 0.02  # and speak by less for one camera against another
 MOTIONS = ("pitch", "yaw", "roll")  # about x, y, z of the camera: the image goes up or down, sideways, or turns
@@ -25,7 +25,7 @@ WEAKEST_RAD = float(np.deg2rad(1.0))  # prior of a turn; only bounds what the im
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Turn:
-    """One camera alone has turned: how well that explains the scan."""
+    """Hypothesis that one camera alone has rotated, and its misfit."""
 
     camera: str
     misfit: float
@@ -35,7 +35,7 @@ class _Turn:
 
 
 def camera_drift(evidence: Sequence[ShiftEvidence], cameras: CameraArrayCalibration) -> Drift:
-    """Say whether one camera of the head turned since the calibration, and which.
+    """Test whether one camera of the head has rotated since the calibration.
 
     Each camera in turn is supposed to have moved alone; the one whose small rotation explains the contradictions best is named, others
     beside it where they explain them as well. A shift of a camera by d looks like a turn by d over the distance of the part. All cameras
@@ -50,7 +50,7 @@ def camera_drift(evidence: Sequence[ShiftEvidence], cameras: CameraArrayCalibrat
     drift : ``unknown`` without evidence
     """
     if not evidence:
-        return Drift("unknown", "The images of this scan cannot tell whether the cameras moved; check them with a few views of the board.")
+        return Drift("unknown", "The images of this scan cannot show whether the cameras moved; check them with a few views of the board.")
     whole = sum_evidence(evidence)
     turns = [_turned_alone(whole, number) for number in range(len(whole.cameras))]
     ranked = sorted(turns, key=lambda turn: turn.misfit)
@@ -75,7 +75,7 @@ def camera_drift(evidence: Sequence[ShiftEvidence], cameras: CameraArrayCalibrat
 
 
 def unseen_turns(whole: ShiftEvidence, cameras: CameraArrayCalibration) -> dict[str, dict[str, float]]:
-    """Return camera -> motion -> how far (rad) it may turn so before `camera_drift` raises an alarm.
+    """Return camera -> motion -> rotation (rad) at which `camera_drift` raises an alarm.
 
     An alarm needs a shift across the fringes that is larger than what the calibration left, and contradictions that the turn explains; a turn
     that moves the image along the fringes makes neither. Both grow in proportion to the turn, the first by the mean square shift of
@@ -132,7 +132,7 @@ def _standing(best: _Turn, expected_px: float, whole: ShiftEvidence) -> DriftSta
 def _sentence(standing: DriftStatus, named: Sequence[str], best: _Turn, expected_px: float) -> str:
     size = f"{best.shift_px:.3f} px"
     if standing == "good":
-        return f"The cameras stand as they were calibrated: none is off by more than {size}, and the calibration left {expected_px:.3f} px."
+        return f"Camera drift check: passed; none is off by more than {size}, and the calibration left {expected_px:.3f} px."
     who = f"Camera {named[0]} has" if len(named) == 1 else f"One of the cameras {' and '.join(named)} has"
     advice = {
         "watch": "check the calibration with a few views of the board before the next measurement that matters.",

@@ -1,4 +1,4 @@
-"""Cameras that are already calibrated and are kept as they are while another one, such as a projector, is added to them."""
+"""Calibrated cameras that stay fixed while another one, such as a projector, is added."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.boards.agreement import agreeing
+from measureapp.calibrate.boards.agreement import reject_contradicting
 from measureapp.calibrate.boards.pose import pose_of
 from measureapp.calibrate.cameras.bundle import Bundle, BundleState
 from measureapp.calibrate.least_squares import Minimum
@@ -21,7 +21,7 @@ from measureapp.geometry.transform import RigidTransform
 LARGEST_DISTORTION = 8
 
 
-def padded(pinhole: PinholeCamera, count: int) -> PinholeCamera:
+def pad_distortion(pinhole: PinholeCamera, count: int) -> PinholeCamera:
     """Return the same lens with ``count`` coefficients, the further ones zero. Raises CalibrationError where it has more."""
     own = len(pinhole.distortion)
     if own > count:
@@ -32,8 +32,8 @@ def padded(pinhole: PinholeCamera, count: int) -> PinholeCamera:
     return PinholeCamera(pinhole.width_px, pinhole.height_px, pinhole.matrix, np.append(pinhole.distortion, np.zeros(count - own)))
 
 
-def poses_seen(sightings: Sequence[Sighting], camera: CameraCalibration, board: BoardDescription) -> dict[str, RigidTransform]:
-    """Return view -> camera_from_board, in the frame called by the camera's name."""
+def estimate_board_poses(sightings: Sequence[Sighting], camera: CameraCalibration, board: BoardDescription) -> dict[str, RigidTransform]:
+    """Estimate view -> camera_from_board by resection, in the frame named after the camera."""
     alone = CameraArrayCalibration(camera.name, {camera.name: camera})
     to_camera = RigidTransform(camera.reference_from_camera.matrix, "camera", camera.name).inverse()
     poses = {}
@@ -42,7 +42,7 @@ def poses_seen(sightings: Sequence[Sighting], camera: CameraCalibration, board: 
     return poses
 
 
-def completed(
+def complete_covariance(
     covariance: FloatArray,
     bundle: Bundle,
     minimum: Minimum[BundleState],
@@ -51,9 +51,9 @@ def completed(
     labels: Sequence[str],
     held: int,
 ) -> FloatArray:
-    """Return the covariance of all shared parameters where the first ``held`` of them were given, not estimated.
+    """Return the covariance of all common parameters where the first ``held`` of them were given, not estimated (Schur complement).
 
-    What is estimated moves with a given parameter c by dp/dc = -H_pp⁻¹ H_pc, the condition that the gradient stays zero; to the
+    The estimate changes with a given parameter c by dp/dc = -H_pp⁻¹ H_pc, the condition that the gradient stays zero; to the
     covariance at fixed c this adds (dp/dc) C (dp/dc)ᵀ. Where C is not known it counts as zero.
 
     Parameters
@@ -79,7 +79,7 @@ def require_agreement(known: CameraArrayCalibration, sightings: Sequence[Sightin
     for one in sightings:
         if one.camera in known.cameras:
             views.setdefault(one.view, {})[one.camera] = one
-    agreeing({view: pose_of(seen, known, board) for view, seen in views.items()})
+    reject_contradicting({view: pose_of(seen, known, board) for view, seen in views.items()})
 
 
 def require_known(known: CameraArrayCalibration, sizes_px: Mapping[str, tuple[int, int]]) -> None:

@@ -1,4 +1,4 @@
-"""Where two cameras stand to each other, from the board poses both saw."""
+"""Relative poses of cameras from board poses that both observed."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from itertools import combinations
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.poses import change_between, inverted, median_pose, stacked
+from measureapp.calibrate.poses import change_between, invert_poses, median_pose, stack_matrices
 from measureapp.calibrate.sightings import Rejection
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform
@@ -20,7 +20,7 @@ Poses = Mapping[str, Mapping[str, RigidTransform]]  # camera -> view -> camera_f
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LoopCheck:
-    """What remains of the chain first ← second ← third ← first, which should be the identity."""
+    """Loop closure error of the chain first ← second ← third ← first."""
 
     cameras: tuple[str, str, str]
     angle_deg: float
@@ -33,14 +33,14 @@ def pair_transform(left: Mapping[str, RigidTransform], right: Mapping[str, Rigid
     Per view R = R_l R_rᵀ and t = t_l - R t_r; the median over the views stands against single wrong ones.
     """
     shared = [view for view in left if view in right]
-    each = stacked(left[view] for view in shared) @ inverted(stacked(right[view] for view in shared))
+    each = stack_matrices(left[view] for view in shared) @ invert_poses(stack_matrices(right[view] for view in shared))
     middle = median_pose(each)
     turn = np.linalg.norm(change_between(np.broadcast_to(middle, each.shape), each)[:, :3], axis=1)
     return middle, [view for view, angle in zip(shared, turn, strict=True) if angle > LARGEST_TURN_RAD]
 
 
-def contradictions(poses: Poses) -> list[Rejection]:
-    """Find views in which two cameras did not see the same board position.
+def find_contradictions(poses: Poses) -> list[Rejection]:
+    """Find views in which two cameras show different board poses.
 
     Raises
     ------
@@ -56,22 +56,22 @@ def contradictions(poses: Poses) -> list[Rejection]:
         if len(wrong) * 2 >= len(shared) and len(shared) > 1:
             raise CalibrationError(
                 f"The images of cameras {left!r} and {right!r} do not belong together: in {len(wrong)} of {len(shared)} views "
-                "they saw different board positions.",
+                "they show different board positions.",
                 "Give the images of all cameras in the same order, one of each camera per board position.",
             )
         for view in wrong:
-            odd.setdefault(view, {})[left, right] = _exchanged(poses[left][view], poses[right][view], middle)
-    return [rejection for view, pairs in odd.items() for rejection in _blamed(view, pairs)]
+            odd.setdefault(view, {})[left, right] = _are_exchanged(poses[left][view], poses[right][view], middle)
+    return [rejection for view, pairs in odd.items() for rejection in _rejections(view, pairs)]
 
 
-def _exchanged(left: RigidTransform, right: RigidTransform, middle: FloatArray) -> bool:
-    """Whether the images of both cameras fit when they change places (the lenses being alike)."""
-    turned = stacked([right]) @ inverted(stacked([left]))
+def _are_exchanged(left: RigidTransform, right: RigidTransform, middle: FloatArray) -> bool:
+    """Whether the images of both cameras fit when exchanged (with similar lenses)."""
+    turned = stack_matrices([right]) @ invert_poses(stack_matrices([left]))
     return bool(np.linalg.norm(change_between(middle[None], turned)[0, :3]) < LARGEST_TURN_RAD)
 
 
-def _blamed(view: str, pairs: Mapping[tuple[str, str], bool]) -> list[Rejection]:
-    """The cameras whose images of a view are left out: the one that all contradictions share, or else all of them."""
+def _rejections(view: str, pairs: Mapping[tuple[str, str], bool]) -> list[Rejection]:
+    """The cameras whose images of a view are rejected: the one common to all contradictions, or else all of them."""
     swapped = next((pair for pair, exchanged in pairs.items() if exchanged), None)
     if swapped is not None:
         reason = f"the images of cameras {swapped[0]} and {swapped[1]} were exchanged"
@@ -81,14 +81,14 @@ def _blamed(view: str, pairs: Mapping[tuple[str, str], bool]) -> list[Rejection]
     blamed = common or cameras
     others = [camera for camera in cameras if camera not in blamed]
     if others:
-        reason = f"it does not show the board position that cameras {' and '.join(others)} saw"
+        reason = f"it does not show the board position detected by cameras {' and '.join(others)} saw"
     else:
-        reason = f"cameras {' and '.join(cameras)} did not see the same board position: the board moved, or images were exchanged"
+        reason = f"cameras {' and '.join(cameras)} show different board positions: the board moved, or images were exchanged"
     return [Rejection(camera, view, reason) for camera in blamed]
 
 
 def placed_from_reference(poses: Poses, reference: str, given: Mapping[str, FloatArray]) -> dict[str, FloatArray]:
-    """Return reference_from_camera (4, 4) of every camera: as ``given``, or chained over the pairs with most shared views.
+    """Return reference_from_camera (4, 4) of every camera: as ``given``, or chained over the pairs with most common views.
 
     Raises
     ------
@@ -101,7 +101,7 @@ def placed_from_reference(poses: Poses, reference: str, given: Mapping[str, Floa
         known, new = max(shared, key=lambda pair: shared[pair])
         if shared[known, new] == 0:
             raise CalibrationError(
-                f"Camera {new!r} shares no view of the board with the other cameras.",
+                f"Camera {new!r} has no view of the board in common with the other cameras.",
                 "Add views in which both it and another camera see the whole board.",
             )
         placed[new] = placed[known] @ pair_transform(poses[known], poses[new])[0]
@@ -109,7 +109,7 @@ def placed_from_reference(poses: Poses, reference: str, given: Mapping[str, Floa
 
 
 def loops(poses: Poses) -> tuple[LoopCheck, ...]:
-    """Close the loop over every three cameras that pairwise share views."""
+    """Close the loop over every three cameras that pairwise have common views."""
     checks = []
     for first, second, third in combinations(poses, 3):
         chain = ((first, second), (second, third), (third, first))

@@ -1,4 +1,4 @@
-"""What the calibration of the cameras leaves uncertain, and how that moves the board poses seen with them."""
+"""Derivatives of board poses with respect to camera parameters (implicit function theorem)."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.calibrate.boards.pose import BoardPose
-from measureapp.calibrate.poses import moved
-from measureapp.calibrate.projection import cross_matrices, intrinsic_names, project_with_derivatives, with_intrinsics_moved
+from measureapp.calibrate.poses import apply_changes
+from measureapp.calibrate.projection import apply_intrinsic_changes, cross_matrices, intrinsic_names, project_with_derivatives
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
 from measureapp.geometry.transform import RigidTransform, orthonormalise
@@ -19,22 +19,22 @@ POSE_NAMES = ("rotation_x_rad", "rotation_y_rad", "rotation_z_rad", "x_mm", "y_m
 BOW_LABELS = ("board.bow_xx_mm", "board.bow_xy_mm", "board.bow_yy_mm")
 
 
-def pose_by_cameras(
+def pose_camera_jacobian(
     pose: BoardPose,
     seen_by: Mapping[str, IntArray | None],
     cameras: CameraArrayCalibration,
     board: BoardDescription,
     parameters: Sequence[str],
 ) -> FloatArray:
-    """Return how a board pose found by least squares moves with the parameters of the cameras, (6, C).
+    """Return the derivatives (6, C) of a board pose found by least squares with respect to the parameters of the cameras.
 
     Where the sum of squared pixel errors is least, its gradient by the pose stays zero while a parameter c changes:
-    dp/dc = -(∂r/∂p ᵀ ∂r/∂p)⁻¹ ∂r/∂p ᵀ ∂r/∂c. Together with the pose's information at fixed cameras this carries the whole bundle
-    adjustment on, without its corners.
+    dp/dc = -(∂r/∂p ᵀ ∂r/∂p)⁻¹ ∂r/∂p ᵀ ∂r/∂c. Together with the pose's information at fixed cameras this propagates the whole bundle
+    adjustment, without its corners.
 
     Parameters
     ----------
-    seen_by : cameras that saw the board -> which of its marks, or None for all
+    seen_by : cameras that detected the board -> which of its marks, or None for all
     parameters : labels of the columns; one that no camera here has (another camera's) gives zeros
     """
     column = {label: index for index, label in enumerate(parameters)}
@@ -50,7 +50,7 @@ def pose_by_cameras(
 def derivatives(
     pose: BoardPose, camera: CameraCalibration, board: BoardDescription, ids: IntArray | None = None
 ) -> tuple[FloatArray, FloatArray, tuple[str, ...]]:
-    """Return how the pixels of the corners move with the board's pose (2 N, 6), and with the camera and the bow (2 N, K), labelled."""
+    """Return the derivatives of the corners in pixels by the board's pose (2 N, 6), and by camera and bow (2 N, K), labelled."""
     place = camera.reference_from_camera
     turned = board.marks_mm(ids) @ pose.camera_from_board.rotation.T
     from_centre = turned + pose.camera_from_board.translation_mm - place.translation_mm
@@ -66,15 +66,15 @@ def derivatives(
     return by_pose.reshape(-1, 6), own.reshape(-1, own.shape[2]), labels
 
 
-def cameras_moved(cameras: CameraArrayCalibration, parameters: Sequence[str], change: FloatArray) -> CameraArrayCalibration:
+def perturb_cameras(cameras: CameraArrayCalibration, parameters: Sequence[str], change: FloatArray) -> CameraArrayCalibration:
     """Return the cameras after a change (C,) of their labelled parameters; the board's bow is not theirs."""
     steps = dict(zip(parameters, change, strict=True))
     result = {}
     for name, camera in cameras.cameras.items():
         lens = np.array([steps.get(f"{name}.{label}", 0.0) for label in intrinsic_names(len(camera.pinhole.distortion))])
         place = np.array([steps.get(f"{name}.{label}", 0.0) for label in POSE_NAMES])
-        matrix = orthonormalise(moved(camera.reference_from_camera.matrix, place))
+        matrix = orthonormalise(apply_changes(camera.reference_from_camera.matrix, place))
         result[name] = replace(
-            camera, pinhole=with_intrinsics_moved(camera.pinhole, lens), reference_from_camera=RigidTransform(matrix, "camera", name)
+            camera, pinhole=apply_intrinsic_changes(camera.pinhole, lens), reference_from_camera=RigidTransform(matrix, "camera", name)
         )
     return replace(cameras, cameras=result)

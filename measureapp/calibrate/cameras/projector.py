@@ -29,7 +29,7 @@ class HeadSolution:
         return self.calibration.projector
 
 
-def with_projector(problem: CameraArrayProblem, read: Sequence[Sighting | Rejection], size_px: tuple[int, int]) -> CameraArrayProblem:
+def add_projector(problem: CameraArrayProblem, read: Sequence[Sighting | Rejection], size_px: tuple[int, int]) -> CameraArrayProblem:
     """Return the problem with the projector as one more camera.
 
     Parameters
@@ -78,7 +78,7 @@ def solve_head(
     CalibrationError
         As `camera_array.solve`; for the projector as for any camera.
     """
-    whole = with_projector(problem, read, size_px)
+    whole = add_projector(problem, read, size_px)
     solution = solve(whole, progress, None if before is None else before.solution)
     return HeadSolution(as_head(solution.calibration), solution, whole)
 
@@ -105,7 +105,7 @@ def as_camera(projector: ProjectorCalibration) -> CameraCalibration:
     return CameraCalibration(projector.name, projector.pinhole, place, projector.standard_deviations, projector.rms_px)
 
 
-def beside_projector(head: CameraArrayCalibration, camera: str) -> CameraArrayCalibration:
+def pair_with_projector(head: CameraArrayCalibration, camera: str) -> CameraArrayCalibration:
     """Return one camera and the projector as a pair of cameras, in the frame of the head.
 
     Raises

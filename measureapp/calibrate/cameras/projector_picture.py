@@ -1,4 +1,4 @@
-"""The board as the projector would see it, so that people can look at what was collected for it."""
+"""Image of the board from the projector's viewpoint, for display."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from measureapp.arrays import FloatArray, ImageArray
 from measureapp.data.phase import PhaseMap
 
 REACH = 2.0  # of the smoothing that closes the gaps between camera pixels, in projector pixels
-SMALLEST_WEIGHT = 1e-3  # of the light that fell beside a projector pixel, below which it stays dark
+SMALLEST_WEIGHT = 1e-3  # of the light next to a projector pixel, below which it stays dark
 
 
 def projector_picture(image: ImageArray, vertical: PhaseMap, size_px: tuple[int, int]) -> ImageArray:
-    """Carry a camera's image into the projector's pixels by the phases of both directions [1]_.
+    """Resample a camera's image in the projector's pixels by the phases of both directions [1]_.
 
     For people only: no mark is read in it, since the smoothing would move them.
 

@@ -1,6 +1,6 @@
-"""Where the projector 'sees' the marks of a board: its column and row at every mark, from the phases around it.
+"""Projector coordinates of the marks of a board, from the phases around them in a camera image.
 
-A projector sees nothing, but the phases of vertical and horizontal fringes say which projector pixel lights a camera pixel [1]_.
+The phases of vertical and horizontal fringes determine which projector pixel lights a camera pixel [1]_: the projector is an inverse camera.
 Around a mark both phases are smooth functions of the camera's pixel, so each is fitted by a quadratic polynomial over the pixels
 nearer to it than its neighbours are, weighted by their own standard deviations, and read at the mark. Dark squares weigh little by
 themselves; the mixing of light and dark pixels at edges is symmetric about a corner or a circle's centre and cancels.
@@ -28,14 +28,14 @@ LEAST_CORNERS = 8
 PROJECTOR = "projector"
 
 
-def called(name: str) -> str:
-    """Return who saw something, as the start of a sentence: the projector counts as a camera, but is none."""
+def device_title(name: str) -> str:
+    """Return the name of a camera or the projector as the start of a sentence."""
     return "Projector" if name == PROJECTOR else f"Camera {name}"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ProjectorPixels:
-    """Which pixel of the projector lights each pixel of a camera around the board: all that the projector's marks are read from."""
+    """Which pixel of the projector lights each pixel of a camera around the board: the data from which the projector's marks are read."""
 
     corner_px: tuple[int, int]  # column and row of the camera's pixel that comes first
     pixels: FloatArray  # (2, H, W) float32, the projector's column and row
@@ -60,7 +60,7 @@ class ProjectorPixels:
 
 
 def projector_sighting(sighting: Sighting, lit: ProjectorPixels | None, projector: str = PROJECTOR) -> Sighting | Rejection:
-    """Return the projector's sighting of the marks one camera saw, or why it has none.
+    """Return the projector's sighting of the marks detected by one camera, or the reason for its rejection.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ def projector_sighting(sighting: Sighting, lit: ProjectorPixels | None, projecto
         return Rejection(projector, sighting.view, "the fringes run in one direction only; vertical and horizontal ones are needed")
     radii, places = _radii(sighting.corners_px), sighting.corners_px - lit.corner_px
     sigmas = np.asarray(lit.sigma_px, np.float32)
-    readings = [read_around(values, sigma, sigma > 0, places, radii) for values, sigma in zip(lit.pixels, sigmas, strict=True)]
+    readings = [interpolate_at(values, sigma, sigma > 0, places, radii) for values, sigma in zip(lit.pixels, sigmas, strict=True)]
     known = np.isfinite(readings[0][0]) & np.isfinite(readings[1][0])
     if np.count_nonzero(known) < LEAST_CORNERS:
         return Rejection(
@@ -87,10 +87,10 @@ def projector_sighting(sighting: Sighting, lit: ProjectorPixels | None, projecto
     return Sighting(projector, sighting.view, pixels, sighting.ids[known], sigma)
 
 
-def read_around(
+def interpolate_at(
     values: FloatArray, sigma: FloatArray, valid: BoolArray, places_px: FloatArray, radii_px: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Read a map at places between its pixels, by a weighted quadratic fit around each.
+    """Interpolate a map at sub-pixel positions by a weighted quadratic fit around each.
 
     Parameters
     ----------
@@ -101,7 +101,7 @@ def read_around(
     Returns
     -------
     read : (N,), NaN where fewer than 24 pixels around a place are valid or they lie on one side of it; the caller drops these
-    deviations : (N,), the standard deviation of what was read
+    deviations : (N,), standard deviations of the values
     """
     pairs = [_read_one(values, sigma, valid, place, radius) for place, radius in zip(places_px, radii_px, strict=True)]
     read, deviations = np.array(pairs).reshape(-1, 2).T
@@ -119,7 +119,7 @@ def _read_one(values: FloatArray, sigma: FloatArray, valid: BoolArray, place: Fl
     y, x = np.mgrid[window].astype(float)
     x, y = (x - place[0]) / radius, (y - place[1]) / radius
     use = valid[window] & (x * x + y * y <= 1)
-    if not _surrounded(x[use], y[use]):
+    if not _is_surrounded(x[use], y[use]):
         return nothing
     terms = np.column_stack([np.ones(use.sum()), x[use], y[use], x[use] ** 2, x[use] * y[use], y[use] ** 2])
     weight, seen = 1.0 / np.asarray(sigma[window][use], float), np.asarray(values[window][use], float)
@@ -137,14 +137,14 @@ def _read_one(values: FloatArray, sigma: FloatArray, valid: BoolArray, place: Fl
     return float(found[0]), spread * float(np.sqrt(inverse[0, 0]))
 
 
-def _surrounded(x: FloatArray, y: FloatArray) -> bool:
+def _is_surrounded(x: FloatArray, y: FloatArray) -> bool:
     """Whether there are pixels enough, and on all four sides."""
     least = max(LEAST_PIXELS // 4, len(x) // 5)
     return len(x) >= LEAST_PIXELS and all(np.count_nonzero(side) >= least for side in (x > 0, x < 0, y > 0, y < 0))
 
 
 def _radii(corners_px: FloatArray) -> FloatArray:
-    """A share of the distance to the nearest other mark, (N,)."""
+    """Radii (N,) of the windows, a fraction of the distance to the nearest other mark."""
     apart = np.linalg.norm(corners_px[:, None] - corners_px[None], axis=2)
     np.fill_diagonal(apart, np.inf)
     return np.asarray(np.maximum(WINDOW_SHARE * apart.min(axis=1), LEAST_RADIUS_PX))

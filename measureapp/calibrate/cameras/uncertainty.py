@@ -1,4 +1,4 @@
-"""What the covariance of the cameras means: in pixels over the images, in millimetres over the working volume.
+"""Propagation of the covariance of the cameras to pixels over the images and millimetres over the working volume.
 
 Method of [1]_: the covariance of all parameters that the bundle adjustment gives is carried on by the first derivatives of what is
 asked for. Board poses and the board's bow are already part of that covariance (they were estimated together with the cameras).
@@ -26,12 +26,12 @@ POSE_NAMES = ("rotation_x_rad", "rotation_y_rad", "rotation_z_rad", "x_mm", "y_m
 MOST_PAIRS = 20000
 TINY = 1e-30
 LEAST_DEPTH_SHARE = 0.1  # depth of a volume over its distance
-LENGTH_TOLERANCE = 0.1  # pairs of points whose distance is the asked length within this share; the error is scaled to it
+LENGTH_TOLERANCE = 0.1  # pairs of points with the required length within this fraction; the error is scaled to it
 
 
 @dataclass(frozen=True, slots=True)
 class WorkingVolume:
-    """Where parts are measured: a box before the head, its depth along the direction in which the cameras look on average."""
+    """Where parts are measured: a box before the head, its depth along the mean viewing direction of the cameras."""
 
     standoff_mm: float  # from the middle between the cameras to the middle of the box
     field_mm: tuple[float, float]
@@ -48,7 +48,7 @@ def uncertainty_map(
     length_mm: float = 300.0,
     scale_sigma: float = 0.0,
 ) -> UncertaintyMap:
-    """Return how uncertain projections and triangulated points are.
+    """Return the uncertainty of projections and triangulated points.
 
     Parameters
     ----------
@@ -102,7 +102,7 @@ def projection_covariance(
     range_mm: float,
     weights: FloatArray | None = None,
 ) -> FloatArray:
-    """Return the covariance (N, 2, 2) of the projections at ``pixels`` (N, 2); ``weights`` (N,) are those of the motion taken out."""
+    """Return the covariance (N, 2, 2) of the projections at ``pixels`` (N, 2); ``weights`` (N,) are those of the removed rigid motion."""
     points = camera.pinhole.rays(pixels) * range_mm
     _, by_point, by_lens = project_with_derivatives(camera.pinhole, points)
     own = _columns(camera.name, intrinsic_names(len(camera.pinhole.distortion)), parameters)
@@ -112,14 +112,14 @@ def projection_covariance(
 
 
 def projection_difference(one: PinholeCamera, other: PinholeCamera, pixels: FloatArray, range_mm: float) -> FloatArray:
-    """Return how far two lenses project the points at ``pixels`` apart (N, 2), px, a motion of the camera's frame taken out."""
+    """Return the difference (N, 2), px, of the projections by two lenses at ``pixels``, after removal of a rigid motion of the camera's frame."""
     points = one.rays(pixels) * range_mm
     seen, by_point, _ = project_with_derivatives(one, points)
     return _without(_motions(by_point, points), (other.project(points) - seen).reshape(-1, 1)).reshape(-1, 2)
 
 
 def _motions(by_point: FloatArray, points: FloatArray) -> FloatArray:
-    """How pixels (2N,) change with a small rotation and translation of the points, (2N, 6)."""
+    """Derivatives (2N, 6) of pixels by a small rotation and translation of the points."""
     return np.asarray(np.concatenate([-by_point @ cross_matrices(points), by_point], axis=2).reshape(-1, 6))
 
 
@@ -143,7 +143,7 @@ def volume_uncertainty(
         Fewer than four points of the volume are seen by two cameras.
     """
     points = volume_points(calibration, volume)
-    by_parameters, seeing = points_by_parameters(calibration, points, parameters)
+    by_parameters, seeing = point_jacobian(calibration, points, parameters)
     points, by_parameters, seeing = points[seeing >= 2], by_parameters[seeing >= 2], seeing[seeing >= 2]
     if len(points) < 4:
         raise CalibrationError(
@@ -169,7 +169,7 @@ def volume_uncertainty(
     )
 
 
-def volume_seen(calibration: CameraArrayCalibration, places_mm: FloatArray, standoff_mm: float | None = None) -> WorkingVolume:
+def observed_volume(calibration: CameraArrayCalibration, places_mm: FloatArray, standoff_mm: float | None = None) -> WorkingVolume:
     """Return the volume in which the board was shown: the reference camera's field there, as deep as the board's places.
 
     Parameters
@@ -212,8 +212,8 @@ def _head_frame(calibration: CameraArrayCalibration) -> tuple[FloatArray, FloatA
     return np.mean([place.translation_mm for place in places], axis=0), np.stack([x, np.cross(z, x), z])
 
 
-def points_by_parameters(calibration: CameraArrayCalibration, points: FloatArray, parameters: Sequence[str]) -> tuple[FloatArray, IntArray]:
-    """Return how triangulated points (N, 3) move with the parameters, (N, 3, P), and how many cameras see each, (N,).
+def point_jacobian(calibration: CameraArrayCalibration, points: FloatArray, parameters: Sequence[str]) -> tuple[FloatArray, IntArray]:
+    """Return the derivatives (N, 3, P) of triangulated points by the parameters, and how many cameras see each, (N,).
 
     Points that fewer than two see do not move with anything: they are not measured.
     """
@@ -245,7 +245,7 @@ def _columns(camera: str, names: Sequence[str], parameters: Sequence[str]) -> li
 
 
 def _without(motion: FloatArray, change: FloatArray, weights: FloatArray | None = None) -> FloatArray:
-    """Take out of the changes (M, K) what the motions (M, 6) explain, by least squares weighted with (M,)."""
+    """Subtract from the changes (M, K) their weighted least-squares projection on the motions (M, 6)."""
     scaled = motion / np.linalg.norm(motion, axis=0)
     rows = np.ones((len(motion), 1)) if weights is None else weights[:, None]
     return np.asarray(change - scaled @ np.linalg.lstsq(scaled * rows, change * rows, rcond=None)[0])

@@ -1,8 +1,8 @@
-"""Is the calibration as good as it says? Answered with views it has not seen.
+"""Leave-one-out cross-validation of the stated uncertainty with held-back views, and comparison of two halves.
 
 Two checks, after mrcal's cross-validation [1]_. *Held-back views*: every view is once left out; the cameras calibrated without it must
 predict its corners as well as their noise and their own uncertainty allow. *Halves*: the cameras calibrated from every second view
-and from the others must project alike within the uncertainty of both. Where the difference is larger than predicted, something
+and from the others must give the same projection within the uncertainty of both. Where the difference is larger than predicted, something
 that noise does not explain is at work: a lens that does not follow the model, a board that is bent or moved, blurred corners.
 
 References
@@ -20,12 +20,12 @@ from scipy.spatial import ConvexHull, Delaunay
 
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.cameras.array import BOW_NAMES, CameraArrayProblem, CameraArraySolution, solve
-from measureapp.calibrate.cameras.bundle import POSE, Bundle, BundleState, Layout, Sight, spread_of
+from measureapp.calibrate.cameras.bundle import POSE, Bundle, BundleState, IndexedSighting, Layout, spread_of
 from measureapp.calibrate.cameras.camera import LEAST_VIEWS
-from measureapp.calibrate.cameras.known import padded
+from measureapp.calibrate.cameras.known import pad_distortion
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
 from measureapp.calibrate.cameras.uncertainty import projection_covariance, projection_difference
-from measureapp.calibrate.sightings import Sighting, spreads
+from measureapp.calibrate.sightings import Sighting, relative_sigmas
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.errors import CalibrationError
@@ -73,12 +73,12 @@ class CrossValidation:
 
     @property
     def predicted_px(self) -> float:
-        """What it should be."""
+        """The predicted rms."""
         return float(np.sqrt(np.mean([view.predicted_px**2 for view in self.views])))
 
     @property
     def healthy(self) -> bool:
-        """Whether noise and the predicted uncertainty explain everything seen."""
+        """Whether noise and the predicted uncertainty explain all residuals."""
         return self.observed_px <= HELD_BACK_LIMIT * self.predicted_px and all(
             half.difference_px <= HALVES_LIMIT * half.predicted_px for half in self.halves
         )
@@ -144,7 +144,7 @@ def cross_validate(
 
 
 def _as_solved(problem: CameraArrayProblem, solution: CameraArraySolution) -> CameraArrayProblem:
-    """The problem without what its solution left out."""
+    """The problem without the rejections of its solution."""
     used = {(one.camera, one.view) for one in solution.views}
     wrong: dict[tuple[str, str], set[int]] = {}
     for corner in solution.rejected_corners:
@@ -167,29 +167,29 @@ def _only(problem: CameraArrayProblem, views: list[str]) -> CameraArrayProblem:
 def _held_back(view: str, problem: CameraArrayProblem, trained: CameraArraySolution, whole: CameraArraySolution) -> HeldBackView:
     names = list(trained.calibration.cameras)
     sights = tuple(
-        Sight(names.index(one.camera), 0, one.corners_px, np.ones(len(one.corners_px), bool), one.ids, spread)
-        for one, spread in zip(problem.sightings, spreads(problem.sightings), strict=True)
+        IndexedSighting(names.index(one.camera), 0, one.corners_px, np.ones(len(one.corners_px), bool), one.ids, spread)
+        for one, spread in zip(problem.sightings, relative_sigmas(problem.sightings), strict=True)
         if one.view == view
     )
     free_bow = any(name in BOW_NAMES for name in trained.parameters)
     bundle, state = _one_view(trained.calibration, trained.board, whole.boards[view].matrix, sights, free_bow)
     sigmas = np.concatenate([np.repeat(trained.sigmas_px[names[sight.camera]] * spread_of(sight), 2) for sight in sights])
-    residuals, by_board, by_rest = _linearised(bundle, state)
+    residuals, by_board, by_rest = _linearise(bundle, state)
     for _ in range(POSE_STEPS):
         step = -np.linalg.lstsq(by_board / sigmas[:, None], residuals / sigmas, rcond=None)[0]
         state = bundle.moved(state, np.concatenate([np.zeros(bundle.layout.boards_at), step]))
-        residuals, by_board, by_rest = _linearised(bundle, state)
+        residuals, by_board, by_rest = _linearise(bundle, state)
     count = len(residuals) / 2
-    return HeldBackView(view, float(np.sqrt(residuals @ residuals / count)), _predicted(by_board, by_rest, sigmas, trained.covariance))
+    return HeldBackView(view, float(np.sqrt(residuals @ residuals / count)), _predict_rms(by_board, by_rest, sigmas, trained.covariance))
 
 
 def _one_view(
-    calibration: CameraArrayCalibration, board: BoardDescription, pose: FloatArray, sights: tuple[Sight, ...], free_bow: bool
+    calibration: CameraArrayCalibration, board: BoardDescription, pose: FloatArray, sights: tuple[IndexedSighting, ...], free_bow: bool
 ) -> tuple[Bundle, BundleState]:
     cameras = list(calibration.cameras.values())
     count = max(len(camera.pinhole.distortion) for camera in cameras)
     state = BundleState(
-        tuple(padded(camera.pinhole, count) for camera in cameras),
+        tuple(pad_distortion(camera.pinhole, count) for camera in cameras),
         np.array([camera.reference_from_camera.matrix for camera in cameras]),
         np.array(pose)[None],
         np.array(board.bow_mm),
@@ -197,7 +197,7 @@ def _one_view(
     return Bundle(board, sights, Layout(4 + count, len(cameras), 3 if free_bow else 0)), state
 
 
-def _linearised(bundle: Bundle, state: BundleState) -> tuple[FloatArray, FloatArray, FloatArray]:
+def _linearise(bundle: Bundle, state: BundleState) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Residuals (M,) of one view and their derivatives by the board's pose (M, 6) and by all that views share (M, P)."""
     rows = []
     for sight in bundle.sights:
@@ -209,10 +209,10 @@ def _linearised(bundle: Bundle, state: BundleState) -> tuple[FloatArray, FloatAr
     return np.concatenate([residual for residual, _ in rows]), everything[:, -POSE:], everything[:, :-POSE]
 
 
-def _predicted(by_board: FloatArray, by_rest: FloatArray, sigmas: FloatArray, covariance: FloatArray) -> float:
+def _predict_rms(by_board: FloatArray, by_rest: FloatArray, sigmas: FloatArray, covariance: FloatArray) -> float:
     """Expected rms distance of a held-back view's corners; the board's pose is fitted with the cameras' weights."""
     weighted = by_board / sigmas[:, None]
-    taken = by_board @ np.linalg.pinv(weighted)  # what the fitted pose makes of whitened residuals
+    taken = by_board @ np.linalg.pinv(weighted)  # part of the whitened residuals that the fitted pose absorbs
     noise = np.diag(sigmas) - taken
     left = by_rest - taken @ (by_rest / sigmas[:, None])
     total = np.sum(noise**2) + np.einsum("mp,pq,mq->", left, covariance, left, optimize=True)
@@ -226,7 +226,7 @@ def _range_mm(solution: CameraArraySolution, camera: str) -> float:
 
 
 def _covariance_of_difference(first: CameraArraySolution, second: CameraArraySolution, given: Sequence[str]) -> FloatArray:
-    """Return the covariance (P, P) of what two halves estimate differently; cameras that were given err alike in both.
+    """Return the covariance (P, P) of what two halves estimate differently; errors of given cameras are common to both.
 
     With B = dp/dc of what was estimated by the given cameras c, of covariance C, the halves share B₁ C B₂ᵀ.
     """

@@ -1,4 +1,4 @@
-"""Whether a calibration belongs to the cameras at hand, and whether it is still valid."""
+"""Validity of a calibration: it belongs to these cameras, and is neither expired nor too warm."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def shortfalls(
     rules: CalibrationRules = CalibrationRules(),  # noqa: B008 - frozen
     standoff_mm: float | None = None,
 ) -> tuple[str, ...]:
-    """Say why a calibration should be made anew or checked; nothing where it is valid.
+    """Return the reasons why a calibration should be renewed or checked; nothing if it is valid.
 
     Parameters
     ----------
@@ -95,11 +95,11 @@ def _too_old(provenance: Provenance, now: datetime, rules: CalibrationRules) -> 
         unknown = f"The date of the calibration, {provenance.created!r}, cannot be read, so that it counts as expired."
         return [unknown] if provenance.valid_days is not None or (lives and provenance.created) else []
     if created > now + timedelta(days=1):
-        return [f"The calibration is dated {created:%Y-%m-%d}, which lies in the future: check the computer's clock."]
+        return [f"The calibration is dated {created:%Y-%m-%d}, which is in the future: check the computer's clock."]
     if lives and now > created + timedelta(days=min(lives)):
         return [
-            f"The calibration of {created:%Y-%m-%d} was valid for {min(lives):g} days and has expired; what that means in mm only "
-            "images of the board can tell: check it with a few views of the board, or calibrate again."
+            f"The calibration of {created:%Y-%m-%d} was valid for {min(lives):g} days and has expired; only images of the "
+            "board show what that means in mm: check it with a few views of the board, or calibrate again."
         ]
     return []
 

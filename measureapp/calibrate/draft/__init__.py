@@ -1,1 +1,1 @@
-"""A calibration in the making: what is known, what was observed, what was solved from it, and what every kind of calibration must offer."""
+"""Drafts of calibrations: setup, observations, solution and verdict, and the interface of every kind of calibration."""

@@ -1,4 +1,4 @@
-"""What a coach says."""
+"""Guidance: sentences, gauges and the outline of the board to show next."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Gauge:
 
     @property
     def share(self) -> float:
-        """The share of the target that was reached, 0…1."""
+        """The fraction of the target that was reached, 0…1."""
         return float(np.clip(self.value / self.target, 0.0, 1.0))
 
     @property
@@ -58,13 +58,13 @@ class Advice:
 
     @property
     def enough(self) -> bool:
-        """Whether nothing more is asked for."""
+        """Whether nothing is missing."""
         return not self.sentences
 
 
 @dataclass(slots=True)
 class Notes:
-    """Advice while it is written; a wish that several cameras have is said once."""
+    """Advice in the making; a wish that several cameras have appears once."""
 
     wishes: dict[str, list[str]] = field(default_factory=dict)  # text -> cameras that wish it
     gauges: list[Gauge] = field(default_factory=list)
@@ -87,9 +87,9 @@ def _sentence(text: str, owners: Sequence[str], cameras: Sequence[str]) -> str:
 
 
 def outline_px(pinhole: PinholeCamera, camera_from_board: RigidTransform, board: BoardDescription) -> FloatArray | None:
-    """Return the outline of the marks (N, 2), closed, where all of it lies before the camera and in its image; else None.
+    """Return the outline of the marks (N, 2), closed, if it is in front of the camera and in its image; else None.
 
-    Distortion found from few views may turn back on itself beyond them: where its Jacobian is not positive nothing is drawn.
+    Distortion estimated from few views may fold outside of them: None where its Jacobian is not positive.
     """
     marks = board.flat_corners_mm
     low, high = marks.min(axis=0)[:2], marks.max(axis=0)[:2]
@@ -107,7 +107,7 @@ def outline_px(pinhole: PinholeCamera, camera_from_board: RigidTransform, board:
 
 
 def outlines_px(cameras: CameraArrayCalibration, place: RigidTransform, board: BoardDescription) -> dict[str, FloatArray]:
-    """Return camera -> outline of the board at ``place`` (camera_from_board of the reference) for the cameras that see it whole."""
+    """Return camera -> outline of the board at ``place`` (camera_from_board of the reference) for the cameras in whose image it is complete."""
     seen = {}
     for name, camera in cameras.cameras.items():
         own = camera.reference_from_camera.inverse() @ place

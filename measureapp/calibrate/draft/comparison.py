@@ -1,4 +1,4 @@
-"""A new calibration beside the previous one: every value, and what the difference means on the part."""
+"""Comparison of two calibrations: the change of every value, and the displacement of the part."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class Comparison:
 
     @property
     def sentence(self) -> str:
-        """What it means."""
+        """Displacement and its expanded uncertainty in a sentence."""
         start = f"The new calibration moves {self.what} by {millimetres(self.on_part_mm)}"
         expanded = f"the combined expanded uncertainty of {millimetres(self.expanded_mm)} (k = 2)"
         if self.within:

@@ -1,4 +1,4 @@
-"""The nouns of a calibration in the making: kind, setup, solution, and the draft that holds them together."""
+"""Data types of a draft of a calibration: kind, setup, solution, and the draft itself."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ ALL_AXES = ("base_from_flange", "guide_mm", "table_rad")
 
 @dataclass(frozen=True, slots=True)
 class Words:
-    """What people read about a kind of calibration."""
+    """Texts about a kind of calibration."""
 
     subject: str  # what is calibrated, as part of a sentence
     title: str
@@ -46,7 +46,7 @@ class Words:
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """Up to where an expanded uncertainty (k = 2) is good or usable, and why there."""
+    """Limits of the expanded uncertainty (k = 2) for "good" and "usable", with the reason."""
 
     good_mm: float
     usable_mm: float
@@ -63,7 +63,7 @@ class Known:
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """What the covariance of a solution means on the part."""
+    """The covariance of a solution propagated to the part."""
 
     expanded_mm: float  # k = 2
     sentence: str  # with the number, without a verdict
@@ -80,7 +80,7 @@ class Solved:
     used: tuple[str, ...]  # those that stayed, in the order of the solution's own arrays
     board: BoardDescription  # with its bow, where that was estimated
     cameras: CameraArrayCalibration  # known before, or calibrated here
-    places: Mapping[str, RigidTransform]  # observation -> camera_from_board as seen, in the reference camera's frame
+    places: Mapping[str, RigidTransform]  # observation -> observed camera_from_board, in the reference camera's frame
     camera_solution: CameraArraySolution | None = None  # where cameras, or the projector as one of them, are part of the result
     residuals_px: Mapping[str, Mapping[str, float]] = field(default_factory=dict)  # observation -> camera -> rms
     residuals_mm: Mapping[str, float] = field(default_factory=dict)  # observation -> rms over the marks, where axes are calibrated
@@ -102,7 +102,7 @@ class Setup:
     InputError
         The cameras or the hand-eye transform that this kind needs are missing, or names do not fit.
     CalibrationError
-        The board looks the same after half a turn, where that matters.
+        The board is symmetric under half a turn, where that matters.
     """
 
     kind: Kind
@@ -189,7 +189,7 @@ class Setup:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Draft:
-    """What was collected for a calibration so far; never changes, so that any thread may solve it or ask for guidance."""
+    """Setup, observations and last solution of a calibration; immutable, so that any thread may solve it or request guidance."""
 
     setup: Setup
     observations: tuple[Observation, ...]  # those to use: in each of them the board was detected
@@ -232,7 +232,7 @@ class Draft:
 
 
 class Kind(ABC):
-    """One kind of calibration: what it needs, how it is solved, what its result means, and how to collect for it."""
+    """One kind of calibration: inputs, solver, effect of its result on the part, and guidance."""
 
     name: ClassVar[str]
     words: ClassVar[Words]
@@ -312,5 +312,5 @@ class Kind(ABC):
         return None
 
     def warnings(self, solved: Solved) -> Sequence[str]:
-        """Return what speaks against a solution besides its covariance."""
+        """Return the warnings of a solution, in addition to its covariance."""
         return tuple(solved.solution.warnings)

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.boards.agreement import agreeing
-from measureapp.calibrate.boards.observation import Observation, derivatives_of
+from measureapp.calibrate.boards.agreement import reject_contradicting
+from measureapp.calibrate.boards.observation import Observation, camera_jacobians_of
 from measureapp.calibrate.boards.pose import pose_of
 from measureapp.calibrate.cameras.array import CameraArraySolution
-from measureapp.calibrate.cameras.prior import pose_by_cameras
+from measureapp.calibrate.cameras.prior import pose_camera_jacobian
 from measureapp.calibrate.draft.draft import Draft
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration, LabelledCovariance
@@ -25,15 +25,15 @@ class Located:
     prior: LabelledCovariance | None  # covariance of the cameras, to which the derivatives in the observations belong
 
     @property
-    def by_cameras(self) -> FloatArray | None:
+    def camera_jacobian(self) -> FloatArray | None:
         """Derivatives (N, 6, C) of the poses with respect to the parameters of `prior`."""
-        return derivatives_of(self.observations)
+        return camera_jacobians_of(self.observations)
 
 
 def locate_board(draft: Draft) -> Located:
     """Locate the board in the observations of a draft whose cameras are known. Raises CalibrationError as `locate`."""
     cameras = draft.setup.cameras
-    assert cameras is not None  # `Setup` sees to it
+    assert cameras is not None  # guaranteed by `Setup`
     return locate(draft.observations, cameras, draft.setup.board)
 
 
@@ -48,12 +48,12 @@ def locate(observations: Sequence[Observation], cameras: CameraArrayCalibration,
         In most observations the images contradict the cameras.
     """
     seen = {one.id: {name: marks for name, marks in one.seen.items() if name in cameras.cameras} for one in observations}
-    places = agreeing({name: pose_of(marks, cameras, board) for name, marks in seen.items()})
+    places = reject_contradicting({name: pose_of(marks, cameras, board) for name, marks in seen.items()})
     kept = tuple(replace(one, board=places.poses[one.id]) for one in observations if one.id in places.poses)
-    return Located(_differentiated(kept, cameras, board, cameras.covariance), dict(places.rejected), cameras.covariance)
+    return Located(_add_camera_jacobians(kept, cameras, board, cameras.covariance), dict(places.rejected), cameras.covariance)
 
 
-def locate_with(observations: Sequence[Observation], solved: CameraArraySolution) -> Located:
+def locate_in_solution(observations: Sequence[Observation], solved: CameraArraySolution) -> Located:
     """As `locate`, with cameras that were calibrated from the same observations: only the sightings that their solution kept, at its noise."""
     used = {(residual.camera, residual.view) for residual in solved.views}
     prior, kept = LabelledCovariance(solved.parameters, solved.covariance), []
@@ -61,10 +61,10 @@ def locate_with(observations: Sequence[Observation], solved: CameraArraySolution
         seen = {camera: marks for camera, marks in one.seen.items() if (camera, one.id) in used}
         if seen:
             kept.append(replace(one, seen=seen, board=pose_of(seen, solved.calibration, solved.board, solved.sigma_px)))
-    return Located(_differentiated(kept, solved.calibration, solved.board, prior), {}, prior)
+    return Located(_add_camera_jacobians(kept, solved.calibration, solved.board, prior), {}, prior)
 
 
-def _differentiated(
+def _add_camera_jacobians(
     observations: Sequence[Observation], cameras: CameraArrayCalibration, board: BoardDescription, prior: LabelledCovariance | None
 ) -> tuple[Observation, ...]:
     if prior is None:
@@ -72,7 +72,7 @@ def _differentiated(
     return tuple(
         replace(
             one,
-            by_cameras=pose_by_cameras(
+            camera_jacobian=pose_camera_jacobian(
                 one.pose, {name: marks.ids for name, marks in one.seen.items() if name in cameras.cameras}, cameras, board, prior.parameters
             ),
         )

@@ -10,11 +10,11 @@ from measureapp.progress import NoProgress, Progress
 
 
 def solve(draft: Draft, progress: Progress | None = None, *, afresh: bool = False) -> Solved:
-    """Solve what was collected; quicker from the second time on, which starts from the last solution.
+    """Solve a draft, starting from its last solution where it has one.
 
     Parameters
     ----------
-    afresh : start from nothing, as for a result that is accepted
+    afresh : ignore the last solution, as for a result that is accepted
 
     Raises
     ------
@@ -22,6 +22,6 @@ def solve(draft: Draft, progress: Progress | None = None, *, afresh: bool = Fals
         The observations do not determine the result; the message says what is missing.
     """
     if not draft.observations:
-        raise CalibrationError(f"The {draft.setup.board.label} was not seen yet.", "Add observations that show it.")
+        raise CalibrationError(f"The {draft.setup.board.label} was not detected yet.", "Add observations that show it.")
     start = replace(draft, solved=None) if afresh else draft
     return replace(draft.kind.solve(start, progress or NoProgress()), sightings=draft.sightings)

@@ -1,4 +1,4 @@
-"""Is a calibration good enough? Answered in millimetres on the part, with the limits it is held to."""
+"""Verdict on a calibration: its expanded uncertainty on the part against limits."""
 
 from __future__ import annotations
 
@@ -26,25 +26,25 @@ BY_THE_CAMERAS = (
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """What a calibration adds to a measurement, and whether that is good enough."""
+    """The contribution of a calibration to a measurement, and whether that is good enough."""
 
     level: Level
     sentence: str  # with the number and the level
-    expanded_mm: float  # k = 2, of what this calibration estimates; the level is judged by it
+    expanded_mm: float  # k = 2, of what this calibration estimates; it determines the level
     limits: Limits
-    reasons: tuple[str, ...]  # what else speaks against it; each makes a good one at most usable
+    reasons: tuple[str, ...]  # further objections; each limits the level to usable
     cameras_add_mm: float = 0.0  # k = 2, the part of `expanded_mm` that comes from cameras calibrated before
     robot_adds_mm: float = 0.0  # k = 2, in addition, where the result is used from other robot poses than those of its observations
 
     @property
     def reason(self) -> str:
-        """Why the number leads to that level."""
+        """The limits behind the level."""
         limits = self.limits
         return f"Up to {limits.good_mm:g} mm is good, up to {limits.usable_mm:g} mm usable: {limits.why}."
 
     @property
     def remedy(self) -> str:
-        """What makes it good; where it is, what would make the robot's part smaller. Noise averages with the square root of the number of observations."""
+        """The remedy; for a good calibration that for the robot's contribution. Noise averages with the square root of the number of observations."""
         if self.expanded_mm <= self.limits.good_mm:
             return BY_THE_ROBOT if self.robot_adds_mm > self.limits.good_mm else ""
         times = max(self.expanded_mm**2 - self.cameras_add_mm**2, 0.0) / self.limits.good_mm**2
@@ -55,8 +55,8 @@ class Verdict:
         return "More observations alone will not make it good: sharper images, a larger board, or larger differences between positions are needed."
 
 
-def judge(draft: Draft, limits: Limits | None = None, *, held_back: CrossValidation | None = None) -> Verdict:
-    """Judge the last solution of a draft.
+def evaluate(draft: Draft, limits: Limits | None = None, *, held_back: CrossValidation | None = None) -> Verdict:
+    """Evaluate the last solution of a draft against limits.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def judge(draft: Draft, limits: Limits | None = None, *, held_back: CrossValidat
     CalibrationError
         Nothing was solved yet, or the uncertainty cannot be determined.
     """
-    solved, limits = required(draft), limits or draft.kind.limits
+    solved, limits = require_solution(draft), limits or draft.kind.limits
     effect, reasons = draft.kind.effect(draft, solved), _reasons(draft, solved)
     if held_back is not None and not held_back.healthy:
         reasons.append(held_back.verdict)
@@ -89,7 +89,7 @@ def compare(previous: object, draft: Draft) -> Comparison:
     CalibrationError
         Nothing was solved yet, or the two are calibrations of different things.
     """
-    found = draft.kind.compare(previous, draft, required(draft))
+    found = draft.kind.compare(previous, draft, require_solution(draft))
     if found is None:
         subject = draft.kind.words.subject
         raise CalibrationError(f"The previous calibration is not one of {subject}.", "Name a result of the same kind of calibration.")
@@ -104,10 +104,10 @@ def cross_validate(draft: Draft, progress: Progress | None = None) -> CrossValid
     CalibrationError
         Nothing was solved yet, or there are too few views to hold some back.
     """
-    return draft.kind.cross_validate(draft, required(draft), progress)
+    return draft.kind.cross_validate(draft, require_solution(draft), progress)
 
 
-def required(draft: Draft) -> Solved:
+def require_solution(draft: Draft) -> Solved:
     """Return the last solution of a draft. Raises CalibrationError where there is none."""
     if draft.solved is None:
         raise CalibrationError("There is no solution yet.", "Solve what was collected first.")
@@ -115,7 +115,7 @@ def required(draft: Draft) -> Solved:
 
 
 def _reasons(draft: Draft, solved: Solved) -> list[str]:
-    """Return what speaks against a solution besides its own covariance."""
+    """Return the objections to a solution in addition to its covariance."""
     reasons = []
     rejected = len(solved.of) - len(solved.used)
     if rejected > MOST_REJECTED * len(solved.of):

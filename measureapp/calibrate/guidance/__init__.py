@@ -1,1 +1,1 @@
-"""What to observe next, for lenses, robot turns and the travel of axes."""
+"""Guidance: what to observe next, for lenses, robot rotations and the travel of axes."""

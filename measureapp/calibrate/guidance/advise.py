@@ -9,7 +9,7 @@ from measureapp.errors import CalibrationError
 
 
 def advise(draft: Draft) -> Advice:
-    """Say what is still missing, and where the board should be shown next.
+    """Determine what is still missing, and where the board should be shown next.
 
     Cheap enough to be called after every observation; better once the draft is solved, since lenses and axes are known then.
     """

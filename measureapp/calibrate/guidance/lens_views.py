@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray
-from measureapp.calibrate.cameras.camera import with_known_lens
-from measureapp.calibrate.cameras.draft import CELLS, ROUGH_FOCAL
+from measureapp.calibrate.cameras.camera import estimate_poses
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
+from measureapp.calibrate.cameras.shortfalls import CELLS, ROUGH_FOCAL
 from measureapp.calibrate.sightings import Sighting
 from measureapp.data.board import BoardDescription
 from measureapp.geometry.pinhole import PinholeCamera
@@ -51,7 +51,7 @@ TILTS = {  # way -> (component of the board's normal, sign, which edge moves awa
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LensViews:
-    """What one camera, or the projector, saw, judged with its lens or, before there is one, with a rough focal length."""
+    """Coverage, tilts and distances of the views of one camera or the projector, by its lens or a rough focal length."""
 
     camera: str
     pinhole: PinholeCamera
@@ -71,14 +71,14 @@ class LensViews:
 
     @property
     def coverage(self) -> float:
-        """Share of the image's cells in which there were marks."""
+        """Fraction of the image's cells with marks."""
         return float(self.cells.mean())
 
     @property
     def tilts_deg(self) -> dict[str, float]:
         """Way -> how far the board was tilted that way at most; never below 0.
 
-        A board tilted to the left faces to the left as the camera sees it, so that its left edge is the one farther away.
+        A board tilted to the left faces to the left in the image, so that its left edge is farther away.
         """
         angles = np.rad2deg(np.arctan2(self.normals[:, :2], self.normals[:, 2:]))
         return {way: float(max(0.0, (sign * angles[:, axis]).max(initial=0.0))) for way, (axis, sign, _) in TILTS.items()}
@@ -122,20 +122,20 @@ class LensViews:
 
 
 def rough_lens(size_px: tuple[int, int]) -> PinholeCamera:
-    """Return a lens good enough to judge tilts, without distortion."""
+    """Return a lens good enough to estimate tilts, without distortion."""
     width, height = size_px
     focal = ROUGH_FOCAL * width
     return PinholeCamera(width, height, np.array([[focal, 0, (width - 1) / 2], [0, focal, (height - 1) / 2], [0, 0, 1]]), np.zeros(5))
 
 
 def lens_views(camera: str, pinhole: PinholeCamera, sightings: Sequence[Sighting], board: BoardDescription) -> LensViews:
-    """Judge the sightings of one camera."""
+    """Evaluate coverage, tilts and distances of the sightings of one camera."""
     own = [one for one in sightings if one.camera == camera]
     cells = np.zeros((CELLS, CELLS), bool)
     for one in own:
         at = np.floor(one.corners_px / np.array([pinhole.width_px, pinhole.height_px]) * CELLS).clip(0, CELLS - 1).astype(int)
         cells[at[:, 1], at[:, 0]] = True
-    poses = list(with_known_lens(own, board, pinhole).camera_from_board.values())
+    poses = list(estimate_poses(own, board, pinhole).camera_from_board.values())
     normals = np.array([pose.rotation[:, 2] for pose in poses]).reshape(-1, 3)
     middles = np.array([pose.apply(board.middle_mm) for pose in poses]).reshape(-1, 3)
     return LensViews(camera, pinhole, cells, normals, middles[:, 2])

@@ -8,8 +8,8 @@ import numpy as np
 
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.cameras.camera import LEAST_VIEWS
-from measureapp.calibrate.cameras.draft import ADVISED_COVERAGE, ADVISED_VIEWS
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
+from measureapp.calibrate.cameras.shortfalls import ADVISED_COVERAGE, ADVISED_VIEWS
 from measureapp.calibrate.draft.advice import Gauge, Ghost, Notes, outline_px, outlines_px
 from measureapp.calibrate.draft.draft import Draft
 from measureapp.calibrate.guidance.lens_views import (
@@ -25,9 +25,9 @@ from measureapp.calibrate.guidance.next_view import best_view, board_before
 from measureapp.geometry.pinhole import PinholeCamera
 
 SHARED_TARGET = 5  # views that two cameras have in common
-FILLED = 0.5  # of the image's width: how large the board is asked for before anything was seen
+FILLED = 0.5  # of the image's width: required size of the board before the first view
 _IMAGES = {"camera": "image", "projector": "projector's image"}
-LEAST_FOR_INFORMATION = 4  # views, below which the covariance says little
+LEAST_FOR_INFORMATION = 4  # views, below which the covariance is unreliable
 
 
 def advise_lenses(draft: Draft, notes: Notes, *, fixed_board: bool = False) -> None:
@@ -63,7 +63,7 @@ def _tilt_wish(way: str, what: str, fixed: bool) -> str:
 
 
 def views_of(draft: Draft) -> list[LensViews]:
-    """Return what those saw whose lenses are calibrated; one without an image yet has none."""
+    """Return the views of those whose lenses are calibrated; one without an image has none."""
     sightings = [found.of(camera, one.id) for one in draft.counted for camera, found in one.seen.items()]
     views = []
     for camera in draft.setup.lenses:

@@ -1,4 +1,4 @@
-"""Which view of the board to take next for the cameras, or the projector: the one that adds most to what is known of them."""
+"""D-optimal design of views: the next view of the board that adds most information on cameras or projector."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def board_before(
 
 
 def best_view(solution: CameraArraySolution, distance_mm: float, lenses: Sequence[str]) -> RigidTransform | None:
-    """Return camera_from_board of the candidate that adds most to the Fisher information of ``lenses``; None where none is seen whole.
+    """Return camera_from_board of the candidate that adds most to the Fisher information of ``lenses``; None where none is completely visible.
 
     Candidates are a grid of places, tilts and distances before every camera. A view adds ΔI = Σ Jᵀ J / σ², the board's own pose taken
     out by the Schur complement; cameras that are known tell only that pose. The gain is ln det(I + Σ ΔI), the shrinking of the confidence ellipsoid of all parameters [1]_.

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.draft.advice import Gauge, Ghost, Notes, outlines_px
 from measureapp.calibrate.draft.draft import Draft
-from measureapp.calibrate.guidance.axis_spread import next_position, span_of, widest_gap
 from measureapp.calibrate.motions.axis_circles import LEAST_POSITIONS as LEAST_TABLE_POSITIONS
 from measureapp.calibrate.motions.axis_noise import SAME_POSE
 from measureapp.calibrate.motions.chain import groups_of
@@ -20,12 +20,13 @@ from measureapp.calibrate.motions.rotation_axis import AxisSolution
 from measureapp.data.calibration import RotationAxis
 from measureapp.geometry.transform import RigidTransform
 
+WIDE_GAP = 0.4  # of the whole span; a wider gap between two positions needs one more between them
 SWEEP_TARGET_DEG = 120.0  # the axis of a shorter arc is known worse; the paper turns its table by 120°
 
 
 @dataclass(frozen=True, slots=True)
 class Travel:
-    """How far an axis should be moved, in how many positions, and how that is said."""
+    """How far an axis should be moved, in how many positions, and the texts for it."""
 
     positions: int
     span: float
@@ -56,25 +57,25 @@ def advise_guide(draft: Draft, notes: Notes, *, still_robot: bool = False) -> No
     slides = [one.readback.guide_mm for one in draft.counted if one.readback.guide_mm is not None]
     _advise_travel(SLIDE, slides, len(slides), notes)
     if not slides:
-        notes.wish(f"Take the standing board from {LEAST_SLIDE_POSITIONS} positions of the guide or more, {ADVISED_STROKE_MM:.0f} mm apart")
+        notes.wish(f"Take the fixed board from {LEAST_SLIDE_POSITIONS} positions of the guide or more, {ADVISED_STROKE_MM:.0f} mm apart")
     elif still_robot and _robot_moved(draft):
         notes.wish("Keep the robot still while the guide moves: the errors of its poses would count as errors of the guide")
 
 
 def ghost_for_table(draft: Draft) -> Ghost | None:
-    """Return where the board will be seen when the table is turned to where a position is missing."""
+    """Predict the outline of the board after the table is turned to a missing position."""
     solved = draft.solved
     if solved is None or not solved.used:
         return None
     angles = solved.solution.best.angles_rad
     first = next(one for one in draft.counted if one.id == solved.used[0]).readback.table_rad if _all_known(draft) else 0.0
     goal = next_position(list(angles), float(np.deg2rad(SWEEP_TARGET_DEG)))
-    outlines = outlines_px(solved.cameras, _turned(solved.solution.best.axis, solved.places[solved.used[0]], goal), solved.board)
+    outlines = outlines_px(solved.cameras, _turn_board(solved.solution.best.axis, solved.places[solved.used[0]], goal), solved.board)
     return Ghost(outlines, table_rad=(first or 0.0) + goal if _all_known(draft) else None) if outlines else None
 
 
 def ghost_for_guide(draft: Draft) -> Ghost | None:
-    """Return where the board will be seen when the guide is moved to where a position is missing."""
+    """Predict the outline of the board after the guide is moved to a missing position."""
     solved, hand_eye = draft.solved, draft.setup.hand_eye
     if solved is None or hand_eye is None or not solved.used:
         return None
@@ -104,7 +105,7 @@ def _all_known(draft: Draft) -> bool:
     return all(one.readback.table_rad is not None for one in draft.counted)
 
 
-def _turned(axis: RotationAxis, place: RigidTransform, angle_rad: float) -> RigidTransform:
+def _turn_board(axis: RotationAxis, place: RigidTransform, angle_rad: float) -> RigidTransform:
     turn = axis.turned(angle_rad)
     return RigidTransform(turn.matrix, "camera", "camera") @ place
 
@@ -156,3 +157,27 @@ def _positions(count: int) -> str:
 
 def _number(count: int) -> str:
     return {1: "one", 2: "two", 3: "three", 4: "four", 5: "five", 6: "six"}.get(count, str(count))
+
+
+def widest_gap(positions: Sequence[float]) -> tuple[float, float] | None:
+    """Return the ends of a gap between neighbouring positions that is too wide; None where there is none or fewer than four."""
+    ordered = sorted(positions)
+    if len(ordered) < 4:
+        return None
+    start, end = max(pairwise(ordered), key=lambda pair: pair[1] - pair[0])
+    return (start, end) if end - start > WIDE_GAP * (ordered[-1] - ordered[0]) else None
+
+
+def next_position(positions: Sequence[float], span: float) -> float:
+    """Return where the next position adds most: within a gap, otherwise beyond the end that is nearer to zero."""
+    gap = widest_gap(positions)
+    if gap is not None:
+        return (gap[0] + gap[1]) / 2
+    low, high = min(positions), max(positions)
+    step = max((span - (high - low)) / 2, span / 8)
+    return high + step if abs(high) <= abs(low) else low - step
+
+
+def span_of(positions: Sequence[float]) -> float:
+    """Return largest less smallest; 0 without any."""
+    return float(np.ptp(positions)) if len(positions) else 0.0

@@ -13,14 +13,14 @@ from measureapp.calibrate.draft.draft import Draft
 from measureapp.calibrate.draft.locate import locate
 from measureapp.calibrate.motions.hand_eye import ADVISED_POSES, HandEyeSolution
 from measureapp.calibrate.motions.next_pose import propose
-from measureapp.calibrate.poses import mean_pose, stacked
+from measureapp.calibrate.poses import mean_pose, stack_matrices
 from measureapp.data.board import BoardDescription
 from measureapp.geometry.transform import RigidTransform, rotation_about
 
 TURN_TARGET_DEG = 40.0  # from one end to the other, about each axis of the camera
-TURNS = (  # about x, y and z of the camera, which sees y down
-    ("Turns up and down", "Look at the board from higher up and from lower down: the camera was tilted up and down by only"),
-    ("Turns left and right", "Look at the board more from the left and from the right: the camera was swung sideways by only"),
+TURNS = (  # about x, y and z of the camera, y pointing down
+    ("Turns up and down", "View the board from higher up and from lower down: the camera was tilted up and down by only"),
+    ("Turns left and right", "View the board more from the left and from the right: the camera was swung sideways by only"),
     ("Turns about the line of sight", "Roll the camera about its line of sight: it was rolled by only"),
 )
 CANDIDATE_TURNS_RAD = tuple(np.deg2rad([-40.0, -25.0, -12.0, 12.0, 25.0, 40.0]))
@@ -28,12 +28,12 @@ CANDIDATE_TURNS_RAD = tuple(np.deg2rad([-40.0, -25.0, -12.0, 12.0, 25.0, 40.0]))
 
 def advise_turns(draft: Draft, notes: Notes) -> None:
     """Note about which axes the camera has to be turned more."""
-    places = seen_places(draft)
+    places = board_poses(draft)
     notes.gauges.append(Gauge("Robot poses", len(places), ADVISED_POSES, ""))
     spans = turns_deg(places)
     notes.gauges += [Gauge(name, span, TURN_TARGET_DEG, "°") for (name, _), span in zip(TURNS, spans, strict=True)]
     if not places:
-        notes.wish("Show the standing board from the first robot pose")
+        notes.wish("Show the fixed board from the first robot pose")
         return
     for index in np.argsort(spans):
         if spans[index] < TURN_TARGET_DEG:
@@ -43,8 +43,8 @@ def advise_turns(draft: Draft, notes: Notes) -> None:
         notes.wish(f"Take {few} more robot {'pose' if few == 1 else 'poses'}: more average the robot's own errors")
 
 
-def seen_places(draft: Draft) -> list[RigidTransform]:
-    """Return camera_from_board of the observations, those with the most frequent table angle: there the board stood still."""
+def board_poses(draft: Draft) -> list[RigidTransform]:
+    """Return camera_from_board of the observations, those with the most frequent table angle: at which the board did not move."""
     cameras, usable = draft.cameras, draft.counted
     if cameras is None or not usable:
         return []
@@ -65,7 +65,7 @@ def turns_deg(places: Sequence[RigidTransform]) -> FloatArray:
 
 def ghost_for_turns(draft: Draft) -> Ghost | None:
     """Return where the board should appear next: by the information a pose adds once hand-eye is solved, before that by the turn that is missing."""
-    places = seen_places(draft)
+    places = board_poses(draft)
     cameras = draft.cameras
     if not places or cameras is None:
         return None
@@ -85,7 +85,7 @@ def ghost_for_turns(draft: Draft) -> Ghost | None:
 
 def _middle(places: Sequence[RigidTransform], board: BoardDescription) -> list[RigidTransform]:
     """The mean place of the board, turned about its middle by steps about each axis of the camera."""
-    mean = mean_pose(stacked(places))
+    mean = mean_pose(stack_matrices(places))
     centre = mean[:3, :3] @ board.middle_mm + mean[:3, 3]
     turned = []
     for axis in np.eye(3):

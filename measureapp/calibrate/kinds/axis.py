@@ -16,13 +16,13 @@ from measureapp.calibrate.draft.draft import ALL_AXES, Draft, Effect, Kind, Know
 from measureapp.calibrate.draft.estimate import Estimate, axis_estimates
 from measureapp.calibrate.draft.locate import Located, locate_board
 from measureapp.calibrate.guidance.travel import advise_table, ghost_for_table
-from measureapp.calibrate.kinds.fit import naming_rejected, placed, solved_axes
-from measureapp.calibrate.kinds.on_part import RADIUS_MM, half_turn_sigma_mm, rim_mm
-from measureapp.calibrate.motions import contradictions
-from measureapp.calibrate.motions.propagation import axis_sigmas, axis_through_robot
+from measureapp.calibrate.kinds.fit import explain_by_rejected, name_poses, solved_axes
+from measureapp.calibrate.kinds.on_part import RADIUS_MM, circle_about_axis_mm, half_turn_sigma_mm
+from measureapp.calibrate.motions import inlier_solutions
+from measureapp.calibrate.motions.propagation import axis_sigmas, propagate_robot_to_axis
 from measureapp.calibrate.motions.rotation_axis import AxisOptions, AxisProblem, AxisSolution, problem_from_poses, shortfalls
-from measureapp.calibrate.poses import inverted, mean_pose
-from measureapp.calibrate.rig.stages import carry_axis
+from measureapp.calibrate.poses import invert_poses, mean_pose
+from measureapp.calibrate.rig.stages import transform_axis
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import RotationAxis
 from measureapp.data.uncertainty import COVERAGE_FACTOR
@@ -33,7 +33,7 @@ NO_RIG = ("The rest of the rig is not calibrated yet.", "Calibrate the whole rig
 
 
 class Axis(Kind):
-    """Direction and position of the rotation axis by maximum likelihood, with two circle fits beside it."""
+    """Direction and position of the rotation axis by maximum likelihood, and by two circle fits for comparison."""
 
     name = "axis"
     words = Words(
@@ -101,7 +101,7 @@ class Axis(Kind):
 
     @override
     def compare_merged(self, draft: Draft, solved: Solved, known: Known, result: Known) -> Comparison | None:
-        """Compare in the rig: cameras that stood elsewhere saw the axis elsewhere."""
+        """Compare in the frame of the rig, since the axis in the camera frame depends on the pose of the cameras."""
         return None if known.rig is None or result.rig is None else compare_axes(known.rig.axis, result.rig.axis)
 
     @override
@@ -111,7 +111,7 @@ class Axis(Kind):
             raise CalibrationError(*NO_RIG)
         seen = self.result(solved)
         first = next(one for one in draft.observations if one.id == solved.used[0])
-        axis = axis_through_robot(carry_axis(seen, rig.guide_from_camera(first.axes)), seen, rig.hand_eye, setup.noise)
+        axis = propagate_robot_to_axis(transform_axis(seen, rig.guide_from_camera(first.axes)), seen, rig.hand_eye, setup.noise)
         return Known(rig.cameras, replace(rig, axis=axis))
 
     @override
@@ -125,14 +125,14 @@ def solve_draft(draft: Draft, progress: Progress, options: AxisOptions | None = 
     """Solve the rotation axis, positions in which the board had moved rejected. Raises CalibrationError."""
     seen = locate_board(draft)
     try:
-        found = contradictions.solve_axis(replace(problem_of(seen, draft.setup.board), options=options or AxisOptions()), progress)
+        found = inlier_solutions.solve_axis(replace(problem_of(seen, draft.setup.board), options=options or AxisOptions()), progress)
     except CalibrationError as error:
-        raise naming_rejected(error, seen) from error
+        raise explain_by_rejected(error, seen) from error
     best, kept = found.solution.best, [seen.observations[index] for index in found.kept]
     motions = np.array([best.axis.turned(float(angle)).matrix for angle in best.angles_rad])
-    first = mean_pose(inverted(motions) @ np.array([one.pose.camera_from_board.matrix for one in kept]))
-    predicted = placed([one.id for one in kept], motions @ first)
-    moved = {seen.observations[index].id: reason for index, reason in found.moved.items()}
+    first = mean_pose(invert_poses(motions) @ np.array([one.pose.camera_from_board.matrix for one in kept]))
+    predicted = name_poses([one.id for one in kept], motions @ first)
+    moved = {seen.observations[index].id: reason for index, reason in found.rejected.items()}
     return solved_axes(draft, seen, found.solution, predicted, moved)
 
 
@@ -141,7 +141,7 @@ def problem_of(seen: Located, board: BoardDescription) -> AxisProblem:
     observations: Sequence[Observation] = seen.observations
     poses, angles = [one.pose for one in observations], [one.readback.table_rad for one in observations]
     problem = problem_from_poses(poses, board, angles, names=[one.id for one in observations])
-    return replace(problem, by_cameras=seen.by_cameras, camera_prior=seen.prior)
+    return replace(problem, camera_jacobian=seen.camera_jacobian, camera_prior=seen.prior)
 
 
 def axis_at_height(axis: RotationAxis, height_mm: float) -> tuple[Estimate, ...]:
@@ -156,7 +156,7 @@ def compare_axes(previous: RotationAxis, new: RotationAxis) -> Comparison:
         raise CalibrationError(
             f"The previous axis is given in frame {previous.frame}, the new one in {new.frame}.", "Compare axes in the same frame."
         )
-    rim = rim_mm(new, RADIUS_MM)
+    rim = circle_about_axis_mm(new, RADIUS_MM)
     moved = float(np.linalg.norm(new.turned(np.pi).apply(rim) - previous.turned(np.pi).apply(rim), axis=1).max())
     sigmas = [np.hypot(axis.point_sigma_mm, RADIUS_MM * axis.direction_sigma_rad) for axis in (previous, new)]
     return Comparison(
@@ -177,7 +177,7 @@ def axis_changes(previous: RotationAxis, new: RotationAxis) -> list[Change]:
 
 
 def _by_robot_mm(draft: Draft, solution: AxisSolution) -> float:
-    """Contribution (k = 2) of robot and hand-eye where the axis is used from another robot pose than it was seen from."""
+    """Contribution (k = 2) of robot and hand-eye where the axis is used from another robot pose than that of the observations."""
     hand_eye = draft.setup.hand_eye
     if hand_eye is None:
         return 0.0

@@ -8,13 +8,14 @@ from typing import Any
 
 from typing_extensions import override
 
+from measureapp.calibrate.cameras.shortfalls import shortfalls
 from measureapp.calibrate.cameras.validation import CrossValidation
 from measureapp.calibrate.draft.advice import Ghost, Notes
 from measureapp.calibrate.draft.comparison import Comparison
 from measureapp.calibrate.draft.draft import Draft, Effect, Kind, Known, Limits, Setup, Solved, Words
 from measureapp.calibrate.draft.estimate import Estimate, camera_estimates
 from measureapp.calibrate.guidance.lenses import advise_lenses, ghost_for_lenses
-from measureapp.calibrate.kinds.lenses import camera_draft, compare_cameras, cross_validate_cameras, effect_of_cameras, solve_cameras
+from measureapp.calibrate.kinds.lenses import compare_cameras, cross_validate_cameras, effect_of_cameras, lens_problem, solve_cameras
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.errors import InputError
 from measureapp.progress import Progress
@@ -61,7 +62,7 @@ class Cameras(Kind):
 
     @override
     def shortfalls(self, draft: Draft) -> tuple[str, ...]:
-        return camera_draft(draft, draft.setup.lenses).shortfalls()
+        return shortfalls(lens_problem(draft, draft.setup.lenses))
 
     @override
     def advise(self, draft: Draft, notes: Notes) -> Ghost | None:
@@ -111,7 +112,7 @@ def outdated_projector(known: Known) -> Sequence[str]:
 
 
 def with_cameras(known: Known, cameras: CameraArrayCalibration) -> Known:
-    """Return what is calibrated with new cameras; a rig of other cameras does not take them over."""
+    """Replace the calibrated cameras; a rig of other cameras keeps its own."""
     rig = known.rig
     same = rig is not None and set(rig.cameras.cameras) == set(cameras.cameras)
     return Known(cameras, replace(rig, cameras=cameras) if rig is not None and same else None)

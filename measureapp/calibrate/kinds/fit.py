@@ -1,4 +1,4 @@
-"""How observations of the board fit a solution of axes: where it puts the board, and how far that is from where it was seen."""
+"""Residuals of board observations against a solution of axes: predicted and observed board poses."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from measureapp.arrays import FloatArray
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.draft.draft import Draft, Solved
 from measureapp.calibrate.draft.locate import Located
-from measureapp.calibrate.sightings import naming_refused, rms
+from measureapp.calibrate.sightings import explain_by_refused, rms
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform, orthonormalise
 
 
-def placed(ids: Sequence[str], poses: FloatArray) -> dict[str, RigidTransform]:
+def name_poses(ids: Sequence[str], poses: FloatArray) -> dict[str, RigidTransform]:
     """Return observation -> camera_from_board for poses (N, 4, 4) that a solution predicts."""
     return {name: RigidTransform(orthonormalise(pose), "camera", "board") for name, pose in zip(ids, poses, strict=True)}
 
@@ -31,7 +31,7 @@ def solved_axes(
     moved : observation that was rejected as an outlier -> reason
     """
     cameras = draft.setup.cameras
-    assert cameras is not None  # `Setup` sees to it
+    assert cameras is not None  # guaranteed by `Setup`
     places = {one.id: one.pose.camera_from_board for one in located.observations}
     return Solved(
         solution=solution,
@@ -54,14 +54,14 @@ def residuals_px(
 
 
 def residuals_mm(predicted: Mapping[str, RigidTransform], seen: Mapping[str, RigidTransform], board: BoardDescription) -> dict[str, float]:
-    """Return observation -> rms distance of the board's marks between where the solution puts it and where it was seen."""
+    """Return observation -> rms distance of the board's marks between predicted and observed pose."""
     marks = board.corners_mm
     return {name: rms(place.apply(marks) - seen[name].apply(marks)) for name, place in predicted.items()}
 
 
-def naming_rejected(error: CalibrationError, located: Located) -> CalibrationError:
+def explain_by_rejected(error: CalibrationError, located: Located) -> CalibrationError:
     """Return the error of a solution that failed, naming the observations whose cameras contradict each other: often its cause."""
-    return naming_refused(error, [(f"observation {name}", reason) for name, reason in located.rejected.items()])
+    return explain_by_refused(error, [(f"observation {name}", reason) for name, reason in located.rejected.items()])
 
 
 def _misfit_px(

@@ -17,12 +17,12 @@ from measureapp.calibrate.draft.estimate import Estimate, guide_estimates
 from measureapp.calibrate.draft.locate import Located, locate_board
 from measureapp.calibrate.guidance.travel import advise_guide, ghost_for_guide
 from measureapp.calibrate.kinds.axis import NO_RIG
-from measureapp.calibrate.kinds.fit import naming_rejected, placed, solved_axes
-from measureapp.calibrate.motions import contradictions
+from measureapp.calibrate.kinds.fit import explain_by_rejected, name_poses, solved_axes
+from measureapp.calibrate.motions import inlier_solutions
 from measureapp.calibrate.motions.axis_noise import AxisNoise
-from measureapp.calibrate.motions.contradictions import Steady
+from measureapp.calibrate.motions.inlier_solutions import InlierSolution
 from measureapp.calibrate.motions.linear_guide import GuideProblem, GuideSolution, shortfalls
-from measureapp.calibrate.motions.propagation import guide_through_robot, turn_sigma_rad
+from measureapp.calibrate.motions.propagation import propagate_robot_to_guide, turn_sigma_rad
 from measureapp.data.calibration import HandEye, LinearGuide
 from measureapp.data.uncertainty import COVERAGE_FACTOR
 from measureapp.errors import CalibrationError, InputError
@@ -67,12 +67,12 @@ class Guide(Kind):
         seen = locate_board(draft)
         progress.report(0, 1, "straight line of the guide")
         try:
-            found = solve_steady(problem_of(seen, hand_eye), setup.board.corners_mm, setup.noise)
+            found = solve_inliers(problem_of(seen, hand_eye), setup.board.corners_mm, setup.noise)
         except CalibrationError as error:
-            raise naming_rejected(error, seen) from error
+            raise explain_by_rejected(error, seen) from error
         kept = [seen.observations[index] for index in found.kept]
-        predicted = placed([one.id for one in kept], contradictions.guide_places(found.solution.guide, hand_eye, kept))
-        moved = {seen.observations[index].id: reason for index, reason in found.moved.items()}
+        predicted = name_poses([one.id for one in kept], inlier_solutions.predict_guide_boards(found.solution.guide, hand_eye, kept))
+        moved = {seen.observations[index].id: reason for index, reason in found.rejected.items()}
         return solved_axes(draft, seen, found.solution, predicted, moved)
 
     @override
@@ -135,13 +135,13 @@ def problem_of(seen: Located, hand_eye: HandEye) -> GuideProblem:
     return GuideProblem(seen.observations, hand_eye, seen.prior)
 
 
-def solve_steady(problem: GuideProblem, marks_mm: FloatArray, noise: AxisNoise) -> Steady[GuideSolution]:
+def solve_inliers(problem: GuideProblem, marks_mm: FloatArray, noise: AxisNoise) -> InlierSolution[GuideSolution]:
     """Solve without outliers, and with the uncertainty that robot and hand-eye add to the direction. Raises CalibrationError."""
-    found = contradictions.solve_guide(problem, marks_mm)
-    guide = guide_through_robot(found.solution.guide, problem.hand_eye, noise)
+    found = inlier_solutions.solve_guide(problem, marks_mm)
+    guide = propagate_robot_to_guide(found.solution.guide, problem.hand_eye, noise)
     return replace(found, solution=replace(found.solution, guide=guide))
 
 
 def _hand_eye(draft: Draft) -> HandEye:
-    assert draft.setup.hand_eye is not None  # `check` sees to it
+    assert draft.setup.hand_eye is not None  # guaranteed by `check`
     return draft.setup.hand_eye

@@ -17,9 +17,9 @@ from measureapp.calibrate.draft.estimate import Estimate, hand_eye_estimates
 from measureapp.calibrate.draft.locate import Located, locate_board
 from measureapp.calibrate.guidance.turns import advise_turns, ghost_for_turns
 from measureapp.calibrate.kinds.axis import NO_RIG
-from measureapp.calibrate.kinds.fit import naming_rejected, placed, solved_axes
-from measureapp.calibrate.kinds.on_part import placing_sigma_mm
-from measureapp.calibrate.motions import contradictions
+from measureapp.calibrate.kinds.fit import explain_by_rejected, name_poses, solved_axes
+from measureapp.calibrate.kinds.on_part import placement_sigma_mm
+from measureapp.calibrate.motions import inlier_solutions
 from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.motions.hand_eye import HandEyeProblem, HandEyeSolution, shortfalls
 from measureapp.calibrate.sightings import rms
@@ -58,12 +58,12 @@ class HandEyeKind(Kind):
     def solve(self, draft: Draft, progress: Progress) -> Solved:
         seen = locate_board(draft)
         try:
-            found = contradictions.solve_hand_eye(problem_of(seen, draft.setup.noise), draft.setup.board.corners_mm, progress)
+            found = inlier_solutions.solve_hand_eye(problem_of(seen, draft.setup.noise), draft.setup.board.corners_mm, progress)
         except CalibrationError as error:
-            raise naming_rejected(error, seen) from error
+            raise explain_by_rejected(error, seen) from error
         kept = [seen.observations[index] for index in found.kept]
-        predicted = placed([one.id for one in kept], contradictions.hand_eye_places(found.solution, flanges_of(kept)))
-        moved = {seen.observations[index].id: reason for index, reason in found.moved.items()}
+        predicted = name_poses([one.id for one in kept], inlier_solutions.predict_hand_eye_boards(found.solution, flanges_of(kept)))
+        moved = {seen.observations[index].id: reason for index, reason in found.rejected.items()}
         return solved_axes(draft, seen, found.solution, predicted, moved)
 
     @override
@@ -94,7 +94,7 @@ class HandEyeKind(Kind):
     @override
     def effect(self, draft: Draft, solved: Solved) -> Effect:
         solution: HandEyeSolution = solved.solution
-        value = COVERAGE_FACTOR * placing_sigma_mm(solution)
+        value = COVERAGE_FACTOR * placement_sigma_mm(solution)
         away = float(solution.part_in_camera_mm[2])
         return Effect(value, f"Places a point {away:.0f} mm in front of the cameras to {millimetres(value)} (k = 2) relative to the flange")
 
@@ -131,4 +131,4 @@ class HandEyeKind(Kind):
 def problem_of(seen: Located, noise: AxisNoise) -> HandEyeProblem:
     """Return the problem of observations with robot pose and pose of the board."""
     flanges = tuple(one.readback.base_from_flange for one in seen.observations if one.readback.base_from_flange is not None)
-    return HandEyeProblem(flanges, tuple(one.pose for one in seen.observations), noise, seen.by_cameras, seen.prior)
+    return HandEyeProblem(flanges, tuple(one.pose for one in seen.observations), noise, seen.camera_jacobian, seen.prior)

@@ -1,4 +1,4 @@
-"""What calibrations of lenses share: cameras, the projector, and a rig that calibrates its cameras too."""
+"""Common parts of the calibrations of lenses: cameras, the projector, and a rig that calibrates its cameras too."""
 
 from __future__ import annotations
 
@@ -9,8 +9,7 @@ import numpy as np
 
 from measureapp.calibrate.cameras.array import CameraArrayProblem, CameraArraySolution
 from measureapp.calibrate.cameras.array import solve as solve_array
-from measureapp.calibrate.cameras.draft import CameraArrayDraft
-from measureapp.calibrate.cameras.projector_sightings import called
+from measureapp.calibrate.cameras.projector_sightings import device_title
 from measureapp.calibrate.cameras.uncertainty import POSE_NAMES
 from measureapp.calibrate.cameras.validation import CrossValidation, cross_validate
 from measureapp.calibrate.draft.comparison import Comparison, changes_between, millimetres, sigma_ratio
@@ -34,20 +33,16 @@ from measureapp.errors import CalibrationError
 from measureapp.progress import Progress
 
 
-def camera_draft(draft: Draft, names: Sequence[str]) -> CameraArrayDraft:
-    """Return the sightings of the lenses of these names, of which the projector may be one."""
+def lens_problem(draft: Draft, names: Sequence[str]) -> CameraArrayProblem:
+    """Return the problem of the lenses of these names, of which the projector may be one."""
     setup = draft.setup
     sizes = {name: size for name, size in draft.sizes_px.items() if name in names}
-    found = CameraArrayDraft(setup.board, setup.reference, sizes, setup.distortion_count)
-    for one in draft.observations:
-        for camera, marks in one.seen.items():
-            if camera in names:
-                found.add_sighting(marks.of(camera, one.id))
-    return found
+    sightings = tuple(marks.of(camera, one.id) for one in draft.observations for camera, marks in one.seen.items() if camera in names)
+    return CameraArrayProblem(setup.board, setup.reference, sizes, sightings, distortion_count=setup.distortion_count)
 
 
 def camera_problem(draft: Draft, rejected: Sequence[Rejection] = ()) -> CameraArrayProblem:
-    """Return what the cameras are calibrated from. Raises CalibrationError where one has no images yet.
+    """Return the problem of the cameras. Raises CalibrationError where one has no images yet.
 
     Parameters
     ----------
@@ -55,8 +50,8 @@ def camera_problem(draft: Draft, rejected: Sequence[Rejection] = ()) -> CameraAr
     """
     missing = [name for name in draft.setup.camera_names if name not in draft.sizes_px]
     if missing:
-        raise CalibrationError(f"Camera {missing[0]!r} has no images yet.", "Give one of every camera with an observation.")
-    return replace(camera_draft(draft, draft.setup.camera_names).problem(), rejected=tuple(rejected))
+        raise CalibrationError(f"Camera {missing[0]!r} has no images yet.", "Give one image per camera with every observation.")
+    return replace(lens_problem(draft, draft.setup.camera_names), rejected=tuple(rejected))
 
 
 def solve_cameras(draft: Draft, progress: Progress) -> Solved:
@@ -73,9 +68,9 @@ def solved_cameras(draft: Draft, solution: CameraArraySolution) -> Solved:
         residuals.setdefault(view.view, {})[view.camera] = view.rms_px
     reasons: dict[str, list[str]] = {}
     for rejection in solution.rejected:
-        reasons.setdefault(rejection.view, []).append(f"{called(rejection.camera)}: {rejection.reason}.")
+        reasons.setdefault(rejection.view, []).append(f"{device_title(rejection.camera)}: {rejection.reason}.")
     for corner in solution.rejected_corners:
-        reasons.setdefault(corner.view, []).append(f"{called(corner.camera)}: corner {corner.corner} rejected, it {corner.reason}.")
+        reasons.setdefault(corner.view, []).append(f"{device_title(corner.camera)}: corner {corner.corner} rejected, it {corner.reason}.")
     return Solved(
         solution=solution,
         of=tuple(one.id for one in draft.observations),

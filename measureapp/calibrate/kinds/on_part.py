@@ -1,4 +1,4 @@
-"""What calibrations mean on the part, in millimetres: what their covariance leaves open, and what two of them differ by."""
+"""Propagation of the covariance of calibrations to the part, in millimetres, and displacement between two calibrations."""
 
 from __future__ import annotations
 
@@ -7,19 +7,19 @@ from collections.abc import Sequence
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.boards.pose import triangulated
+from measureapp.calibrate.boards.pose import triangulate
 from measureapp.calibrate.cameras.array import CameraArraySolution
-from measureapp.calibrate.cameras.projector import HeadSolution, beside_projector
+from measureapp.calibrate.cameras.projector import HeadSolution, pair_with_projector
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
 from measureapp.calibrate.cameras.uncertainty import (
     WorkingVolume,
+    observed_volume,
     projection_difference,
     projection_uncertainty,
     volume_points,
-    volume_seen,
     volume_uncertainty,
 )
-from measureapp.calibrate.motions.axis_motion import across, rigid_motion
+from measureapp.calibrate.motions.axis_motion import perpendicular_basis, rigid_motion
 from measureapp.calibrate.motions.hand_eye import HandEyeSolution
 from measureapp.calibrate.motions.next_pose import lever_at
 from measureapp.calibrate.rig.joint_solution import RigSolution
@@ -30,8 +30,8 @@ from measureapp.data.fringe import AxisReadback
 from measureapp.data.uncertainty import VolumeUncertainty
 from measureapp.geometry.pinhole import PinholeCamera
 
-LENGTH_SHARE = 0.8  # of the volume's diagonal: the longest length that is told for it
-RADIUS_MM = 250.0  # rim of the paper's table
+LENGTH_SHARE = 0.8  # of the volume's diagonal: the longest length stated for it
+RADIUS_MM = 250.0  # radius of the paper's table
 PART_MM = 100.0  # from the middle of the part to its sides
 MOST_VIEWS = 12
 GRID = 12  # points along each side of an image
@@ -41,7 +41,7 @@ STEP = 1e-6
 def volume_of(solution: CameraArraySolution, standoff_mm: float | None) -> WorkingVolume:
     """Return the volume in which the board was shown."""
     places = np.array([pose.apply(solution.board.middle_mm) for pose in solution.boards.values()])
-    return volume_seen(solution.calibration, places, standoff_mm)
+    return observed_volume(solution.calibration, places, standoff_mm)
 
 
 def fitting_length_mm(volume: WorkingVolume, wanted_mm: float) -> float:
@@ -51,18 +51,18 @@ def fitting_length_mm(volume: WorkingVolume, wanted_mm: float) -> float:
 
 
 def length_uncertainty(solution: CameraArraySolution, volume: WorkingVolume, length_mm: float) -> VolumeUncertainty:
-    """Return what the cameras leave open of points and lengths in the volume. Raises CalibrationError for a volume nobody sees."""
+    """Return the uncertainty of points and lengths in the volume. Raises CalibrationError if no two cameras see it."""
     return volume_uncertainty(solution.calibration, solution.parameters, solution.covariance, volume, length_mm)
 
 
-def length_beside_projector(
+def length_uncertainty_with_projector(
     head: HeadSolution, camera: str, volume: WorkingVolume, length_mm: float, *, own: bool = False
 ) -> VolumeUncertainty:
-    """Return what is left open of points and lengths that one camera and the projector measure.
+    """Return the uncertainty of points and lengths measured by one camera and the projector.
 
     Parameters
     ----------
-    own : only what the projector's calibration leaves open, the cameras exactly known
+    own : only the contribution of the projector's calibration, with exactly known cameras
 
     Raises
     ------
@@ -70,12 +70,12 @@ def length_beside_projector(
         The two do not see the volume.
     """
     solution = head.solution
-    covariance = _given_cameras(solution) if own else solution.covariance
-    return volume_uncertainty(beside_projector(head.calibration, camera), solution.parameters, covariance, volume, length_mm)
+    covariance = _condition_on_cameras(solution) if own else solution.covariance
+    return volume_uncertainty(pair_with_projector(head.calibration, camera), solution.parameters, covariance, volume, length_mm)
 
 
-def _given_cameras(solution: CameraArraySolution) -> FloatArray:
-    """The covariance of the projector where its cameras are exactly known: C_pp − C_pc C_cc⁻¹ C_cp, and nothing of the cameras."""
+def _condition_on_cameras(solution: CameraArraySolution) -> FloatArray:
+    """The conditional covariance of the projector given exactly known cameras (Schur complement): C_pp − C_pc C_cc⁻¹ C_cp, and zero for the cameras."""
     own = np.array([label.startswith(f"{PROJECTOR}.") for label in solution.parameters])
     mixed = solution.covariance[np.ix_(own, ~own)]
     given = mixed @ np.linalg.pinv(solution.covariance[np.ix_(~own, ~own)], hermitian=True) @ mixed.T
@@ -98,36 +98,36 @@ def half_turn_sigma_mm(axis: RotationAxis, covariance: FloatArray, radius_mm: fl
     ----------
     covariance : (4, 4) of direction (2, rad) and point (2, mm) across the axis
     """
-    basis = across(axis.direction)
+    basis = perpendicular_basis(axis.direction)
 
     def turned(change: FloatArray) -> FloatArray:
         moved = RotationAxis(axis.point_mm + change[2:] @ basis, axis.direction + change[:2] @ basis, axis.frame)
-        return moved.turned(np.pi).apply(rim_mm(axis, radius_mm))
+        return moved.turned(np.pi).apply(circle_about_axis_mm(axis, radius_mm))
 
     columns = [(turned(step) - turned(-step)) / (2 * STEP) for step in STEP * np.eye(4)]
     jacobian = np.stack(columns, axis=-1)
     return float(np.sqrt(np.linalg.eigvalsh(jacobian @ covariance @ np.swapaxes(jacobian, 1, 2))[:, -1].max()))
 
 
-def rim_mm(axis: RotationAxis, radius_mm: float) -> FloatArray:
+def circle_about_axis_mm(axis: RotationAxis, radius_mm: float) -> FloatArray:
     """Return points (8, 3) on a circle about the axis, at the height of its point."""
     angles = np.linspace(0, 2 * np.pi, 8, endpoint=False)
-    return np.asarray(axis.point_mm + radius_mm * np.column_stack([np.cos(angles), np.sin(angles)]) @ across(axis.direction))
+    return np.asarray(axis.point_mm + radius_mm * np.column_stack([np.cos(angles), np.sin(angles)]) @ perpendicular_basis(axis.direction))
 
 
-def placing_sigma_mm(solution: HandEyeSolution) -> float:
+def placement_sigma_mm(solution: HandEyeSolution) -> float:
     """Return how far a point at the part may be misplaced against the flange, the largest over all directions."""
-    carry = lever_at(solution.part_in_camera_mm, solution.minimum.state)
-    return float(np.sqrt(np.linalg.eigvalsh(carry @ solution.covariance @ carry.T)[-1]))
+    lever = lever_at(solution.part_in_camera_mm, solution.minimum.state)
+    return float(np.sqrt(np.linalg.eigvalsh(lever @ solution.covariance @ lever.T)[-1]))
 
 
-def fitting_together_sigma_mm(solution: RigSolution, readbacks: Sequence[AxisReadback]) -> tuple[float, float]:
-    """Return how well views fit together on the part before any registration: rms and worst over views and points, one standard deviation.
+def view_consistency_sigma_mm(solution: RigSolution, readbacks: Sequence[AxisReadback]) -> tuple[float, float]:
+    """Return the standard deviation of the gaps between views on the part before registration: rms and worst over views and points.
 
-    Points are the corners of a cube of 200 mm about the board. What all views have in common is left out: it moves the part as a
-    whole and bends nothing.
+    Points are the corners of a cube of 200 mm about the board. Errors common to all views are excluded: they move the part as a
+    whole and do not deform it.
     """
-    chosen = few_of(readbacks)
+    chosen = sample_readbacks(readbacks)
     views = view_uncertainty(uncertainty_of(solution), chosen)
     points = part_points_mm(solution)
     gaps = [views.between(0, index, points) for index in range(1, len(chosen))]
@@ -142,7 +142,7 @@ def part_points_mm(solution: RigSolution) -> FloatArray:
     return part_from_board.translation_mm + sides
 
 
-def few_of(readbacks: Sequence[AxisReadback]) -> list[AxisReadback]:
+def sample_readbacks(readbacks: Sequence[AxisReadback]) -> list[AxisReadback]:
     """Return a dozen of the read-backs, from the first to the last."""
     chosen = np.unique(np.linspace(0, len(readbacks) - 1, min(len(readbacks), MOST_VIEWS)).round().astype(int))
     return [readbacks[index] for index in chosen]
@@ -155,13 +155,13 @@ def shape_difference_mm(one: CameraArrayCalibration, other: CameraArrayCalibrati
     inside = np.array([_inside(one.cameras[name].pinhole, pixels) for name, pixels in seen.items()]).sum(axis=0) == len(seen)
     if np.count_nonzero(inside) < 4:  # no point is in all images: what the cameras extrapolate is compared then
         inside[:] = True
-    measured = triangulated({name: pixels[inside] for name, pixels in seen.items()}, other)
+    measured = triangulate({name: pixels[inside] for name, pixels in seen.items()}, other)
     motion = rigid_motion(measured, points[inside])
     return rms(measured @ motion[:3, :3].T + motion[:3, 3] - points[inside])
 
 
 def sideways_difference_mm(one: PinholeCamera, other: PinholeCamera, range_mm: float) -> float:
-    """Return the rms distance across the line of sight between points as two lenses of one camera see them, a motion taken out."""
+    """Return the rms distance across the line of sight between points by two lenses of one camera, after removal of a rigid motion."""
     x, y = np.linspace(0, one.width_px - 1, GRID), np.linspace(0, one.height_px - 1, GRID)
     pixels = np.stack(np.meshgrid(x, y), -1).reshape(-1, 2)
     return rms(projection_difference(one, other, pixels, range_mm)) * range_mm / float(one.matrix[0, 0])

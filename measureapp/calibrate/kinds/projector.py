@@ -11,9 +11,9 @@ from typing_extensions import override
 
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.cameras.array import CameraArrayProblem
-from measureapp.calibrate.cameras.draft import CameraArrayDraft
-from measureapp.calibrate.cameras.projector import HeadSolution, as_camera, beside_projector, solve_head
+from measureapp.calibrate.cameras.projector import HeadSolution, as_camera, pair_with_projector, solve_head
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
+from measureapp.calibrate.cameras.shortfalls import shortfalls
 from measureapp.calibrate.cameras.uncertainty import WorkingVolume
 from measureapp.calibrate.cameras.validation import CrossValidation, cross_validate
 from measureapp.calibrate.draft.advice import Ghost, Notes
@@ -22,8 +22,8 @@ from measureapp.calibrate.draft.draft import Draft, Effect, Kind, Known, Limits,
 from measureapp.calibrate.draft.estimate import Estimate, projector_estimates
 from measureapp.calibrate.guidance.lenses import advise_lenses, ghost_for_lenses
 from measureapp.calibrate.kinds.cameras import with_cameras
-from measureapp.calibrate.kinds.lenses import camera_draft, solved_cameras
-from measureapp.calibrate.kinds.on_part import fitting_length_mm, length_beside_projector, shape_difference_mm, volume_of
+from measureapp.calibrate.kinds.lenses import lens_problem, solved_cameras
+from measureapp.calibrate.kinds.on_part import fitting_length_mm, length_uncertainty_with_projector, shape_difference_mm, volume_of
 from measureapp.calibrate.sightings import Rejection
 from measureapp.data.calibration import CameraArrayCalibration, ProjectorCalibration, RigCalibration
 from measureapp.data.uncertainty import COVERAGE_FACTOR
@@ -71,8 +71,10 @@ class Projector(Kind):
     @override
     def solve(self, draft: Draft, progress: Progress) -> Solved:
         known, setup = draft.setup.cameras, draft.setup
-        assert known is not None  # `Setup` sees to it
-        problem = head_problem(draft.observations, CameraArrayDraft(setup.board, setup.reference, {}, setup.distortion_count), known)
+        assert known is not None  # guaranteed by `Setup`
+        problem = head_problem(
+            CameraArrayProblem(setup.board, setup.reference, {}, (), distortion_count=setup.distortion_count), draft.observations, known
+        )
         read = [one.seen[PROJECTOR].of(PROJECTOR, one.id) for one in draft.observations]
         start = None if draft.solved is None else draft.solved.solution
         head = solve_head(problem, read, draft.sizes_px[PROJECTOR], progress, start)
@@ -82,7 +84,7 @@ class Projector(Kind):
 
     @override
     def shortfalls(self, draft: Draft) -> tuple[str, ...]:
-        return camera_draft(draft, draft.setup.lenses).shortfalls()
+        return shortfalls(lens_problem(draft, draft.setup.lenses))
 
     @override
     def advise(self, draft: Draft, notes: Notes) -> Ghost | None:
@@ -102,15 +104,15 @@ class Projector(Kind):
     def effect(self, draft: Draft, solved: Solved) -> Effect:
         head: HeadSolution = solved.solution
         camera, volume, length_mm = _worst_pair(head, draft.setup)
-        found = length_beside_projector(head, camera, volume, length_mm)
-        own = length_beside_projector(head, camera, volume, length_mm, own=True)
+        found = length_uncertainty_with_projector(head, camera, volume, length_mm)
+        own = length_uncertainty_with_projector(head, camera, volume, length_mm, own=True)
         value, worst = COVERAGE_FACTOR * found.length_sigma_mm, COVERAGE_FACTOR * found.worst_length_sigma_mm
-        by_cameras = COVERAGE_FACTOR * float(np.sqrt(max(found.length_sigma_mm**2 - own.length_sigma_mm**2, 0.0)))
+        camera_jacobian = COVERAGE_FACTOR * float(np.sqrt(max(found.length_sigma_mm**2 - own.length_sigma_mm**2, 0.0)))
         sentence = (
             f"Adds {millimetres(value)} (k = 2), at worst {millimetres(worst)}, to a length of {found.length_mm:g} mm "
             f"measured by camera {camera} and the projector"
         )
-        return Effect(value, sentence, cameras_mm=by_cameras)
+        return Effect(value, sentence, cameras_mm=camera_jacobian)
 
     @override
     def previous(self, known: Known) -> ProjectorCalibration | None:
@@ -123,9 +125,9 @@ class Projector(Kind):
             return None
         camera = head.calibration.reference
         volume = volume_of(head.solution, draft.setup.standoff_mm)
-        found = length_beside_projector(head, camera, volume, fitting_length_mm(volume, draft.setup.length_mm))
+        found = length_uncertainty_with_projector(head, camera, volume, fitting_length_mm(volume, draft.setup.length_mm))
         with_before = replace(head.calibration, projector=replace(before, name=head.projector.name))
-        moved = shape_difference_mm(beside_projector(head.calibration, camera), beside_projector(with_before, camera), volume)
+        moved = shape_difference_mm(pair_with_projector(head.calibration, camera), pair_with_projector(with_before, camera), volume)
         named = replace(before, name=head.projector.name)
         alone = [CameraArrayCalibration(one.name, {one.name: as_camera(one)}) for one in (named, head.projector)]
         expanded = float(np.hypot(1.0, sigma_ratio(*alone))) * COVERAGE_FACTOR * found.shape_rms_mm
@@ -149,23 +151,20 @@ class Projector(Kind):
 
 
 def head_problem(
+    empty: CameraArrayProblem,
     observations: Sequence[Observation],
-    draft: CameraArrayDraft,
     known: CameraArrayCalibration | None,
     rejected: Sequence[Rejection] = (),
 ) -> CameraArrayProblem:
-    """Return the problem of the cameras beside the projector: known ones stay as they are, others are calibrated with it.
+    """Return the problem of the cameras next to the projector: known ones stay fixed, others are calibrated with it.
 
     Parameters
     ----------
-    draft : empty; with the sizes of cameras that are not known
-    rejected : images that gave nothing, for the list of what was rejected
+    empty : without sightings; with the sizes of cameras that are not known
+    rejected : images without marks, for the list of rejections
     """
-    for one in observations:
-        for camera, marks in one.seen.items():
-            if camera != PROJECTOR:
-                draft.add_sighting(marks.of(camera, one.id))
-    problem = replace(draft.problem(), rejected=tuple(rejected), known=known)
+    sightings = tuple(marks.of(camera, one.id) for one in observations for camera, marks in one.seen.items() if camera != PROJECTOR)
+    problem = replace(empty, sightings=sightings, rejected=tuple(rejected), known=known)
     if known is None:
         return problem
     lenses = {name: known.cameras[name].pinhole for name in known.names}
@@ -185,5 +184,5 @@ def _worst_pair(head: HeadSolution, setup: Setup) -> tuple[str, WorkingVolume, f
     """The camera with which the projector measures worst, the volume, and the length for which that is stated."""
     volume = volume_of(head.solution, setup.standoff_mm)
     length_mm = fitting_length_mm(volume, setup.length_mm)
-    sigmas = {camera: length_beside_projector(head, camera, volume, length_mm).length_sigma_mm for camera in setup.camera_names}
+    sigmas = {camera: length_uncertainty_with_projector(head, camera, volume, length_mm).length_sigma_mm for camera in setup.camera_names}
     return max(sigmas, key=lambda camera: sigmas[camera]), volume, length_mm

@@ -11,22 +11,23 @@ from typing_extensions import override
 
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.cameras.array import CameraArraySolution
+from measureapp.calibrate.cameras.shortfalls import shortfalls as lens_shortfalls
 from measureapp.calibrate.cameras.validation import CrossValidation
 from measureapp.calibrate.draft.advice import Ghost, Notes
 from measureapp.calibrate.draft.comparison import Comparison, changes_between, millimetres
 from measureapp.calibrate.draft.draft import ALL_AXES, Draft, Effect, Kind, Known, Limits, Setup, Solved, Words
 from measureapp.calibrate.draft.estimate import Estimate, axis_estimates, camera_estimates, guide_estimates, hand_eye_estimates
-from measureapp.calibrate.draft.locate import Located, locate_board, locate_with
+from measureapp.calibrate.draft.locate import Located, locate_board, locate_in_solution
 from measureapp.calibrate.guidance.lenses import advise_lenses, ghost_for_lenses
 from measureapp.calibrate.guidance.travel import advise_guide, advise_table
 from measureapp.calibrate.guidance.turns import advise_turns, ghost_for_turns
 from measureapp.calibrate.kinds.axis import axis_at_height, axis_changes
 from measureapp.calibrate.kinds.cameras import GOOD_VIEWS, outdated_projector
-from measureapp.calibrate.kinds.fit import naming_rejected, placed, residuals_mm, residuals_px, solved_axes
-from measureapp.calibrate.kinds.lenses import camera_draft, cross_validate_cameras, solve_cameras
-from measureapp.calibrate.kinds.on_part import few_of, fitting_together_sigma_mm, part_points_mm
+from measureapp.calibrate.kinds.fit import explain_by_rejected, name_poses, residuals_mm, residuals_px, solved_axes
+from measureapp.calibrate.kinds.lenses import cross_validate_cameras, lens_problem, solve_cameras
+from measureapp.calibrate.kinds.on_part import part_points_mm, sample_readbacks, view_consistency_sigma_mm
 from measureapp.calibrate.motions.axis_motion import rigid_motion
-from measureapp.calibrate.rig.joint import approaches_to, shortfalls, solve_rig
+from measureapp.calibrate.rig.joint import number_approaches, shortfalls, solve_rig
 from measureapp.calibrate.rig.joint_solution import RigSolution
 from measureapp.calibrate.sightings import rms
 from measureapp.data.calibration import HandEye, RigCalibration
@@ -65,7 +66,7 @@ class Rig(Kind):
 
     @override
     def solve(self, draft: Draft, progress: Progress) -> Solved:
-        numbered = _numbered(draft.observations)
+        numbered = _number_observations(draft.observations)
         if draft.setup.cameras is None:
             cameras = solve_cameras(draft, PartOf(progress, 0.0, CAMERAS_SHARE))
             assert cameras.camera_solution is not None  # they were calibrated
@@ -75,12 +76,12 @@ class Rig(Kind):
         try:
             rig = solve_located(seen, draft.setup, progress)
         except CalibrationError as error:
-            raise naming_rejected(error, seen) from error
-        return solved_axes(draft, seen, rig, _predicted(rig), rig.rejected)
+            raise explain_by_rejected(error, seen) from error
+        return solved_axes(draft, seen, rig, _predict_boards(rig), rig.rejected)
 
     @override
     def shortfalls(self, draft: Draft) -> tuple[str, ...]:
-        lenses = camera_draft(draft, draft.setup.lenses).shortfalls() if draft.setup.lenses else ()
+        lenses = lens_shortfalls(lens_problem(draft, draft.setup.lenses)) if draft.setup.lenses else ()
         return (*lenses, *shortfalls([one.axes for one in draft.observations]))
 
     @override
@@ -109,10 +110,10 @@ class Rig(Kind):
 
     @override
     def effect(self, draft: Draft, solved: Solved) -> Effect:
-        chosen = few_of(_used(draft, solved))
+        chosen = sample_readbacks(_used(draft, solved))
         if len(chosen) < 2:
             raise CalibrationError("The observations of the solution are no longer there.", "Solve again.")
-        typical, worst = (COVERAGE_FACTOR * sigma for sigma in fitting_together_sigma_mm(solved.solution, chosen))
+        typical, worst = (COVERAGE_FACTOR * sigma for sigma in view_consistency_sigma_mm(solved.solution, chosen))
         sentence = f"Views of one part fit together to {millimetres(typical)} (k = 2), at worst {millimetres(worst)}, before registration"
         return Effect(typical, sentence)
 
@@ -130,12 +131,12 @@ class Rig(Kind):
             *changes_between(guide_estimates(previous.guide), guide_estimates(new.guide)),
             *axis_changes(previous.axis, new.axis),
         ]
-        used, points = few_of(_used(draft, solved)), part_points_mm(solution)
+        used, points = sample_readbacks(_used(draft, solved)), part_points_mm(solution)
         there = np.concatenate([points for _ in used])
         seen = [new.part_from_camera(readback).inverse().apply(points) for readback in used]
         before = np.concatenate([previous.part_from_camera(readback).apply(part) for readback, part in zip(used, seen, strict=True)])
         motion = rigid_motion(before, there)
-        typical, _ = fitting_together_sigma_mm(solution, used)
+        typical, _ = view_consistency_sigma_mm(solution, used)
         moved = rms(before @ motion[:3, :3].T + motion[:3, 3] - there)
         both = COVERAGE_FACTOR * float(np.hypot(1.0, _hand_eye_ratio(previous.hand_eye, new.hand_eye))) * typical
         return Comparison(tuple(changes), moved, both, "views of one part relative to each other (rms)")
@@ -169,7 +170,7 @@ class Rig(Kind):
 
 def solve_with_cameras(observations: Sequence[Observation], cameras: CameraArraySolution, setup: Setup, progress: Progress) -> RigSolution:
     """Solve hand-eye, guide and axis with cameras calibrated from the same observations, their covariance included. Raises CalibrationError."""
-    seen = locate_with(observations, cameras)
+    seen = locate_in_solution(observations, cameras)
     return solve_rig(seen.observations, cameras.calibration, noise=setup.noise, camera_prior=seen.prior, progress=progress)
 
 
@@ -179,17 +180,17 @@ def solve_located(seen: Located, setup: Setup, progress: Progress) -> RigSolutio
     return solve_rig(seen.observations, setup.cameras, noise=setup.noise, camera_prior=seen.prior, progress=progress)
 
 
-def _numbered(observations: Sequence[Observation]) -> tuple[Observation, ...]:
+def _number_observations(observations: Sequence[Observation]) -> tuple[Observation, ...]:
     """Number the approaches of the robot where they are not known, before any observation is rejected."""
     if all(one.approach is not None for one in observations):
         return tuple(observations)
-    numbers = approaches_to([one.axes.base_from_flange for one in observations])
+    numbers = number_approaches([one.axes.base_from_flange for one in observations])
     return tuple(replace(one, approach=number) for one, number in zip(observations, numbers, strict=True))
 
 
 def _with_rig(draft: Draft, cameras: Solved, rig: RigSolution) -> Solved:
     """Return a solved rig together with the cameras calibrated from the same observations."""
-    predicted, calibrated = _predicted(rig), rig.calibration.cameras
+    predicted, calibrated = _predict_boards(rig), rig.calibration.cameras
     reasons = {**cameras.reasons}
     for name, reason in rig.rejected.items():
         whole = f"{reason[0].upper()}{reason[1:]}."
@@ -205,8 +206,8 @@ def _with_rig(draft: Draft, cameras: Solved, rig: RigSolution) -> Solved:
     )
 
 
-def _predicted(rig: RigSolution) -> dict[str, RigidTransform]:
-    return placed([residual.name for residual in rig.residuals], rig.chain.predicted(rig.state))
+def _predict_boards(rig: RigSolution) -> dict[str, RigidTransform]:
+    return name_poses([residual.name for residual in rig.residuals], rig.chain.predicted(rig.state))
 
 
 def _used(draft: Draft, solved: Solved) -> list[AxisReadback]:

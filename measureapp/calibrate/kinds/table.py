@@ -16,7 +16,7 @@ from measureapp.errors import InputError
 KINDS: Mapping[str, Kind] = {kind.name: kind for kind in (Rig(), Cameras(), Projector(), HandEyeKind(), Guide(), Axis())}
 
 
-def kind_called(name: str) -> Kind:
+def find_kind(name: str) -> Kind:
     """Return a kind of calibration by name. Raises InputError where there is none of that name."""
     if name not in KINDS:
         raise InputError(f"{name!r} is not a kind of calibration.", "Choose one of: " + ", ".join(KINDS) + ".")

@@ -1,1 +1,1 @@
-"""What moves: the table's axis, hand-eye and the linear guide, from board poses along one kinematic chain."""
+"""Calibration of axes from board poses: rotation axis, hand-eye, linear guide, and the kinematic chain of all."""

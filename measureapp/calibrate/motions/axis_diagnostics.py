@@ -1,4 +1,4 @@
-"""Is the rotation axis any good: arcs and their centres, wobble, and how well the turned board comes back to itself."""
+"""Diagnostics of a rotation axis: conditioning of the arcs, wobble, and closure after rotating the board back."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.motions.axis_circles import fit_arcs
-from measureapp.calibrate.motions.axis_motion import across, rigid_motion
+from measureapp.calibrate.motions.axis_motion import perpendicular_basis, rigid_motion
 from measureapp.data.calibration import RotationAxis
 
 CIRCLE_POINTS = 12
@@ -29,7 +29,7 @@ class ArcConditioning:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Closure:
-    """What is left when every position is turned back by the table's angle."""
+    """Residuals after rotating every position back by the table's angle."""
 
     board_mm: float  # rms distance of the corners from their mean places
     positions_mm: FloatArray  # (n,), the same per position
@@ -42,7 +42,7 @@ class Closure:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AxisDiagnostics:
-    """All of it, with what it means in words."""
+    """Arcs and closure, with warnings."""
 
     arcs: ArcConditioning
     closure: Closure
@@ -91,7 +91,7 @@ def arc_conditioning(corners_mm: FloatArray, angles_rad: FloatArray) -> ArcCondi
 
 
 def closure_of(axis: RotationAxis, corners_mm: FloatArray, angles_rad: FloatArray, angles_were_read: bool, radius_mm: float) -> Closure:
-    """Turn every position back by its angle and say what is left, at the board and at a radius."""
+    """Rotate every position back by its angle and return the residuals at the board and at a radius."""
     back = np.array([axis.turned(-float(angle)).apply(corners) for angle, corners in zip(angles_rad, corners_mm, strict=True)])
     mean = back.mean(axis=0)
     off = np.linalg.norm(back - mean, axis=2)
@@ -115,4 +115,4 @@ def _circle(axis: RotationAxis, height_of_mm: FloatArray, radius_mm: float) -> F
     """Return points (CIRCLE_POINTS, 3) on a circle about the axis at the height of a point."""
     centre = axis.point_mm + axis.direction * float(axis.direction @ (height_of_mm - axis.point_mm))
     angles = np.linspace(0, 2 * np.pi, CIRCLE_POINTS, endpoint=False)
-    return np.asarray(centre + radius_mm * np.column_stack([np.cos(angles), np.sin(angles)]) @ across(axis.direction))
+    return np.asarray(centre + radius_mm * np.column_stack([np.cos(angles), np.sin(angles)]) @ perpendicular_basis(axis.direction))

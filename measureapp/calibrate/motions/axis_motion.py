@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.least_squares import Minimum, minimise_residuals
-from measureapp.calibrate.poses import change_between, moved
+from measureapp.calibrate.poses import apply_changes, change_between
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import rotation_about
 
@@ -37,7 +37,7 @@ class Turning:
 
 
 def rigid_motion(origin_mm: FloatArray, goal_mm: FloatArray) -> FloatArray:
-    """Return the rigid motion (4, 4) that takes points (m, 3) best to others (Kabsch)."""
+    """Return the rigid motion (4, 4) from points (m, 3) to others by least squares (Kabsch)."""
     centre, aim = origin_mm.mean(axis=0), goal_mm.mean(axis=0)
     u, _, vt = np.linalg.svd((goal_mm - aim).T @ (origin_mm - centre))
     result = np.eye(4)
@@ -46,7 +46,7 @@ def rigid_motion(origin_mm: FloatArray, goal_mm: FloatArray) -> FloatArray:
     return result
 
 
-def turning_of(corners_mm: FloatArray) -> Turning:
+def estimate_turning(corners_mm: FloatArray) -> Turning:
     """Return the axis and angles that the rigid motions of the corners (n, m, 3) show; right-handed for growing positions.
 
     Raises
@@ -70,7 +70,7 @@ def turning_of(corners_mm: FloatArray) -> Turning:
     return Turning(point, direction, angles, np.eye(4))
 
 
-def most_likely_from_poses(start: Turning, poses: FloatArray, roots: FloatArray, free_angles: bool) -> tuple[Minimum[Turning], int]:
+def fit_axis_to_poses(start: Turning, poses: FloatArray, roots: FloatArray, free_angles: bool) -> tuple[Minimum[Turning], int]:
     """Fit one axis and one board pose to board poses (n, 4, 4), whitened by ``roots`` (n, 6, 6) of their information.
 
     Returns the minimum and its degrees of freedom. Parameters: direction (2), point (2), board (6), then the free angles.
@@ -86,7 +86,7 @@ def most_likely_from_poses(start: Turning, poses: FloatArray, roots: FloatArray,
     return minimum, 6 * len(poses) - len(steps)
 
 
-def most_likely_from_corners(start: Turning, corners_mm: FloatArray, free_angles: bool) -> tuple[Minimum[Turning], int]:
+def fit_axis_to_corners(start: Turning, corners_mm: FloatArray, free_angles: bool) -> tuple[Minimum[Turning], int]:
     """Fit one axis to corners (n, m, 3) of equal noise; the place of each corner on the table is estimated with it.
 
     For a given axis the best place of a corner is the mean of its positions turned back, so only the axis is iterated.
@@ -103,7 +103,7 @@ def most_likely_from_corners(start: Turning, corners_mm: FloatArray, free_angles
     return minimum, 3 * corners_mm.shape[1] * (len(corners_mm) - 1) - len(steps)
 
 
-def across(direction: FloatArray) -> FloatArray:
+def perpendicular_basis(direction: FloatArray) -> FloatArray:
     """Return two unit vectors (2, 3) perpendicular to ``direction`` and to each other."""
     least = np.eye(3)[int(np.argmin(np.abs(direction)))]
     first = np.cross(direction, least)
@@ -113,11 +113,11 @@ def across(direction: FloatArray) -> FloatArray:
 
 def _moved(turning: Turning, step: FloatArray) -> Turning:
     axis = _moved_without_board(turning, np.concatenate([step[:AXIS_PARAMETERS], step[AXIS_PARAMETERS + 6 :]]))
-    return replace(axis, board=moved(turning.board, step[AXIS_PARAMETERS : AXIS_PARAMETERS + 6]))
+    return replace(axis, board=apply_changes(turning.board, step[AXIS_PARAMETERS : AXIS_PARAMETERS + 6]))
 
 
 def _moved_without_board(turning: Turning, step: FloatArray) -> Turning:
-    basis = across(turning.direction)
+    basis = perpendicular_basis(turning.direction)
     direction = turning.direction + step[:2] @ basis
     angles = turning.angles_rad
     if len(step) > AXIS_PARAMETERS:

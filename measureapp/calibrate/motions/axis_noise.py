@@ -1,4 +1,4 @@
-"""What is expected of the axes before anything is seen: how large the robot's pose errors are, and how alike at neighbouring poses."""
+"""Noise model of the axes: standard deviations of the robot's pose errors and their correlation between poses, table and slide."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.rig import RigDescription
 
 SAME_POSE = 1e-4  # robot poses closer than this (mm, rotation matrix) are one pose with one error
-LEAST_SHARE = 1e-6  # of the variance that is a pose's own, so that neighbouring poses never coincide exactly
-STRAIGHTNESS_MM = 0.003  # usual of a ground rail over the travel of a calibration
+LEAST_SHARE = 1e-6  # of the variance, uncorrelated, so that the covariance of equal poses stays regular
+STRAIGHTNESS_MM = 0.003  # typical of a ground rail over the travel of a calibration
 SPAN_OVER_RMS = np.sqrt(8.0)  # of a sine
-ALIKE_MM, ALIKE_TURN = 300.0, 0.6  # of an articulated robot with a reach of about 0.7 m
+CORRELATION_MM, CORRELATION_TURN = 300.0, 0.6  # of an articulated robot with a reach of about 0.7 m
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AxisNoise:
-    """Standard deviations the chain expects of the axes.
+    """Standard deviations of the axes before any observation.
 
     A robot's error follows from its link lengths, joint offsets and the bending of its arm. It changes over the reach, not from
-    pose to pose: `robot_alike_mm` and `robot_alike_turn` (0: every pose has an error of its own) are the distances of the flange,
+    pose to pose: `robot_correlation_mm` and `robot_correlation_turn` (0: every pose has an error of its own) are the distances of the flange,
     and of the tips of its unit axes x and z, over which the correlation falls to exp(-1/2).
     """
 
@@ -30,25 +30,28 @@ class AxisNoise:
     table_rad: float = float(np.deg2rad(10 / 3600))
     robot_repeat_mm: float = 0.0  # scatter at every approach of a pose, per coordinate
     robot_repeat_rad: float = 0.0
-    robot_alike_mm: float = 0.0
-    robot_alike_turn: float = 0.0
+    robot_correlation_mm: float = 0.0
+    robot_correlation_turn: float = 0.0
     guide_mm: float = 0.0  # departure of the slide from its straight line, at every approach, per coordinate
     guide_along_mm: float = 0.0  # the same along it: how far the slide misses its displayed position
 
-    def alike(self, first: FloatArray, second: FloatArray) -> FloatArray:
+    def correlation(self, first: FloatArray, second: FloatArray) -> FloatArray:
         """Return the correlation (A, B) of the repeatable errors at poses base_from_flange (A, 4, 4) and (B, 4, 4)."""
         there, here = (_pose_vectors(poses) for poses in (first, second))
         away = there[:, None] - here[None]
-        if self.robot_alike_mm <= 0 or self.robot_alike_turn <= 0:
+        if self.robot_correlation_mm <= 0 or self.robot_correlation_turn <= 0:
             return np.asarray(np.all(np.abs(away) <= SAME_POSE, axis=2), float)
-        square = np.sum(away[..., :3] ** 2, axis=2) / self.robot_alike_mm**2 + np.sum(away[..., 3:] ** 2, axis=2) / self.robot_alike_turn**2
+        square = (
+            np.sum(away[..., :3] ** 2, axis=2) / self.robot_correlation_mm**2
+            + np.sum(away[..., 3:] ** 2, axis=2) / self.robot_correlation_turn**2
+        )
         return np.exp(-0.5 * square)
 
     def robot_covariances(self, poses: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return the covariances (G, G) of one rotation and one translation component of the errors at approached poses (G, 4, 4)."""
-        alike, own = self.alike(poses, poses), np.eye(len(poses))
+        correlation, own = self.correlation(poses, poses), np.eye(len(poses))
         spread = ((self.robot_rad, self.robot_repeat_rad), (self.robot_mm, self.robot_repeat_mm))
-        turn, shift = (large**2 * (alike + LEAST_SHARE * own) + small**2 * own for large, small in spread)
+        turn, shift = (large**2 * (correlation + LEAST_SHARE * own) + small**2 * own for large, small in spread)
         return turn, shift
 
 
@@ -61,13 +64,13 @@ def articulated_robot(accuracy_mm: float, accuracy_rad: float, repeatability_mm:
         robot_rad=accuracy_rad * per_coordinate,
         robot_repeat_mm=repeatability_mm * per_coordinate,
         robot_repeat_rad=accuracy_rad * share * per_coordinate,
-        robot_alike_mm=ALIKE_MM,
-        robot_alike_turn=ALIKE_TURN,
+        robot_correlation_mm=CORRELATION_MM,
+        robot_correlation_turn=CORRELATION_TURN,
     )
 
 
 def expected_noise(rig: RigDescription) -> AxisNoise:
-    """Return what the data sheets of the rig's axes let expect.
+    """Return the noise that follows from the data sheets of the rig's axes.
 
     A table's accuracy is the span of its error over a turn; a guide's repeatability (±) is two standard deviations.
     """
@@ -83,8 +86,8 @@ def expected_noise(rig: RigDescription) -> AxisNoise:
     )
 
 
-def approaches_of(groups: IntArray) -> IntArray:
-    """Number the runs of equal neighbours in ``groups`` (N,): sightings in the order they were taken, between which the robot stood still."""
+def number_runs(groups: IntArray) -> IntArray:
+    """Number the runs of equal neighbours in ``groups`` (N,): sightings in the order they were taken, between which the robot did not move."""
     changed = np.concatenate([[False], np.diff(groups) != 0])
     return np.cumsum(changed).astype(np.intp)
 

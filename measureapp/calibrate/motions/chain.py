@@ -1,4 +1,4 @@
-"""The kinematic chain of the whole rig as one adjustable model of observed board poses."""
+"""Least-squares adjustment of the kinematic chain of the whole rig to observed board poses."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from scipy.spatial.transform import Rotation
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.calibrate.boards.pose import BoardPose
 from measureapp.calibrate.least_squares import Minimum, NormalEquations, minimise
-from measureapp.calibrate.motions.axis_motion import across
+from measureapp.calibrate.motions.axis_motion import perpendicular_basis
 from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.motions.chain_derivatives import derivatives
 from measureapp.calibrate.motions.chain_state import POSE, ChainState
-from measureapp.calibrate.poses import change_between, inverted, moved, stacked
+from measureapp.calibrate.poses import apply_changes, change_between, invert_poses, stack_matrices
 from measureapp.progress import Progress
 
 POSE_LABELS = ("rotation_x_rad", "rotation_y_rad", "rotation_z_rad", "x_mm", "y_mm", "z_mm")
@@ -39,12 +39,12 @@ class Chain:
     table_rad: FloatArray  # (N,)
     camera_from_board: FloatArray  # (N, 4, 4)
     roots: FloatArray  # (N, 6, 6), upper triangular roots of the poses' information, the slide's own errors counted
-    robot_group: IntArray  # (N,), which approach of the robot; sightings of one approach share its error
+    robot_group: IntArray  # (N,), which approach of the robot; sightings of one approach have its error in common
     table_group: IntArray  # (N,), which table angle
     noise: AxisNoise
     free: Free
-    by_cameras: FloatArray | None = None  # (N, 6, C), change of the observed poses with the parameters of the cameras
-    camera_covariance: FloatArray | None = None  # (C, C), where the cameras are freed: what their calibration says of them
+    camera_jacobian: FloatArray | None = None  # (N, 6, C), change of the observed poses with the parameters of the cameras
+    camera_covariance: FloatArray | None = None  # (C, C), where the cameras are estimated: their covariance before
     slide: FloatArray | None = None  # (N, 3, 3), the slide's part of the covariance of the poses' places
 
     @property
@@ -70,12 +70,12 @@ class Chain:
         return int(self.table_group.max()) + 1 if self.free.axis else 0
 
     def predicted(self, state: ChainState) -> FloatArray:
-        """Return camera_from_board (N, 4, 4) by the chain."""
+        """Predict camera_from_board (N, 4, 4) by the chain."""
         shift = np.tile(np.eye(4), (len(self.guide_mm), 1, 1))
         shift[:, :3, 3] = self.guide_mm[:, None] * (state.guide_direction * state.guide_scale)
-        errors = moved(np.tile(np.eye(4), (len(state.robot_changes), 1, 1)), state.robot_changes)[self.robot_group]
+        errors = apply_changes(np.tile(np.eye(4), (len(state.robot_changes), 1, 1)), state.robot_changes)[self.robot_group]
         guide_from_camera = shift @ self.base_from_flange @ errors @ state.flange_from_camera
-        return np.asarray(inverted(guide_from_camera) @ self._turned(state) @ state.guide_from_board)
+        return np.asarray(invert_poses(guide_from_camera) @ self._turned(state) @ state.guide_from_board)
 
     def _turned(self, state: ChainState) -> FloatArray:
         angles = self._angles(state)
@@ -88,7 +88,7 @@ class Chain:
         return self.table_rad + (state.table_changes[self.table_group] if self.table_angles else 0.0)
 
     @property
-    def approached(self) -> FloatArray:
+    def approach_poses(self) -> FloatArray:
         """The poses base_from_flange (G, 4, 4) as read back, one per approach."""
         return self.base_from_flange[np.unique(self.robot_group, return_index=True)[1]]
 
@@ -105,8 +105,8 @@ class Chain:
     def residuals(self, state: ChainState) -> FloatArray:
         """Return the whitened residuals of the poses (6 N) and the table errors (K)."""
         away = change_between(self.camera_from_board, self.predicted(state))
-        if self.cameras_freed and self.by_cameras is not None:
-            away = away - self.by_cameras @ state.camera_changes
+        if self.cameras_freed and self.camera_jacobian is not None:
+            away = away - self.camera_jacobian @ state.camera_changes
         return np.concatenate([(self.roots @ away[..., None]).ravel(), state.table_changes / self.noise.table_rad])
 
     def moved(self, state: ChainState, step: FloatArray) -> ChainState:
@@ -114,18 +114,18 @@ class Chain:
         taken = iter(np.split(step, np.cumsum(self._lengths())[:-1]))
         changed = state
         if self.free.hand_eye:
-            changed = replace(changed, flange_from_camera=moved(state.flange_from_camera, next(taken)))
+            changed = replace(changed, flange_from_camera=apply_changes(state.flange_from_camera, next(taken)))
         if self.free.guide:
             part = next(taken)
-            direction = _tilted(state.guide_direction, part[:2])
+            direction = _tilt(state.guide_direction, part[:2])
             changed = replace(changed, guide_direction=direction, guide_scale=state.guide_scale + float(part[2]))
         if self.free.axis:
             part = next(taken)
-            point = state.axis_point_mm + part[2:] @ across(state.axis_direction)
-            changed = replace(changed, axis_direction=_tilted(state.axis_direction, part[:2]), axis_point_mm=point)
+            point = state.axis_point_mm + part[2:] @ perpendicular_basis(state.axis_direction)
+            changed = replace(changed, axis_direction=_tilt(state.axis_direction, part[:2]), axis_point_mm=point)
         return replace(
             changed,
-            guide_from_board=moved(state.guide_from_board, next(taken)),
+            guide_from_board=apply_changes(state.guide_from_board, next(taken)),
             robot_changes=state.robot_changes + next(taken).reshape(-1, POSE),
             table_changes=state.table_changes + next(taken),
             camera_changes=state.camera_changes + next(taken) if self.cameras_freed else state.camera_changes,
@@ -135,8 +135,8 @@ class Chain:
         parts = [(self.free.hand_eye, POSE), (self.free.guide, 3), (self.free.axis, 4), (True, POSE)]
         return [length for used, length in parts if used] + [POSE * self.robot_poses, self.table_angles, self.cameras_freed]
 
-    def adjusted(self, start: ChainState, progress: Progress | None = None) -> Minimum[ChainState]:
-        """Minimise all residuals and the errors' departures from what is expected of them, from ``start``."""
+    def adjust(self, start: ChainState, progress: Progress | None = None) -> Minimum[ChainState]:
+        """Minimise the sum of squares of residuals and of axis errors weighted by their priors, from ``start``."""
         priors = self._priors()
         return minimise(
             start, lambda state: self._normal(state, priors), lambda state: self._cost(state, priors), self.moved, progress=progress
@@ -149,7 +149,7 @@ class Chain:
 
     def _priors(self) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Inverse covariances of the robot's rotations (G, G) and translations (G, G), and of the cameras (C, C)."""
-        turn, shift = self.noise.robot_covariances(self.approached)
+        turn, shift = self.noise.robot_covariances(self.approach_poses)
         cameras = np.zeros((0, 0)) if self.camera_covariance is None else np.linalg.inv(self.camera_covariance)
         return np.linalg.inv(turn), np.linalg.inv(shift), cameras
 
@@ -192,8 +192,8 @@ class Chain:
         if self.table_angles:
             poses[place, :, first + self.table_group] = (self.roots @ by.table)[:, :, 0]
             result[POSE * count + np.arange(self.table_angles), first + np.arange(self.table_angles)] = 1 / self.noise.table_rad
-        if self.cameras_freed and self.by_cameras is not None:
-            poses[:, :, -self.cameras_freed :] = -(self.roots @ self.by_cameras)
+        if self.cameras_freed and self.camera_jacobian is not None:
+            poses[:, :, -self.cameras_freed :] = -(self.roots @ self.camera_jacobian)
         return result
 
     def freedom(self) -> int:
@@ -201,8 +201,8 @@ class Chain:
         return POSE * len(self.guide_mm) - len(self.labels)
 
 
-def _tilted(direction: FloatArray, change: FloatArray) -> FloatArray:
-    tilted = direction + change @ across(direction)
+def _tilt(direction: FloatArray, change: FloatArray) -> FloatArray:
+    tilted = direction + change @ perpendicular_basis(direction)
     return np.asarray(tilted / np.linalg.norm(tilted))
 
 
@@ -213,7 +213,7 @@ def roots_of(poses: Sequence[BoardPose]) -> FloatArray:
 
 def poses_of(poses: Sequence[BoardPose]) -> FloatArray:
     """Return camera_from_board (N, 4, 4)."""
-    return stacked(pose.camera_from_board for pose in poses)
+    return stack_matrices(pose.camera_from_board for pose in poses)
 
 
 def groups_of(values: FloatArray, tolerance: FloatArray | float) -> IntArray:

@@ -1,4 +1,4 @@
-"""How the board poses that the kinematic chain predicts move with each of its quantities."""
+"""Analytic derivatives of the board poses predicted by the kinematic chain with respect to its quantities."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.motions.axis_motion import across
+from measureapp.calibrate.motions.axis_motion import perpendicular_basis
 from measureapp.calibrate.motions.chain_state import POSE, ChainState
-from measureapp.calibrate.poses import change_between, inverted, left_jacobians
+from measureapp.calibrate.poses import change_between, invert_poses, left_jacobians
 from measureapp.calibrate.projection import cross_matrices
 
 
@@ -36,7 +36,7 @@ def derivatives(
 ) -> ChainDerivatives:
     """Differentiate camera_from_board = C⁻¹ G, with C = shift · flange · error · X and G = turn · board.
 
-    A pose changes as `poses.moved` says: turned by exp(ω) on the left and shifted by τ. For C and G that gives ω = Rcᵀ (ω_G - ω_C) and
+    A pose changes as in `poses.apply_changes`: rotated by exp(ω) on the left and shifted by τ. For C and G that gives ω = Rcᵀ (ω_G - ω_C) and
     τ = Rcᵀ (τ_G - τ_C + [t_G - t_C]× ω_C); each quantity of the chain moves C or G in turn.
 
     Parameters
@@ -50,8 +50,8 @@ def derivatives(
     to_error, to_x = flange[:, :3, :3], flange[:, :3, :3] @ error_turn
     sensor = np.tile(np.eye(4), (len(flange), 1, 1))
     sensor[:, :3, :3] = to_x @ x[:3, :3]
-    carried = error_turn @ x[:3, 3]
-    sensor[:, :3, 3] = (to_error @ (carried + errors[:, 3:])[..., None])[..., 0] + flange[:, :3, 3]
+    lever = error_turn @ x[:3, 3]
+    sensor[:, :3, 3] = (to_error @ (lever + errors[:, 3:])[..., None])[..., 0] + flange[:, :3, 3]
     sensor[:, :3, 3] += guide_mm[:, None] * (state.guide_direction * state.guide_scale)
     spin = table_rad[:, None] * state.axis_direction
     turn = Rotation.from_rotvec(spin).as_matrix()
@@ -59,9 +59,11 @@ def derivatives(
     seen = np.tile(np.eye(4), (len(flange), 1, 1))
     seen[:, :3, :3], seen[:, :3, 3] = turn @ board[:3, :3], arm + state.axis_point_mm
     place = _Place(sensor, seen, observed)
-    tilts, zero = across(state.axis_direction).T, np.zeros((len(flange), 3, 3))
+    tilts, zero = perpendicular_basis(state.axis_direction).T, np.zeros((len(flange), 3, 3))
     axis_turn = left_jacobians(spin) @ (table_rad[:, None, None] * tilts)
-    shift = guide_mm[:, None, None] * np.column_stack([state.guide_scale * across(state.guide_direction).T, state.guide_direction])
+    shift = guide_mm[:, None, None] * np.column_stack(
+        [state.guide_scale * perpendicular_basis(state.guide_direction).T, state.guide_direction]
+    )
     return ChainDerivatives(
         hand_eye=place.by_sensor(np.concatenate([to_x, zero], 2), np.concatenate([zero, to_x], 2)),
         guide=place.by_sensor(zero, shift),
@@ -71,19 +73,19 @@ def derivatives(
         board=place.by_board(np.concatenate([turn, zero], 2), np.concatenate([zero, turn], 2)),
         robot=place.by_sensor(
             np.concatenate([to_error @ error_left, zero], 2),
-            np.concatenate([-to_error @ cross_matrices(carried) @ error_left, to_error], 2),
+            np.concatenate([-to_error @ cross_matrices(lever) @ error_left, to_error], 2),
         ),
         table=place.by_board(np.tile(state.axis_direction[:, None], (len(flange), 1, 1)), np.cross(state.axis_direction, arm)[..., None]),
     )
 
 
 class _Place:
-    """Carries changes of the sensor's and the board's place (both in guide) to the pose seen, and to its change from an observed one."""
+    """Transforms changes of the poses of sensor and board (both in guide) into changes of camera_from_board against the observed one."""
 
     def __init__(self, sensor: FloatArray, board: FloatArray, observed: FloatArray | None) -> None:
         self._to_camera = np.swapaxes(sensor[:, :3, :3], 1, 2)
         self._away = cross_matrices(board[:, :3, 3] - sensor[:, :3, 3])
-        seen = inverted(sensor) @ board
+        seen = invert_poses(sensor) @ board
         off = np.zeros((len(seen), POSE)) if observed is None else change_between(observed, seen)
         self._of_change = np.linalg.inv(left_jacobians(off[:, :3]))  # log(exp(ω) exp(φ)) = φ + J(φ)⁻¹ ω
 

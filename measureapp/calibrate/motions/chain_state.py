@@ -1,4 +1,4 @@
-"""The quantities of the kinematic chain that its adjustment moves."""
+"""The state of the kinematic chain: all quantities that its adjustment estimates."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class ChainState:
     def unchanged(
         cls, hand_eye: HandEye, guide: LinearGuide, axis: RotationAxis, guide_from_board: FloatArray, robot_poses: int
     ) -> ChainState:
-        """Return the chain of a calibrated rig in which no robot pose, table angle or camera errs."""
+        """Return the chain of a calibrated rig without errors of robot poses, table angles and cameras."""
         return cls(
             flange_from_camera=np.asarray(hand_eye.flange_from_camera.matrix),
             guide_direction=np.asarray(guide.direction),

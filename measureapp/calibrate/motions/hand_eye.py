@@ -1,4 +1,4 @@
-"""Where the reference camera sits on the flange: seven closed solutions side by side, then a joint refinement."""
+"""Hand-eye calibration (AX = XB) and robot-world/hand-eye calibration (AX = ZB): seven closed-form solutions, then a joint refinement."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from measureapp.arrays import FloatArray
 from measureapp.calibrate.boards.pose import BoardPose
 from measureapp.calibrate.least_squares import Minimum
 from measureapp.calibrate.motions.axis_noise import AxisNoise
-from measureapp.calibrate.motions.cameras_carried import cost_beyond_cameras, following_cameras, with_cameras
 from measureapp.calibrate.motions.chain import POSE_LABELS, Chain, Free, poses_of, roots_of
 from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.motions.hand_eye_methods import METHODS
 from measureapp.calibrate.motions.pose_checks import board_deviations, check_board_size, check_direction, check_units
+from measureapp.calibrate.motions.propagation import add_camera_covariance, camera_sensitivity, marginal_cost
 from measureapp.calibrate.motions.relative import Degeneracy, motions_between
 from measureapp.calibrate.motions.robot_world import ROBOT_WORLD_METHODS
-from measureapp.calibrate.poses import mean_pose, stacked
+from measureapp.calibrate.poses import mean_pose, stack_matrices
 from measureapp.data.calibration import HandEye, LabelledCovariance
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform, orthonormalise
@@ -32,18 +32,18 @@ LARGEST_RATIO = 2.0  # of the residuals over what was expected, as in the joint 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class HandEyeProblem:
-    """Robot poses with the board pose seen at each; the board stands still."""
+    """Robot poses with the board pose observed at each; the board does not move."""
 
     base_from_flange: tuple[RigidTransform, ...]
     boards: tuple[BoardPose, ...]
     noise: AxisNoise = field(default_factory=AxisNoise)
-    by_cameras: FloatArray | None = None  # (N, 6, C), change of the board poses with the parameters of ``camera_prior``
-    camera_prior: LabelledCovariance | None = None  # what the calibration of the cameras leaves uncertain
+    camera_jacobian: FloatArray | None = None  # (N, 6, C), change of the board poses with the parameters of ``camera_prior``
+    camera_prior: LabelledCovariance | None = None  # covariance of the camera parameters
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class HandEyeEstimate:
-    """X by one method, and how constant the board stays in the base frame with it."""
+    """X by one method, with the scatter of the board in the base frame."""
 
     flange_from_camera: RigidTransform
     residual_mm: FloatArray  # (N,), distance of the board's origin from its mean place
@@ -63,20 +63,20 @@ class HandEyeSolution:
     base_from_board: RigidTransform
     degeneracy: Degeneracy
     spread_mm: float  # largest distance between the methods' translations
-    part_in_camera_mm: FloatArray  # (3,), a point before the camera as far away as the board was: it stands for the part
-    spread_at_part_mm: float  # largest distance between that point carried to the flange by each method
-    influence_mm: FloatArray  # (N,), how far that point moves in the flange frame when the pose is left out
-    sigma_ratio: float  # residuals over what robot and images were expected to leave; about 1 where the stated noise is right
+    part_in_camera_mm: FloatArray  # (3,), a point before the camera as far away as the board was, in place of the part
+    spread_at_part_mm: float  # largest distance between that point transformed to the flange by each method
+    influence_mm: FloatArray  # (N,), displacement of that point in the flange frame without the pose (leave-one-out)
+    sigma_ratio: float  # residuals over those expected of robot and images; about 1 where the stated noise is right
     chain: Chain
     minimum: Minimum[ChainState]
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What speaks against it besides its own covariance."""
+        """Objections in addition to its covariance."""
         if self.sigma_ratio <= LARGEST_RATIO:
             return ()
         return (
-            f"The residuals are {self.sigma_ratio:.1f} times as large as expected: the board moved, the robot is worse than stated, or "
+            f"The residuals are {self.sigma_ratio:.1f} times as large as expected: the board moved, the robot is less accurate than stated, or "
             "robot poses belong to other images. Check that the board is fixed, state the robot's errors, or take the poses again.",
         )
 
@@ -87,7 +87,7 @@ def shortfalls(problem: HandEyeProblem) -> tuple[str, ...]:
     if count < LEAST_POSES:
         return (f"{LEAST_POSES - count} more poses are needed.",)
     try:
-        _, degeneracy = motions_between(stacked(problem.base_from_flange), poses_of(problem.boards))
+        _, degeneracy = motions_between(stack_matrices(problem.base_from_flange), poses_of(problem.boards))
     except CalibrationError as error:
         return (str(error),)
     missing = () if degeneracy.verdict == "good" else (f"The motions are {degeneracy.verdict}.",)
@@ -100,7 +100,7 @@ def solve(problem: HandEyeProblem, progress: Progress | None = None) -> HandEyeS
 
     The refinement minimises the errors of the board poses (weighted by their information) and of the robot poses (by
     ``noise``) over X, the board's place and one error per robot pose. Where board poses come from images, their
-    information carries the pixel errors of all cameras.
+    information contains the pixel noise of all cameras.
 
     Raises
     ------
@@ -108,7 +108,7 @@ def solve(problem: HandEyeProblem, progress: Progress | None = None) -> HandEyeS
         Fewer than three poses, parallel rotation axes, poses in metres, or poses given the wrong way round.
     """
     progress = progress or NoProgress()
-    robot, camera = stacked(problem.base_from_flange), poses_of(problem.boards)
+    robot, camera = stack_matrices(problem.base_from_flange), poses_of(problem.boards)
     if len(robot) != len(camera):
         raise CalibrationError(f"{len(robot)} robot poses do not belong to {len(camera)} board poses.", "Give one of each per position.")
     motions, degeneracy = motions_between(robot, camera)
@@ -126,7 +126,7 @@ def solve(problem: HandEyeProblem, progress: Progress | None = None) -> HandEyeS
             refused[name] = str(error)
     progress.report(len(solvers), len(solvers) + 1, "refining")
     best = min(methods.values(), key=lambda estimate: float(np.mean(estimate.residual_mm)))
-    solution = _refined(problem, best, methods, refused, degeneracy)
+    solution = _refine(problem, best, methods, refused, degeneracy)
     progress.report(1, 1)
     return solution
 
@@ -137,14 +137,14 @@ def _without_board(
     return method(robot, camera)[0]
 
 
-def _refined(
+def _refine(
     problem: HandEyeProblem,
     start: HandEyeEstimate,
     methods: Mapping[str, HandEyeEstimate],
     refused: Mapping[str, str],
     degeneracy: Degeneracy,
 ) -> HandEyeSolution:
-    robot, camera = stacked(problem.base_from_flange), poses_of(problem.boards)
+    robot, camera = stack_matrices(problem.base_from_flange), poses_of(problem.boards)
     count = len(robot)
     chain = Chain(
         base_from_flange=robot,
@@ -156,18 +156,18 @@ def _refined(
         table_group=np.zeros(count, np.intp),
         noise=problem.noise,
         free=Free(guide=False, axis=False),
-        by_cameras=problem.by_cameras,
+        camera_jacobian=problem.camera_jacobian,
     )
     x = start.flange_from_camera.matrix
     board = mean_pose(robot @ x @ camera)
-    minimum = chain.adjusted(
+    minimum = chain.adjust(
         ChainState(x, np.array([0.0, 1, 0]), 1.0, np.zeros(3), np.array([0.0, 0, 1]), board, np.zeros((count, 6)), np.zeros(0))
     )
-    beyond = cost_beyond_cameras(chain, minimum, minimum.covariance(1.0), problem.camera_prior)
+    beyond = marginal_cost(chain, minimum, minimum.covariance(1.0), problem.camera_prior)
     variance = max(beyond / max(chain.freedom(), 1), 1.0)
     covariance = minimum.covariance(variance)
-    by_cameras = following_cameras(chain, minimum, covariance, variance)
-    covariance = with_cameras(covariance, by_cameras, problem.camera_prior)[:6, :6]
+    camera_jacobian = camera_sensitivity(chain, minimum, covariance, variance)
+    covariance = add_camera_covariance(covariance, camera_jacobian, problem.camera_prior)[:6, :6]
     deviations = np.sqrt(np.diag(covariance))
     refined = _estimate(minimum.state.flange_from_camera, robot, camera)
     hand_eye = HandEye(
@@ -205,7 +205,7 @@ def _spread(points_mm: Sequence[FloatArray]) -> float:
 
 
 def _influence(chain: Chain, minimum: Minimum[ChainState], part_in_camera_mm: FloatArray) -> FloatArray:
-    """Return how far a point at the part moves when each sighting in turn is left out, mm; without its rows, one step of Gauss-Newton."""
+    """Leave-one-out influence (N,): displacement of a point at the part without each sighting, by one Gauss-Newton step, mm."""
     jacobian, residual = chain.jacobian(minimum.state), chain.residuals(minimum.state)
     turn = minimum.state.flange_from_camera[:3, :3] @ part_in_camera_mm
     moves = []

@@ -1,4 +1,4 @@
-"""How the linear guide moves the robot: direction in the base frame and scale, from a board that stands still."""
+"""Linear guide: direction in the base frame and scale, by a straight-line fit to observations of a fixed board."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.boards.observation import Observation, derivatives_of, flanges_of, slides_of
+from measureapp.calibrate.boards.observation import Observation, camera_jacobians_of, flanges_of, slides_of
 from measureapp.calibrate.motions.chain import poses_of
 from measureapp.data.calibration import HandEye, LabelledCovariance, LinearGuide
 from measureapp.errors import CalibrationError
@@ -22,7 +22,7 @@ LARGEST_SKEW_DEG = 10.0  # guides are mounted along an axis of the base
 LARGEST_TURN_RAD = np.deg2rad(1.0)
 PAPER_DIRECTION = np.array([0.0, 1.0, 0.0])
 SCALE_RANGE = (0.5, 2.0)
-SCALE_TOLERANCE = 0.01  # guides err by some 1e-4
+SCALE_TOLERANCE = 0.01  # scale errors of guides are some 1e-4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -31,12 +31,12 @@ class GuideProblem:
 
     observations: tuple[Observation, ...]  # with pose, robot pose and guide position
     hand_eye: HandEye
-    camera_prior: LabelledCovariance | None = None  # what the calibration of the cameras leaves uncertain
+    camera_prior: LabelledCovariance | None = None  # covariance of the camera parameters
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class GuideSolution:
-    """Direction and scale, and what they leave unexplained."""
+    """Direction and scale, with the residuals."""
 
     guide: LinearGuide
     straightness_mm: FloatArray  # (N,), distance of the slide from its straight line
@@ -60,7 +60,7 @@ def shortfalls(observations: Sequence[Observation]) -> tuple[str, ...]:
 
 
 def solve(problem: GuideProblem) -> GuideSolution:
-    """Fit the straight line on which the guide carried the robot past a standing board.
+    """Fit the straight line of the robot's travel past a fixed board.
 
     The board's place in the base frame, b_i = base_from_flange_i · X · camera_from_board_i, moves by -scale · direction
     per displayed millimetre; direction and scale follow by linear least squares over all positions.
@@ -81,28 +81,28 @@ def solve(problem: GuideProblem) -> GuideSolution:
     boards = robot @ problem.hand_eye.flange_from_camera.matrix @ camera
     slide = slides_of(problem.observations)
     turn = _turns(boards)
-    return _fitted(boards[:, :3, 3], slide, turn, stroke, _by_cameras(problem, robot, slide))
+    return _fit(boards[:, :3, 3], slide, turn, stroke, _by_cameras(problem, robot, slide))
 
 
 def _by_cameras(problem: GuideProblem, robot: FloatArray, slide: FloatArray) -> FloatArray:
     """Return the covariance (3, 3) of the travel per displayed millimetre that the cameras' own uncertainty adds."""
-    by_cameras = derivatives_of(problem.observations)
-    if by_cameras is None or problem.camera_prior is None:
+    camera_jacobian = camera_jacobians_of(problem.observations)
+    if camera_jacobian is None or problem.camera_prior is None:
         return np.zeros((3, 3))
-    turned = robot[:, :3, :3] @ problem.hand_eye.flange_from_camera.rotation @ by_cameras[:, 3:]  # (N, 3, C)
+    turned = robot[:, :3, :3] @ problem.hand_eye.flange_from_camera.rotation @ camera_jacobian[:, 3:]  # (N, 3, C)
     away = slide - slide.mean()
     travel = -np.tensordot(away, turned, 1) / float(away @ away)
     return np.asarray(travel @ problem.camera_prior.covariance @ travel.T)
 
 
-def _fitted(boards_mm: FloatArray, slide: FloatArray, turn: FloatArray, stroke: float, by_cameras: FloatArray) -> GuideSolution:
+def _fit(boards_mm: FloatArray, slide: FloatArray, turn: FloatArray, stroke: float, camera_jacobian: FloatArray) -> GuideSolution:
     away = slide - slide.mean()
     travel = -(away @ (boards_mm - boards_mm.mean(axis=0))) / float(away @ away)
     scale = float(np.linalg.norm(travel))
     if not SCALE_RANGE[0] < scale < SCALE_RANGE[1]:
         raise CalibrationError(
             f"The robot moved {scale:.4g} mm per displayed millimetre of the guide.",
-            "Check that guide positions and poses are in mm, in the same order, and that the board stood still.",
+            "Check that guide positions and poses are in mm, in the same order, and that the board did not move.",
         )
     direction = travel / scale
     residual = boards_mm - boards_mm.mean(axis=0) + away[:, None] * travel
@@ -111,8 +111,8 @@ def _fitted(boards_mm: FloatArray, slide: FloatArray, turn: FloatArray, stroke: 
     freedom = 3 * len(slide) - 6
     sigma = float(np.sqrt(np.sum(residual**2) / freedom / float(away @ away)))
     across = np.eye(3) - np.outer(direction, direction)
-    turned = float(np.linalg.eigvalsh(across @ by_cameras @ across)[-1])  # variance of the direction in which it is least certain
-    stretched = float(direction @ by_cameras @ direction)
+    turned = float(np.linalg.eigvalsh(across @ camera_jacobian @ across)[-1])  # variance of the direction in which it is least certain
+    stretched = float(direction @ camera_jacobian @ direction)
     guide = LinearGuide(
         direction,
         scale,
@@ -144,7 +144,7 @@ def _fitted(boards_mm: FloatArray, slide: FloatArray, turn: FloatArray, stroke: 
 
 
 def paper_error_mm(direction: FloatArray, scale: float) -> float:
-    """Return the error per mm of travel of a guide that is taken to run along +Y with scale 1, as the paper does."""
+    """Return the error per mm of travel if the guide is assumed to run along +Y with scale 1, as in the paper."""
     return float(np.linalg.norm(scale * direction - PAPER_DIRECTION))
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.motions.hand_eye_methods import park_martin
 from measureapp.calibrate.motions.relative import Motions, motions_between
-from measureapp.calibrate.poses import change_between, inverted, mean_pose
+from measureapp.calibrate.poses import change_between, invert_poses, mean_pose
 from measureapp.errors import CalibrationError
 
 SWAPPED_SHARE = 0.3  # inverted poses that fit better than this share of the residual were given the wrong way round
@@ -15,7 +15,7 @@ LEAST_SWAPPED_MM = 1.0
 METRE_SCALES = (100.0, 0.01)
 SHORTEST_DISTANCE_MM = 5.0
 LARGEST_SLIDE_IN_METRES, LEAST_SLIDE_IN_METRES = 10.0, 0.01
-SIZE_TOLERANCE = 0.02  # of the length of a square; below it the residuals tell
+SIZE_TOLERANCE = 0.02  # of the length of a square; below it the residuals decide
 LARGEST_ANGLE_GAP_RAD = np.deg2rad(2.0)
 
 
@@ -44,15 +44,15 @@ def check_direction(robot: FloatArray, camera: FloatArray, shift_mm: FloatArray 
     """Refuse poses given as their inverses. Raises CalibrationError.
 
     Inverting the robot poses or the board poses spoils A X = X B in the same way; only the board's place before the camera
-    tells which. Inverting both leaves an equation of the same form. ``shift_mm`` (N, 3) is how far a guide carried the robot.
+    tells which. Inverting both leaves an equation of the same form. ``shift_mm`` (N, 3) is displacement of the robot by a guide.
     """
     hint = "Give base_from_flange for the robot and camera_from_board for the board."
     distance = camera[:, 2, 3]
     shift = np.zeros((len(robot), 3)) if shift_mm is None else shift_mm
-    carried = _shifted(robot, shift)
+    carried = _shift(robot, shift)
     own = _misfit(carried, camera)
     spoiled = own > LEAST_SWAPPED_MM and SWAPPED_SHARE * own > min(
-        _misfit(_shifted(inverted(robot), shift), camera), _misfit(carried, inverted(camera))
+        _misfit(_shift(invert_poses(robot), shift), camera), _misfit(carried, invert_poses(camera))
     )
     if np.all(distance <= 0) or (spoiled and np.median(distance) <= 0):
         raise CalibrationError("The board lies behind the camera: the board poses seem to be board_from_camera.", hint)
@@ -61,16 +61,16 @@ def check_direction(robot: FloatArray, camera: FloatArray, shift_mm: FloatArray 
 
 
 def check_board_size(robot: FloatArray, camera: FloatArray, motions: Motions, shift_mm: FloatArray | None = None) -> None:
-    """Refuse board poses with which the board stands stiller when its squares are taken for larger or smaller. Raises CalibrationError.
+    """Refuse board poses that scatter less if its squares are scaled. Raises CalibrationError.
 
     Parameters
     ----------
-    shift_mm : (N, 3), how far a guide carried the robot
+    shift_mm : (N, 3), displacement of the robot by a guide
     """
     scale = _scale(motions)
     if abs(scale - 1) <= SIZE_TOLERANCE:
         return
-    carried, resized = _shifted(robot, np.zeros((len(robot), 3)) if shift_mm is None else shift_mm), np.array(camera)
+    carried, resized = _shift(robot, np.zeros((len(robot), 3)) if shift_mm is None else shift_mm), np.array(camera)
     resized[:, :3, 3] /= scale
     own = _misfit(carried, camera)
     if own > LEAST_SWAPPED_MM and _misfit(carried, resized) < SWAPPED_SHARE * own:
@@ -81,7 +81,7 @@ def check_board_size(robot: FloatArray, camera: FloatArray, motions: Motions, sh
 
 
 def _scale(motions: Motions) -> float:
-    """Return how far the board's poses say that the robot moved, over how far it did."""
+    """Return the ratio of the robot's travel by the board poses to that by its read-backs."""
     rotation = park_martin(motions)[:3, :3]
     rows = np.concatenate([motions.flange[:, :3, :3] - np.eye(3), motions.flange[:, :3, 3:]], axis=2).reshape(-1, 4)
     right = (motions.camera[:, :3, 3] @ rotation.T).ravel()
@@ -97,7 +97,7 @@ def _misfit(robot: FloatArray, camera: FloatArray) -> float:
     return float(np.mean(board_deviations(park_martin(motions), robot, camera)[0]))
 
 
-def _shifted(poses: FloatArray, shift_mm: FloatArray) -> FloatArray:
+def _shift(poses: FloatArray, shift_mm: FloatArray) -> FloatArray:
     result = np.array(poses)
     result[:, :3, 3] += shift_mm
     return result
@@ -113,13 +113,13 @@ def check_robot_unit(base_from_flange: FloatArray) -> None:
 
 
 def check_guide_unit(base_from_flange: FloatArray, slide_mm: FloatArray, camera_from_board: FloatArray, along: FloatArray) -> None:
-    """Refuse slide positions (N,) with which the board stands stiller when they are taken for metres. Raises CalibrationError."""
+    """Refuse slide positions (N,) that fit better as metres. Raises CalibrationError."""
     travel = float(np.ptp(slide_mm))
     if not LEAST_SLIDE_IN_METRES < travel < LARGEST_SLIDE_IN_METRES:
         return
 
     def misfit(unit: float) -> float:
-        return _misfit(_shifted(base_from_flange, unit * slide_mm[:, None] * along), camera_from_board)
+        return _misfit(_shift(base_from_flange, unit * slide_mm[:, None] * along), camera_from_board)
 
     own = misfit(1.0)
     if own > LEAST_SWAPPED_MM and misfit(1000.0) < SWAPPED_SHARE * own:
@@ -129,12 +129,12 @@ def check_guide_unit(base_from_flange: FloatArray, slide_mm: FloatArray, camera_
 
 
 def check_table_angles(given_rad: FloatArray, seen_rad: FloatArray) -> None:
-    """Refuse table angles (K,) that contradict how the board was seen to turn. Raises CalibrationError."""
+    """Refuse table angles (K,) that contradict the observed rotation of the board. Raises CalibrationError."""
     gaps = np.abs(np.angle(np.exp(1j * ((given_rad - given_rad[0]) - (seen_rad - seen_rad[0])))))
     if np.median(gaps[1:]) > LARGEST_ANGLE_GAP_RAD:
         worst = int(np.argmax(gaps))
         raise CalibrationError(
-            f"The table is said to have turned by {np.rad2deg(given_rad[worst] - given_rad[0]):.2f}°, "
+            f"According to its angles the table turned by {np.rad2deg(given_rad[worst] - given_rad[0]):.2f}°, "
             f"but the board turned by {np.rad2deg(seen_rad[worst] - seen_rad[0]):.2f}°.",
             "Check the unit (degrees) and the order of the table angles, and that the board did not move on the table.",
         )

@@ -1,7 +1,8 @@
-"""Propagation of the uncertainty of robot and hand-eye to a guide or an axis observed by cameras on the robot's flange.
+"""Propagation of the uncertainty of robot, hand-eye and cameras to what is estimated from board poses.
 
-Both are given in the robot's frames: an error of the robot's pose or of hand-eye turns and shifts them as a whole. It does not appear
-in any residual, since all observations share it.
+A guide or an axis observed by cameras on the flange is given in the robot's frames: an error of the robot's pose or of hand-eye turns and
+shifts it as a whole, and does not appear in any residual, since all observations share it. The covariance of the cameras is propagated
+through the derivatives of the board poses with respect to the camera parameters, without the corners of the board.
 """
 
 from __future__ import annotations
@@ -9,16 +10,22 @@ from __future__ import annotations
 from dataclasses import replace
 from math import hypot
 
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.calibrate.least_squares import Minimum
 from measureapp.calibrate.motions.axis_noise import AxisNoise
-from measureapp.data.calibration import HandEye, LinearGuide, RotationAxis
+from measureapp.calibrate.motions.chain import Chain
+from measureapp.calibrate.motions.chain_state import POSE, ChainState
+from measureapp.data.calibration import HandEye, LabelledCovariance, LinearGuide, RotationAxis
 
 
-def guide_through_robot(guide: LinearGuide, hand_eye: HandEye, noise: AxisNoise) -> LinearGuide:
+def propagate_robot_to_guide(guide: LinearGuide, hand_eye: HandEye, noise: AxisNoise) -> LinearGuide:
     """Add the uncertainty of robot and hand-eye to that of the guide's direction."""
     return replace(guide, direction_sigma_rad=hypot(guide.direction_sigma_rad, turn_sigma_rad(hand_eye, noise)))
 
 
-def axis_through_robot(axis: RotationAxis, seen: RotationAxis, hand_eye: HandEye, noise: AxisNoise) -> RotationAxis:
+def propagate_robot_to_axis(axis: RotationAxis, seen: RotationAxis, hand_eye: HandEye, noise: AxisNoise) -> RotationAxis:
     """Add the uncertainty of robot and hand-eye to ``axis``, which is ``seen`` transformed into the guide's frame."""
     turn_rad, shift_mm = axis_sigmas(seen, hand_eye, noise)
     return replace(axis, point_sigma_mm=hypot(axis.point_sigma_mm, shift_mm), direction_sigma_rad=hypot(axis.direction_sigma_rad, turn_rad))
@@ -38,3 +45,39 @@ def axis_sigmas(seen: RotationAxis, hand_eye: HandEye, noise: AxisNoise) -> tupl
 def turn_sigma_rad(hand_eye: HandEye, noise: AxisNoise) -> float:
     """Return the standard deviation of the cameras' orientation by robot and hand-eye."""
     return hypot(hand_eye.rotation_sigma_rad, noise.robot_rad)
+
+
+def _whiten_camera_jacobian(chain: Chain) -> FloatArray:
+    """Return the derivatives of the whitened board poses with respect to the camera parameters, (6 N + K, C)."""
+    seen = (chain.roots @ np.asarray(chain.camera_jacobian)).reshape(POSE * len(chain.guide_mm), -1)
+    return np.vstack([seen, np.zeros((chain.table_angles, seen.shape[1]))])
+
+
+def marginal_cost(chain: Chain, minimum: Minimum[ChainState], covariance: FloatArray, camera_prior: LabelledCovariance | None) -> float:
+    """Return the sum of squares with the camera parameters marginalised: as if they had been estimated within their covariance."""
+    if camera_prior is None or chain.cameras_freed or chain.camera_jacobian is None:
+        return minimum.cost
+    jacobian, seen = chain.jacobian(minimum.state), _whiten_camera_jacobian(chain)
+    mixed = jacobian.T @ seen
+    normal = np.linalg.inv(camera_prior.covariance) + seen.T @ seen - mixed.T @ covariance @ mixed
+    pull = seen.T @ chain.residuals(minimum.state)
+    return max(minimum.cost - float(pull @ np.linalg.solve(normal, pull)), 0.0)
+
+
+def camera_sensitivity(chain: Chain, minimum: Minimum[ChainState], covariance: FloatArray, variance: float) -> FloatArray | None:
+    """Return the derivatives (P, C) of the solution with respect to cameras that are not estimated; None where those of the poses are missing.
+
+    Parameters
+    ----------
+    covariance : (P, P), of the solution for cameras without error, ``variance`` times the inverse of the normal matrix
+    """
+    if chain.cameras_freed or chain.camera_jacobian is None:
+        return None
+    return np.asarray(covariance / variance @ (chain.jacobian(minimum.state).T @ _whiten_camera_jacobian(chain)))
+
+
+def add_camera_covariance(covariance: FloatArray, gain: FloatArray | None, camera_prior: LabelledCovariance | None) -> FloatArray:
+    """Add K Σ Kᵀ for cameras that are not freed, with the sensitivity K of the solution to their parameters (`camera_sensitivity`)."""
+    if camera_prior is None or gain is None:
+        return covariance
+    return np.asarray(covariance + gain @ camera_prior.covariance @ gain.T)

@@ -9,11 +9,11 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.poses import inverted
+from measureapp.calibrate.poses import invert_poses
 from measureapp.errors import CalibrationError
 
 LEAST_ANGLE_RAD = np.deg2rad(3.0)  # the axis of a smaller motion is mostly noise
-LARGEST_ANGLE_RAD = np.deg2rad(170.0)  # beyond, flange and camera may take the axis in opposite senses
+LARGEST_ANGLE_RAD = np.deg2rad(170.0)  # beyond, flange and camera may have the axis in opposite senses
 PARALLEL_DEG = 2.0
 WEAK_DEG = 12.0
 MOST_PAIRS = 3000
@@ -55,8 +55,8 @@ def motions_between(base_from_flange: FloatArray, camera_from_board: FloatArray)
     if count < 3:
         raise CalibrationError(f"{count} poses do not determine the hand-eye transform.", "Give at least 3, better 10 or more.")
     first, second = np.array(list(combinations(range(count), 2))).T
-    a = inverted(base_from_flange[second]) @ base_from_flange[first]
-    b = camera_from_board[second] @ inverted(camera_from_board[first])
+    a = invert_poses(base_from_flange[second]) @ base_from_flange[first]
+    b = camera_from_board[second] @ invert_poses(camera_from_board[first])
     angle_a, angle_b = (Rotation.from_matrix(part[:, :3, :3]).magnitude() for part in (a, b))
     good = (np.minimum(angle_a, angle_b) >= LEAST_ANGLE_RAD) & (np.maximum(angle_a, angle_b) <= LARGEST_ANGLE_RAD)
     if good.sum() < 2:
@@ -95,7 +95,7 @@ def _verdict(spread_deg: float, axis: FloatArray) -> str:
     if spread_deg < PARALLEL_DEG:
         raise CalibrationError(
             f"All motions turn about nearly the same axis of the flange ({direction}; {spread_deg:.1f}° from parallel): "
-            "the camera's place along that axis cannot be seen.",
+            "the camera's position along that axis is not observable.",
             "Add poses turned about a second axis, best at right angles to it.",
         )
     if spread_deg < WEAK_DEG:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.poses import inverted
+from measureapp.calibrate.poses import invert_poses
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import orthonormalise
 
@@ -34,7 +34,7 @@ def shah(base_from_flange: FloatArray, camera_from_board: FloatArray) -> tuple[F
     ----------
     .. [1] M. Shah, ASME Journal of Mechanisms and Robotics 5(3), 031007, 2013.
     """
-    seen = inverted(camera_from_board)
+    seen = invert_poses(camera_from_board)
     total = sum(np.kron(b[:3, :3], a[:3, :3]) for a, b in zip(base_from_flange, seen, strict=True))
     u, _, vt = np.linalg.svd(total)
     return _with_translations(_rotation(vt[0]), _rotation(u[:, 0]), base_from_flange, seen)
@@ -49,7 +49,7 @@ def li_wang_wu(base_from_flange: FloatArray, camera_from_board: FloatArray) -> t
     ----------
     .. [1] A. Li, L. Wang, D. Wu, International Journal of the Physical Sciences 5(10), 1530-1536, 2010.
     """
-    seen = inverted(camera_from_board)
+    seen = invert_poses(camera_from_board)
     unit = max(float(np.mean(np.linalg.norm(base_from_flange[:, :3, 3], axis=1))), 1e-9)
     rows, right = np.zeros((len(seen), 12, 24)), np.zeros((len(seen), 12))
     for index, (a, b) in enumerate(zip(base_from_flange, seen, strict=True)):

@@ -14,12 +14,12 @@ from measureapp.calibrate.motions.axis_diagnostics import AxisDiagnostics, diagn
 from measureapp.calibrate.motions.axis_motion import (
     AXIS_PARAMETERS,
     Turning,
-    across,
-    most_likely_from_corners,
-    most_likely_from_poses,
-    turning_of,
+    estimate_turning,
+    fit_axis_to_corners,
+    fit_axis_to_poses,
+    perpendicular_basis,
 )
-from measureapp.calibrate.poses import moved, stacked
+from measureapp.calibrate.poses import apply_changes, stack_matrices
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import LabelledCovariance, RotationAxis
 from measureapp.errors import CalibrationError
@@ -27,7 +27,7 @@ from measureapp.progress import NoProgress, Progress
 
 DRAWS = 40  # simulated repetitions behind the standard deviations of the circle methods
 ANGLE_TOLERANCE_RAD = np.deg2rad(2.0)
-CLOSURE_RADIUS_MM = 250.0  # rim of the paper's table
+CLOSURE_RADIUS_MM = 250.0  # radius of the paper's table
 SHORT_SWEEP_RAD = np.deg2rad(30.0)
 LARGEST_RATIO, LARGEST_RESIDUAL_MM = 3.0, 0.05  # of positions that agree
 METHODS = ("least_squares", "distance_weighted", "maximum_likelihood")
@@ -35,7 +35,7 @@ METHODS = ("least_squares", "distance_weighted", "maximum_likelihood")
 
 @dataclass(frozen=True, slots=True)
 class AxisOptions:
-    """How an axis is estimated and judged."""
+    """How an axis is estimated and evaluated."""
 
     power: float = 2.0  # p of the distance weighting
     free_angles: bool = False  # estimate the angles, even where they were read back
@@ -51,21 +51,21 @@ class AxisProblem:
     poses: tuple[BoardPose, ...] = ()  # where the corners come from board poses, these with their information
     options: AxisOptions = field(default_factory=AxisOptions)
     frame: str = "camera"
-    by_cameras: FloatArray | None = None  # (n, 6, C), change of ``poses`` with the parameters of ``camera_prior``
-    camera_prior: LabelledCovariance | None = None  # what the calibration of the cameras leaves uncertain
+    camera_jacobian: FloatArray | None = None  # (n, 6, C), change of ``poses`` with the parameters of ``camera_prior``
+    camera_prior: LabelledCovariance | None = None  # covariance of the camera parameters
     names: tuple[str, ...] = ()  # of the positions, for messages; empty: their numbers from 0
 
     @property
-    def changes_by_cameras(self) -> FloatArray:
-        """Changes (K, n, 6) of the poses by errors of the cameras that are independent of each other, one standard deviation each."""
-        if self.by_cameras is None or self.camera_prior is None:
+    def camera_error_modes(self) -> FloatArray:
+        """Changes (K, n, 6) of the poses by one standard deviation of each independent error of the cameras."""
+        if self.camera_jacobian is None or self.camera_prior is None:
             return np.empty((0, len(self.poses), 6))
-        return np.moveaxis(self.by_cameras @ self.camera_prior.root, -1, 0)
+        return np.moveaxis(self.camera_jacobian @ self.camera_prior.root, -1, 0)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AxisEstimate:
-    """The axis by one method, and how the corners lie about it."""
+    """The axis by one method, with the residuals of the corners."""
 
     axis: RotationAxis
     radial_mm: FloatArray  # (n,), rms per position of distance to the axis minus the corner's mean distance
@@ -96,7 +96,7 @@ def shortfalls(problem: AxisProblem) -> tuple[str, ...]:
     if len(problem.corners_mm) < LEAST_POSITIONS:
         return (f"{LEAST_POSITIONS - len(problem.corners_mm)} more table positions are needed.",)
     try:
-        sweep = float(np.ptp(turning_of(problem.corners_mm).angles_rad))
+        sweep = float(np.ptp(estimate_turning(problem.corners_mm).angles_rad))
     except CalibrationError as error:
         return (str(error),)
     return (f"The table turned by {np.rad2deg(sweep):.0f}°; turn it by 30° or more.",) if sweep < SHORT_SWEEP_RAD else ()
@@ -127,7 +127,7 @@ def solve(problem: AxisProblem, progress: Progress | None = None) -> AxisSolutio
     Raises
     ------
     CalibrationError
-        Fewer than three positions, a board that hardly turned, or angles that contradict what was seen.
+        Fewer than three positions, a board that hardly turned, or angles that contradict the observed rotation.
     """
     progress = progress or NoProgress()
     corners = np.asarray(problem.corners_mm, float)
@@ -145,7 +145,7 @@ def solve(problem: AxisProblem, progress: Progress | None = None) -> AxisSolutio
     for done, (method, power) in enumerate((("least_squares", 0.0), ("distance_weighted", problem.options.power)), 1):
         progress.report(done, 3, method)
         try:
-            estimates[method] = _by_circles(problem, corners, power, likely, variance)
+            estimates[method] = _fit_circles(problem, corners, power, likely, variance)
         except CalibrationError as error:
             refused[method] = str(error)
     progress.report(3, 3)
@@ -161,7 +161,7 @@ def solve(problem: AxisProblem, progress: Progress | None = None) -> AxisSolutio
 
 
 def _contradictions(problem: AxisProblem, likely: AxisEstimate, variance: float) -> tuple[str, ...]:
-    """Say that positions contradict each other, by more than a table may wobble and by far more than the noise of the images."""
+    """Return the warning that positions contradict each other, by more than a table may wobble and by far more than the image noise."""
     ratio, residual = float(np.sqrt(variance)), likely.axis.residual_mm
     if not problem.poses or ratio <= LARGEST_RATIO or residual <= LARGEST_RESIDUAL_MM:
         return ()
@@ -172,7 +172,7 @@ def _contradictions(problem: AxisProblem, likely: AxisEstimate, variance: float)
 
 
 def _start(corners: FloatArray, angles_rad: FloatArray | None, names: Sequence[str]) -> Turning:
-    seen = turning_of(corners)
+    seen = estimate_turning(corners)
     if angles_rad is None:
         return seen
     given = np.asarray(angles_rad, float) - angles_rad[0]
@@ -194,62 +194,62 @@ def _start(corners: FloatArray, angles_rad: FloatArray | None, names: Sequence[s
 
 def _maximum_likelihood(problem: AxisProblem, corners: FloatArray, start: Turning, free: bool) -> tuple[AxisEstimate, FloatArray, float]:
     if problem.poses:
-        poses = stacked(pose.camera_from_board for pose in problem.poses)
+        poses = stack_matrices(pose.camera_from_board for pose in problem.poses)
         roots = np.array([np.linalg.cholesky(pose.information).T for pose in problem.poses])
-        minimum, freedom = most_likely_from_poses(replace(start, board=poses[0]), poses, roots, free)
+        minimum, freedom = fit_axis_to_poses(replace(start, board=poses[0]), poses, roots, free)
     else:
-        minimum, freedom = most_likely_from_corners(start, corners, free)
+        minimum, freedom = fit_axis_to_corners(start, corners, free)
     variance = minimum.cost / max(freedom, 1)
     covariance = minimum.covariance(variance)[:AXIS_PARAMETERS, :AXIS_PARAMETERS]
     turning = minimum.state
     foot = _foot(turning.point_mm, turning.direction, corners)
-    covariance = _carried_along(covariance, float(turning.direction @ (foot - turning.point_mm)))
-    covariance = covariance + _spread_by_cameras(problem, turning, foot, free)
+    covariance = _shift_covariance(covariance, float(turning.direction @ (foot - turning.point_mm)))
+    covariance = covariance + _camera_covariance(problem, turning, foot, free)
     axis = _axis(problem, corners, foot, turning.direction, covariance)
     return _estimate(axis, corners, turning.angles_rad), covariance, variance
 
 
-def _spread_by_cameras(problem: AxisProblem, turning: Turning, foot: FloatArray, free: bool) -> FloatArray:
-    """Return the covariance (4, 4) of direction and foot that the cameras' uncertainty adds: the axis with each of their errors in turn."""
-    poses = stacked(pose.camera_from_board for pose in problem.poses)
+def _camera_covariance(problem: AxisProblem, turning: Turning, foot: FloatArray, free: bool) -> FloatArray:
+    """Propagate the covariance of the cameras to direction and foot (4, 4) of the axis, by a fit for each of their principal errors."""
+    poses = stack_matrices(pose.camera_from_board for pose in problem.poses)
     roots = np.array([np.linalg.cholesky(pose.information).T for pose in problem.poses])
-    basis, spread = across(turning.direction), np.zeros((AXIS_PARAMETERS, AXIS_PARAMETERS))
-    for change in problem.changes_by_cameras:
-        other = most_likely_from_poses(turning, moved(poses, change), roots, free)[0].state
+    basis, spread = perpendicular_basis(turning.direction), np.zeros((AXIS_PARAMETERS, AXIS_PARAMETERS))
+    for change in problem.camera_error_modes:
+        other = fit_axis_to_poses(turning, apply_changes(poses, change), roots, free)[0].state
         other_foot = other.point_mm + other.direction * float(turning.direction @ (foot - other.point_mm))
         shift = np.concatenate([basis @ other.direction, basis @ (other_foot - foot)])
         spread += np.outer(shift, shift)
     return spread
 
 
-def _by_circles(problem: AxisProblem, corners: FloatArray, power: float, likely: AxisEstimate, variance: float) -> AxisEstimate:
+def _fit_circles(problem: AxisProblem, corners: FloatArray, power: float, likely: AxisEstimate, variance: float) -> AxisEstimate:
     def fitted(points: FloatArray) -> tuple[FloatArray, FloatArray]:
         point, direction = axis_through_centres(points, power)
         direction = direction * np.sign(direction @ likely.axis.direction)
         return _foot(point, direction, corners), direction
 
     point, direction = fitted(corners)
-    basis = across(direction)
+    basis = perpendicular_basis(direction)
     generator = np.random.default_rng(0)
     scatter = []
     for _ in range(DRAWS):
-        drawn_point, drawn_direction = fitted(_redrawn(problem, corners, variance, generator))
+        drawn_point, drawn_direction = fitted(_resample_corners(problem, corners, variance, generator))
         scatter.append(np.concatenate([basis @ drawn_direction, basis @ (drawn_point - point)]))
     axis = _axis(problem, corners, point, direction, np.cov(np.array(scatter).T))
     return _estimate(axis, corners, likely.angles_rad)
 
 
-def _redrawn(problem: AxisProblem, corners: FloatArray, variance: float, generator: np.random.Generator) -> FloatArray:
-    """Return the corners as another run of the same noise might have given them."""
+def _resample_corners(problem: AxisProblem, corners: FloatArray, variance: float, generator: np.random.Generator) -> FloatArray:
+    """Draw the corners of another run with the same noise (parametric bootstrap)."""
     if not problem.poses:
         return corners + generator.normal(scale=np.sqrt(variance), size=corners.shape)
     result = []
-    together = problem.changes_by_cameras
-    common = np.tensordot(generator.normal(size=len(together)), together, 1)
+    modes = problem.camera_error_modes
+    common = np.tensordot(generator.normal(size=len(modes)), modes, 1)
     for pose, points, shared in zip(problem.poses, corners, common, strict=True):
         covariance = variance * np.linalg.inv(pose.information)
         origin = pose.camera_from_board.translation_mm
-        change = moved(np.eye(4), shared + generator.multivariate_normal(np.zeros(6), covariance, method="cholesky"))
+        change = apply_changes(np.eye(4), shared + generator.multivariate_normal(np.zeros(6), covariance, method="cholesky"))
         result.append((points - origin) @ change[:3, :3].T + origin + change[:3, 3])
     return np.array(result)
 
@@ -259,11 +259,11 @@ def _foot(point: FloatArray, direction: FloatArray, corners: FloatArray) -> Floa
     return point + direction * float(direction @ (corners.reshape(-1, 3).mean(axis=0) - point))
 
 
-def _carried_along(covariance: FloatArray, distance_mm: float) -> FloatArray:
-    """Return the covariance of (direction, point) for a point further along the axis."""
-    carry = np.eye(AXIS_PARAMETERS)
-    carry[2:, :2] = distance_mm * np.eye(2)
-    return carry @ covariance @ carry.T
+def _shift_covariance(covariance: FloatArray, distance_mm: float) -> FloatArray:
+    """Transform the covariance of (direction, point) to a point further along the axis."""
+    shift = np.eye(AXIS_PARAMETERS)
+    shift[2:, :2] = distance_mm * np.eye(2)
+    return shift @ covariance @ shift.T
 
 
 def _axis(problem: AxisProblem, corners: FloatArray, point: FloatArray, direction: FloatArray, covariance: FloatArray) -> RotationAxis:

@@ -1,4 +1,4 @@
-"""How the slide's own errors enter the poses of the board: only where it carried a robot that stood still."""
+"""Noise of the slide in the board poses, where it moved between sightings and the robot did not."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ def travel_in_camera(base_from_flange: FloatArray, flange_from_camera: FloatArra
 
 
 def slide_covariance(noise: AxisNoise, approaches: IntArray, slide_mm: FloatArray, travel: FloatArray) -> FloatArray:
-    """Return what the slide adds to the covariance of the board's places in the camera, (N, 3, 3).
+    """Return the contribution (N, 3, 3) of the slide to the covariance of the board's positions in the camera.
 
-    Sightings between which the guide carried the robot past the board have it; elsewhere the slide's error is one with the robot's.
+    Only sightings between which the slide moved and the robot did not have it; elsewhere the slide's error is part of the robot's.
 
     Parameters
     ----------
@@ -32,24 +32,24 @@ def slide_covariance(noise: AxisNoise, approaches: IntArray, slide_mm: FloatArra
     return np.asarray(slid[:, None, None] * added)
 
 
-def with_slide(roots: FloatArray, added: FloatArray) -> FloatArray:
+def add_slide_covariance(roots: FloatArray, added: FloatArray) -> FloatArray:
     """Return upper triangular roots (N, 6, 6) of the poses' information with ``added`` (N, 3, 3) to the covariance of their places."""
-    return _changed(roots, 1.0, added)
+    return _scale_and_add(roots, 1.0, added)
 
 
-def with_perfect_images(roots: FloatArray, slide: FloatArray | None) -> FloatArray:
-    """Return the roots (N, 6, 6) that next to perfect images would leave, with the slide's part (N, 3, 3) in them as it is."""
+def suppress_image_noise(roots: FloatArray, slide: FloatArray | None) -> FloatArray:
+    """Return the roots (N, 6, 6) for almost noise-free images, with the contribution (N, 3, 3) of the slide unchanged."""
     if slide is None:
         return roots / np.sqrt(PERFECT)
-    return _changed(roots, PERFECT, (1 - PERFECT) * slide)
+    return _scale_and_add(roots, PERFECT, (1 - PERFECT) * slide)
 
 
-def _changed(roots: FloatArray, share: float, added: FloatArray) -> FloatArray:
-    """Return the roots of ``share`` times the covariance, with ``added`` to that of the places; others than slid poses are not inverted."""
+def _scale_and_add(roots: FloatArray, factor: float, added: FloatArray) -> FloatArray:
+    """Return the roots of ``factor`` times the covariance, with ``added`` to that of the positions; other than slid poses are not inverted."""
     slid = np.any(added != 0, axis=(1, 2))
-    result = np.array(roots) / np.sqrt(share)
+    result = np.array(roots) / np.sqrt(factor)
     if slid.any():
-        covariance = share * np.linalg.inv(np.swapaxes(roots[slid], 1, 2) @ roots[slid])
+        covariance = factor * np.linalg.inv(np.swapaxes(roots[slid], 1, 2) @ roots[slid])
         covariance[:, 3:, 3:] += added[slid]
         result[slid] = np.swapaxes(np.linalg.cholesky(np.linalg.inv(covariance)), 1, 2)
     return result

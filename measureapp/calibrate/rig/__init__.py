@@ -1,1 +1,1 @@
-"""The whole rig at once, what it leaves uncertain on the part, and how that compares with what is asked."""
+"""Joint calibration of the whole rig, its uncertainty on the part, and its comparison with required limits."""

@@ -1,4 +1,4 @@
-"""The whole rig at once: hand-eye, guide and axis from all sightings of one board fixed on the table."""
+"""Joint calibration of the rig: hand-eye, guide and axis from all sightings of one board fixed on the table."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from dataclasses import replace
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray
-from measureapp.calibrate.boards.observation import Observation, derivatives_of
-from measureapp.calibrate.motions.axis_noise import SAME_POSE, AxisNoise, approaches_of
+from measureapp.calibrate.boards.observation import Observation, camera_jacobians_of
+from measureapp.calibrate.motions.axis_noise import SAME_POSE, AxisNoise, number_runs
 from measureapp.calibrate.motions.chain import Chain, Free, groups_of, poses_of, roots_of
 from measureapp.calibrate.motions.chain_state import ChainState
-from measureapp.calibrate.motions.slide_noise import slide_covariance, travel_in_camera, with_slide
+from measureapp.calibrate.motions.slide_noise import add_slide_covariance, slide_covariance, travel_in_camera
 from measureapp.calibrate.rig.joint_solution import RigSolution, solution_of
-from measureapp.calibrate.rig.stages import RigStages, stages_of
+from measureapp.calibrate.rig.stages import RigStages, solve_stages
 from measureapp.data.calibration import CameraArrayCalibration, LabelledCovariance
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError
@@ -27,30 +27,30 @@ LEAST_SWEEP_RAD = np.deg2rad(2.0)
 SAME_ANGLE_RAD = 1e-7
 OUTLIER_FACTOR = 6.0  # of the median misfit
 MOST_REJECTED = 0.25
-REJECTED = "the board was seen far from where all other sightings put it: it moved, or was found wrongly"
+REJECTED = "the board pose contradicts all other observations: the board moved or was detected wrongly"
 
 
-def approaches_to(poses: Sequence[RigidTransform]) -> tuple[int, ...]:
+def number_approaches(poses: Sequence[RigidTransform]) -> tuple[int, ...]:
     """Number the approaches of the robot to poses base_from_flange in the order it went to them.
 
     To be told with every sighting where places are left out from which the board was not seen: a robot that went there and came back has
-    another error.
+    Given with every sighting where positions without a detected board are missing: a robot that returns from there has another error.
     """
     if not poses:
         return ()
     matrices = np.array([pose.matrix for pose in poses])
-    return tuple(int(number) for number in approaches_of(groups_of(matrices[:, :3].reshape(-1, 12), SAME_POSE)))
+    return tuple(int(number) for number in number_runs(groups_of(matrices[:, :3].reshape(-1, 12), SAME_POSE)))
 
 
 def shortfalls(readbacks: Sequence[AxisReadback]) -> tuple[str, ...]:
     """Say what sightings with these read-backs still miss to determine the rig."""
     few = LEAST_OBSERVATIONS - len(readbacks)
-    missing = [f"{few} more sightings of the board are needed."] if few > 0 else []
+    missing = [f"{few} more observations of the board are needed."] if few > 0 else []
     sweep, stroke = _spans(readbacks)
     if sweep < LEAST_SWEEP_RAD:
-        missing.append("Turn the table between sightings, so that its axis shows.")
+        missing.append("Turn the table between observations to determine its axis.")
     if stroke < LEAST_STROKE_MM:
-        missing.append("Move the guide between sightings, so that its direction shows.")
+        missing.append("Move the guide between observations to determine its direction.")
     return tuple(missing)
 
 
@@ -67,13 +67,13 @@ def solve_rig(
 
     Minimised are the errors of the board poses, weighted by the information of the corners in all cameras, and the
     errors of robot poses and table angles, weighted by ``noise``. Neighbouring sightings with equal robot poses share one
-    robot error, so that turning the table or moving the guide past a robot that stands still shows their axes without it.
+    robot error, so that turning the table or moving the guide with a stationary robot determines their axes without it.
     The start is found stage by stage: Tsai-Lenz, guide line, weighted axis.
 
     Parameters
     ----------
     observations : sightings of one board that is fixed on the table, in the order they were taken
-    camera_prior : what the calibration of the cameras leaves uncertain; enters the covariance
+    camera_prior : covariance of the camera parameters; propagated to the covariance
     free_cameras : estimate the parameters of the cameras as well, from where ``camera_prior`` has them
 
     Raises
@@ -85,13 +85,13 @@ def solve_rig(
     noise = noise or AxisNoise()
     _check_determined(observations, camera_prior)
     free_guide = _spans([observation.axes for observation in observations])[1] >= LEAST_STROKE_MM
-    stages = stages_of(observations, free_guide)
-    kept = _numbered(observations)
+    stages = solve_stages(observations, free_guide)
+    kept = _number_observations(observations)
     rejected: dict[str, str] = {}
     while True:
         progress.report(len(rejected), len(observations), "joint solution of the rig")
         chain = _chain(kept, noise, stages, Free(guide=free_guide), camera_prior if free_cameras else None)
-        minimum = chain.adjusted(_start(stages, chain))
+        minimum = chain.adjust(_start(stages, chain))
         outlier = _worst_outlier(chain, minimum.state, None if free_cameras else camera_prior)
         if outlier is None:
             break
@@ -102,7 +102,7 @@ def solve_rig(
             or _spans([one.axes for one in kept])[0] < LEAST_SWEEP_RAD
         ):
             raise CalibrationError(
-                "Too many sightings of the board contradict each other: " + ", ".join(rejected) + ".",
+                "Too many observations of the board contradict each other: " + ", ".join(rejected) + ".",
                 "Check that the board is fixed on the table, and that tables and images are in the same order.",
             )
     progress.report(1, 1)
@@ -112,15 +112,16 @@ def solve_rig(
 
 
 def _check_determined(observations: Sequence[Observation], camera_prior: LabelledCovariance | None) -> None:
-    """Raise CalibrationError for too few sightings, too little of the table, or sightings that cannot take up a camera prior."""
+    """Raise CalibrationError for too few sightings, too little of the table, or sightings without the derivatives that a camera prior needs."""
     sweep, _ = _spans([observation.axes for observation in observations])
-    if camera_prior is not None and any(observation.by_cameras is None for observation in observations):
+    if camera_prior is not None and any(observation.camera_jacobian is None for observation in observations):
         raise CalibrationError(
-            "The board poses do not say how they depend on the cameras.", "Give `by_cameras` with every sighting, or no camera prior."
+            "The derivatives of the board poses with respect to the cameras are missing.",
+            "Give the camera Jacobian of every board pose, or no camera prior.",
         )
     if len(observations) < LEAST_OBSERVATIONS or sweep < LEAST_SWEEP_RAD:
         raise CalibrationError(
-            f"{len(observations)} sightings of the board over {np.rad2deg(sweep):.1f}° of the table do not determine the rig.",
+            f"{len(observations)} observations of the board over {np.rad2deg(sweep):.1f}° of the table do not determine the rig.",
             f"Give at least {LEAST_OBSERVATIONS} with different robot poses, and turn the table by 60° or more.",
         )
 
@@ -147,22 +148,22 @@ def _chain(observations: Sequence[Observation], noise: AxisNoise, stages: RigSta
         guide_mm=slide,
         table_rad=table,
         camera_from_board=poses_of(boards),
-        roots=with_slide(roots_of(boards), added),
+        roots=add_slide_covariance(roots_of(boards), added),
         robot_group=approaches,
         table_group=groups_of(table[:, None], SAME_ANGLE_RAD),
         noise=noise,
         free=free,
-        by_cameras=derivatives_of(observations),
+        camera_jacobian=camera_jacobians_of(observations),
         camera_covariance=None if freed is None else freed.covariance,
         slide=added,
     )
 
 
-def _numbered(observations: Sequence[Observation]) -> list[Observation]:
-    """Number the approaches before sightings are rejected, where they are not told."""
+def _number_observations(observations: Sequence[Observation]) -> list[Observation]:
+    """Number the approaches before sightings are rejected, where they are not given."""
     if all(observation.approach is not None for observation in observations):
         return list(observations)
-    numbers = approaches_to([observation.axes.base_from_flange for observation in observations])
+    numbers = number_approaches([observation.axes.base_from_flange for observation in observations])
     return [replace(observation, approach=number) for observation, number in zip(observations, numbers, strict=True)]
 
 
@@ -179,16 +180,16 @@ def _start(stages: RigStages, chain: Chain) -> ChainState:
 
 
 def _worst_outlier(chain: Chain, state: ChainState, camera_prior: LabelledCovariance | None) -> int | None:
-    """Return the sighting that lies farthest off, where it is far beyond the median; one at a time, since it draws others along.
+    """Return the sighting with the largest Mahalanobis distance, if far beyond the median; one at a time, since it biases the others.
 
-    What the cameras' calibration leaves uncertain counts beside the noise of the corners: a board seen unlike all others, at the border
+    The covariance of the cameras is added to that of the corners: a board observed unlike all others, at the border
     of the images or strongly turned, may be off by many times the latter and is no outlier.
     """
     count = len(chain.guide_mm)
     residuals = chain.residuals(state)[: 6 * count].reshape(count, 6)
     covariance = np.broadcast_to(np.eye(6), (count, 6, 6))
-    if camera_prior is not None and chain.by_cameras is not None:
-        moved = chain.roots @ chain.by_cameras
+    if camera_prior is not None and chain.camera_jacobian is not None:
+        moved = chain.roots @ chain.camera_jacobian
         covariance = covariance + moved @ camera_prior.covariance @ np.swapaxes(moved, 1, 2)
     misfit = np.sqrt(np.einsum("ni,ni->n", residuals, np.linalg.solve(covariance, residuals[..., None])[..., 0]))
     worst = int(np.argmax(misfit))

@@ -8,15 +8,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.calibrate.cameras.prior import cameras_moved
+from measureapp.calibrate.cameras.prior import perturb_cameras
 from measureapp.calibrate.least_squares import Minimum
 from measureapp.calibrate.motions.axis_noise import SAME_POSE
-from measureapp.calibrate.motions.cameras_carried import cost_beyond_cameras, following_cameras, with_cameras
 from measureapp.calibrate.motions.chain import POSE_LABELS, Chain, groups_of
 from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.motions.linear_guide import paper_error_mm
-from measureapp.calibrate.poses import change_between, moved
-from measureapp.calibrate.rig.observability import WeakDirection, unseen, weakest
+from measureapp.calibrate.motions.propagation import add_camera_covariance, camera_sensitivity, marginal_cost
+from measureapp.calibrate.poses import apply_changes, change_between
+from measureapp.calibrate.rig.observability import WeakDirection, unobservable, weakest
 from measureapp.calibrate.rig.stages import RigStages
 from measureapp.data.calibration import (
     CameraArrayCalibration,
@@ -37,7 +37,7 @@ LARGEST_RATIO = 2.0  # of the residuals over what was expected
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RigResidual:
-    """How far the board was seen from where the chain puts it."""
+    """Residual of an observed board pose against the chain."""
 
     name: str
     distance_mm: float
@@ -48,7 +48,7 @@ class RigResidual:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RigSolution:
-    """The calibrated rig, what the observations left unexplained, and what they could not show."""
+    """The calibrated rig with residuals and unobservable parameters."""
 
     calibration: RigCalibration
     stages: RigStages  # the solution stage by stage, which the joint one started from
@@ -59,17 +59,17 @@ class RigSolution:
     covariance: FloatArray
     joint_parameters: tuple[str, ...]  # rows of `joint_covariance`: `parameters`, then the errors of every approach, angle and camera
     joint_covariance: FloatArray
-    joint_given_cameras: FloatArray  # the same for cameras without error: what they have in common cancels between cloud and chain
+    joint_given_cameras: FloatArray  # the same for cameras without error: for differences in which their common error cancels
     chain: Chain
     state: ChainState
-    paper_cost_mm: float  # error over the travel of these sightings had the guide been taken to run along +Y with scale 1, as in the paper
-    sigma_ratio: float  # residuals over what was expected; about 1 where the stated noise is right
+    paper_cost_mm: float  # error over the travel of these sightings if the guide is assumed to run along +Y with scale 1, as in the paper
+    sigma_ratio: float  # residuals over those expected; about 1 where the stated noise is right
     guide_from_board: RigidTransform  # the board's place with the table at 0
     weak_directions: tuple[WeakDirection, ...] = ()
     not_observable: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()
-    cameras: LabelledCovariance | None = None  # what the calibration of the cameras left uncertain; None where they were freed or not told
-    by_cameras: FloatArray | None = None  # (P, C), how the rows of `joint_given_cameras` follow the parameters of `cameras`
+    cameras: LabelledCovariance | None = None  # covariance of the camera parameters; None where they were estimated or it is not known
+    camera_jacobian: FloatArray | None = None  # (P, C), how the rows of `joint_given_cameras` follow the parameters of `cameras`
 
 
 def solution_of(
@@ -92,19 +92,17 @@ def solution_of(
     """
     state = minimum.state
     plain = _given_cameras(chain, minimum, 1.0)
-    ratio = float(np.sqrt(cost_beyond_cameras(chain, minimum, plain, camera_prior) / max(chain.freedom(), 1)))
-    count = len(chain.labels)
+    ratio = float(np.sqrt(marginal_cost(chain, minimum, plain, camera_prior) / max(chain.freedom(), 1)))
     variance = _variance(ratio, chain.freedom())
     given_cameras = plain * variance
-    by_cameras = None if camera_prior is None else following_cameras(chain, minimum, given_cameras, variance)
-    joint = with_cameras(given_cameras, by_cameras, camera_prior)
-    covariance = joint[:count, :count]
+    camera_jacobian = None if camera_prior is None else camera_sensitivity(chain, minimum, given_cameras, variance)
+    joint = add_camera_covariance(given_cameras, camera_jacobian, camera_prior)
+    covariance = joint[: len(chain.labels), : len(chain.labels)]
     if camera_prior is not None and chain.cameras_freed:
-        cameras = cameras_moved(cameras, camera_prior.parameters, state.camera_changes)
-    deviations = dict(zip(chain.labels, (float(value) for value in np.sqrt(np.diag(covariance))), strict=True))
+        cameras = perturb_cameras(cameras, camera_prior.parameters, state.camera_changes)
+    deviations = dict(zip(chain.labels, np.sqrt(np.diag(covariance)).tolist(), strict=True))
     change = change_between(chain.camera_from_board, chain.predicted(state))
     distances, angles = np.linalg.norm(change[:, 3:], axis=1), np.linalg.norm(change[:, :3], axis=1)
-    residuals = _residuals(names, distances, angles, state.robot_changes[chain.robot_group])
     return RigSolution(
         calibration=RigCalibration(
             cameras,
@@ -115,7 +113,7 @@ def solution_of(
             _stations(chain, state),
         ),
         stages=stages,
-        residuals=residuals,
+        residuals=_residuals(names, distances, angles, state.robot_changes[chain.robot_group]),
         rejected=rejected,
         standard_deviations=deviations,
         parameters=chain.labels,
@@ -131,8 +129,8 @@ def solution_of(
         weak_directions=weakest(covariance, chain.labels),
         not_observable=not_seen,
         warnings=_warnings(ratio),
-        cameras=None if by_cameras is None else camera_prior,
-        by_cameras=by_cameras,
+        cameras=None if camera_jacobian is None else camera_prior,
+        camera_jacobian=camera_jacobian,
     )
 
 
@@ -148,7 +146,7 @@ def _hand_eye(state: ChainState, deviations: dict[str, float], distances: FloatA
 
 
 def _variance(ratio: float, freedom: int) -> float:
-    """Return the factor of the covariance: 1, or that of the residuals where they contradict what was expected significantly."""
+    """Return the factor of the covariance: 1, or that of the residuals where they are significantly larger than expected."""
     return ratio**2 if ratio > 1 + 2 / np.sqrt(2 * max(freedom, 1)) else 1.0
 
 
@@ -156,7 +154,7 @@ def _warnings(ratio: float) -> tuple[str, ...]:
     if ratio <= LARGEST_RATIO:
         return ()
     return (
-        f"The residuals are {ratio:.1f} times as large as expected: the robot is worse than stated, the board moved, or tables and images "
+        f"The residuals are {ratio:.1f} times as large as expected: the robot is less accurate than stated, the board moved, or tables and images "
         "do not belong together.",
     )
 
@@ -165,8 +163,8 @@ def _given_cameras(chain: Chain, minimum: Minimum[ChainState], variance: float) 
     try:
         return minimum.covariance(variance)
     except CalibrationError as error:
-        lost = "; ".join(direction.sentence for direction in unseen(minimum.hessian, chain.labels)) or error.message
-        raise CalibrationError(f"The sightings do not determine the rig: {lost}.", error.hint) from error
+        lost = "; ".join(direction.sentence for direction in unobservable(minimum.hessian, chain.labels)) or error.message
+        raise CalibrationError(f"The observations do not determine the rig: {lost}.", error.hint) from error
 
 
 def _joint_labels(chain: Chain, camera_prior: LabelledCovariance | None) -> tuple[str, ...]:
@@ -194,19 +192,19 @@ def repeatable_errors(chain: Chain, poses: FloatArray) -> tuple[FloatArray, Floa
     ----------
     .. [1] C. E. Rasmussen, C. K. I. Williams, Gaussian Processes for Machine Learning, MIT Press 2006, eq. 2.25.
     """
-    alike = chain.noise.alike(poses, chain.approached)
-    turn, shift = chain.noise.robot_covariances(chain.approached)
+    correlation = chain.noise.correlation(poses, chain.approach_poses)
+    turn, shift = chain.noise.robot_covariances(chain.approach_poses)
     noise = chain.noise
-    return np.linalg.solve(turn, noise.robot_rad**2 * alike.T).T, np.linalg.solve(shift, noise.robot_mm**2 * alike.T).T
+    return np.linalg.solve(turn, noise.robot_rad**2 * correlation.T).T, np.linalg.solve(shift, noise.robot_mm**2 * correlation.T).T
 
 
 def _stations(chain: Chain, state: ChainState) -> tuple[RobotStation, ...]:
-    """Return every robot pose with its estimated error: what its approaches have in common."""
-    approached = chain.approached
-    same = groups_of(approached[:, :3].reshape(-1, 12), SAME_POSE)
-    poses = approached[np.unique(same, return_index=True)[1]]
+    """Return every robot pose with its estimated repeatable error, common to its approaches."""
+    approach_poses = chain.approach_poses
+    same = groups_of(approach_poses[:, :3].reshape(-1, 12), SAME_POSE)
+    poses = approach_poses[np.unique(same, return_index=True)[1]]
     turn, shift = repeatable_errors(chain, poses)
-    errors = moved(
+    errors = apply_changes(
         np.tile(np.eye(4), (len(poses), 1, 1)), np.hstack([turn @ state.robot_changes[:, :3], shift @ state.robot_changes[:, 3:]])
     )
     return tuple(
@@ -242,7 +240,7 @@ def _guide(state: ChainState, deviations: dict[str, float], straightness_mm: flo
 def _axis(
     state: ChainState, deviations: dict[str, float], covariance: FloatArray, labels: tuple[str, ...], distances: FloatArray
 ) -> RotationAxis:
-    """Return the axis with its point beside the board, where its place is best known."""
+    """Return the axis with its point next to the board, where its position is most certain."""
     along = float(state.axis_direction @ (state.guide_from_board[:3, 3] - state.axis_point_mm))
     rows = [labels.index(f"axis.{name}") for name in ("direction_1_rad", "direction_2_rad", "point_1_mm", "point_2_mm")]
     carry = np.hstack([along * np.eye(2), np.eye(2)])

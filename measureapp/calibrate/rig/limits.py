@@ -1,4 +1,4 @@
-"""How the uncertainty of a calibration compares with what is asked, and with what the rig's own axes allow.
+"""Standard deviations of a calibration against required limits and against those that the rig's axes allow.
 
 A robot whose poses are uncertain by tenths of a millimetre limits the hand-eye transform however good the images are. So where axes take
 part, each figure is stated twice: as it is, and as perfect images and exactly known cameras would leave it; what lies between both is ours.
@@ -22,7 +22,7 @@ from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.motions.hand_eye import HandEyeSolution
 from measureapp.calibrate.motions.linear_guide import GuideSolution
 from measureapp.calibrate.motions.rotation_axis import AxisSolution
-from measureapp.calibrate.motions.slide_noise import with_perfect_images
+from measureapp.calibrate.motions.slide_noise import suppress_image_noise
 from measureapp.calibrate.rig.joint_solution import RigSolution
 from measureapp.data.uncertainty import UncertaintyMap
 
@@ -65,19 +65,19 @@ class Limit:
 
     @property
     def beyond(self) -> float:
-        """What images and cameras add."""
+        """Contribution of images and cameras."""
         return self.sigma if self.axes_allow is None else float(np.sqrt(max(self.sigma**2 - self.axes_allow**2, 0.0)))
 
     @property
     def by_images(self) -> float | None:
-        """What the noise of the images alone adds."""
+        """Contribution of the image noise alone."""
         if self.given_cameras is None or self.axes_allow is None:
             return None
         return float(np.sqrt(max(self.given_cameras**2 - self.axes_allow**2, 0.0)))
 
     @property
     def limited_by(self) -> str:
-        """What to do where mainly the noise of the images makes it more than asked; empty otherwise."""
+        """What to do where mainly the noise of the images makes it more than requested; empty otherwise."""
         if self.met_beyond or self.by_images is None or self.by_images < MAINLY * self.beyond:
             return ""
         times = (self.by_images / self.asked) ** 2  # noise averages with the square root of the number of views
@@ -85,20 +85,20 @@ class Limit:
 
     @property
     def met(self) -> bool:
-        """Whether the figure as it is stays within what is asked."""
+        """Whether the figure is within its limit."""
         return self.sigma <= self.asked
 
     @property
     def met_beyond(self) -> bool:
-        """Whether what images and cameras add stays within what is asked."""
+        """Whether the contribution of images and cameras is within the limit."""
         return self.beyond <= self.asked
 
     @property
     def sentence(self) -> str:
-        """All of it in words."""
+        """The figure, its limit and contributions in a sentence."""
         unit = f" {self.unit}" if self.unit == "mm" else self.unit
-        verdict = "as asked" if self.met else "as asked but for the rig's axes" if self.met_beyond else "more than asked"
-        start = f"{self.name} ± {self.sigma:.2g}{unit}, asked {self.asked:.2g}{unit}"
+        verdict = "as asked" if self.met else "exceeded by the rig's axes alone" if self.met_beyond else "more than requested"
+        start = f"{self.name} ± {self.sigma:.2g}{unit}, requested {self.asked:.2g}{unit}"
         if self.axes_allow is None:
             return f"{start}: {verdict}"
         alone = "" if self.by_images is None else f" (the images alone {self.by_images:.2g}{unit})"
@@ -109,7 +109,7 @@ class Limit:
 
 
 def camera_limits(uncertainty: UncertaintyMap | None, asked: Asked) -> tuple[Limit, ...]:
-    """Return the error of shape that the cameras leave in the working volume; nothing without two cameras that see it."""
+    """Return the uncertainty of shape in the working volume; nothing without two cameras that see it."""
     if uncertainty is None or uncertainty.volume is None:
         return ()
     return (_limit("shape", asked, uncertainty.volume.shape_rms_mm),)
@@ -174,7 +174,7 @@ def rig_limits(solution: RigSolution, asked: Asked) -> tuple[Limit, ...]:
 
 def _axes_alone(chain: Chain, state: ChainState) -> FloatArray:
     """Return the covariance that perfect images and exactly known cameras would leave; the slide is no straighter for them."""
-    perfect = replace(chain, roots=with_perfect_images(chain.roots, chain.slide), by_cameras=None, camera_covariance=None)
+    perfect = replace(chain, roots=suppress_image_noise(chain.roots, chain.slide), camera_jacobian=None, camera_covariance=None)
     return perfect.curvature(replace(state, camera_changes=np.zeros(0))).covariance()
 
 

@@ -1,4 +1,4 @@
-"""What the observations cannot show, in words: the weak directions of the normal matrix, named by their largest parameters."""
+"""Observability: the weak directions of the normal matrix, named by their largest parameters."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 
-LEVER_MM = 550.0  # from the camera to the part: what an angle amounts to there
+LEVER_MM = 550.0  # from the camera to the part: lever arm of an angle
 STROKE_MM = 500.0  # what an error of scale amounts to over a usual travel of the guide
 NULL_SHARE = 1e-12
 NAMED_SHARE = 0.3  # of the largest component: parameters below it are not named
@@ -44,20 +44,20 @@ class WeakDirection:
 
     sigma_mm: float  # at the part; infinite where nothing shows it
     parameters: tuple[str, ...]  # the largest first
-    shares: tuple[float, ...]  # their components in the unit vector, in mm at the part
+    components: tuple[float, ...]  # their components in the unit vector, in mm at the part
 
     @property
     def sentence(self) -> str:
         """The direction in words."""
         what = " together with ".join(WORDS.get(name, name) for name in self.parameters)
         if not np.isfinite(self.sigma_mm):
-            return f"{what}: cannot be seen from these poses"
-        seen = "can hardly be seen from these poses" if self.sigma_mm > HARDLY_SEEN_MM else "is the least certain"
+            return f"{what}: not observable from these poses"
+        seen = "is hardly observable from these poses" if self.sigma_mm > HARDLY_SEEN_MM else "is the least certain"
         return f"{what}: {seen} (± {self.sigma_mm:.3g} mm at the part)"
 
 
 def lengths_of(labels: Sequence[str]) -> FloatArray:
-    """Return what one unit of each parameter amounts to at the part, mm."""
+    """Return the displacement at the part by one unit of each parameter, mm."""
     return np.array([LEVER_MM if label.endswith("_rad") else STROKE_MM if label.endswith("scale") else 1.0 for label in labels])
 
 
@@ -66,10 +66,10 @@ def weakest(covariance: FloatArray, labels: Sequence[str], count: int = 3) -> tu
     lengths = lengths_of(labels)
     values, vectors = np.linalg.eigh(covariance * np.outer(lengths, lengths))
     order = np.argsort(values)[::-1][:count]
-    return tuple(_named(float(np.sqrt(max(values[index], 0.0))), vectors[:, index], labels) for index in order)
+    return tuple(_describe(float(np.sqrt(max(values[index], 0.0))), vectors[:, index], labels) for index in order)
 
 
-def unseen(hessian: FloatArray, labels: Sequence[str]) -> tuple[WeakDirection, ...]:
+def unobservable(hessian: FloatArray, labels: Sequence[str]) -> tuple[WeakDirection, ...]:
     """Return the directions that change no residual: null vectors of the normal matrix, whose first rows are ``labels``."""
     lengths = np.concatenate([lengths_of(labels), np.ones(len(hessian) - len(labels))])
     scaled = hessian / np.outer(lengths, lengths)
@@ -80,10 +80,10 @@ def unseen(hessian: FloatArray, labels: Sequence[str]) -> tuple[WeakDirection, .
     for value, vector in zip(values, vectors.T, strict=True):
         if value <= NULL_SHARE * values[-1]:
             direction = (vector / unit)[: len(labels)]
-            found.append(_named(float("inf"), direction / max(float(np.linalg.norm(direction)), 1e-300), labels))
+            found.append(_describe(float("inf"), direction / max(float(np.linalg.norm(direction)), 1e-300), labels))
     return tuple(found)
 
 
-def _named(sigma_mm: float, vector: FloatArray, labels: Sequence[str]) -> WeakDirection:
+def _describe(sigma_mm: float, vector: FloatArray, labels: Sequence[str]) -> WeakDirection:
     order = [int(index) for index in np.argsort(-np.abs(vector))[:MOST_NAMED] if abs(vector[index]) >= NAMED_SHARE * np.abs(vector).max()]
     return WeakDirection(sigma_mm, tuple(labels[index] for index in order), tuple(float(vector[index]) for index in order))

@@ -1,4 +1,4 @@
-"""Is a calibration still good? A few views of a board anywhere on the table tell, in mm per view, and which link looks off."""
+"""Quick check of a calibrated rig with a few views of a board anywhere on the table: deviation per view and the suspect link."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from measureapp.calibrate.boards.pose import stated_pose
 from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.motions.chain import Chain, Free, roots_of
 from measureapp.calibrate.motions.chain_state import ChainState
-from measureapp.calibrate.poses import inverted, median_pose, stacked
+from measureapp.calibrate.poses import invert_poses, median_pose, stack_matrices
 from measureapp.data.board import BoardDescription
 from measureapp.data.calibration import RigCalibration
 from measureapp.errors import CalibrationError
@@ -32,24 +32,24 @@ CAMERAS, ONE_VIEW, UNCLEAR = "cameras", "one view", "more than one link"
 
 @dataclass(frozen=True, slots=True)
 class ViewCheck:
-    """One view of the board against what the calibration predicts."""
+    """Deviation of one view of the board from its predicted pose."""
 
     name: str
     deviation_mm: float  # rms over the corners, on the part
     deviation_px: float  # the same in the image of the reference camera
-    camera_px: float  # rms residual of the board's pose: what the cameras contradict each other
+    camera_px: float  # rms residual of the board's pose: contradiction between the cameras
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class QuickCheck:
-    """The verdict, and which link of the chain looks off."""
+    """The verdict, and the suspect link of the chain."""
 
     good: bool
     sentence: str
     views: tuple[ViewCheck, ...]
     limit_mm: float
     suspect: str  # "" where the calibration holds
-    explained: Mapping[str, float]  # link -> share of the mean square deviation that freeing it alone takes away
+    explained: Mapping[str, float]  # link -> fraction of the mean square deviation explained by freeing it alone
     not_tested: tuple[str, ...]
 
 
@@ -72,7 +72,7 @@ def quick_check(
             f"{len(observations)} views of the board do not check a calibration.",
             f"Give at least {LEAST_VIEWS}, with different poses of the robot, slide positions and table angles.",
         )
-    places = stacked(calibration.part_from_camera(one.axes) @ one.pose.camera_from_board for one in observations)
+    places = stack_matrices(calibration.part_from_camera(one.axes) @ one.pose.camera_from_board for one in observations)
     middle = median_pose(places)
     views = tuple(_view(one, place, middle, calibration, board) for one, place in zip(observations, places, strict=True))
     not_tested = _not_tested(observations)
@@ -80,10 +80,10 @@ def quick_check(
     allowed_px = max(CAMERA_FACTOR * _camera_rms(calibration), LEAST_CAMERA_PX)
     camera_px = float(np.median([view.camera_px for view in views]))
     good = worst.deviation_mm <= limit_mm and camera_px <= allowed_px
-    explained = {} if good else _explained(observations, calibration, middle, not_tested)
+    explained = {} if good else _explained_fractions(observations, calibration, middle, not_tested)
     suspect = "" if good else CAMERAS if camera_px > allowed_px else _suspect(views, explained, limit_mm)
     sentence = (
-        f"The board lies up to {worst.deviation_mm:.3f} mm (view {worst.name}) from where the calibration puts it; "
+        f"The board lies up to {worst.deviation_mm:.3f} mm (view {worst.name}) from its calibrated position; "
         f"{limit_mm:g} mm are allowed: " + _advice(suspect, worst, camera_px, allowed_px)
     )
     return QuickCheck(good, sentence, views, limit_mm, suspect, explained, not_tested)
@@ -92,7 +92,7 @@ def quick_check(
 def _view(one: Observation, place: FloatArray, middle: FloatArray, calibration: RigCalibration, board: BoardDescription) -> ViewCheck:
     corners = np.column_stack([board.corners_mm, np.ones(len(board.corners_mm))])
     off = (corners @ (place - middle).T)[:, :3]
-    predicted = inverted(calibration.part_from_camera(one.axes).matrix) @ middle
+    predicted = invert_poses(calibration.part_from_camera(one.axes).matrix) @ middle
     reference = calibration.cameras.cameras[calibration.cameras.reference].pinhole
     seen, expected = (reference.project((corners @ pose.T)[:, :3]) for pose in (one.pose.camera_from_board.matrix, predicted))
     return ViewCheck(
@@ -108,7 +108,7 @@ def _camera_rms(calibration: RigCalibration) -> float:
 
 
 def _not_tested(observations: Sequence[Observation]) -> tuple[str, ...]:
-    """Return the links that the views cannot tell, because their axis did not move."""
+    """Return the links that the views do not test, because their axis did not move."""
     reads = [one.axes for one in observations]
     first = reads[0].base_from_flange.inverse()
     tilt = max((first @ read.base_from_flange).angle_rad for read in reads)
@@ -120,10 +120,10 @@ def _not_tested(observations: Sequence[Observation]) -> tuple[str, ...]:
     return tuple(link for link, unmoved in still.items() if unmoved)
 
 
-def _explained(
+def _explained_fractions(
     observations: Sequence[Observation], calibration: RigCalibration, part_from_board: FloatArray, not_tested: Sequence[str]
 ) -> dict[str, float]:
-    """Return which share of the mean square deviation each link, freed alone, takes away."""
+    """Return the fraction of the mean square deviation that each link, freed alone, explains."""
     start = _state(calibration, part_from_board, len(observations))
     before = _misfit(observations, calibration, Free(False, False, False), start)
     return {
@@ -138,17 +138,17 @@ def _misfit(observations: Sequence[Observation], calibration: RigCalibration, fr
     count = len(observations)
     poses = [stated_pose(one.pose.camera_from_board, BOARD_RAD, BOARD_MM) for one in observations]
     chain = Chain(
-        base_from_flange=stacked(_flange(one, calibration) for one in observations),
+        base_from_flange=stack_matrices(_flange(one, calibration) for one in observations),
         guide_mm=np.array([one.axes.guide_mm for one in observations]),
         table_rad=np.array([one.axes.table_rad for one in observations]),
-        camera_from_board=stacked(pose.camera_from_board for pose in poses),
+        camera_from_board=stack_matrices(pose.camera_from_board for pose in poses),
         roots=roots_of(poses),
         robot_group=np.arange(count),
         table_group=np.arange(count),
         noise=STIFF,
         free=free,
     )
-    return chain.adjusted(replace(start, table_changes=np.zeros(chain.table_angles))).cost / max(chain.freedom(), 1)
+    return chain.adjust(replace(start, table_changes=np.zeros(chain.table_angles))).cost / max(chain.freedom(), 1)
 
 
 def _flange(one: Observation, calibration: RigCalibration) -> RigidTransform:

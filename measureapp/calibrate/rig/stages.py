@@ -10,7 +10,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.motions.axis_circles import LEAST_POSITIONS, axis_through_centres
-from measureapp.calibrate.motions.axis_motion import turning_of
+from measureapp.calibrate.motions.axis_motion import estimate_turning
 from measureapp.calibrate.motions.chain import groups_of, poses_of
 from measureapp.calibrate.motions.hand_eye_methods import tsai_lenz
 from measureapp.calibrate.motions.pose_checks import (
@@ -29,7 +29,7 @@ from measureapp.geometry.transform import RigidTransform, orthonormalise
 
 BOARD_POINTS = np.array(
     [[0, 0, 0], [150, 0, 0], [0, 100, 0], [150, 100, 0], [75, 50, 0]], float
-)  # stand for the board where only poses count
+)  # in place of the board where only poses matter
 SAME_ANGLE_RAD = 1e-3
 PAPER_GUIDE = LinearGuide(np.array([0.0, 1.0, 0.0]), 1.0)
 
@@ -44,8 +44,8 @@ class RigStages:
     guide_from_board: RigidTransform  # with the table at 0
 
 
-def carry_axis(axis_in_camera: RotationAxis, guide_from_camera: RigidTransform) -> RotationAxis:
-    """Return an axis seen by the camera in the guide frame, with its standard deviations."""
+def transform_axis(axis_in_camera: RotationAxis, guide_from_camera: RigidTransform) -> RotationAxis:
+    """Transform an axis from the camera frame to the guide frame, with its standard deviations."""
     return RotationAxis(
         guide_from_camera.apply(axis_in_camera.point_mm),
         guide_from_camera.rotate(axis_in_camera.direction),
@@ -56,7 +56,7 @@ def carry_axis(axis_in_camera: RotationAxis, guide_from_camera: RigidTransform) 
     )
 
 
-def stages_of(observations: Sequence[Observation], guide_moved: bool) -> RigStages:
+def solve_stages(observations: Sequence[Observation], guide_moved: bool) -> RigStages:
     """Solve hand-eye, guide and axis one after the other from sightings of one board fixed on the table.
 
     Raises
@@ -72,7 +72,7 @@ def stages_of(observations: Sequence[Observation], guide_moved: bool) -> RigStag
     camera = poses_of([observation.pose for observation in observations])
     check_robot_unit(robot)
     check_guide_unit(robot[still], slide[still], camera[still], PAPER_GUIDE.direction)
-    carried = _carried(robot, slide, PAPER_GUIDE)[still]
+    carried = _flanges_in_guide(robot, slide, PAPER_GUIDE)[still]
     motions, _ = motions_between(carried, camera[still])
     check_units(camera[still], motions)
     shift_mm = slide[still, None] * PAPER_GUIDE.direction
@@ -80,7 +80,7 @@ def stages_of(observations: Sequence[Observation], guide_moved: bool) -> RigStag
     check_board_size(robot[still], camera[still], motions, shift_mm)
     x = tsai_lenz(motions)
     guide = _guide_line((robot @ x @ camera)[still], slide[still]) if guide_moved else PAPER_GUIDE
-    carried = _carried(robot, slide, guide)
+    carried = _flanges_in_guide(robot, slide, guide)
     x = tsai_lenz(motions_between(carried[still], camera[still])[0])
     boards = carried @ x @ camera
     places = np.array([mean_pose(boards[group == number]) for number in range(group.max() + 1)])
@@ -95,7 +95,7 @@ def stages_of(observations: Sequence[Observation], guide_moved: bool) -> RigStag
     )
 
 
-def _carried(robot: FloatArray, slide: FloatArray, guide: LinearGuide) -> FloatArray:
+def _flanges_in_guide(robot: FloatArray, slide: FloatArray, guide: LinearGuide) -> FloatArray:
     """Return guide_from_flange (N, 4, 4)."""
     return np.array([guide.guide_from_base(position).matrix for position in slide]) @ robot
 
@@ -115,7 +115,7 @@ def _guide_line(boards: FloatArray, slide: FloatArray) -> LinearGuide:
 def _axis(places: FloatArray, angles: FloatArray) -> RotationAxis:
     order = np.argsort(angles)
     corners = BOARD_POINTS @ np.swapaxes(places[order][:, :3, :3], 1, 2) + places[order][:, None, :3, 3]
-    turning = turning_of(corners)
+    turning = estimate_turning(corners)
     check_table_angles(angles[order], turning.angles_rad)
     point, direction = turning.point_mm, turning.direction
     if len(places) >= LEAST_POSITIONS:

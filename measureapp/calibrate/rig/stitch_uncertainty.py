@@ -10,10 +10,10 @@ from scipy.linalg import block_diag
 from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import BoolArray, FloatArray
-from measureapp.calibrate.motions.axis_noise import SAME_POSE, approaches_of
+from measureapp.calibrate.motions.axis_noise import SAME_POSE, number_runs
 from measureapp.calibrate.motions.chain import Chain, groups_of
 from measureapp.calibrate.motions.chain_state import POSE, ChainState
-from measureapp.calibrate.poses import change_between, inverted, moved
+from measureapp.calibrate.poses import apply_changes, change_between, invert_poses
 from measureapp.calibrate.projection import cross_matrices
 from measureapp.calibrate.rig.joint import SAME_ANGLE_RAD
 from measureapp.calibrate.rig.joint_solution import RigSolution, repeatable_errors
@@ -23,25 +23,25 @@ from measureapp.geometry.transform import RigidTransform
 
 TURN_STEP, LENGTH_STEP, SCALE_STEP = 1e-6, 1e-4, 1e-6  # of the differences
 POSE_STEPS = (TURN_STEP,) * 3 + (LENGTH_STEP,) * 3
-OWN = 7  # what each view adds of its own: the robot's error (6) and the table's (1)
+OWN = 7  # independent errors of each view: the robot's (6) and the table's (1)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RigUncertainty:
-    """What the joint calibration of a rig leaves open: enough to say how certain any view is placed, without the images it came from."""
+    """Joint covariance of a rig calibration: sufficient to propagate it to the pose of any view, without the images."""
 
     calibration: RigCalibration
     chain: Chain
     state: ChainState
     covariance: FloatArray  # (P, P) of the chain's parameters, for cameras without error
-    cameras: LabelledCovariance | None = None  # what the calibration of the cameras leaves open; None where not known
-    by_cameras: FloatArray | None = None  # (P, C), how the chain's parameters follow those of the cameras
+    cameras: LabelledCovariance | None = None  # covariance of the camera parameters; None where not known
+    camera_jacobian: FloatArray | None = None  # (P, C), how the chain's parameters follow those of the cameras
 
 
 def uncertainty_of(solution: RigSolution) -> RigUncertainty:
-    """Return what a solution leaves open."""
+    """Return the joint covariance of a solution."""
     return RigUncertainty(
-        solution.calibration, solution.chain, solution.state, solution.joint_given_cameras, solution.cameras, solution.by_cameras
+        solution.calibration, solution.chain, solution.state, solution.joint_given_cameras, solution.cameras, solution.camera_jacobian
     )
 
 
@@ -66,7 +66,7 @@ class ViewUncertainty:
         return np.asarray(lever @ self.view(index) @ np.swapaxes(lever, 1, 2))
 
     def between(self, first: int, second: int, points_in_part_mm: FloatArray) -> FloatArray:
-        """Return the covariance (N, 3, 3), mm², of the gap that two views leave at points (N, 3) both of them see."""
+        """Return the covariance (N, 3, 3), mm², of the gap between two views at points (N, 3) in both of them."""
         levers = [(first, 1.0, self._lever(first, points_in_part_mm)), (second, -1.0, self._lever(second, points_in_part_mm))]
         total = np.zeros((len(levers[0][2]), 3, 3))
         for a, sign_a, lever_a in levers:
@@ -110,26 +110,26 @@ def _in_cameras(part_from_camera: Sequence[RigidTransform]) -> FloatArray:
     return turned
 
 
-def poses_by_cameras(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> FloatArray | None:
+def pose_camera_jacobians(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> FloatArray | None:
     """Return how ``part_from_camera`` of all views follows the parameters of `RigUncertainty.cameras`, (6 V, C); None where not known.
 
     As motions of each camera in its own frame, like `ViewUncertainty.pose_covariance`: the chain was calibrated with the same cameras,
-    so that it takes back most of what their errors do to the clouds.
+    so that it compensates most of the effect of their errors on the clouds.
     """
-    if rig.by_cameras is None:
+    if rig.camera_jacobian is None:
         return None
     by_named, by_own = zip(*(_derivatives(rig, readback) for readback in readbacks), strict=True)
-    followed = _joint_sources(rig, readbacks) @ rig.by_cameras
-    moved = (np.hstack([np.vstack(by_named), block_diag(*by_own)]) @ followed).reshape(len(readbacks), POSE, -1)
+    followed = _joint_sources(rig, readbacks) @ rig.camera_jacobian
+    apply_changes = (np.hstack([np.vstack(by_named), block_diag(*by_own)]) @ followed).reshape(len(readbacks), POSE, -1)
     turned = _in_cameras([rig.calibration.part_from_camera(readback) for readback in readbacks])
-    return np.asarray((turned @ moved).reshape(POSE * len(readbacks), -1))
+    return np.asarray((turned @ apply_changes).reshape(POSE * len(readbacks), -1))
 
 
 def point_sigma_mm(rig: RigUncertainty, readback: AxisReadback, points_in_part_mm: FloatArray) -> FloatArray:
     """Return the predicted standard deviation (N,) mm, the largest over all directions, of points (N, 3) seen from ``readback``.
 
-    It holds what the rig's calibration and its axes leave open. The noise of the cloud is not in it, nor what the cameras' own errors
-    do: they move board and part alike, so that their rigid share cancels; what is left of them bends the cloud and belongs to it.
+    It contains the contributions of the rig's calibration and axes; not the noise of the cloud, nor the effect of the cameras' own errors
+    on shape: they move board and part together, so that their rigid part cancels; the rest deforms the cloud and belongs to it.
     """
     covariance = view_uncertainty(rig, [readback]).point_covariance(0, points_in_part_mm)
     return np.sqrt(np.linalg.eigvalsh(covariance)[:, -1])
@@ -140,12 +140,12 @@ def view_uncertainty(
 ) -> ViewUncertainty:
     """Return the covariance of ``part_from_camera`` of all views together, by linear propagation of the joint covariance.
 
-    Parameters shared by the views (hand-eye, guide, axis) make their errors alike; the robot's repeatable error enters as
+    Parameters common to the views (hand-eye, guide, axis) correlate their errors; the robot's repeatable error enters as
     the calibration's sightings tell it (`repeatable_errors`), the scatter of its approach and the table's error of its own.
 
     Parameters
     ----------
-    approaches : one label per view, equal for views between which robot and guide stood still: these share its scatter.
+    approaches : one label per view, equal for views between which robot and guide did not move: these have its scatter in common.
         None: neighbouring views with equal robot poses are one approach.
     """
     placed = tuple(rig.calibration.part_from_camera(readback) for readback in readbacks)
@@ -164,13 +164,13 @@ def _sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback], approaches:
     rest = np.zeros((len(gain), len(gain)))
     mean = np.zeros(len(gain))
     turn, shift = repeatable_errors(chain, poses)
-    approach = approaches_of(groups_of(poses[:, :3].reshape(-1, 12), SAME_POSE)) if approaches is None else approaches
+    approach = number_runs(groups_of(poses[:, :3].reshape(-1, 12), SAME_POSE)) if approaches is None else approaches
     together = np.array([[a == b for b in approach] for a in approach])
     at_station = np.array([rig.calibration.station(readback) is not None for readback in readbacks])
     for part in range(POSE):
         rows = named + part + OWN * np.arange(len(poses))
         follows = turn if part < 3 else shift
-        rest[np.ix_(rows, rows)] = _unexplained(chain, poses, follows, together, rotation=part < 3)
+        rest[np.ix_(rows, rows)] = _conditional_covariance(chain, poses, follows, together, rotation=part < 3)
         mean[rows] = -np.where(at_station, 0.0, follows @ rig.state.robot_changes[:, part])  # known, but not undone
     _table_sources(rig, readbacks, rest, mean)
     return np.asarray(gain @ rig.covariance @ gain.T + rest + np.outer(mean, mean))
@@ -202,12 +202,12 @@ def _angles_seen(chain: Chain, readbacks: Sequence[AxisReadback]) -> list[int | 
     return [int(found[0]) if len(found) else None for found in matches]
 
 
-def _unexplained(chain: Chain, poses: FloatArray, follows: FloatArray, together: BoolArray, rotation: bool) -> FloatArray:
+def _conditional_covariance(chain: Chain, poses: FloatArray, follows: FloatArray, together: BoolArray, rotation: bool) -> FloatArray:
     """What the approaches of the calibration do not tell of the robot's errors at ``poses``, and the scatter of approaches ``together``, (V, V)."""
     noise = chain.noise
     large, small = (noise.robot_rad, noise.robot_repeat_rad) if rotation else (noise.robot_mm, noise.robot_repeat_mm)
-    known = noise.alike(poses, chain.approached)
-    left = noise.alike(poses, poses) - follows @ known.T
+    known = noise.correlation(poses, chain.approach_poses)
+    left = noise.correlation(poses, poses) - follows @ known.T
     return np.asarray(large**2 * (left + left.T) / 2 + small**2 * together)
 
 
@@ -230,10 +230,10 @@ def _derivatives(rig: RigUncertainty, readback: AxisReadback) -> tuple[FloatArra
     station = rig.calibration.station(readback)
     flange = (readback.base_from_flange if station is None else station.true).matrix
     named = len(chain.labels) - POSE
-    at = _placed(state, flange, readback, np.zeros(OWN))
+    at = _view_pose(state, flange, readback, np.zeros(OWN))
 
     def change(step: float, shifted: FloatArray, own: FloatArray) -> FloatArray:
-        there, back = (_placed(chain.moved(state, sign * shifted), flange, readback, sign * own) for sign in (1.0, -1.0))
+        there, back = (_view_pose(chain.moved(state, sign * shifted), flange, readback, sign * own) for sign in (1.0, -1.0))
         return (change_between(at[None], there[None]) - change_between(at[None], back[None]))[0] / (2 * step)
 
     steps = [*POSE_STEPS] if chain.free.hand_eye else []
@@ -244,15 +244,15 @@ def _derivatives(rig: RigUncertainty, readback: AxisReadback) -> tuple[FloatArra
     return np.array(by_named).reshape(named, POSE).T, np.array(by_own).T
 
 
-def _placed(state: ChainState, flange: FloatArray, readback: AxisReadback, own: FloatArray) -> FloatArray:
+def _view_pose(state: ChainState, flange: FloatArray, readback: AxisReadback, own: FloatArray) -> FloatArray:
     """Return part_from_camera (4, 4) of a state, with an error of the robot (6) and of the table's angle."""
     axis = RotationAxis(state.axis_point_mm, state.axis_direction, "guide")
     shift = np.eye(4)
     shift[:3, 3] = state.guide_direction * state.guide_scale * readback.guide_mm
-    robot = flange @ moved(np.eye(4), own[:POSE])
+    robot = flange @ apply_changes(np.eye(4), own[:POSE])
     back = np.eye(4)
     back[:3, :3] = Rotation.from_rotvec([0, 0, -(readback.table_rad + own[POSE])]).as_matrix()
-    return np.asarray(back @ inverted(_guide_from_table(axis)) @ shift @ robot @ state.flange_from_camera)
+    return np.asarray(back @ invert_poses(_guide_from_table(axis)) @ shift @ robot @ state.flange_from_camera)
 
 
 def _guide_from_table(axis: RotationAxis) -> FloatArray:

@@ -1,4 +1,4 @@
-"""`calibrate …`: calibrations from recorded images, tables or a session; whether they still hold, and what was said of them since."""
+"""`calibrate …`: calibrations from recorded images, tables or a session; their check and history."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ def register(group: typer.Typer) -> None:
 
     @group.command()
     def again(
-        calibration: Annotated[Path, typer.Argument(help="What a `calibrate` command wrote with --out, or a project's folder.")],
+        calibration: Annotated[Path, typer.Argument(help="Saved by a `calibrate` command with --out, or a project's folder.")],
         as_json: JsonOption = False,
     ) -> None:
         """Solve a stored calibration again from its inputs and compare every number; exit code 1 where one differs.
@@ -36,7 +36,7 @@ def register(group: typer.Typer) -> None:
         What a wizard or `calibrate collect` accepted follows from the images that its session keeps. The inputs are checked against the
         checksums stored with the calibration first. Nothing is written.
         """
-        from measureapp.pipeline.again import is_collected
+        from measureapp.pipeline.recalculate import is_collected
 
         place = calibration / "calibration" if (calibration / "project.json").is_file() else calibration
         if (place / "rig.json" if place.is_dir() else place).is_file() and is_collected(place):
@@ -74,24 +74,24 @@ def _file_again(calibration: Path) -> tuple[Sequence[Difference], int, int]:
     further = sorted(set(used) - set(made.inputs))
     if further:
         raise InputError(
-            f"{folder / further[0]} is read now, the calibration was made without it.", "Move files that came later out of the pattern."
+            f"{folder / further[0]} matches now, but was not among the inputs of the calibration.", "Exclude later files from the pattern."
         )
     found, count = compare_documents(stored, solved)
     return found, count, len(made.inputs)
 
 
 def _project_again(folder: Path) -> tuple[Sequence[Difference], int, int]:
-    from measureapp.pipeline.again import calibration_again
+    from measureapp.pipeline.recalculate import recalculate_project
     from measureapp.project.folder import ProjectFolder
 
-    result = calibration_again(ProjectFolder.open(folder), TerminalProgress())
+    result = recalculate_project(ProjectFolder.open(folder), TerminalProgress())
     return result.differences, result.numbers, result.images
 
 
 def _session_again(result: Path) -> tuple[Sequence[Difference], int, int]:
-    from measureapp.pipeline.again import collected_again
+    from measureapp.pipeline.recalculate import recalculate_session
 
-    found = collected_again(result, TerminalProgress())
+    found = recalculate_session(result, TerminalProgress())
     return found.differences, found.numbers, found.images
 
 
@@ -101,14 +101,14 @@ def _json(path: Path) -> Any:
     except OSError as error:
         raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give the path of a stored calibration.") from error
     except ValueError as error:
-        raise InputError(f"{path} is not JSON: {error}.", "Give what a `calibrate` command wrote with --out.") from error
+        raise InputError(f"{path} is not JSON: {error}.", "Give the file that a `calibrate` command saved with --out.") from error
 
 
 def _lines(calibration: Path, document: dict[str, Any]) -> list[str]:
     inputs = f"{document['inputs']} inputs have the checksums stored with it"
     if document["same"]:
-        return [f"{calibration}: all {document['numbers']} numbers follow again from its inputs, bit for bit; its {inputs}."]
+        return [f"{calibration}: all {document['numbers']} numbers reproduced from its inputs, bit for bit; its {inputs}."]
     found = document["differences"]
-    lines = [f"{calibration}: {len(found)} of {document['numbers']} numbers come out differently, though its {inputs}."]
+    lines = [f"{calibration}: {len(found)} of {document['numbers']} numbers differ, though its {inputs}."]
     lines += [f"  {one['place']}: {one['stored']!r} is stored, {one['again']!r} follows" for one in found[:MOST_SHOWN]]
     return lines + ([f"  and {len(found) - MOST_SHOWN} more"] if len(found) > MOST_SHOWN else [])

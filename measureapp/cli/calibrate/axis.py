@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
+from measureapp.cli.calibrate.limits import RequiredLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import Answer, BoardSource
 from measureapp.cli.reply import TerminalProgress
@@ -30,19 +30,19 @@ def register(group: typer.Typer) -> None:
     def axis(
         ctx: typer.Context,
         source: BoardSource,
-        asked: AskedLimits,
+        asked: RequiredLimits,
         answer: Answer,
         corners: Annotated[Path | None, typer.Option(help="Corners: position,corner,x_mm,y_mm,z_mm[,angle_deg].")] = None,
         angles: Annotated[Path | None, typer.Option(help="Table angles: position,angle_deg, in the order of the images.")] = None,
         power: Annotated[float, typer.Option(help="p of the distance weighting, above 1.")] = 2.0,
         free_angles: Annotated[bool, typer.Option("--free-angles", help="Estimate the angles as well.")] = False,
-        closure_radius_mm: Annotated[float, typer.Option(min=1e-3, help="Radius at which the closure is told, mm.")] = 250.0,
+        closure_radius_mm: Annotated[float, typer.Option(min=1e-3, help="Radius at which the closure is reported, mm.")] = 250.0,
     ) -> None:
         """Find the rotation axis by least squares, distance weighting and maximum likelihood."""
         from dataclasses import replace
 
         from measureapp.calibrate.kinds.axis import solve_draft
-        from measureapp.calibrate.motions.contradictions import solve_axis
+        from measureapp.calibrate.motions.inlier_solutions import solve_axis
         from measureapp.calibrate.motions.rotation_axis import AxisOptions
         from measureapp.calibrate.rig.limits import axis_limits
 
@@ -54,10 +54,10 @@ def register(group: typer.Typer) -> None:
         options, rejected = AxisOptions(power, free_angles, closure_radius_mm), list[dict[str, Any]]()
         if corners is not None:
             found = solve_axis(replace(_from_corners(corners, angles), options=options))
-            solution, moved = found.solution, {str(index): reason for index, reason in found.moved.items()}
+            solution, moved = found.solution, {str(index): reason for index, reason in found.rejected.items()}
         else:
             seen, draft = _from_images(source, angles, progress)
-            with seen.naming_refused():
+            with seen.explain_failure():
                 solved = solve_draft(draft, progress, options)
             solution, (rejected, moved) = solved.solution, seen.outcome(solved)
         limits = axis_limits(solution, wanted)
@@ -176,6 +176,6 @@ def _lines(document: dict[str, Any]) -> list[str]:
         f"  arcs of radius {min(arcs['radii_mm']):.1f} to {max(arcs['radii_mm']):.1f} mm, centres ± {max(arcs['centre_sigma_mm']):.4f} mm"
     )
     lines += [f"  {name}: {reason}" for name, reason in document["refused"].items()]
-    lines += [f"  left out: position {name}: {reason}" for name, reason in document["moved"].items()]
-    lines += [f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
+    lines += [f"  rejected: position {name}: {reason}" for name, reason in document["moved"].items()]
+    lines += [f"  rejected: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
     return lines + [f"  {warning}" for warning in document["warnings"]]

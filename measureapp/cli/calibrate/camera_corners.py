@@ -17,12 +17,12 @@ if TYPE_CHECKING:
     from measureapp.project.calibration.board_images import BoardImages
     from measureapp.project.calibration.camera_inputs import CameraInputs
 
-DISTORTION = 5  # coefficients, where neither an option nor the file of corners says
+DISTORTION = 5  # coefficients, if neither an option nor the file of corners states them
 
 
 @dataclass(frozen=True, slots=True)
 class CornerSource:
-    """Images and board, or corners found before; and what is to be solved from them."""
+    """Images and board, or stored corners; and the parameters to be estimated from them."""
 
     board: BoardChoice
     images: ImagesOption = None
@@ -36,7 +36,7 @@ class CornerSource:
         if self.corners is None:
             return self._from_images(progress)
         if self.images or self.board != BoardChoice():
-            raise InputError("--corners already holds board and corners.", "Leave out --images and what describes the board, or --corners.")
+            raise InputError("--corners already holds board and corners.", "Omit --images and the options of the board, or --corners.")
         from measureapp.project.calibration.camera_inputs import read_camera_inputs
 
         stored = read_camera_inputs(self.corners)
@@ -49,7 +49,7 @@ class CornerSource:
         return replace(stored, problem=problem)
 
     def serials(self, cameras: Sequence[str]) -> dict[str, str]:
-        """Return camera -> serial number of ``--serial camera=number``; asked for early too, so that a wrong one costs no minutes. Raises InputError."""
+        """Return camera -> serial number of ``--serial camera=number``; also checked early, so that a wrong one costs no minutes. Raises InputError."""
         numbers = {}
         for option in self.serial or ():
             camera, given, number = option.partition("=")

@@ -1,4 +1,4 @@
-"""What `calibrate cameras` and `calibrate projector` say about how far their results can be trusted."""
+"""Uncertainty map and cross-validation of `calibrate cameras` and `calibrate projector`."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ PICTURE = ".png"
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Quality:
-    """The uncertainty map and the cross-validation, or why there is none."""
+    """The uncertainty map and the cross-validation, or the reasons for their absence."""
 
     uncertainty: UncertaintyMap | None
     validation: CrossValidation | None
@@ -27,15 +27,15 @@ class Quality:
 
 
 def quality_of(problem: CameraArrayProblem, solution: CameraArraySolution, standoff_mm: float | None, progress: Progress) -> Quality:
-    """Return how far a solution can be trusted; what cannot be computed is named, the calibration itself stands."""
+    """Compute uncertainty map and cross-validation of a solution; where one cannot be computed, its reason."""
     import numpy as np
 
-    from measureapp.calibrate.cameras.uncertainty import uncertainty_map, volume_seen
+    from measureapp.calibrate.cameras.uncertainty import observed_volume, uncertainty_map
 
     places = np.array([pose.apply(solution.board.middle_mm) for pose in solution.boards.values()])
     reasons, uncertainty = [], None
     try:
-        volume = volume_seen(solution.calibration, places, standoff_mm)
+        volume = observed_volume(solution.calibration, places, standoff_mm)
         uncertainty = uncertainty_map(solution.calibration, solution.parameters, solution.covariance, volume)
     except CalibrationError as error:
         reasons.append(f"No uncertainty map: {error.message}")
@@ -44,7 +44,7 @@ def quality_of(problem: CameraArrayProblem, solution: CameraArraySolution, stand
 
 
 def validation_of(problem: CameraArrayProblem, solution: CameraArraySolution, progress: Progress) -> Quality:
-    """Return what views held back say of a solution, or why nothing; without an uncertainty map."""
+    """Return what views held back say of a solution, or the reason for their rejectionhing; without an uncertainty map."""
     from measureapp.calibrate.cameras.validation import cross_validate
 
     try:
@@ -98,14 +98,14 @@ def quality_lines(quality: Quality) -> list[str]:
 
 
 def write_map(path: Path, quality: Quality) -> dict[str, Path]:
-    """Write the uncertainty map and its picture beside it; return their paths by name. Raises InputError where there is none."""
+    """Write the uncertainty map and its picture next to it; return their paths by name. Raises InputError where there is none."""
     from measureapp.project.calibration.uncertainty_maps import write_uncertainty, write_uncertainty_picture
 
     if quality.uncertainty is None:
-        raise InputError("; ".join(quality.reasons), "Leave out --uncertainty-map, or give --standoff-mm.")
+        raise InputError("; ".join(quality.reasons), "Omit --uncertainty-map, or give --standoff-mm.")
     picture = path.with_suffix(PICTURE)
     if picture == path:
-        raise InputError(f"--uncertainty-map {path} would be written over by its picture.", "Give it the suffix .npz.")
+        raise InputError(f"--uncertainty-map {path} would be overwritten by its picture.", "Give it the suffix .npz.")
     write_uncertainty(path, quality.uncertainty)
     write_uncertainty_picture(picture, quality.uncertainty)
     return {"uncertainty_map": path, "uncertainty_picture": picture}

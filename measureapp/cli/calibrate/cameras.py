@@ -11,7 +11,7 @@ import typer
 
 from measureapp.cli.calibrate.camera_corners import CornerSource
 from measureapp.cli.calibrate.camera_quality import quality_answer, quality_lines, quality_of, write_map
-from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
+from measureapp.cli.calibrate.limits import RequiredLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.made_from import MadeFrom, made_from
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import OutOption
@@ -30,7 +30,7 @@ def register(group: typer.Typer) -> None:
     def cameras(
         ctx: typer.Context,
         source: CornerSource,
-        asked: AskedLimits,
+        asked: RequiredLimits,
         out: OutOption = None,
         standoff_mm: Annotated[float | None, typer.Option(help="Distance at which parts are measured; default: that of the board.")] = None,
         uncertainty_map: Annotated[Path | None, typer.Option(help="npz to write the uncertainty map to; a PNG goes beside it.")] = None,
@@ -39,7 +39,7 @@ def register(group: typer.Typer) -> None:
         valid_days: Annotated[float | None, typer.Option(help="Days after which the calibration expires.", min=0)] = None,
         as_json: JsonOption = False,
     ) -> None:
-        """Calibrate the lenses of all cameras and their places to each other, and say how far the result can be trusted."""
+        """Calibrate lenses and relative poses of all cameras, and state the uncertainty of the result."""
         from measureapp.calibrate.cameras.array import solve
         from measureapp.calibrate.rig.limits import camera_limits
         from measureapp.progress import PartOf
@@ -68,7 +68,7 @@ def register(group: typer.Typer) -> None:
 
 
 def _written(files: Mapping[str, Path]) -> list[str]:
-    return [f"Written: {path}" for path in files.values()]
+    return [f"Saved to {path}" for path in files.values()]
 
 
 def _with_inputs(calibration: CameraArrayCalibration, made: MadeFrom) -> CameraArrayCalibration:
@@ -192,8 +192,8 @@ def _lines(solution: CameraArraySolution, document: dict[str, Any]) -> list[str]
         lines.append(f"  {pair}: baseline {entry['baseline_mm']:.3f} mm, {entry['angle_deg']:.3f}°, rms {entry['rms_px']:.3f} px")
     for loop in document["loops"]:
         lines.append(f"  loop {' → '.join(loop['cameras'])}: {loop['angle_deg']:.4f}°, {loop['distance_mm']:.3f} mm")
-    lines += [f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
+    lines += [f"  rejected: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
     lines += [
-        f"  corner {one['corner']} left out: {one['image']} ({one['camera']}): it {one['reason']}" for one in document["rejected_corners"]
+        f"  corner {one['corner']} rejected: {one['image']} ({one['camera']}): it {one['reason']}" for one in document["rejected_corners"]
     ]
     return lines

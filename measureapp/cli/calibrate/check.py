@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class RigFiles:
-    """The calibrated rig and where every axis was, where the rig does not tell itself."""
+    """The calibrated rig and the axis positions, for views from files."""
 
-    calibration: Annotated[Path | None, typer.Option(help="What `calibrate rig --out` wrote.")] = None
+    calibration: Annotated[Path | None, typer.Option(help="Saved by `calibrate rig --out`.")] = None
     robot_poses: Annotated[Path | None, typer.Option("--robot-poses", help="base_from_flange: name,x_mm,y_mm,z_mm,qw,qx,qy,qz.")] = None
     guide_positions: Annotated[Path | None, typer.Option("--guide-positions", help="Slide positions: name,position_mm.")] = None
     angles: Annotated[
@@ -60,7 +60,7 @@ def register(group: typer.Typer) -> None:
         rig: Annotated[str | None, typer.Option("--rig", help="With --project: another description of its rig.")] = None,
         limit_mm: Annotated[float, typer.Option(min=1e-6, help="Largest deviation of the board in a view, mm.")] = 0.5,
     ) -> None:
-        """Compare a few views of a board on the table with the calibrated rig; exit code 1 where it no longer holds.
+        """Compare a few views of a board on the table with the calibrated rig; exit code 1 if the calibration has drifted.
 
         With --project the rig takes the views itself; otherwise they come from files.
         """
@@ -143,4 +143,4 @@ def _lines(document: dict[str, Any]) -> list[str]:
     lines += [f"  {view['name']:<16} {view['deviation_mm']:.3f} mm  {view['deviation_px']:.2f} px" for view in document["views"]]
     lines += [f"  freeing {link} alone would explain {share:.0%}" for link, share in document["explained"].items()]
     lines += [f"  not tested, since its axis did not move: {link}" for link in document["not_tested"]]
-    return lines + [f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["images_rejected"]]
+    return lines + [f"  rejected: {one['image']} ({one['camera']}): {one['reason']}" for one in document["images_rejected"]]

@@ -32,20 +32,20 @@ def register(group: typer.Typer) -> None:
     ) -> None:
         """Collect views of a board for one calibration, in a session that can be left and continued.
 
-        In one call these follow in this order: undo, redo, images, remove, solve, compare, accept, coach.
+        In one call these follow in this order: undo, redo, images, remove, solve, compare, accept, guidance.
         """
         from measureapp.calibration_session.recorded import ReadbackFiles
         from measureapp.cli.calibrate.collect_answer import collect_lines
-        from measureapp.cli.calibrate.collect_session import Given, Sources, limits_of, opened
-        from measureapp.cli.calibrate.collect_steps import carry_out
+        from measureapp.cli.calibrate.collect_session import Given, Sources, limits_of, open_session
+        from measureapp.cli.calibrate.collect_steps import run_steps
         from measureapp.project.folder_lock import lock_folder
 
         limits = limits_of(steps.good_mm, steps.usable_mm)
         readbacks = ReadbackFiles(recorded.robot_poses, recorded.guide_positions, recorded.angles)
         sources = Sources(tuple(source.images or ()), tuple(recorded.fringes or ()), recorded.views, readbacks)
-        collected = opened(session, Given(kind, source.board, source.cameras, start, noise.axis_noise()), sources)
+        collected = open_session(session, Given(kind, source.board, source.cameras, start, noise.axis_noise()), sources)
         with lock_folder(collected.folder):
-            done = carry_out(steps, limits, collected, sources, TerminalProgress())
+            done = run_steps(steps, limits, collected, sources, TerminalProgress())
         reply(done.document, "\n".join(collect_lines(done.document)), as_json)
         if not done.within:
             raise typer.Exit(OUT_OF_TOLERANCE)

@@ -1,4 +1,4 @@
-"""What `calibrate collect` answers, as JSON and as lines."""
+"""The answer of `calibrate collect`, as JSON and as lines."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def collect_answer(
     verdict: Verdict | None,
     comparison: Comparison | None,
 ) -> dict[str, Any]:
-    """Return the JSON answer: what was done, every observation, and what was asked for."""
+    """Return the JSON answer: changes, every observation, and the requested results."""
     document: dict[str, Any] = {
         "session": snapshot.folder,
         "kind": snapshot.setup.kind.name,
@@ -56,7 +56,7 @@ def collect_lines(document: Mapping[str, Any]) -> list[str]:
     lines += [_observation_line(one) for one in document["observations"]]
     lines += [f"  missing: {sentence}" for sentence in document["shortfalls"]]
     if document["coach"] is not None:
-        sentences = document["coach"]["sentences"] or ["Enough was collected."]
+        sentences = document["coach"]["sentences"] or ["Nothing is missing."]
         lines += ["Next:", *(f"  {sentence}" for sentence in sentences)]
     if document["estimates"]:
         lines += ["Estimates ± standard deviation:", *(_estimate_line(one) for one in document["estimates"])]
@@ -66,7 +66,7 @@ def collect_lines(document: Mapping[str, Any]) -> list[str]:
         lines += [f"  but: {reason}" for reason in document["verdict"]["but"]]
     if document["comparison"] is not None:
         lines += [document["comparison"]["sentence"], *(_change_line(one) for one in document["comparison"]["changes"])]
-    return lines + ([f"Written: {document['accepted']}"] if document["accepted"] is not None else [])
+    return lines + ([f"Saved to {document['accepted']}"] if document["accepted"] is not None else [])
 
 
 def _observation(one: CollectedObservation) -> dict[str, Any]:
@@ -91,7 +91,7 @@ def _observation(one: CollectedObservation) -> dict[str, Any]:
 
 
 def _axes(at: Readback | Ghost) -> dict[str, Any]:
-    """Return where the axes are, or should be; None for those that nobody knows."""
+    """Return the positions of the axes; None for those that are not known."""
     return {
         "base_from_flange": None if at.base_from_flange is None else at.base_from_flange.matrix,
         "guide_mm": at.guide_mm,

@@ -1,4 +1,4 @@
-"""The options of `calibrate collect`, by what they are about."""
+"""The options of `calibrate collect`, in groups."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import typer
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Recorded:
-    """What goes with the images, or stands in their place."""
+    """Recorded data with the images, or in their place."""
 
     fringes: Annotated[
         list[str] | None,
@@ -27,7 +27,7 @@ class Recorded:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class SessionStart:
-    """What a new session is told once."""
+    """Settings of a new session."""
 
     hand_eye: Annotated[Path | None, typer.Option(help="Calibrated hand-eye transform, for the guide.")] = None
     reference: Annotated[str | None, typer.Option(help="Reference camera; default: the first given.")] = None
@@ -37,17 +37,17 @@ class SessionStart:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Steps:
-    """What is done with the session."""
+    """Actions on the session."""
 
-    remove: Annotated[list[str] | None, typer.Option(help="Observation to take out; once per observation.")] = None
-    undo: Annotated[bool, typer.Option("--undo", help="Take back the last change of the session.")] = False
-    redo: Annotated[bool, typer.Option("--redo", help="Do again what was undone last.")] = False
-    advise: Annotated[bool, typer.Option("--coach", help="Say what to show next.")] = False
-    solve: Annotated[bool, typer.Option("--solve", help="Solve what was collected, and judge it in mm.")] = False
+    remove: Annotated[list[str] | None, typer.Option(help="Observation to remove; once per observation.")] = None
+    undo: Annotated[bool, typer.Option("--undo", help="Undo the last change of the session.")] = False
+    redo: Annotated[bool, typer.Option("--redo", help="Redo the last change that was undone.")] = False
+    advise: Annotated[bool, typer.Option("--coach", help="Show guidance: what to show next.")] = False
+    solve: Annotated[bool, typer.Option("--solve", help="Solve, and evaluate the result in mm.")] = False
     validate: Annotated[bool, typer.Option("--validate", help="Solve, and check cameras or projector with views held back.")] = False
     compare: Annotated[Path | None, typer.Option(help="Solve, and compare with a session or an earlier result.")] = None
-    accept: Annotated[Path | None, typer.Option(help="Solve afresh and write the result; for the rig a project or folder.")] = None
+    accept: Annotated[Path | None, typer.Option(help="Solve from scratch and save the result; for the rig a project or folder.")] = None
     valid_days: Annotated[float | None, typer.Option(min=0, help="Days after which an accepted calibration expires.")] = None
-    temperature_c: Annotated[float | None, typer.Option(help="Temperature when the images were taken; default: as it was recorded.")] = None
+    temperature_c: Annotated[float | None, typer.Option(help="Temperature when the images were taken; default: as recorded.")] = None
     good_mm: Annotated[float | None, typer.Option(help="Expanded uncertainty (k = 2) up to which the verdict is good, mm.")] = None
     usable_mm: Annotated[float | None, typer.Option(help="The same up to which it is usable, mm; default: four times --good-mm.")] = None

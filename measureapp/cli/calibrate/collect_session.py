@@ -1,4 +1,4 @@
-"""What `calibrate collect` is given: how a session starts, where its images come from, and what it is compared with."""
+"""Inputs of `calibrate collect`: settings of a session, sources of images, and the result for comparison."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from measureapp.calibrate.draft.draft import Limits, Setup
-from measureapp.calibrate.kinds.table import kind_called
+from measureapp.calibrate.kinds.table import find_kind
 from measureapp.calibrate.motions.axis_noise import expected_noise
 from measureapp.calibration_session.accepting import read_result
 from measureapp.calibration_session.recorded import ReadbackFiles, add_fringes, add_recorded, add_views
@@ -54,7 +54,7 @@ class Sources:
 class Given:
     """The options that a new session starts with; a session that is continued has its own.
 
-    With a project, its rig's data sheets say how large the errors of robot and table are, and not `noise`.
+    With a project, the errors of robot and table follow from its rig's data sheets, not from `noise`.
     """
 
     kind: str
@@ -64,8 +64,8 @@ class Given:
     noise: AxisNoise
 
     def setup(self, sources: Sources) -> Setup:
-        """Return what the session is told. Raises InputError naming the option that is wrong or missing."""
-        kind = kind_called(self.kind)
+        """Return the setup of the session. Raises InputError naming the option that is wrong or missing."""
+        kind = find_kind(self.kind)
         if kind.uses_fringes and not sources.fringes:
             raise InputError(f"A new session for {kind.words.subject} needs fringes.", "Give --fringes 'folder/*/MANIFEST.toml'.")
         names, start = sources.camera_names(), self.start
@@ -88,9 +88,9 @@ class Given:
         )
 
 
-def opened(folder: Path, given: Given, sources: Sources) -> CalibrationSession:
+def open_session(folder: Path, given: Given, sources: Sources) -> CalibrationSession:
     """Continue the session in ``folder``, or start it. Raises InputError where the options contradict the session there."""
-    kind_called(given.kind)
+    find_kind(given.kind)
     if not CalibrationSession.is_in(folder):
         return CalibrationSession.create(folder, given.setup(sources))
     session = CalibrationSession.open(folder)
@@ -98,7 +98,7 @@ def opened(folder: Path, given: Given, sources: Sources) -> CalibrationSession:
     if setup.kind.name != given.kind:
         raise InputError(f"{folder} is a session for {setup.kind.name}, not for {given.kind}.", "Name that kind, or another folder.")
     if given.board.board is not None and given.board.description() != setup.board:
-        raise InputError(f"The session in {folder} uses a {setup.board.label}.", "Leave the options of the board out, or start anew.")
+        raise InputError(f"The session in {folder} uses a {setup.board.label}.", "Omit the options of the board, or start a new session.")
     return session
 
 
@@ -108,13 +108,13 @@ def add_sources(session: CalibrationSession, sources: Sources, progress: Progres
     A session that holds nothing is not kept where its first images cannot be used.
     """
     try:
-        return _added(session, sources, progress)
+        return _add(session, sources, progress)
     except MeasureError:
         session.discard_empty()
         raise
 
 
-def _added(session: CalibrationSession, sources: Sources, progress: Progress) -> list[str]:
+def _add(session: CalibrationSession, sources: Sources, progress: Progress) -> list[str]:
     added = []
     if sources.fringes:
         added += [one.id for one in add_fringes(session, fringes_named(sources.fringes), progress)]
@@ -127,7 +127,7 @@ def _added(session: CalibrationSession, sources: Sources, progress: Progress) ->
 
 
 def previous_result(path: Path) -> Calibrated:
-    """Return what to compare with: a session is solved, anything else is read. Raises InputError, CalibrationError."""
+    """Return the result for comparison: a session is solved, anything else is read. Raises InputError, CalibrationError."""
     if CalibrationSession.is_in(path):
         session = CalibrationSession.open(path)
         return session.setup.kind.result(session.solve())
@@ -141,7 +141,7 @@ def _hand_eye(path: Path) -> HandEye:
 
 
 def limits_of(good_mm: float | None, usable_mm: float | None) -> Limits | None:
-    """Return what the options of a verdict ask; None for the usual of its kind. Raises InputError for limits that are none."""
+    """Return the limits of a verdict given by options; None for the usual ones of its kind. Raises InputError for limits that are none."""
     if good_mm is None and usable_mm is None:
         return None
     usable = usable_mm if usable_mm is not None else USABLE_OVER_GOOD * (good_mm or 0.0)

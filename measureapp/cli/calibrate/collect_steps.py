@@ -1,4 +1,4 @@
-"""The steps of one call of `calibrate collect`, in their order: undo, redo, images, remove, solve, compare, accept, coach."""
+"""The steps of one call of `calibrate collect`, in their order: undo, redo, images, remove, solve, compare, accept, guidance."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from measureapp.calibrate.draft.draft import Limits
-from measureapp.calibrate.draft.verdict import Verdict, compare, cross_validate, judge
+from measureapp.calibrate.draft.verdict import Verdict, compare, cross_validate, evaluate
 from measureapp.calibrate.guidance.advise import advise
 from measureapp.calibration_session.accepting import accept
 from measureapp.calibration_session.session import CalibrationSession
@@ -20,27 +20,27 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Done:
-    """What the steps gave."""
+class StepsResult:
+    """The results of the steps."""
 
     document: Mapping[str, Any]
     within: bool  # no verdict is bad, no comparison out of its bounds
 
 
-def carry_out(steps: Steps, limits: Limits | None, session: CalibrationSession, sources: Sources, progress: Progress) -> Done:
-    """Do what was asked for. Raises InputError, CalibrationError, StorageError."""
-    changes = _edited(steps, session, sources, PartOf(progress, 0.0, 0.6))
-    verdict = _solved(steps, session, limits, PartOf(progress, 0.6, 1.0))
+def run_steps(steps: Steps, limits: Limits | None, session: CalibrationSession, sources: Sources, progress: Progress) -> StepsResult:
+    """Carry out the requested steps. Raises InputError, CalibrationError, StorageError."""
+    changes = _edit(steps, session, sources, PartOf(progress, 0.0, 0.6))
+    verdict = _solve(steps, session, limits, PartOf(progress, 0.6, 1.0))
     comparison = None if steps.compare is None else compare(previous_result(steps.compare), session.draft)
     progress.report(1, 1)
     advice = advise(session.draft) if steps.advise else None
     document = collect_answer(session.snapshot(), changes, advice, verdict, comparison) | {"accepted": steps.accept}
     within = (verdict is None or verdict.level != "bad") and (comparison is None or comparison.within)
-    return Done(document, within)
+    return StepsResult(document, within)
 
 
-def _edited(steps: Steps, session: CalibrationSession, sources: Sources, progress: Progress) -> dict[str, Sequence[str]]:
-    """Undo, redo, add and remove; return the ids of the observations by what was done with them."""
+def _edit(steps: Steps, session: CalibrationSession, sources: Sources, progress: Progress) -> dict[str, Sequence[str]]:
+    """Undo, redo, add and remove; return the ids of the observations by action."""
     changes: dict[str, Sequence[str]] = {
         "undone": [session.undo().observation] if steps.undo else [],
         "redone": [session.redo().observation] if steps.redo else [],
@@ -53,8 +53,8 @@ def _edited(steps: Steps, session: CalibrationSession, sources: Sources, progres
     return changes
 
 
-def _solved(steps: Steps, session: CalibrationSession, limits: Limits | None, progress: Progress) -> Verdict | None:
-    """Solve, or accept, and judge what is solved; None where nothing is."""
+def _solve(steps: Steps, session: CalibrationSession, limits: Limits | None, progress: Progress) -> Verdict | None:
+    """Solve, or accept, and evaluate the solution; None where there is none."""
     if steps.accept is not None:
         part = PartOf(progress, 0.0, 0.5)
         accept(session, steps.accept, part, valid_days=steps.valid_days, temperature_c=steps.temperature_c)
@@ -63,4 +63,4 @@ def _solved(steps: Steps, session: CalibrationSession, limits: Limits | None, pr
     if session.solved is None:
         return None
     held_back = cross_validate(session.draft, PartOf(progress, 0.5, 1.0)) if steps.validate else None
-    return judge(session.draft, limits, held_back=held_back)
+    return evaluate(session.draft, limits, held_back=held_back)

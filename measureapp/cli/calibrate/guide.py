@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
+from measureapp.cli.calibrate.limits import RequiredLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import Answer, BoardPosesOption, BoardSource, RobotPosesOption
 from measureapp.cli.calibrate.pose_options import GuidePositionsOption, RobotNoise
@@ -30,19 +30,19 @@ def register(group: typer.Typer) -> None:
         ctx: typer.Context,
         source: BoardSource,
         noise_of_robot: RobotNoise,
-        asked: AskedLimits,
+        asked: RequiredLimits,
         answer: Answer,
         robot_poses: RobotPosesOption,
         guide_positions: GuidePositionsOption,
-        hand_eye: Annotated[Path, typer.Option(help="What `calibrate hand-eye --out` wrote, or a pose table of one pose.")],
+        hand_eye: Annotated[Path, typer.Option(help="Saved by `calibrate hand-eye --out`, or a pose table of one pose.")],
         board_poses: BoardPosesOption = None,
     ) -> None:
-        """Find the guide's direction and scale from a board that stands still."""
+        """Find the guide's direction and scale from a fixed board."""
         from measureapp.calibrate.draft.draft import Setup
         from measureapp.calibrate.draft.solve import solve
-        from measureapp.calibrate.kinds.guide import problem_of, solve_steady
+        from measureapp.calibrate.kinds.guide import problem_of, solve_inliers
         from measureapp.calibrate.kinds.table import KINDS
-        from measureapp.calibrate.motions.moved_boards import STAND_IN_MM
+        from measureapp.calibrate.motions.outlier_rejection import REPRESENTATIVE_MARKS_MM
         from measureapp.calibrate.rig.limits import guide_limits
         from measureapp.cli.calibrate.observed_files import (
             observed_at_robot_poses,
@@ -60,15 +60,15 @@ def register(group: typer.Typer) -> None:
         seen = observed_at_robot_poses(robot, board_poses, source, TerminalProgress())
         if seen is not None:
             setup = Setup(KINDS["guide"], seen.board, seen.camera_names, seen.cameras, known, noise)
-            with seen.naming_refused():
+            with seen.explain_failure():
                 solved = solve(seen.draft(setup))
             solution, used, (rejected, moved) = solved.solution, list(solved.used), seen.outcome(solved)
         else:
             assert board_poses is not None  # one of both was given
-            found = solve_steady(problem_of(read_board_poses(board_poses, robot, 1.0, 1.0), known), STAND_IN_MM, noise)
+            found = solve_inliers(problem_of(read_board_poses(board_poses, robot, 1.0, 1.0), known), REPRESENTATIVE_MARKS_MM, noise)
             names, rejected = list(robot), []
             solution, used = found.solution, [names[index] for index in found.kept]
-            moved = {names[index]: reason for index, reason in found.moved.items()}
+            moved = {names[index]: reason for index, reason in found.rejected.items()}
         limits = guide_limits(solution, wanted)
         document = (
             guide_answer(solution, used)
@@ -145,7 +145,7 @@ def _lines(document: dict[str, Any]) -> list[str]:
         f"Guide direction {direction} ± {deviations['direction_deg']:.4f}°, scale {document['scale']:.6f} ± {deviations['scale']:.6f}",
         f"  straightness {document['straightness_mm']['rms']:.4f} mm rms over {document['stroke_mm']:.0f} mm; "
         f"pure +Y would have cost {document['paper_cost_mm']:.3f} mm",
-        *(f"  left out: {name}: {reason}" for name, reason in document["moved"].items()),
-        *(f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]),
+        *(f"  rejected: {name}: {reason}" for name, reason in document["moved"].items()),
+        *(f"  rejected: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]),
         *(f"  {warning}" for warning in document["warnings"]),
     ]

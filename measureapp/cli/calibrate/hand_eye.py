@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
+from measureapp.cli.calibrate.limits import RequiredLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import Answer, BoardPosesOption, BoardSource, RobotPosesOption
 from measureapp.cli.calibrate.pose_options import RobotNoise
@@ -27,7 +27,7 @@ def register(group: typer.Typer) -> None:
         ctx: typer.Context,
         source: BoardSource,
         noise_of_robot: RobotNoise,
-        asked: AskedLimits,
+        asked: RequiredLimits,
         answer: Answer,
         robot_poses: RobotPosesOption,
         board_poses: BoardPosesOption = None,
@@ -39,8 +39,8 @@ def register(group: typer.Typer) -> None:
         from measureapp.calibrate.draft.solve import solve
         from measureapp.calibrate.kinds.hand_eye import problem_of
         from measureapp.calibrate.kinds.table import KINDS
-        from measureapp.calibrate.motions.contradictions import solve_hand_eye
-        from measureapp.calibrate.motions.moved_boards import STAND_IN_MM
+        from measureapp.calibrate.motions.inlier_solutions import solve_hand_eye
+        from measureapp.calibrate.motions.outlier_rejection import REPRESENTATIVE_MARKS_MM
         from measureapp.calibrate.rig.limits import hand_eye_limits
         from measureapp.cli.calibrate.observed_files import observed_at_robot_poses, read_board_poses, read_robot_poses
         from measureapp.data.fringe import Readback
@@ -50,15 +50,17 @@ def register(group: typer.Typer) -> None:
         robot = {name: Readback(pose) for name, pose in read_robot_poses(robot_poses).items()}
         seen = observed_at_robot_poses(robot, board_poses, source, TerminalProgress())
         if seen is not None:
-            with seen.naming_refused():
+            with seen.explain_failure():
                 solved = solve(seen.draft(Setup(KINDS["hand-eye"], seen.board, seen.camera_names, seen.cameras, noise=noise)))
             solution, used, (rejected, moved) = solved.solution, list(solved.used), seen.outcome(solved)
         else:
             assert board_poses is not None  # one of both was given
-            found = solve_hand_eye(problem_of(read_board_poses(board_poses, robot, board_sigma_mm, board_sigma_deg), noise), STAND_IN_MM)
+            found = solve_hand_eye(
+                problem_of(read_board_poses(board_poses, robot, board_sigma_mm, board_sigma_deg), noise), REPRESENTATIVE_MARKS_MM
+            )
             names, rejected = list(robot), []
             solution, used = found.solution, [names[index] for index in found.kept]
-            moved = {names[index]: reason for index, reason in found.moved.items()}
+            moved = {names[index]: reason for index, reason in found.rejected.items()}
         limits = hand_eye_limits(solution, wanted)
         document = (
             hand_eye_answer(solution, used)
@@ -124,11 +126,11 @@ def _lines(document: dict[str, Any]) -> list[str]:
     lines.append("  ± " + " ".join(f"{deviations[f'{axis}_mm']:.3f}" for axis in "xyz") + " mm (refined)")
     strongest = max(document["poses"], key=lambda pose: pose["influence_mm"])
     lines.append(
-        f"  methods differ by {document['spread_at_part_mm']:.3f} mm at the part; leaving out {strongest['name']} "
-        f"would move it by {strongest['influence_mm']:.3f} mm, every other pose less"
+        f"  methods differ by {document['spread_at_part_mm']:.3f} mm at the part; without {strongest['name']} "
+        f"it would move by {strongest['influence_mm']:.3f} mm, every other pose less"
     )
     lines += [f"  {name}: {reason}" for name, reason in document["refused"].items()]
-    lines += [f"  left out: {name}: {reason}" for name, reason in document["moved"].items()]
+    lines += [f"  rejected: {name}: {reason}" for name, reason in document["moved"].items()]
     lines += [f"  {warning}" for warning in document["warnings"]]
-    lines += [f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
+    lines += [f"  rejected: {one['image']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
     return [*lines, f"  motions: {document['degeneracy']['verdict']}, {document['degeneracy']['axis_spread_deg']:.1f}° from parallel"]

@@ -1,4 +1,4 @@
-"""`calibrate history`: what scans and checks said about a project's calibrations."""
+"""`calibrate history`: results of scans and checks for a project's calibrations."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def register(group: typer.Typer) -> None:
 
     @group.command()
     def history(project: Annotated[Path, typer.Argument(help="Project folder.")], as_json: JsonOption = False) -> None:
-        """List what every scan and every check with the board said about the project's calibrations, oldest first."""
+        """List the result of every scan and every board check for the project's calibrations, oldest first."""
         from measureapp.project.documents import calibration_id, check_document
         from measureapp.project.folder import ProjectFolder
 
@@ -30,7 +30,7 @@ def register(group: typer.Typer) -> None:
             "created": None if calibration is None else calibration.provenance.created,
             "checks": [check_document(line) for line in lines],
         }
-        words = [history_line(line) for line in lines] or ["No scan or check has said anything about a calibration yet."]
+        words = [history_line(line) for line in lines] or ["There is no result of a scan or board check yet."]
         reply(document, "\n".join(words), as_json)
 
 

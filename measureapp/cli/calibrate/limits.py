@@ -1,4 +1,4 @@
-"""What a calibration is asked for: the option that sets it, and how an answer tells it."""
+"""Required limits of a calibration: the option, and their part of an answer."""
 
 from __future__ import annotations
 
@@ -19,20 +19,20 @@ LimitOption = Annotated[
     list[str] | None,
     typer.Option(
         "--limit",
-        help="Standard deviation asked of a figure, such as 'axis position=0.01'; once per figure. Exit code 1 where images and cameras "
-        "leave more; `limits` in the answer has the names and the usual values.",
+        help="Standard deviation required of a figure, such as 'axis position=0.01'; once per figure. Exit code 1 where images and cameras "
+        "exceed it; `limits` in the answer has the names and the usual values.",
     ),
 ]
 
 
 @dataclass(frozen=True, slots=True)
-class AskedLimits:
-    """What the user asks instead of the usual."""
+class RequiredLimits:
+    """Limits given by the user in place of the usual ones."""
 
     limit: LimitOption = None
 
     def values(self, figures: Sequence[str]) -> dict[str, float]:
-        """Return figure -> what is asked of it. Raises InputError for a figure that is not among ``figures`` or a value that is no length."""
+        """Return figure -> required standard deviation. Raises InputError for a figure that is not among ``figures`` or a value that is no length."""
         asked = {}
         for option in self.limit or ():
             name, (_, given, text) = _name(option), option.partition("=")
@@ -49,7 +49,7 @@ class AskedLimits:
         return asked
 
     def exit_unless_met(self, limits: Sequence[Limit]) -> None:
-        """End with exit code 1 where a figure that the option names is not met beyond what the rig's axes allow, or could not be told."""
+        """End with exit code 1 where a figure that the option names is not met beyond what the rig's axes allow, or could not be determined."""
         if {_name(option) for option in self.limit or ()} - {one.name for one in limits if one.met_beyond}:
             raise typer.Exit(OUT_OF_TOLERANCE)
 

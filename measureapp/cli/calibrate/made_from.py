@@ -1,4 +1,4 @@
-"""What a calibration was made from: the command, the folder it ran in and the checksums of every file it read."""
+"""Provenance of a calibration: the command, the folder it ran in and the checksums of every file it read."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ NOT_REPEATED = ("--json",)
 
 @dataclass(frozen=True, slots=True)
 class MadeFrom:
-    """Enough to solve again, and to see whether the inputs are still the same."""
+    """The command and its inputs with checksums, for repeating a calibration."""
 
     arguments: tuple[str, ...] = ()  # of the command, without where it wrote to
-    folder: str = "."  # in which it ran, seen from the folder of the file it wrote
-    inputs: Mapping[str, str] = field(default_factory=dict)  # file as seen from `folder` -> SHA-256
+    folder: str = "."  # in which it ran, relative to the folder of the file it wrote
+    inputs: Mapping[str, str] = field(default_factory=dict)  # file relative to `folder` -> SHA-256
 
     def document(self) -> dict[str, Any]:
         """Return it as JSON."""
@@ -43,19 +43,19 @@ class MadeFrom:
 
 
 def made_from(ctx: typer.Context, out: Path) -> MadeFrom:
-    """Return what the running command reads, for the file ``out`` it writes."""
+    """Return the provenance of the file ``out`` that the running command writes."""
     folder = os.path.relpath(Path.cwd(), out.resolve().parent)
     return MadeFrom(_without_outputs(ctx.obj or ()), Path(folder).as_posix(), {name_of(path): digest_of(path) for path in _read(ctx)})
 
 
 def made_from_document(document: Any, source: Path) -> MadeFrom:
-    """Return what a stored calibration was made from. Raises InputError where it does not say so."""
+    """Return the provenance of a stored calibration. Raises InputError where it has none."""
     try:
         entry = document.get("made_from") or document.get("projector", document)["provenance"]
         made = MadeFrom(tuple(map(str, entry["arguments"])), str(entry["folder"]), {str(k): str(v) for k, v in entry["inputs"].items()})
     except (KeyError, TypeError, AttributeError) as error:
         raise InputError(
-            f"{source} does not say how it was made.",
+            f"{source} has no record of its inputs.",
             "Give a file that a `calibrate` command of this version wrote, or a project's folder.",
         ) from error
     if not made.arguments or made.arguments[0] != "calibrate":
@@ -64,7 +64,7 @@ def made_from_document(document: Any, source: Path) -> MadeFrom:
 
 
 def name_of(path: Path) -> str:
-    """Return a file's name as seen from the current folder."""
+    """Return a file's name relative to the current folder."""
     return Path(os.path.relpath(path)).as_posix()
 
 
@@ -93,7 +93,7 @@ def _read(ctx: typer.Context) -> Iterator[Path]:
 
 
 def _without_outputs(arguments: Sequence[str]) -> tuple[str, ...]:
-    """Return the arguments of a command without those that say where it writes and how it answers."""
+    """Return the arguments of a command without its outputs and the form of its answer."""
     kept, skip = [], False
     for argument in arguments:
         if skip:

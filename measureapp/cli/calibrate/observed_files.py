@@ -14,7 +14,7 @@ from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.boards.pose import stated_pose
 from measureapp.calibrate.draft.draft import Draft, Setup, Solved
 from measureapp.calibrate.draft.locate import Located, locate
-from measureapp.calibrate.sightings import naming_refused
+from measureapp.calibrate.sightings import explain_by_refused
 from measureapp.calibration_session.observing import Observed, Position, observe
 from measureapp.cli.calibrate.options import BoardSource
 from measureapp.data.board import BoardDescription
@@ -30,7 +30,7 @@ from measureapp.project.tables import read_poses, require_millimetres
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ObservedFiles:
-    """What images of the board by calibrated cameras gave."""
+    """Observations from images of the board by calibrated cameras."""
 
     board: BoardDescription
     cameras: CameraArrayCalibration
@@ -43,7 +43,7 @@ class ObservedFiles:
         return tuple(sorted(self.files.cameras, key=lambda name: name != self.cameras.reference))
 
     def draft(self, setup: Setup) -> Draft:
-        """Return what is to be solved."""
+        """Return the draft to be solved."""
         return self.observed.draft(setup, {})  # the cameras are known, and so are their sizes
 
     def located(self) -> Located:
@@ -68,7 +68,7 @@ class ObservedFiles:
         return self.rejected(contradicting), {name: reason for name, reason in solved.rejected.items() if name in solved.places}
 
     @contextmanager
-    def naming_refused(self) -> Iterator[None]:
+    def explain_failure(self) -> Iterator[None]:
         """Let a calibration that fails name the images that gave nothing. Raises CalibrationError."""
         try:
             yield
@@ -76,7 +76,7 @@ class ObservedFiles:
             without = {one.id for one in self.observed.observations if not one.seen}
             numbers = {one.id: number for number, one in enumerate(self.observed.observations)}
             lost = [(str(self.files.path(one.camera, numbers[one.id])), one.reason) for one in self.observed.refused if one.id in without]
-            raise naming_refused(error, lost) from error
+            raise explain_by_refused(error, lost) from error
 
 
 def observe_files(source: BoardSource, subject: str, progress: Progress, readbacks: Mapping[str, Readback] | None = None) -> ObservedFiles:

@@ -49,7 +49,7 @@ def _option(field: Field[Any], annotation: Any) -> inspect.Parameter:
 
 
 def _taken(group: Any, given: dict[str, Any]) -> Any:
-    """Return the group of its options, which are taken out of ``given``."""
+    """Return the group of its options, which are removed from ``given``."""
     hints = get_type_hints(group, include_extras=True)
     return group(
         **{

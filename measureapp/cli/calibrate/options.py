@@ -1,4 +1,4 @@
-"""Options that several calibrations share."""
+"""Options common to several calibrations."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ KINDS = {"": "checkerboard", "checkerboard": "checkerboard", "checker": "checker
 
 @dataclass(frozen=True, slots=True)
 class BoardChoice:
-    """The board as the options of a command name it; checked when the board is asked for."""
+    """The board as the options of a command name it; checked when the description is requested."""
 
     board: BoardOption = None
     square_mm: SquareOption = None
@@ -97,13 +97,13 @@ class BoardSource:
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """How a command answers: a file where one is asked for, and JSON or lines on standard output."""
+    """How a command answers: a file if requested, and JSON or lines on standard output."""
 
     out: OutOption = None
     as_json: JsonOption = False
 
     def give(self, ctx: typer.Context, document: Mapping[str, Any], lines: Sequence[str], extra: Mapping[str, Any] | None = None) -> None:
-        """Write the file, with ``extra`` before the answer and what it was made from behind it, and print the answer."""
+        """Write the file, with ``extra`` before the answer and the provenance after it, and print the answer."""
         from measureapp.cli.calibrate.made_from import made_from
         from measureapp.project.atomic import write_json
 

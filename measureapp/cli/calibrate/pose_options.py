@@ -1,4 +1,4 @@
-"""Options that the calibrations of robot, guide and table share, and the observations these lead to."""
+"""Options common to the calibrations of robot, guide and table, and the observations from them."""
 
 from __future__ import annotations
 
@@ -36,13 +36,13 @@ RobotRepeatMm = Annotated[
 ]
 RobotAlikeMm = Annotated[
     float,
-    typer.Option("--robot-alike-mm", min=0.0, help="Distance over which the robot's errors are alike, mm; 0: each pose has its own."),
+    typer.Option("--robot-alike-mm", min=0.0, help="Correlation length of the robot's pose errors, mm; 0: uncorrelated."),
 ]
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class RobotNoise:
-    """How the robot errs; rotations repeat and resemble each other as positions do."""
+    """Noise of the robot; rotations have the same ratio of repeatability and the same correlation as positions."""
 
     robot_sigma_mm: RobotSigmaMm = 0.2
     robot_sigma_deg: RobotSigmaDeg = 0.012
@@ -51,7 +51,7 @@ class RobotNoise:
 
     def axis_noise(self, table_arcsec: float = 10.0) -> AxisNoise:
         """Return the noise of all axes."""
-        from measureapp.calibrate.motions.axis_noise import ALIKE_MM, ALIKE_TURN, AxisNoise
+        from measureapp.calibrate.motions.axis_noise import CORRELATION_MM, CORRELATION_TURN, AxisNoise
 
         return AxisNoise(
             robot_mm=self.robot_sigma_mm,
@@ -59,8 +59,8 @@ class RobotNoise:
             table_rad=math.radians(table_arcsec / 3600),
             robot_repeat_mm=self.robot_repeat_mm,
             robot_repeat_rad=math.radians(self.robot_sigma_deg) * self.robot_repeat_mm / self.robot_sigma_mm,
-            robot_alike_mm=self.robot_alike_mm,
-            robot_alike_turn=ALIKE_TURN * self.robot_alike_mm / ALIKE_MM,
+            robot_correlation_mm=self.robot_alike_mm,
+            robot_correlation_turn=CORRELATION_TURN * self.robot_alike_mm / CORRELATION_MM,
         )
 
 

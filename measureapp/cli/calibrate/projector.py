@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from measureapp.cli.calibrate.camera_quality import quality_answer, quality_lines, validation_of
-from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
+from measureapp.cli.calibrate.limits import RequiredLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.made_from import MadeFrom, made_from
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import BoardChoice, CamerasOption, OutOption
@@ -33,7 +33,7 @@ def register(group: typer.Typer) -> None:
     def projector(
         ctx: typer.Context,
         board: BoardChoice,
-        asked: AskedLimits,
+        asked: RequiredLimits,
         manifests: Annotated[list[Path], typer.Argument(help="MANIFEST.toml of the fringes on the board, one per board position.")],
         cameras: CamerasOption = None,
         projector_px: Annotated[
@@ -43,11 +43,11 @@ def register(group: typer.Typer) -> None:
         out: OutOption = None,
         as_json: JsonOption = False,
     ) -> None:
-        """Calibrate the projector from vertical and horizontal fringes on a board, and write it into cameras.json.
+        """Calibrate the projector from vertical and horizontal fringes on a board, and save it to cameras.json.
 
-        With --cameras these stay as they are and the projector is added; their covariance in cameras.json is carried on. Without,
-        cameras and projector are calibrated together. The board is found in the mean of the sinusoidal images. Views held back say
-        whether the stated standard deviations can be trusted. Write to another file than --cameras, so that `calibrate again` finds its inputs unchanged.
+        With --cameras these stay as they are and the projector is added; their covariance in cameras.json is propagated. Without,
+        cameras and projector are calibrated together. The board is found in the mean of the sinusoidal images. Views held back test
+        the stated standard deviations. Save to another file than --cameras, so that `calibrate again` finds its inputs unchanged.
         """
         from measureapp.calibrate.rig.limits import projector_limits
         from measureapp.pipeline.projector import ProjectorRequest, calibrate_projector
@@ -55,7 +55,7 @@ def register(group: typer.Typer) -> None:
         from measureapp.project.fringes.manifest import manifest_files
 
         wanted = asked.values(("projector position", "projector rotation"))
-        for path in manifests:  # what is no manifest is named before the first of many images is read
+        for path in manifests:  # a file that is no manifest is refused before the first of many images is read
             manifest_files(path)
         request = ProjectorRequest(
             board=board.description(),
@@ -91,7 +91,7 @@ def _size(text: str) -> tuple[int, int]:
 
 
 def _dated(calibration: CameraArrayCalibration, made: MadeFrom) -> CameraArrayCalibration:
-    """Return the calibration with the projector's date and what it was made from; with that of the cameras where they came with it."""
+    """Return the calibration with the projector's date and provenance; also that of the cameras where they were calibrated with it."""
     from dataclasses import replace
 
     if calibration.projector is None:  # pragma: no cover - `solve_head` always gives one
@@ -169,9 +169,9 @@ def _lines(document: dict[str, Any]) -> list[str]:
         "  at " + ", ".join(f"{one['value']:.3f} ± {one['standard_deviation']:.3f}" for one in place) + " mm before the reference camera",
     ]
     if not document["camera_uncertainty_carried_on"]:
-        lines.append("  cameras.json holds no covariance: the standard deviations are those at exactly known cameras")
-    return lines + [f"  left out: {one['manifest']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
+        lines.append("  cameras.json holds no covariance: the standard deviations assume exactly known cameras")
+    return lines + [f"  rejected: {one['manifest']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
 
 
 def _written(document: dict[str, Any]) -> list[str]:
-    return [f"Written: {path}" for path in document["files"].values()]
+    return [f"Saved to {path}" for path in document["files"].values()]

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.calibrate.limits import AskedLimits, limit_lines, limits_answer
+from measureapp.cli.calibrate.limits import RequiredLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import Answer, BoardSource
 from measureapp.cli.calibrate.pose_options import RigTables, RobotNoise, observe_rig
@@ -27,7 +27,7 @@ def register(group: typer.Typer) -> None:
         tables: RigTables,
         source: BoardSource,
         robot: RobotNoise,
-        asked: AskedLimits,
+        asked: RequiredLimits,
         answer: Answer,
         table_sigma_arcsec: Annotated[float, typer.Option(min=1e-6, help="Standard deviation of table angles, seconds of arc.")] = 10.0,
     ) -> None:
@@ -40,7 +40,7 @@ def register(group: typer.Typer) -> None:
         wanted, progress = asked.values(tuple(IN_RIG)), TerminalProgress()
         seen = observe_rig(tables, source, "the calibration of the rig", progress)
         setup = Setup(KINDS["rig"], seen.board, seen.camera_names, seen.cameras, noise=robot.axis_noise(table_sigma_arcsec))
-        with seen.naming_refused():
+        with seen.explain_failure():
             solved = solve(seen.draft(setup), progress)
         solution, (rejected, _) = solved.solution, seen.outcome(solved)
         carried_on = {"camera_uncertainty_carried_on": seen.cameras.covariance is not None}
@@ -63,7 +63,7 @@ def rig_answer(solution: RigSolution) -> dict[str, Any]:
         "not_observable": list(solution.not_observable),
         "warnings": list(solution.warnings),
         "weak_directions": [
-            {"sentence": one.sentence, "sigma_mm": one.sigma_mm, "parameters": dict(zip(one.parameters, one.shares, strict=True))}
+            {"sentence": one.sentence, "sigma_mm": one.sigma_mm, "parameters": dict(zip(one.parameters, one.components, strict=True))}
             for one in solution.weak_directions
         ],
         "stations": [{"read": one.read.matrix, "true": one.true.matrix} for one in solution.calibration.stations],
@@ -98,6 +98,6 @@ def _lines(document: dict[str, Any], limits: list[str]) -> list[str]:
     )
     lines += [f"  {one['sentence']}" for one in document["weak_directions"]]
     lines += [f"  {warning}" for warning in document["warnings"]]
-    lines += [f"  cannot be seen: {what}" for what in document["not_observable"]]
-    lines += [f"  left out: {name}: {reason}" for name, reason in document["rejected"].items()]
-    return lines + [f"  left out: {one['image']} ({one['camera']}): {one['reason']}" for one in document["images_rejected"]]
+    lines += [f"  not observable: {what}" for what in document["not_observable"]]
+    lines += [f"  rejected: {name}: {reason}" for name, reason in document["rejected"].items()]
+    return lines + [f"  rejected: {one['image']} ({one['camera']}): {one['reason']}" for one in document["images_rejected"]]

@@ -9,16 +9,17 @@ from zipfile import BadZipFile
 
 import numpy as np
 
-from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.motions.chain import Chain, Free
 from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty
 from measureapp.data.calibration import LabelledCovariance, RigCalibration
 from measureapp.errors import StorageError
 from measureapp.project.atomic import replacing
+from measureapp.project.documents import noise_document, noise_from
 
 SCHEMA_VERSION = 1
 _NOT_ARRAYS = ("noise", "free")
+_STORED = {"camera_jacobian": "by_cameras"}  # field of the chain -> its name in the file
 
 
 def write_rig_uncertainty(path: Path, rig: RigUncertainty) -> None:
@@ -26,11 +27,15 @@ def write_rig_uncertainty(path: Path, rig: RigUncertainty) -> None:
     arrays: dict[str, Any] = {"schema_version": SCHEMA_VERSION, "covariance": rig.covariance}
     for part, noun in (("chain", rig.chain), ("state", rig.state)):
         values = {field.name: getattr(noun, field.name) for field in fields(noun) if field.name not in _NOT_ARRAYS}
-        arrays |= {f"{part}.{name}": value for name, value in values.items() if value is not None}
-    for part, settings in (("noise", asdict(rig.chain.noise)), ("free", asdict(rig.chain.free))):
+        arrays |= {f"{part}.{_STORED.get(name, name)}": value for name, value in values.items() if value is not None}
+    for part, settings in (("noise", noise_document(rig.chain.noise)), ("free", asdict(rig.chain.free))):
         arrays |= {f"{part}.{name}": value for name, value in settings.items()}
-    if rig.cameras is not None and rig.by_cameras is not None:
-        arrays |= {"by_cameras": rig.by_cameras, "cameras.covariance": rig.cameras.covariance, "cameras.parameters": rig.cameras.parameters}
+    if rig.cameras is not None and rig.camera_jacobian is not None:
+        arrays |= {
+            "by_cameras": rig.camera_jacobian,
+            "cameras.covariance": rig.cameras.covariance,
+            "cameras.parameters": rig.cameras.parameters,
+        }
     with replacing(Path(path)) as temporary, temporary.open("wb") as file:
         np.savez_compressed(file, **arrays)
 
@@ -40,11 +45,13 @@ def read_rig_uncertainty(path: Path, calibration: RigCalibration) -> RigUncertai
     try:
         with Path(path).open("rb") as file, np.load(file, allow_pickle=False) as stored:
             arrays = dict(stored)
-        noise = AxisNoise(**{name: float(value) for name, value in _part(arrays, "noise").items()})
+        noise = noise_from(_part(arrays, "noise"))
         free = Free(**{name: bool(value) for name, value in _part(arrays, "free").items()})
         state = _part(arrays, "state")
         state["guide_scale"] = float(state["guide_scale"])
-        chain = Chain(**_part(arrays, "chain"), noise=noise, free=free)
+        parts = _part(arrays, "chain")
+        jacobian = parts.pop("by_cameras", None)
+        chain = Chain(**parts, camera_jacobian=jacobian, noise=noise, free=free)
         cameras = _part(arrays, "cameras")
         known = LabelledCovariance(tuple(map(str, cameras["parameters"])), cameras["covariance"]) if cameras else None
         return RigUncertainty(calibration, chain, ChainState(**state), arrays["covariance"], known, arrays.get("by_cameras"))

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
-from measureapp.calibrate.boards.circle_grid import CircleGrid, ids_of, lies_of, turned
+from measureapp.calibrate.boards.circle_grid import CircleGrid, ids_of, possible_placements, rotate_places
 from measureapp.calibrate.boards.find import detect, find_board
 from measureapp.data.board import CirclesDescription
 from measureapp.errors import CalibrationError
@@ -37,33 +37,35 @@ def drawn(board, first_x, last_x, first_y, last_y, quarter, ends):
         or (ends[3] and y + b >= board.rows)
     }
     empty = np.array(sorted(beside), np.int64).reshape(-1, 2)
-    return CircleGrid(turned(places[inside], quarter), np.zeros((inside.sum(), 2)), turned(empty, quarter)), np.flatnonzero(inside)
+    return CircleGrid(rotate_places(places[inside], quarter), np.zeros((inside.sum(), 2)), rotate_places(empty, quarter)), np.flatnonzero(
+        inside
+    )
 
 
 @pytest.mark.parametrize("quarter", range(4))
 def test_the_true_lie_is_always_among_the_possible_ones(quarter):
     for left, right, top, bottom in itertools.product((0, 2), (5, 7), (0, 3), (6, 8)):
         grid, ids = drawn(BOARD, left, right, top, bottom, quarter, (left == 0, right == 7, top == 0, bottom == 8))
-        lies = lies_of(BOARD, grid)
+        lies = possible_placements(BOARD, grid)
         assert any(np.array_equal(ids_of(BOARD, grid.places, lie), ids) for lie in lies), (left, right, top, bottom)
 
 
 def test_one_side_with_both_of_its_ends_tells_the_part():
     grid, ids = drawn(BOARD, 0, 7, 0, 4, 0, (True, True, True, False))
-    (lie,) = lies_of(BOARD, grid)
+    (lie,) = possible_placements(BOARD, grid)
     assert np.array_equal(ids_of(BOARD, grid.places, lie), ids)
 
 
 def test_the_middle_may_be_anywhere_and_a_larger_grid_is_no_part():
-    assert len(lies_of(BOARD, drawn(BOARD, 2, 5, 2, 6, 0, (False,) * 4)[0])) > 1
+    assert len(possible_placements(BOARD, drawn(BOARD, 2, 5, 2, 6, 0, (False,) * 4)[0])) > 1
     larger = CirclesDescription(kind="circles", columns=6, rows=9, spacing_mm=20.0, diameter_mm=14.0)
-    assert lies_of(BOARD, drawn(larger, 0, 11, 0, 8, 0, (True,) * 4)[0]) == []
+    assert possible_placements(BOARD, drawn(larger, 0, 11, 0, 8, 0, (True,) * 4)[0]) == []
 
 
 def test_both_ends_of_a_symmetric_board_are_possible():
     whole, _ = drawn(SYMMETRIC, 0, 9, 0, 9, 0, (True,) * 4)
-    assert len(lies_of(SYMMETRIC, whole)) == 2
-    assert len(lies_of(BOARD, drawn(BOARD, 0, 7, 0, 8, 0, (True,) * 4)[0])) == 1
+    assert len(possible_placements(SYMMETRIC, whole)) == 2
+    assert len(possible_placements(BOARD, drawn(BOARD, 0, 7, 0, 8, 0, (True,) * 4)[0])) == 1
 
 
 @pytest.mark.parametrize(

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from measureapp.calibrate.boards.find import detect, find_board
-from measureapp.calibrate.boards.part import places_of
-from measureapp.calibrate.boards.squares import SquaresInSight, squares_in_sight
+from measureapp.calibrate.boards.part import possible_places
+from measureapp.calibrate.boards.squares import DetectedSquares, detect_squares
 from measureapp.data.board import CheckerboardDescription
 from measureapp.errors import CalibrationError
 from tests.calibrate.virtual_board import CHECKER, middle_of, shot
@@ -19,14 +19,14 @@ NOT_SEEN = (False,) * 4
 
 
 def drawn(rows, columns, first_row, first_column, quarter, ends):
-    """What `squares_in_sight` would say of a part of `BOARD` in an image turned by quarters; corners hold their ids."""
+    """What `detect_squares` would say of a part of `BOARD` in an image turned by quarters; corners hold their ids."""
     ids = np.arange(BOARD.count).reshape(BOARD.rows, BOARD.columns)[first_row : first_row + rows, first_column : first_column + columns]
     turned = np.rot90(ids, quarter)
     row, column = divmod(int(turned[0, 0]), BOARD.columns)
     other_row, other_column = divmod(int(turned[1, 1]), BOARD.columns)
     even_dark = (min(row, other_row) + min(column, other_column)) % 2 == 0
     sides = tuple(ends[(side + quarter) % 4] for side in range(4))
-    return SquaresInSight(np.dstack([turned, turned]).astype(float), np.ones(turned.shape, bool), even_dark, sides), ids
+    return DetectedSquares(np.dstack([turned, turned]).astype(float), np.ones(turned.shape, bool), even_dark, sides), ids
 
 
 def true_ends(rows, columns, row, column):
@@ -38,7 +38,7 @@ def test_the_true_place_is_always_among_the_possible_ones(quarter):
     for rows, columns in itertools.product(range(3, 6), range(3, 7)):
         for row, column in itertools.product(range(BOARD.rows - rows + 1), range(BOARD.columns - columns + 1)):
             seen, ids = drawn(rows, columns, row, column, quarter, true_ends(rows, columns, row, column))
-            possible = places_of(BOARD, seen)
+            possible = possible_places(BOARD, seen)
             places = [
                 np.arange(BOARD.count).reshape(BOARD.rows, BOARD.columns)[r : r + rows, c : c + columns]
                 for turn, r, c in possible
@@ -49,17 +49,17 @@ def test_the_true_place_is_always_among_the_possible_ones(quarter):
 
 def test_one_side_of_the_board_with_both_of_its_ends_suffices():
     seen, _ = drawn(5, 4, 0, 0, 0, (True, True, True, False))
-    assert places_of(BOARD, seen) == [(0, 0, 0)]
+    assert possible_places(BOARD, seen) == [(0, 0, 0)]
 
 
 def test_the_middle_of_a_board_may_be_anywhere():
     seen, _ = drawn(3, 3, 1, 1, 0, NOT_SEEN)
-    assert len(places_of(BOARD, seen)) > 1
+    assert len(possible_places(BOARD, seen)) > 1
 
 
 def test_a_larger_grid_is_no_part():
-    seen = SquaresInSight(np.zeros((7, 5, 2)), np.ones((7, 5), bool), True, NOT_SEEN)
-    assert places_of(BOARD, seen) == []
+    seen = DetectedSquares(np.zeros((7, 5, 2)), np.ones((7, 5), bool), True, NOT_SEEN)
+    assert possible_places(BOARD, seen) == []
 
 
 @pytest.mark.parametrize(
@@ -120,5 +120,5 @@ def test_one_image_gives_one_answer_however_often_it_is_looked_at():
     """The search draws lots: unseeded, one call in twenty finds a smaller grid in this image."""
     seen = shot(CHECKER, 15, 60, 20)
     part = middle_of(seen.image, seen.marks_px)
-    counts = {squares_in_sight(part).count for _ in range(60)}
+    counts = {detect_squares(part).count for _ in range(60)}
     assert len(counts) == 1

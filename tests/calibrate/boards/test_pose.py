@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from measureapp.calibrate.boards.pose import board_pose, triangulated
+from measureapp.calibrate.boards.pose import board_pose, triangulate
 from measureapp.calibrate.poses import change_between
-from measureapp.calibrate.projection import intrinsic_names, project_with_derivatives, with_intrinsics_moved
+from measureapp.calibrate.projection import apply_intrinsic_changes, intrinsic_names, project_with_derivatives
 from measureapp.errors import CalibrationError
 from measureapp.geometry.pinhole import PinholeCamera
 
@@ -32,7 +32,7 @@ def test_one_camera_is_enough_and_three_are_better(head, board, simulate, genera
 
 def test_triangulated_corners_lie_where_the_board_is(head, board, simulate, generator):
     truth = simulate.board_pose(generator)
-    points = triangulated(simulate.corners(head, board, truth, 0.0, generator), head)
+    points = triangulate(simulate.corners(head, board, truth, 0.0, generator), head)
     np.testing.assert_allclose(points, truth.apply(board.corners_mm), atol=1e-4)
 
 
@@ -53,5 +53,5 @@ def test_derivatives_of_the_projection_agree_with_differences(count, generator):
         np.testing.assert_allclose((camera.project(points + step) - camera.project(points - step)) / 2e-3, by_point[:, :, axis], atol=1e-7)
     assert by_lens.shape[2] == len(intrinsic_names(count))
     for index, step in enumerate(np.eye(4 + count) * 1e-4):
-        change = with_intrinsics_moved(camera, step).project(points) - with_intrinsics_moved(camera, -step).project(points)
+        change = apply_intrinsic_changes(camera, step).project(points) - apply_intrinsic_changes(camera, -step).project(points)
         np.testing.assert_allclose(change / 2e-4, by_lens[:, :, index], atol=1e-7)

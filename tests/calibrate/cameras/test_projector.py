@@ -10,7 +10,7 @@ import pytest
 
 from measureapp.calibrate.cameras.array import CameraArrayProblem, solve
 from measureapp.calibrate.cameras.projector import solve_head
-from measureapp.calibrate.cameras.projector_sightings import ProjectorPixels, projector_sighting, read_around
+from measureapp.calibrate.cameras.projector_sightings import ProjectorPixels, interpolate_at, projector_sighting
 from measureapp.calibrate.sightings import Rejection, Sighting
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.errors import CalibrationError
@@ -124,7 +124,7 @@ def test_a_map_is_read_between_its_pixels():
     values = 3 + 0.5 * x - 0.2 * y + 0.003 * x * x + 0.002 * x * y
     places = np.array([[20.3, 30.7], [55.1, 12.4], [0.2, 30.0]])
     sigma = np.full(values.shape, 0.1)
-    read, deviations = read_around(values, sigma, np.ones(values.shape, bool), places, np.array([8.0, 8.0, 8.0]))
+    read, deviations = interpolate_at(values, sigma, np.ones(values.shape, bool), places, np.array([8.0, 8.0, 8.0]))
     px, py = places[:2].T
     np.testing.assert_allclose(read[:2], 3 + 0.5 * px - 0.2 * py + 0.003 * px**2 + 0.002 * px * py, atol=1e-9)
     assert np.isnan(read[2])  # at the border there are pixels on one side only
@@ -136,7 +136,7 @@ def test_the_deviation_of_a_reading_is_its_scatter():
     read = []
     for _ in range(200):
         values = 0.4 * np.mgrid[0:30, 0:30][1] + generator.normal(scale=0.2, size=(30, 30))
-        read.append(read_around(values, np.full((30, 30), 0.2), np.ones((30, 30), bool), np.array([[14.6, 15.2]]), np.array([7.0])))
+        read.append(interpolate_at(values, np.full((30, 30), 0.2), np.ones((30, 30), bool), np.array([[14.6, 15.2]]), np.array([7.0])))
     values, deviations = np.array(read)[:, :, 0].T
     assert np.std(values) == pytest.approx(np.mean(deviations), rel=0.2)
 

@@ -149,18 +149,18 @@ def test_the_scale_of_the_board_goes_into_lengths():
 
 def test_derivatives_of_triangulated_points_are_those_of_differences():
     """The readable statement: change a parameter, triangulate again."""
-    from measureapp.calibrate.cameras.uncertainty import points_by_parameters
-    from measureapp.calibrate.projection import with_intrinsics_moved
+    from measureapp.calibrate.cameras.uncertainty import point_jacobian
+    from measureapp.calibrate.projection import apply_intrinsic_changes
 
     head, _ = run(0)
     volume = WorkingVolume(550.0, (200.0, 150.0), 60.0, (3, 3, 2))
     points = volume_points(head, volume)
-    analytic, seeing = points_by_parameters(head, points, ("right.fx", "upper.x_mm"))
+    analytic, seeing = point_jacobian(head, points, ("right.fx", "upper.x_mm"))
     assert np.all(seeing == 3)
     camera = head.cameras["right"]
     step = np.zeros(9)
     step[0] = 0.01
-    wrong = replace(head, cameras={**head.cameras, "right": replace(camera, pinhole=with_intrinsics_moved(camera.pinhole, step))})
+    wrong = replace(head, cameras={**head.cameras, "right": replace(camera, pinhole=apply_intrinsic_changes(camera.pinhole, step))})
     pixels = {name: one.pinhole.project(one.reference_from_camera.inverse().apply(points)) for name, one in head.cameras.items()}
     moved = pixel_triangulated(wrong, pixels, points)
     np.testing.assert_allclose((moved - points) / 0.01, analytic[:, :, 0], rtol=2e-3, atol=2e-5)

@@ -11,7 +11,7 @@ from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.boards.pose import stated_pose
 from measureapp.calibrate.motions import hand_eye, linear_guide, rotation_axis
 from measureapp.calibrate.motions.axis_noise import AxisNoise
-from measureapp.calibrate.poses import moved
+from measureapp.calibrate.poses import apply_changes
 from measureapp.data.board import CheckerboardDescription
 from measureapp.data.calibration import HandEye, LabelledCovariance, LinearGuide, RotationAxis
 from measureapp.data.fringe import Readback
@@ -34,10 +34,10 @@ def changes(generator, count):
     return generator.normal(size=(count, 6, 2)) * np.array([2e-5] * 3 + [0.02] * 3)[:, None]
 
 
-def seen_with_errors(poses, by_cameras, generator):
+def seen_with_errors(poses, camera_jacobian, generator):
     """The board poses as cameras with one draw of their errors see them."""
-    step = by_cameras @ (PRIOR.root @ generator.normal(size=PRIOR.root.shape[1]))
-    return [RigidTransform(moved(pose.matrix, change), "camera", "board") for pose, change in zip(poses, step, strict=True)]
+    step = camera_jacobian @ (PRIOR.root @ generator.normal(size=PRIOR.root.shape[1]))
+    return [RigidTransform(apply_changes(pose.matrix, change), "camera", "board") for pose, change in zip(poses, step, strict=True)]
 
 
 def test_the_root_of_a_covariance_gives_it_back():
@@ -57,7 +57,7 @@ def test_a_guide_scatters_by_what_is_stated(generator):
         poses.append(pose)
         flange = truth.guide_from_base(slide).inverse() @ standing @ pose.inverse() @ X.inverse()
         flanges.append(RigidTransform(flange.matrix, "base", "flange"))
-    by_cameras = changes(generator, len(poses))
+    camera_jacobian = changes(generator, len(poses))
 
     def solved(seen, derivatives=None):
         known = [None] * len(seen) if derivatives is None else derivatives
@@ -67,8 +67,8 @@ def test_a_guide_scatters_by_what_is_stated(generator):
         )
         return linear_guide.solve(linear_guide.GuideProblem(observations, HandEye(X), None if derivatives is None else PRIOR)).guide
 
-    stated = solved(poses, by_cameras)
-    scales = [solved(seen_with_errors(poses, by_cameras, generator)).scale for _ in range(DRAWS)]
+    stated = solved(poses, camera_jacobian)
+    scales = [solved(seen_with_errors(poses, camera_jacobian, generator)).scale for _ in range(DRAWS)]
     assert np.std(scales) == pytest.approx(stated.scale_sigma, rel=TOLERANCE)
 
 
@@ -77,7 +77,7 @@ def test_an_axis_scatters_by_what_is_stated(generator):
     start = RigidTransform.from_vector([0.3, -0.25, 0.1], [90, -20, 560], "camera", "board")
     angles = np.deg2rad(np.arange(0, 91, 30))
     poses = [RigidTransform((axis.turned(angle) @ start).matrix, "camera", "board") for angle in angles]
-    by_cameras = changes(generator, len(poses))
+    camera_jacobian = changes(generator, len(poses))
 
     def solved(seen, **known):
         boards = [stated_pose(pose, 1e-5, 0.01) for pose in seen]
@@ -90,9 +90,9 @@ def test_an_axis_scatters_by_what_is_stated(generator):
             False,
         )
 
-    estimate, covariance, _ = solved(poses, by_cameras=by_cameras, camera_prior=PRIOR)
+    estimate, covariance, _ = solved(poses, camera_jacobian=camera_jacobian, camera_prior=PRIOR)
     basis = rotation_axis.across(estimate.axis.direction)
-    drawn = [solved(seen_with_errors(poses, by_cameras, generator))[0].axis for _ in range(60)]
+    drawn = [solved(seen_with_errors(poses, camera_jacobian, generator))[0].axis for _ in range(60)]
     turns = np.array([basis @ (one.direction - estimate.axis.direction) for one in drawn])
     np.testing.assert_allclose(turns.std(axis=0), np.sqrt(np.diag(covariance)[:2]), rtol=4 / np.sqrt(2 * 60))
 
@@ -105,9 +105,9 @@ def test_a_hand_eye_transform_is_less_certain_with_uncertain_cameras(generator):
     ]
     flanges = tuple(RigidTransform((standing @ pose.inverse() @ X.inverse()).matrix, "base", "flange") for pose in poses)
     boards, noise = tuple(stated_pose(pose, 1e-5, 0.005) for pose in poses), AxisNoise(robot_mm=0.005, robot_rad=1e-5)
-    by_cameras = changes(generator, len(poses))
+    camera_jacobian = changes(generator, len(poses))
     plain = hand_eye.solve(hand_eye.HandEyeProblem(flanges, boards, noise))
-    carried = hand_eye.solve(hand_eye.HandEyeProblem(flanges, boards, noise, by_cameras, PRIOR))
+    carried = hand_eye.solve(hand_eye.HandEyeProblem(flanges, boards, noise, camera_jacobian, PRIOR))
     added = carried.covariance - plain.covariance
     scale = np.sqrt(np.diag(carried.covariance))
     values = np.linalg.eigvalsh(added / np.outer(scale, scale))

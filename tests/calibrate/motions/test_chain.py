@@ -10,14 +10,14 @@ import pytest
 from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.motions.chain import Chain, Free
 from measureapp.calibrate.motions.chain_state import ChainState
-from measureapp.calibrate.poses import moved
+from measureapp.calibrate.poses import apply_changes
 
 SIGHTINGS, ROBOT_POSES, ANGLES, CAMERAS = 12, 4, 3, 5
 STEP = 1e-5  # mm and rad: the differences are exact to some 1e-7 of rows of up to 1e3
 
 
 def poses(generator, count, turn=1.0, shift=400.0):
-    return moved(np.tile(np.eye(4), (count, 1, 1)), generator.normal(size=(count, 6)) * [*[turn] * 3, *[shift] * 3])
+    return apply_changes(np.tile(np.eye(4), (count, 1, 1)), generator.normal(size=(count, 6)) * [*[turn] * 3, *[shift] * 3])
 
 
 def unit(vector):
@@ -51,10 +51,10 @@ def chain(generator, state):
         table_group=np.arange(SIGHTINGS) % ANGLES,
         noise=AxisNoise(),
         free=Free(),
-        by_cameras=generator.normal(size=(SIGHTINGS, 6, CAMERAS)),
+        camera_jacobian=generator.normal(size=(SIGHTINGS, 6, CAMERAS)),
         camera_covariance=np.eye(CAMERAS),
     )
-    observed = moved(ideal.predicted(state), generator.normal(scale=0.1, size=(SIGHTINGS, 6)))
+    observed = apply_changes(ideal.predicted(state), generator.normal(scale=0.1, size=(SIGHTINGS, 6)))
     return replace(ideal, camera_from_board=observed)
 
 

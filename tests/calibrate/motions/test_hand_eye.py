@@ -14,7 +14,7 @@ from measureapp.calibrate.boards.find import detect
 from measureapp.calibrate.boards.pose import board_pose, stated_pose
 from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.motions.hand_eye import HandEyeProblem, shortfalls, solve
-from measureapp.calibrate.poses import change_between, moved
+from measureapp.calibrate.poses import apply_changes, change_between
 from measureapp.data.board import CheckerboardDescription
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
 from measureapp.errors import CalibrationError
@@ -35,9 +35,9 @@ def problem_of(generator, count=12, noisy=True, x=X, largest_rad=1.0):
         camera_from_board = RigidTransform.from_parts(turn.as_matrix(), [*generator.uniform(-80, 80, 2), 550], "camera", "board")
         flange = BASE_FROM_BOARD @ camera_from_board.inverse() @ x.inverse()
         error = generator.normal(size=6) * noisy * [*[NOISE.robot_rad] * 3, *[NOISE.robot_mm] * 3]
-        robot.append(RigidTransform(flange.matrix @ np.linalg.inv(moved(np.eye(4), error)), "base", "flange"))
+        robot.append(RigidTransform(flange.matrix @ np.linalg.inv(apply_changes(np.eye(4), error)), "base", "flange"))
         change = generator.normal(size=6) * noisy * [*[BOARD_RAD] * 3, *[BOARD_MM] * 3]
-        boards.append(stated_pose(RigidTransform(moved(camera_from_board.matrix, change), "camera", "board"), BOARD_RAD, BOARD_MM))
+        boards.append(stated_pose(RigidTransform(apply_changes(camera_from_board.matrix, change), "camera", "board"), BOARD_RAD, BOARD_MM))
     return HandEyeProblem(tuple(robot), tuple(boards), NOISE)
 
 
@@ -80,7 +80,7 @@ def test_the_influence_of_a_pose_is_what_leaving_it_out_changes(generator):
 
 def test_a_pose_whose_robot_slipped_has_the_largest_influence(generator):
     problem = problem_of(generator, count=15)
-    slipped = problem.base_from_flange[4].matrix @ moved(np.eye(4), np.array([0, 0, 0, 1.5, 0, 0]))
+    slipped = problem.base_from_flange[4].matrix @ apply_changes(np.eye(4), np.array([0, 0, 0, 1.5, 0, 0]))
     robot = (*problem.base_from_flange[:4], RigidTransform(slipped, "base", "flange"), *problem.base_from_flange[5:])
     assert int(np.argmax(solve(replace(problem, base_from_flange=robot)).influence_mm)) == 4
 

@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 
 from measureapp.calibrate.boards.pose import stated_pose
 from measureapp.calibrate.motions.hand_eye import HandEyeProblem, solve
-from measureapp.calibrate.poses import moved
+from measureapp.calibrate.poses import apply_changes
 from measureapp.geometry.transform import RigidTransform
 from tests.peer_environment import peer_python
 
@@ -41,7 +41,7 @@ def poses(
         seen = np.array(RigidTransform.from_parts(turn.as_matrix(), place, "camera", "board").matrix)
         if half_turn and number == POSES - 1:
             seen = np.diag([-1.0, -1.0, 1.0, 1.0]) @ boards[0]
-        robot.append(moved(base_from_board.matrix @ np.linalg.inv(x.matrix @ seen), generator.normal(size=6) * np.repeat(noise, 3)))
+        robot.append(apply_changes(base_from_board.matrix @ np.linalg.inv(x.matrix @ seen), generator.normal(size=6) * np.repeat(noise, 3)))
         boards.append(seen)
     return np.array(robot), np.array(boards)
 

@@ -10,7 +10,7 @@ import pytest
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.boards.pose import stated_pose
 from measureapp.calibrate.motions.linear_guide import GuideProblem, shortfalls, solve
-from measureapp.calibrate.poses import moved
+from measureapp.calibrate.poses import apply_changes
 from measureapp.data.calibration import HandEye, LinearGuide
 from measureapp.data.fringe import Readback
 from measureapp.errors import CalibrationError
@@ -33,7 +33,7 @@ def problem_of(generator, positions=range(-300, 301, 75), sigma_mm=SIGMA_MM) -> 
         flange = RigidTransform.from_vector([0.1 * (index % 3), 0.2, -0.1 * (index % 2)], [400, 20 * (index % 4), 500], "base", "flange")
         seen = (GUIDE.guide_from_base(position) @ flange @ X.flange_from_camera).inverse() @ GUIDE_FROM_BOARD
         change = np.concatenate([np.zeros(3), generator.normal(scale=sigma_mm, size=3)])
-        seen = RigidTransform(moved(seen.matrix, change), "camera", "board")
+        seen = RigidTransform(apply_changes(seen.matrix, change), "camera", "board")
         observations.append(observed(index, flange, position, seen))
     return GuideProblem(tuple(observations), X)
 
@@ -67,7 +67,7 @@ def test_the_cost_of_assuming_plus_y_is_told(generator):
 def test_straightness_shows_a_bent_guide(generator):
     problem = problem_of(generator, sigma_mm=0.0)
     bent = list(problem.observations)
-    shifted = moved(bent[4].pose.camera_from_board.matrix, np.array([0, 0, 0, 0.3, 0, 0.0]))
+    shifted = apply_changes(bent[4].pose.camera_from_board.matrix, np.array([0, 0, 0, 0.3, 0, 0.0]))
     bent[4] = replace(bent[4], board=stated_pose(RigidTransform(shifted, "camera", "board"), 1.0, 1.0))
     solution = solve(GuideProblem(tuple(bent), X))
     assert int(np.argmax(np.hypot(solution.straightness_mm, solution.along_mm))) == 4
@@ -76,7 +76,7 @@ def test_straightness_shows_a_bent_guide(generator):
 def test_a_board_that_turned_is_told(generator):
     problem = problem_of(generator, sigma_mm=0.0)
     turned = list(problem.observations)
-    pose = moved(turned[0].pose.camera_from_board.matrix, np.array([0.05, 0, 0, 0, 0, 0.0]))
+    pose = apply_changes(turned[0].pose.camera_from_board.matrix, np.array([0.05, 0, 0, 0, 0, 0.0]))
     turned[0] = replace(turned[0], board=stated_pose(RigidTransform(pose, "camera", "board"), 1.0, 1.0))
     assert "seems to turn" in solve(GuideProblem(tuple(turned), X)).warnings[0]
 

@@ -10,7 +10,7 @@ from measureapp.calibrate.boards.pose import stated_pose
 from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.motions.hand_eye import HandEyeProblem, solve
 from measureapp.calibrate.motions.next_pose import propose
-from measureapp.calibrate.poses import moved
+from measureapp.calibrate.poses import apply_changes
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform, orthonormalise
 
@@ -34,10 +34,10 @@ def reachable(generator, count, largest_rad):
 def seen_from(flange, generator):
     """Return the board pose seen when the robot, told to stand at ``flange``, stands beside it."""
     error = generator.normal(size=6) * [*[NOISE.robot_rad] * 3, *[NOISE.robot_mm] * 3]
-    true = RigidTransform(orthonormalise(flange.matrix @ moved(np.eye(4), error)), "base", "flange")
+    true = RigidTransform(orthonormalise(flange.matrix @ apply_changes(np.eye(4), error)), "base", "flange")
     seen = (true @ X).inverse() @ BASE_FROM_BOARD
     change = generator.normal(size=6) * [*[BOARD_RAD] * 3, *[BOARD_MM] * 3]
-    return stated_pose(RigidTransform(moved(seen.matrix, change), "camera", "board"), BOARD_RAD, BOARD_MM)
+    return stated_pose(RigidTransform(apply_changes(seen.matrix, change), "camera", "board"), BOARD_RAD, BOARD_MM)
 
 
 def error_at_part(solution):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from measureapp.calibrate.boards.find import find_board
-from measureapp.calibrate.cameras.prior import cameras_moved
+from measureapp.calibrate.cameras.prior import perturb_cameras
 from measureapp.calibrate.rig.limits import rig_limits
 from measureapp.errors import CalibrationError
 from tests.calibrate.paper_rig import CORNER_SIGMA_PX, IMAGE_SIGMA_PX, NOISE, Run, calibrated, errors_of, figures_of
@@ -129,7 +129,7 @@ def test_freed_cameras_move_towards_the_truth_they_are_known_by():
     assert np.sqrt(run.solution.joint_covariance[index, index]) < sigma * (1 + 1e-9)
     moved = run.solution.state.camera_changes
     assert np.abs(moved / np.sqrt(np.diag(run.prior.covariance))).max() < 4
-    again = cameras_moved(run.solution.calibration.cameras, run.prior.parameters, -moved)
+    again = perturb_cameras(run.solution.calibration.cameras, run.prior.parameters, -moved)
     np.testing.assert_allclose(again.cameras["right"].pinhole.matrix, run.cameras.cameras["right"].pinhole.matrix, atol=1e-9)
 
 
@@ -144,6 +144,6 @@ def test_a_board_pose_without_its_dependence_on_the_cameras_is_refused_with_a_pr
     run = calibrated(6, stations=False)
     from measureapp.calibrate.rig.joint import solve_rig
 
-    bare = [replace(one, by_cameras=None) for one in run.observations]
+    bare = [replace(one, camera_jacobian=None) for one in run.observations]
     with pytest.raises(CalibrationError, match="depend on the cameras"):
         solve_rig(bare, run.cameras, camera_prior=run.prior)

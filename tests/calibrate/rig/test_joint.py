@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from measureapp.calibrate.motions.axis_noise import AxisNoise
-from measureapp.calibrate.poses import change_between, moved
-from measureapp.calibrate.rig.joint import approaches_to, shortfalls, solve_rig
-from measureapp.calibrate.rig.stages import carry_axis
+from measureapp.calibrate.poses import apply_changes, change_between
+from measureapp.calibrate.rig.joint import number_approaches, shortfalls, solve_rig
+from measureapp.calibrate.rig.stages import transform_axis
 from measureapp.data.calibration import RotationAxis
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform
@@ -64,7 +64,7 @@ def test_the_joint_solution_is_better_than_the_stages(rig, solutions):
 def test_a_sighting_whose_board_moved_is_left_out_with_its_reason(rig, simulate, generator):
     observations = simulate.observations(rig, generator)
     index = next(index for index, one in enumerate(observations) if one.id == "axis3")
-    shifted = moved(observations[index].board.camera_from_board.matrix, np.array([0, 0, 0, 3.0, 0, 0]))
+    shifted = apply_changes(observations[index].board.camera_from_board.matrix, np.array([0, 0, 0, 3.0, 0, 0]))
     pose = replace(observations[index].board, camera_from_board=RigidTransform(shifted, "camera", "board"))
     observations[index] = replace(observations[index], board=pose)
     solution = solve_rig(observations, rig.head)
@@ -77,10 +77,10 @@ def test_a_sighting_that_is_left_out_does_not_make_one_approach_of_its_neighbour
     observations = simulate.observations(rig, generator)
     pose = observations[0].readback.base_from_flange
     away = pose @ RigidTransform.from_vector([0.1, 0, 0], [30, 20, 10], "flange", "flange")
-    assert approaches_to([pose, pose, away, pose]) == (0, 0, 1, 2)
+    assert number_approaches([pose, pose, away, pose]) == (0, 0, 1, 2)
     gone = replace(observations[-1], id="gone", readback=replace(observations[-1].readback, base_from_flange=away))
     index = next(index for index, one in enumerate(observations) if one.id == "axis3")
-    shifted = moved(observations[index].board.camera_from_board.matrix, np.array([0, 0, 0, 30.0, 0, 0]))
+    shifted = apply_changes(observations[index].board.camera_from_board.matrix, np.array([0, 0, 0, 30.0, 0, 0]))
     gone = replace(gone, board=replace(gone.board, camera_from_board=RigidTransform(shifted, "camera", "board")))
     told = [*observations[: index + 1], gone, *observations[index + 1 :]]
     noise = AxisNoise(robot_mm=simulate.robot_sigma_mm, robot_rad=simulate.robot_sigma_rad, robot_repeat_mm=0.01, robot_repeat_rad=1e-5)
@@ -107,7 +107,7 @@ def test_a_table_that_did_not_turn_is_refused(rig, simulate, generator):
 def test_an_axis_is_carried_with_its_camera(generator):
     guide_from_camera = RigidTransform.from_vector([0.4, 0.2, -0.3], [10, 20, 30], "guide", "camera")
     axis = RotationAxis(np.array([1.0, 2, 3]), np.array([0, 0.6, 0.8]), "camera", point_sigma_mm=0.1)
-    carried = carry_axis(axis, guide_from_camera)
+    carried = transform_axis(axis, guide_from_camera)
     points = generator.normal(size=(4, 3)) * 100
     expected = guide_from_camera.apply(axis.turned(0.7).apply(points))
     np.testing.assert_allclose(carried.turned(0.7).apply(guide_from_camera.apply(points)), expected, atol=1e-9)

@@ -9,7 +9,7 @@ import pytest
 
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.boards.pose import board_pose
-from measureapp.calibrate.poses import moved
+from measureapp.calibrate.poses import apply_changes
 from measureapp.calibrate.rig.quick_check import quick_check
 from measureapp.data.calibration import HandEye, LinearGuide, RigCalibration, RotationAxis
 from measureapp.data.fringe import AxisReadback
@@ -54,7 +54,7 @@ def test_a_calibration_that_holds_is_good(rig, calibration, views):
 
 
 def knocked(transform, change):
-    return RigidTransform(orthonormalise(moved(transform.matrix, np.array(change))), transform.to_frame, transform.from_frame)
+    return RigidTransform(orthonormalise(apply_changes(transform.matrix, np.array(change))), transform.to_frame, transform.from_frame)
 
 
 def test_a_knocked_head_points_at_hand_eye(rig, calibration, views):

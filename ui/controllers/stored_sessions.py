@@ -5,11 +5,11 @@ from __future__ import annotations
 from datetime import UTC, datetime
 from pathlib import Path
 
-from ui.controllers.collecting_nouns import Kept
+from ui.controllers.collecting_nouns import StoredSession
 from ui.session import Session
 
 SESSIONS = Path("MeasureApp") / "calibrations"
-RESULT, CAMERAS = "result", "cameras.json"  # in a session's folder: what was accepted of it without a project
+RESULT, CAMERAS = "result", "cameras.json"  # in a session's folder: the result accepted without a project
 
 
 def project_on_disk(session: Session) -> Path | None:
@@ -23,7 +23,7 @@ def sessions_folder(project: Path | None) -> Path:
     return Path.home() / SESSIONS if project is None else project / "calibration" / "sessions"
 
 
-def newest_kept(folder: Path, kind: str) -> Kept | None:
+def newest_session(folder: Path, kind: str) -> StoredSession | None:
     """Return the newest session of a kind (its name) that holds views."""
     from measureapp.calibration_session.session import CalibrationSession
 
@@ -31,7 +31,7 @@ def newest_kept(folder: Path, kind: str) -> Kept | None:
         views = len(tuple((place / "observations").glob("*.json"))) if CalibrationSession.is_in(place) else 0
         if views:
             saved = datetime.fromtimestamp((place / "session.json").stat().st_mtime, UTC)
-            return Kept(place, views, saved.isoformat())
+            return StoredSession(place, views, saved.isoformat())
     return None
 
 

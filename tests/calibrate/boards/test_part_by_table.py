@@ -11,7 +11,7 @@ from measureapp.arrays import ImageArray
 from measureapp.calibrate.boards.find import find_board
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.boards.pose import board_pose
-from measureapp.calibrate.boards.turned import expected_after_turn, find_turned
+from measureapp.calibrate.boards.predicted_part import find_part_by_table, predict_marks
 from measureapp.calibrate.draft.draft import Setup
 from measureapp.calibrate.kinds.table import KINDS
 from measureapp.calibrate.sightings import AmbiguousPart
@@ -65,7 +65,7 @@ def test_two_whole_sightings_tell_which_part_is_seen_at_a_third_angle(turned):
     with pytest.raises(AmbiguousPart):
         find_board(sights.part, board)
     seen = seen_at(board, sights, WHOLE_DEG)
-    found = find_turned(sights.part, "left", seen, np.deg2rad(PART_DEG), sights.cameras, board)
+    found = find_part_by_table(sights.part, "left", seen, np.deg2rad(PART_DEG), sights.cameras, board)
     assert 12 <= len(found.ids) < board.count
     assert np.abs(found.corners_px - sights.marks_px[found.ids]).max() < 0.3  # a wrong identity is off by a whole square
 
@@ -74,9 +74,9 @@ def test_one_sighting_at_another_angle_tells_nothing_and_at_the_same_angle_every
     board, sights = turned
     seen = seen_at(board, sights, WHOLE_DEG[:1])
     with pytest.raises(AmbiguousPart):
-        find_turned(sights.part, "left", seen, np.deg2rad(PART_DEG), sights.cameras, board)
+        find_part_by_table(sights.part, "left", seen, np.deg2rad(PART_DEG), sights.cameras, board)
     same = [replace(one, readback=Readback(table_rad=np.deg2rad(PART_DEG))) for one in seen]
-    expected = expected_after_turn(same, np.deg2rad(PART_DEG), sights.cameras.cameras["left"], board)
+    expected = predict_marks(same, np.deg2rad(PART_DEG), sights.cameras.cameras["left"], board)
     np.testing.assert_allclose(
         expected, sights.cameras.cameras["left"].pinhole.project(seen[0].pose.camera_from_board.apply(board.corners_mm))
     )
@@ -87,7 +87,7 @@ def test_angles_that_the_board_did_not_follow_tell_nothing(turned):
     first, second = seen_at(board, sights, WHOLE_DEG)
     other = replace(second, readback=Readback(table_rad=second.readback.table_rad * 57.3))  # degrees given as radians
     with pytest.raises(AmbiguousPart):
-        find_turned(sights.part, "left", [first, other], np.deg2rad(PART_DEG), sights.cameras, board)
+        find_part_by_table(sights.part, "left", [first, other], np.deg2rad(PART_DEG), sights.cameras, board)
 
 
 def test_the_prediction_errs_as_it_says_and_is_refused_beyond_half_a_square():
@@ -103,10 +103,10 @@ def test_the_prediction_errs_as_it_says_and_is_refused_beyond_half_a_square():
             pose = board_pose({"left": pixels + generator.normal(0, sigma_px, pixels.shape)}, array, CHECKER, sigma_px)
             yield Observation("", Readback(table_rad=float(np.deg2rad(angle))), pose)
 
-    near = [expected_after_turn(list(drawn(NOISE_PX, (0.0, 15.0))), goal, lens, CHECKER) for _ in range(20)]
+    near = [predict_marks(list(drawn(NOISE_PX, (0.0, 15.0))), goal, lens, CHECKER) for _ in range(20)]
     spacing = np.linalg.norm(truth[1] - truth[0])
     assert all(one is not None and np.abs(one - truth).max() < spacing / 2 for one in near)
-    assert expected_after_turn(list(drawn(40 * NOISE_PX, (0.0, 3.0))), goal, lens, CHECKER) is None
+    assert predict_marks(list(drawn(40 * NOISE_PX, (0.0, 3.0))), goal, lens, CHECKER) is None
 
 
 def test_a_session_for_the_axis_tells_the_part_also_when_it_comes_first(turned, tmp_path):

@@ -1,4 +1,4 @@
-"""The coach: what is still missing, in words and as gauges, and how good it would be now."""
+"""Guidance while collecting: what is still missing, in words and as gauges, and the present verdict."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ WIDTH = 296
 MOST_WORDS, MOST_GAUGES = 5, 7
 
 
-class CoachPanel(QWidget):
-    """Says what to show next."""
+class GuidancePanel(QWidget):
+    """Shows what to record next."""
 
     def __init__(self, look: Look) -> None:
         super().__init__()
@@ -43,7 +43,7 @@ class CoachPanel(QWidget):
         self.lines: tuple[str, ...] = ()
         look.changed.connect(self._redraw)
 
-    def advise(self, lines: Sequence[str], levels: Sequence[Level]) -> None:
+    def show_guidance(self, lines: Sequence[str], levels: Sequence[Level]) -> None:
         """Show what is missing; without lines nothing is."""
         same, self.lines = tuple(lines) == self.lines and self._words.count() > 0, tuple(lines)
         self.heading.setText("What is still missing" if self.lines else "Nothing is missing")
@@ -55,8 +55,8 @@ class CoachPanel(QWidget):
         if not same:
             self._redraw()
 
-    def judge(self, words: str, working: str) -> None:
-        """Show how good it would be now, and what is being computed."""
+    def show_verdict(self, words: str, working: str) -> None:
+        """Show the verdict on the views collected so far, and why there is none."""
         self.so_far.setText(words)
         self.working.setText(working)
         self.so_far.setVisible(bool(words))
@@ -66,7 +66,7 @@ class CoachPanel(QWidget):
     def _redraw(self) -> None:
         clear(self._words)
         if not self.lines:
-            self._words.addLayout(self._line("pass", "verdict_pass", "The views are enough. More of them make it a little better still."))
+            self._words.addLayout(self._line("pass", "verdict_pass", "There are enough views. More of them improve the result slightly."))
         for text in self.lines[:MOST_WORDS]:
             self._words.addLayout(self._line("info", "accent", text))
         if len(self.lines) > MOST_WORDS:

@@ -221,8 +221,8 @@ def test_poses_turned_about_one_axis_ask_for_the_others(shown, tmp_path, single,
         pixels = LENS.project(place(board, (0, 0), (0.2, 0), 800.0, roll).apply(board.corners_mm))
         shown.add(session, {"left": pixels}, Readback(base_from_flange=flange))
     text = asked(session)
-    assert "Look at the board from higher up and from lower down" in text
-    assert "Look at the board more from the left and from the right" in text
+    assert "View the board from higher up and from lower down" in text
+    assert "View the board more from the left and from the right" in text
     assert "Roll the camera" not in text
 
 

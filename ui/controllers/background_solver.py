@@ -1,4 +1,4 @@
-"""Solving what is collected so far while collecting goes on: one solution at a time, the newest state next."""
+"""Solver of snapshots in the background while collecting: one solution at a time, the newest state next."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ if TYPE_CHECKING:
     from measureapp.data.rig import RigDescription
 
 
-class SolvingMeanwhile(QObject):
-    """Solves snapshots on a thread of their own. A snapshot that comes while one is being solved waits; only the newest is kept."""
+class BackgroundSolver(QObject):
+    """Solves snapshots on a background thread. A snapshot that arrives while one is being solved waits; only the newest is kept."""
 
-    solved = Signal()  # `thought` is new, or solving was stopped
+    solved = Signal()  # `interim` is new, or solving was stopped
 
     def __init__(self, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._runner = runner
         self._job: Job | None = None
-        self._discarding = False  # what the running job will find
+        self._discarding = False  # the result of the running job
         self._waiting: tuple[Snapshot, RigDescription | None] | None = None
-        self.thought: work.Thought | None = None
+        self.interim: work.InterimResult | None = None
 
     @property
     def is_running(self) -> bool:
@@ -34,14 +34,14 @@ class SolvingMeanwhile(QObject):
         return self._job is not None
 
     def solve(self, snapshot: Snapshot, rig: RigDescription | None) -> None:
-        """Solve a snapshot, with ``rig`` also suggest from where it should look next; at once or after the one that is being solved."""
+        """Solve a snapshot, with ``rig`` also suggest its next viewpoint; at once or after the one that is being solved."""
         self._waiting = (snapshot, rig)
         if self._job is None:
             self._start()
 
     def stop(self) -> None:
-        """Stop solving and forget what was found."""
-        self._waiting = self.thought = None
+        """Stop solving and discard the result."""
+        self._waiting = self.interim = None
         if self._job is not None:
             self._discarding = True
             self._job.cancel()
@@ -50,12 +50,12 @@ class SolvingMeanwhile(QObject):
         if self._waiting is not None:
             (snapshot, rig), self._waiting = self._waiting, None
             self._job = self._runner.run(
-                "Solving", lambda job: work.think(job, snapshot, rig), self._keep, on_stopped=self._stopped, quiet=True
+                "Solving", lambda job: work.evaluate_snapshot(job, snapshot, rig), self._keep, on_stopped=self._stopped, quiet=True
             )
 
     @Slot(object)
-    def _keep(self, found: work.Thought) -> None:
-        self.thought = None if self._discarding else found
+    def _keep(self, found: work.InterimResult) -> None:
+        self.interim = None if self._discarding else found
         self._stopped()
 
     @Slot()

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtGui import QImage
 
-from ui.controllers.collecting_nouns import SeenView, ViewVerdict
+from ui.controllers.collecting_nouns import CollectedView, ViewVerdict
 
 if TYPE_CHECKING:
     from measureapp.calibrate.draft.draft import Solved
@@ -23,15 +23,15 @@ VERDICTS: Mapping[str, ViewVerdict] = {
 }
 
 
-def seen_view(observation: CollectedObservation, solved: Solved | None, pictures: Mapping[str, QImage]) -> SeenView:
-    """Return one observation as the last solution judges it."""
-    left_out = {} if solved is None else _corners_left_out(observation, solved)
-    return SeenView(
+def describe_view(observation: CollectedObservation, solved: Solved | None, pictures: Mapping[str, QImage]) -> CollectedView:
+    """Return one observation with its status in the last solution."""
+    left_out = {} if solved is None else _rejected_corners(observation, solved)
+    return CollectedView(
         id=observation.id,
         name=name_of(observation),
         pictures=pictures,
         corners_px={camera: np.asarray(found.corners_px) for camera, found in observation.seen.items()},
-        left_out_px=left_out,
+        rejected_px=left_out,
         residuals_px=observation.residuals_px,
         verdict=VERDICTS[observation.status],
         reason=observation.reason,
@@ -42,11 +42,11 @@ def seen_view(observation: CollectedObservation, solved: Solved | None, pictures
 
 
 def name_of(observation: CollectedObservation) -> str:
-    """Return what a view is called: as its first image is, or by its number."""
+    """Return the name of a view: that of its first image, or its number."""
     return next((image.name for image in observation.images.values() if image.name), observation.id)
 
 
-def _corners_left_out(observation: CollectedObservation, solved: Solved) -> dict[str, np.ndarray]:
+def _rejected_corners(observation: CollectedObservation, solved: Solved) -> dict[str, np.ndarray]:
     if solved.camera_solution is None:
         return {}
     chosen: dict[str, list[int]] = {}

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from measureapp.calibrate.boards.find import find_board
-from measureapp.calibrate.boards.together import find_beside
+from measureapp.calibrate.boards.predicted_part import find_part_by_cameras
 from measureapp.calibrate.draft.draft import Setup
 from measureapp.calibrate.kinds.table import KINDS
 from measureapp.calibrate.sightings import AmbiguousPart
@@ -46,7 +46,7 @@ def sights(request):
 def test_the_other_camera_tells_which_part_it_is(sights):
     with pytest.raises(AmbiguousPart):
         find_board(sights.part, sights.board)
-    found = find_beside(sights.part, "right", {"left": find_board(sights.whole, sights.board)}, sights.cameras, sights.board)
+    found = find_part_by_cameras(sights.part, "right", {"left": find_board(sights.whole, sights.board)}, sights.cameras, sights.board)
     assert 12 <= len(found.ids) < sights.board.count
     assert np.abs(found.corners_px - sights.marks_px[found.ids]).max() < 0.3  # a wrong identity is off by a whole square
 

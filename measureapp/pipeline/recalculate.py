@@ -1,4 +1,4 @@
-"""A calibration solved again from the images of the board that were stored with it: by a project, or by a session of collecting."""
+"""Recalculation of a calibration from the stored images of the board of a project or a session."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ from measureapp.project.folder import ProjectFolder
 
 
 @dataclass(frozen=True, slots=True)
-class Again:
-    """What came out."""
+class Recalculation:
+    """The differences between a stored and a recalculated calibration."""
 
     differences: tuple[Difference, ...]
     numbers: int
     images: int
 
 
-def collected_again(result: Path, progress: Progress) -> Again:
-    """Look for the board once more in the images of the session from which a result was accepted, solve, and compare; nothing is written.
+def recalculate_session(result: Path, progress: Progress) -> Recalculation:
+    """Repeat detection and solution of the session from which a result was accepted, and compare; nothing is written.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ def collected_again(result: Path, progress: Progress) -> Again:
         written = Path(folder) / "result"
         keep(solved.snapshot(), written, valid_days=provenance.get("valid_days"), temperature_c=provenance.get("temperature_c"))
         found, numbers = compare_documents(stored, _documents(written))
-    return Again(found, numbers, len(provenance["inputs"]))
+    return Recalculation(found, numbers, len(provenance["inputs"]))
 
 
 def is_collected(result: Path) -> bool:
@@ -74,7 +74,7 @@ def _documents(result: Path) -> Any:
     return documents if result.is_dir() else documents[""]
 
 
-def calibration_again(project: ProjectFolder, progress: Progress) -> Again:
+def recalculate_project(project: ProjectFolder, progress: Progress) -> Recalculation:
     """Solve a project's calibration from its stored images of the board and compare it with the stored one; nothing is written.
 
     Raises
@@ -94,11 +94,11 @@ def calibration_again(project: ProjectFolder, progress: Progress) -> Again:
         raise InputError(f"The calibration of {project.path} does not name its images.", "Calibrate again with this version.")
     for name in (*expected, *seen):
         if expected.get(name) != seen.get(name):
-            state = "is missing" if name not in seen else "came later" if name not in expected else "is not the one it was"
+            state = "is missing" if name not in seen else "was added later" if name not in expected else "has changed"
             raise StorageError(
                 f"The image {name} of the board, from which {project.path} was calibrated, {state}.", "Restore it from a backup."
             )
     solved = calibrate_from_views(views, project.settings.board, project.rig(), progress).calibration
     documents = [{"cameras": cameras_document(one.cameras), "rig": rig_calibration_document(one)} for one in (stored, solved)]
     found, numbers = compare_documents(*documents)
-    return Again(found, numbers, len(seen))
+    return Recalculation(found, numbers, len(seen))
