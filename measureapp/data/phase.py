@@ -13,16 +13,16 @@ from measureapp.data.fringe import Direction
 
 
 class PixelState(IntEnum):
-    """Why a pixel has a phase, or has none; the first reason that applies."""
+    """Why a pixel has a phase, or has none; the gravest reason that applies."""
 
     VALID = 0
     SATURATED = 1  # in every exposure
-    WEAK_MODULATION = 2  # light, but too little of it follows the pattern, or its phase is too uncertain
-    SHADOW = 3  # no light of the projector
+    WEAK_MODULATION = 2  # modulation too low, or phase too uncertain
+    SHADOW = 3  # no light from the projector
     ORDER_CONFLICT = 4  # the fringe orders of the pitches or bits contradict each other
     OUT_OF_RANGE = 5  # phase outside the projector
-    EDGE = 6  # at a depth step: phase of two surfaces mixed
-    BLOOMING = 7  # beside a saturated pixel that spills over
+    EDGE = 6  # at a depth discontinuity: mixed phase of two surfaces
+    BLOOMING = 7  # beside a saturated pixel that blooms
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -33,10 +33,10 @@ class PhaseMap:
     viewpoint_id: str
     phase_rad: FloatArray  # (H, W) float32, 0 … 2π · projector_px / pitch_px
     sigma_rad: FloatArray  # (H, W) float32
-    modulation: FloatArray | IntArray  # (H, W) of the images' type, B in grey levels at the exposure taken, least of all pitches
-    grey: FloatArray | IntArray  # (H, W) uint16, mean grey level over the exposures taken, scaled to the longest exposure
+    modulation: FloatArray | IntArray  # (H, W) of the images' type, B in grey levels at the exposure used, least of all pitches
+    grey: FloatArray | IntArray  # (H, W) uint16, mean grey level over the exposures used, scaled to the longest exposure
     state: IntArray  # (H, W) uint8 of PixelState
-    exposure_index: IntArray  # (H, W) int8, exposure taken (paper's rule) or longest unsaturated one; -1 for none
+    exposure_index: IntArray  # (H, W) int8, exposure used (paper's rule) or longest unsaturated one; -1 for none
     pitch_px: float
     projector_px: int
     valid_ratio_exposures: tuple[float, ...] = ()  # paper's figure 13, long to short; by the paper's rule an estimate
@@ -46,7 +46,7 @@ class PhaseMap:
     orthogonal: PhaseMap | None = None  # of the orthogonal (horizontal) fringes, where the set has both directions
     direction: Direction = "vertical"  # of the fringes
     snr_at_one_rad: float = 0.0  # B/σ_I of one image at which the phase would have a standard deviation of 1 rad
-    exposures_us: tuple[float, ...] = ()  # those that `exposure_index` counts, longest first; of a single one nothing need be told
+    exposures_us: tuple[float, ...] = ()  # those that `exposure_index` counts, longest first; empty: a single one
 
     @property
     def valid(self) -> BoolArray:
