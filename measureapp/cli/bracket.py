@@ -39,14 +39,14 @@ def register(app: typer.Typer) -> None:
         is best: the long one shows dark areas, the short one glossy areas.
         """
         from measureapp.fringe.exposures.bracket import BracketLimits, propose_bracket
-        from measureapp.fringe.exposures.probe import probed
+        from measureapp.fringe.exposures.probe import read_probe
         from measureapp.project.fringes.manifest import read_manifest
         from measureapp.project.fringes.noise_file import read_noise
 
         stack = read_manifest(manifest)
         limits = BracketLimits(budget_s, most, readout_ms, longest_us=longest_us, multiple_us=multiple_us)
         models = read_noise(noise) if noise is not None else {}
-        proposal = propose_bracket(probed(stack, models), stack.patterns, limits, compare={"probe": stack.exposures_us})
+        proposal = propose_bracket(read_probe(stack, models), stack.patterns, limits, compare={"probe": stack.exposures_us})
         reply(asdict(proposal), "\n".join(_lines(proposal)), as_json)
 
 

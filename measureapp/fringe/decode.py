@@ -8,7 +8,7 @@ from measureapp.data.phase import PhaseMap
 from measureapp.fringe.checks.stack import check_shapes
 from measureapp.fringe.patterns.draw import check_determines_phase
 from measureapp.fringe.settings import DecodeSettings
-from measureapp.fringe.streaming import direction_decoders, joined
+from measureapp.fringe.streaming import join_directions, make_decoders
 from measureapp.progress import NoProgress, Progress
 
 
@@ -18,16 +18,16 @@ def decode(
     """Decode the images of every camera.
 
     Exposures are combined within 2 % of the least phase noise (4 % for brackets of five octaves and more, `exposure_weights`), the
-    wrapped phases of all pitches taken and unwrapped, doubtful orders mended by the window or marked, and the pitches averaged by
+    wrapped phases of all pitches computed and unwrapped, doubtful orders repaired by the vote of their neighbourhood or marked, and the pitches averaged by
     inverse variance into the absolute phase of the finest one. Of a set with fringes of both directions the vertical ones give the
-    map, which carries that of the horizontal ones (`PhaseMap.orthogonal`).
+    map, with that of the horizontal ones in `PhaseMap.orthogonal`.
 
     Parameters
     ----------
     stack : images (exposures, patterns, height, width), uint8 or uint16, per camera
     settings : None for the defaults
-    progress : told after each camera; where the task can be cancelled
-    memory : of maps of earlier viewpoints, to be used again; None: fresh from the system
+    progress : reported after each camera; where the task can be cancelled
+    memory : pool of the maps of earlier viewpoints; None: a new one
 
     Raises
     ------
@@ -50,5 +50,5 @@ def decode_camera(stack: FringeStack, camera: str, settings: DecodeSettings, mem
     """Decode the images of one camera; `decode` checks them first."""
     images = stack.images[camera]
     bracket = (stack.exposures_us, float(stack.saturation))
-    decoders = direction_decoders(stack.patterns, bracket, settings, camera, stack.viewpoint_id, images, memory or BufferPool())
-    return joined([decoder.decode(images) for decoder in decoders])
+    decoders = make_decoders(stack.patterns, bracket, settings, camera, stack.viewpoint_id, images, memory or BufferPool())
+    return join_directions([decoder.decode(images) for decoder in decoders])

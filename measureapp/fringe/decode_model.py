@@ -27,7 +27,7 @@ from measureapp.fringe.unwrap import HeterodynePlan, extent_px, plan_heterodyne
 RANGE_MARGIN_PX = 2.0
 GRAY_GATE_CYCLES = 0.5
 LUT_LENGTH = 1024
-NORMAL_QUANTILE = 3.09  # one pixel without fringes in a thousand is taken for one with fringes
+NORMAL_QUANTILE = 3.09  # one pixel in a thousand without fringes passes for one with fringes
 
 
 def make_model(plan: DecodePlan, chain: HeterodynePlan | None, votes: bool) -> DecodeModel:

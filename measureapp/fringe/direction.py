@@ -176,7 +176,7 @@ class DirectionDecoder:
         )
 
     def _check_within(self, states: IntArray) -> None:
-        """Raise DecodeError where nearly all phases lie beyond the projector: the images are not what the set says."""
+        """Raise DecodeError where nearly all phases are beyond the projector: the images do not match the set."""
         usable = int(states.sum() - states[list(UNLIT)].sum())
         outside = int(states[PixelState.OUT_OF_RANGE])
         if usable > LEAST_USABLE * self._pixels and outside > MOST_OUTSIDE * usable:

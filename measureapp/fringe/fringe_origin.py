@@ -15,7 +15,7 @@ from measureapp.fringe.unwrap import HeterodynePlan
 
 LEAST_TRANSITIONS = 200
 JUMP_CYCLES = 0.01  # about the jump of the wrapped phase: above the rounding of eight bits, a small share of the pixels
-NEIGHBOURS = 2  # px: a pixel between them may lie on the jump
+NEIGHBOURS = 2  # px: a pixel between them may be on the jump
 ORIGINS = (0.0, -0.5)  # cycles: the patterns start with a crest, or with a trough
 SAMPLED_CHUNKS = (8, 128, 2048)  # the fewest are enough unless the part fills little of the image
 LEAST_SAMPLED = 1000  # usable pixels

@@ -1,4 +1,4 @@
-"""Phase shifting: from equally shifted sinusoids to the wrapped phase. The readable statement of what the kernels compute."""
+"""Phase shifting: from equally shifted sinusoids to the wrapped phase. For whole images in NumPy."""
 
 from __future__ import annotations
 

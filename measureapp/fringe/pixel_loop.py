@@ -119,7 +119,7 @@ def _last_chunk(images: ImageArray, stop: int) -> ImageArray:
 
 
 def contiguous(images: ImageArray) -> ImageArray:
-    """Return a read-only contiguous view, so that the kernels see one type only."""
+    """Return a read-only contiguous view, so that the kernels get one type only."""
     view = np.ascontiguousarray(images).view()
     view.flags.writeable = False
     return view

@@ -1,4 +1,4 @@
-"""What can be chosen about decoding."""
+"""Settings of decoding."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ EIGHT_BIT_WHITE = 255.0
 
 
 class DecodeSettings(Model):
-    """How fringe images become a phase map. The defaults serve rendered and real images alike."""
+    """How fringe images are decoded to a phase map. The defaults suit rendered and real images."""
 
     rule: Literal["combined", "paper"] = Field(
         default="combined",

@@ -1,4 +1,4 @@
-"""Decoding while images arrive: every exposure is summed as soon as it is complete, the phase is taken after the last."""
+"""Decoding while images arrive: every exposure is summed as soon as it is complete, the phase is computed after the last."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class StreamingDecoder:
     saturation : grey level from which a pixel counts as saturated
     settings : None for the defaults
     viewpoint_id : named in the phase maps
-    memory : of maps of earlier viewpoints, to be used again; None: fresh from the system
+    memory : pool of the maps of earlier viewpoints; None: a new one
 
     Raises
     ------
@@ -68,7 +68,7 @@ class StreamingDecoder:
             )
         self._check_images(camera, images)
         if camera not in self._decoders:
-            self._decoders[camera] = direction_decoders(
+            self._decoders[camera] = make_decoders(
                 self._patterns, (self._exposures_us, self._saturation), self._settings, camera, self._viewpoint_id, images, self._memory
             )
         for decoder in self._decoders[camera]:
@@ -96,10 +96,10 @@ class StreamingDecoder:
         missing = [camera for camera, added in self._added.items() if added < len(self._exposures_us)]
         if missing or not self._added:
             raise DecodeError(f"Exposures of camera {', '.join(missing) or 'any'} are missing.", "Add every exposure of every camera.")
-        return {camera: joined([decoder.finish() for decoder in decoders]) for camera, decoders in self._decoders.items()}
+        return {camera: join_directions([decoder.finish() for decoder in decoders]) for camera, decoders in self._decoders.items()}
 
 
-def direction_decoders(
+def make_decoders(
     patterns: PatternSet,
     bracket: tuple[tuple[int, ...], float],
     settings: DecodeSettings,
@@ -120,6 +120,6 @@ def direction_decoders(
     return made
 
 
-def joined(maps: list[PhaseMap]) -> PhaseMap:
-    """Return the map of the first direction, which carries that of the second."""
+def join_directions(maps: list[PhaseMap]) -> PhaseMap:
+    """Return the map of the first direction, with that of the second as `PhaseMap.orthogonal`."""
     return replace(maps[0], orthogonal=maps[1]) if len(maps) > 1 else maps[0]

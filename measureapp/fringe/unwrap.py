@@ -1,4 +1,4 @@
-"""In which order wrapped phases are unwrapped: heterodyne of any number of pitches, hierarchical sets included."""
+"""Plans of temporal unwrapping: heterodyne of any number of pitches, hierarchical sets included."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from measureapp.data.fringe import PatternSet
 from measureapp.errors import DecodeError
 
 BEAT_TOLERANCE = 1e-6
-LEAST_GUARD = 1 / 64  # of the projector, by which the coarsest period should exceed it: noise must not turn one edge into the other
+LEAST_GUARD = 1 / 64  # of the projector, by which the coarsest period should exceed it, so that noise does not turn one edge into the other
 PRICE_OF_GUARD = 1.25  # how much noisier the worst decision may become for it
 SURE = 4.5  # standard deviations that half a period must be worth
 MOST_PITCHES = 24
@@ -23,7 +23,7 @@ MOST_STATIONS = 1000
 
 @dataclass(frozen=True, slots=True)
 class HeterodynePlan:
-    """In which order combinations of the wrapped phases are unwrapped: from one period over the projector to the finest pitch."""
+    """Chain of combinations of the wrapped phases to unwrap: from one period over the projector to the finest pitch."""
 
     combinations: tuple[tuple[int, ...], ...]  # integer factors of the groups' phases
     frequencies: tuple[float, ...]  # periods over the projector
@@ -41,24 +41,24 @@ class HeterodynePlan:
 
     @property
     def worst(self) -> int:
-        """Which decision that is."""
+        """Index of the most delicate order decision."""
         return int(np.argmax(self.noise))
 
     @property
     def guard(self) -> float:
-        """Half of the share of the coarsest period that lies beyond the projector."""
+        """Half of the share of the coarsest period that is beyond the projector."""
         return max(0.0, (1.0 - self.frequencies[0]) / 2)
 
     @property
     def decision_weights(self) -> FloatArray:
-        """What each order decision makes of the wrapped phases, (K, G): F_v/F_u · u − v; for the first the coarsest combination itself."""
+        """Weights of the wrapped phases in each order decision, (K, G): F_v/F_u · u − v; for the first the coarsest combination itself."""
         factors, frequencies = np.array(self.combinations, float), np.array(self.frequencies)
         later = (frequencies[1:] / frequencies[:-1])[:, None] * factors[:-1] - factors[1:]
         return np.concatenate([factors[:1], later])
 
 
 def extent_px(patterns: PatternSet) -> int:
-    """Return what the phase of a set with fringes of one direction runs over: the projector's columns, or its rows."""
+    """Return the range of a set with fringes of one direction: the projector's columns, or its rows."""
     return (patterns.projector_rows if patterns.directions == ("horizontal",) else None) or patterns.projector_px
 
 
@@ -70,7 +70,7 @@ def plan_heterodyne(patterns: PatternSet) -> HeterodynePlan:
     does not make the decisions much noisier), and an order
     decision from u to v has the noise |F_v/F_u · u − v|: 46 for the pitches 32 and 33, √5 where each pitch is half of the one
     before [1]_. With up to four pitches the factors reach ±2; with more, combinations are restricted so that their number stays
-    below a thousand. Among the chains that are best by their noisiest decision, the one with the least sum of squares is taken.
+    below a thousand. Among the chains that are best by their noisiest decision, the one with the least sum of squares is chosen.
 
     Parameters
     ----------
@@ -104,8 +104,8 @@ def _stations(frequencies: FloatArray) -> FloatArray:
     """Return the combinations (S, G) with a positive beat, from the lowest beat frequency to the highest."""
     groups = len(frequencies)
     if groups > MOST_PITCHES:
-        raise DecodeError(f"{groups} pitches are more than {MOST_PITCHES}.", "Leave pitches out: three are enough for any projector.")
-    choices = [(2, groups), (2, 3), (1, 3), (2, 2), (1, 2)]  # largest factor, how many phases take part
+        raise DecodeError(f"{groups} pitches are more than {MOST_PITCHES}.", "Remove pitches: three are enough for any projector.")
+    choices = [(2, groups), (2, 3), (1, 3), (2, 2), (1, 2)]  # largest factor, how many phases are combined
     largest, members = next((choice for choice in choices if _count(groups, *choice) <= MOST_STATIONS), choices[-1])
     factors = [factor for factor in range(-largest, largest + 1) if factor]
     every = []

@@ -13,7 +13,7 @@ from measureapp.data.plan import Viewpoint
 from measureapp.devices.rig import Rig
 from measureapp.fringe.exposures import bracket
 from measureapp.fringe.exposures.bracket import BracketLimits, BracketProposal
-from measureapp.fringe.exposures.probe import probed
+from measureapp.fringe.exposures.probe import read_probe
 from measureapp.fringe.noise.model import CameraNoise
 from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.progress import NoProgress, Progress
@@ -51,7 +51,7 @@ def propose_bracket(
     progress = progress or NoProgress()
     if viewpoint is not None:
         move_to(rig, viewpoint)
-    probe = probed(probe_stack(rig, patterns, progress), noise or {})
+    probe = read_probe(probe_stack(rig, patterns, progress), noise or {})
     return bracket.propose_bracket(probe, patterns, limits, compare={"rig": rig.description.exposures_us, **(compare or {})})
 
 

@@ -6,7 +6,7 @@ memory that is used again, as a scan does it from its second view on; what fresh
 
 Asked were 1.25 copies with all exposures combined and 0.8 by the paper's rule, 20 and 30 times the naive statement. On two shared
 processors with nothing beside them 1.13 to 1.18 and 0.73 to 0.75 copies were measured in three runs (11.5 to 11.9 and 7.6 to 7.7 ms, beside
-copies of 9.8 to 10.6 ms), and 51 to 74 and 96 to 99 times the naive statement; decision 16 tells where the time goes. Copies of one size
+copies of 9.8 to 10.6 ms), and 51 to 74 and 96 to 99 times the naive statement; decision 18 says where the time goes, and what was given up since for simpler kernels. Copies of one size
 take 9 to 12 ms on one die and 5 to 7 ms on two (`test_view_benchmarks`): once 10.0 ms of decoding were 1.95 copies of 5.1. What is asserted below holds on a busy machine as well.
 """
 

@@ -13,7 +13,7 @@ from measureapp.errors import DecodeError
 from measureapp.fringe.phase_shift import shift_weights
 
 LEAST_PIXELS, MOST_PIXELS = 200, 2000
-LEAST_RANGE = 0.05  # by which a pixel that sees fringes changes, share of saturation
+LEAST_RANGE = 0.05  # by which a pixel with fringes changes, share of saturation
 SAME_POWER = 0.06  # of the difference of two images over what it must be: they are one
 ALWAYS = 0.99  # share of pixels in which an image is the brightest
 SOMETIMES = 0.08  # share of pixels that counts for "also happens"
@@ -27,7 +27,7 @@ RECORD_AGAIN = "Record this group again, or correct the order of its files."
 
 
 def clear_range(saturation: float) -> float:
-    """Return by how many grey levels a pixel that sees fringes must change."""
+    """Return by how many grey levels a pixel with fringes must change."""
     return LEAST_RANGE * saturation
 
 
@@ -66,7 +66,7 @@ def phase_is_spread(images: ImageArray, saturation: float) -> bool:
 
 
 def _lit_values(images: ImageArray, saturation: float) -> FloatArray | None:
-    """Return the unsaturated pixels that see fringes, (N, pixels) float32; None where there are too few."""
+    """Return the unsaturated pixels with fringes, (N, pixels) float32; None where there are too few."""
     high, low = images.max(axis=0), images.min(axis=0)
     lit = np.flatnonzero((high - low > clear_range(saturation)) & (high < saturation))
     if len(lit) < LEAST_PIXELS:
@@ -81,10 +81,10 @@ def _leading(values: FloatArray) -> int:
 
 
 def _check_blank(images: ImageArray, saturation: float, name: Name, spread_elsewhere: bool) -> None:
-    """An image that is the brightest (or darkest) everywhere while the others still take turns at being darkest (brightest).
+    """An image that is the brightest (or darkest) everywhere while the others are still the darkest (brightest) by turns.
 
     In a good group that is impossible: where one image always leads, the phase is confined to one step, and the other
-    end is always taken by the one or two images opposite. With three steps that is all of them, so another group must
+    end is always one of the one or two images opposite. With three steps that is all of them, so another group must
     show that the phase is not confined.
     """
     count = len(images)
@@ -100,8 +100,8 @@ def _check_blank(images: ImageArray, saturation: float, name: Name, spread_elsew
         own, ahead, behind = images[image, lit], high[lit], low[lit]
         turns = 2 if count == 3 else 3
         slack = 0.05 * (ahead.astype(np.float32) - behind)
-        white = (own >= ahead - slack).mean() > ALWAYS and _takers(others[:, lit], behind) >= turns
-        black = (own <= behind + slack).mean() > ALWAYS and _takers(others[:, lit], ahead) >= turns
+        white = (own >= ahead - slack).mean() > ALWAYS and _count_extreme(others[:, lit], behind) >= turns
+        black = (own <= behind + slack).mean() > ALWAYS and _count_extreme(others[:, lit], ahead) >= turns
         if white or black:
             raise DecodeError(
                 f"{name(image)} is {'brighter' if white else 'darker'} everywhere than the others of its group: it shows no fringes.",
@@ -123,13 +123,13 @@ def _always_extreme(images: ImageArray, saturation: float) -> list[int]:
     return [int(image) for image in np.flatnonzero(extreme)]
 
 
-def _takers(images: ImageArray, extreme: ImageArray) -> int:
+def _count_extreme(images: ImageArray, extreme: ImageArray) -> int:
     """Return how many images are the extreme one in a good share of the pixels."""
     return int(((images == extreme).mean(axis=1) > SOMETIMES).sum())
 
 
 def _check_repeated(products: FloatArray, name: Name) -> None:
-    """Two images whose difference is next to nothing although the phase takes all values: that must be 2B² sin²(δ/2) in the mean."""
+    """Two images with hardly any difference although the phase takes all values: that must be 2B² sin²(δ/2) in the mean."""
     count = len(products)
     power = _power(products)
     for first, second in combinations(range(count), 2):
@@ -142,26 +142,26 @@ def _check_repeated(products: FloatArray, name: Name) -> None:
 
 
 def check_between_groups(one: ImageArray, other: ImageArray, saturation: float, name_one: Name, name_other: Name) -> None:
-    """Refuse a step of one pitch that stands in the place of a step of another pitch.
+    """Refuse a step of one pitch that was recorded in place of a step of another pitch.
 
-    Two pitches look alike where a part is confined to a few columns, but then every pair of steps with the same
-    distance does; here one pair is alike and the others are not.
+    Images of two pitches are similar where a part is confined to a few columns, but then every pair of steps with the same
+    distance is; here one pair is similar and the others are not.
 
     Parameters
     ----------
     one, other : (N, pixels) grey levels of two groups with the same number of steps
     """
-    together = _lit_values(np.concatenate([one, other]), saturation)
-    if together is None:
+    values = _lit_values(np.concatenate([one, other]), saturation)
+    if values is None:
         return
-    first, second = together[: len(one)], together[len(one) :]
+    first, second = values[: len(one)], values[len(one) :]
     if _leading(first) < len(one) or _leading(second) < len(other) - 1:
         return
-    products = _products(together)
+    products = _products(values)
     own = np.diag(products)
-    alike = (own[: len(one), None] + own[None, len(one) :] - 2 * products[: len(one), len(one) :]) / _power(products)
-    for i, j in zip(*np.nonzero(alike < SAME_POWER), strict=True):
-        parallel = [alike[k, (k + j - i) % len(second)] for k in range(len(first)) if k != i]
+    difference = (own[: len(one), None] + own[None, len(one) :] - 2 * products[: len(one), len(one) :]) / _power(products)
+    for i, j in zip(*np.nonzero(difference < SAME_POWER), strict=True):
+        parallel = [difference[k, (k + j - i) % len(second)] for k in range(len(first)) if k != i]
         if np.median(parallel) > 5 * SAME_POWER:
             raise DecodeError(
                 f"{name_other(int(j))} shows the same pattern as {lower_first(name_one(int(i)))}.",
@@ -213,7 +213,7 @@ def _check_order(products: FloatArray, name: Name) -> None:
 
 
 def _products(values: FloatArray) -> FloatArray:
-    """Return the mean products of all pairs of images (N, N), without what all images of a pixel have in common: all checks follow from them."""
+    """Return the mean products of all pairs of images (N, N), without the mean of the images: all checks follow from them."""
     swing = values - values.mean(axis=0)
     return np.asarray(swing @ swing.T, float) / values.shape[1]
 
@@ -229,7 +229,7 @@ def _difference(products: FloatArray, first: int, second: int) -> float:
 
 
 def mean_and_swing(images: ImageArray, saturation: float) -> FloatArray:
-    """Return mean and swing (twice the modulation) of a group, (2, pixels) float32; the swing is 0 where no fringes are seen."""
+    """Return mean and swing (twice the modulation) of a group, (2, pixels) float32; the swing is 0 without fringes."""
     values = images.astype(np.float32)
     high = values.max(axis=0)
     swing = np.sqrt(8.0 * values.var(axis=0))
@@ -279,16 +279,16 @@ def _check_blank_planes(bits: BoolArray, clear: BoolArray, lit: BoolArray, name:
                 f"{name(plane)} is {'black' if share < 0.5 else 'white'} everywhere where a coarser Gray code plane has stripes.",
                 "Check that no image was lost or taken without the pattern; record this group again.",
             )
-        changes = _changed(bits[plane], clear[plane], lit).sum(axis=1)
+        changes = _mark_changes(bits[plane], clear[plane], lit).sum(axis=1)
         busy = busy or int((changes >= BUSY_CHANGES * GRAY_STEP_PX).sum()) >= BUSY_ROWS
 
 
 def _flips(bits: BoolArray, clear: BoolArray, lit: BoolArray) -> int:
-    return int(_changed(bits, clear, lit).sum())
+    return int(_mark_changes(bits, clear, lit).sum())
 
 
-def _changed(bits: BoolArray, clear: BoolArray, lit: BoolArray) -> BoolArray:
-    """Mark the changes of a bit along the rows between clear pixels with lit ones between them; each is seen up to GRAY_STEP_PX times."""
+def _mark_changes(bits: BoolArray, clear: BoolArray, lit: BoolArray) -> BoolArray:
+    """Mark the changes of a bit along the rows between clear pixels with lit ones between them; each is found up to GRAY_STEP_PX times."""
     step = GRAY_STEP_PX
     changed = (bits[:, step:] != bits[:, :-step]) & clear[:, step:] & clear[:, :-step]
     for offset in range(1, step):
@@ -297,5 +297,5 @@ def _changed(bits: BoolArray, clear: BoolArray, lit: BoolArray) -> BoolArray:
 
 
 def lower_first(text: str) -> str:
-    """Return a name as it stands in the middle of a sentence."""
+    """Return a name for the middle of a sentence."""
     return text[:1].lower() + text[1:]

@@ -1,4 +1,4 @@
-"""Whether a stack of fringe images can be what its pattern set says: complete, in order, nothing twice."""
+"""Whether a stack of fringe images matches its pattern set: complete, in order, nothing twice."""
 
 from __future__ import annotations
 
@@ -34,18 +34,18 @@ class _Sample:
 
     @property
     def least_range(self) -> float:
-        """By how many grey levels a pixel that sees fringes must change."""
+        """By how many grey levels a pixel with fringes must change."""
         return clear_range(self.stack.saturation)
 
 
 def check_stack(stack: FringeStack) -> None:
     """Refuse a stack in which images are missing, repeated, blank or in the wrong order.
 
-    Twelve rows of every image are looked at, and only pixels that see fringes without being saturated: a scene
+    Twelve rows of every image are examined, and only unsaturated pixels with fringes: a scene
     that is too dark or too bright for a statement passes, and noise, highlights and a projector without gamma correction
-    pass too. What cannot be seen in the images of one camera: steps in exactly reversed or rotated order (another shift
+    pass too. Not detectable in the images of one camera: steps in exactly reversed or rotated order (another shift
     sign or origin; with three steps every exchange, with four that of opposite ones), and the cameras exchanged; both show
-    in the geometry. Gray planes of which the part sees but one or two stripes may be black or white everywhere, and pass.
+    in the geometry. Gray planes with only one or two stripes on the part may be black or white everywhere, and pass.
 
     Raises
     ------
@@ -53,7 +53,7 @@ def check_stack(stack: FringeStack) -> None:
         Names camera, exposure and image, counted from 1.
     """
     check_shapes(stack)
-    samples = [_sampled(stack, camera) for camera in stack.images]
+    samples = [_sample_rows(stack, camera) for camera in stack.images]
     for sample in samples:
         _check_levels(sample)
         _check_copies(sample)
@@ -79,7 +79,7 @@ def check_shapes(stack: FringeStack) -> None:
         raise DecodeError(f"The cameras have images of different bit depths ({listed}).", "Record all cameras with one bit depth.")
 
 
-def _sampled(stack: FringeStack, camera: str) -> _Sample:
+def _sample_rows(stack: FringeStack, camera: str) -> _Sample:
     images = stack.images[camera]
     height, width = images.shape[2:]
     rows = np.unique(np.linspace(0, height - 1, min(height, SAMPLED_ROWS) + 2).astype(int)[1:-1]) if height > SAMPLED_ROWS else slice(None)
@@ -106,7 +106,7 @@ def _check_levels(sample: _Sample) -> None:
 
 
 def _check_copies(sample: _Sample) -> None:
-    """Two images that agree in every sampled pixel although the pixels around them see fringes."""
+    """Two images that agree in every sampled pixel although the pixels around them have fringes."""
     seen: dict[bytes, tuple[int, int]] = {}
     for exposure, images in enumerate(sample.pixels):
         lit = np.flatnonzero(_lit(images, sample))
@@ -141,7 +141,7 @@ def _lit(images: ImageArray, sample: _Sample) -> np.ndarray:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Taken:
+class _GroupImages:
     """The sampled images of one group at one exposure."""
 
     group: PatternGroup
@@ -150,25 +150,25 @@ class _Taken:
 
 
 def _check_sequence(sample: _Sample, exposure: int) -> None:
-    """Look at the groups of one exposure, each for itself and sinusoids also in pairs."""
+    """Check the groups of one exposure, each for itself and sinusoids also in pairs."""
     saturation = sample.stack.saturation
-    taken = list(_groups(sample, exposure))
-    steps = [one for one in taken if isinstance(one.group, PhaseShiftGroup)]
+    groups = list(_groups(sample, exposure))
+    steps = [one for one in groups if isinstance(one.group, PhaseShiftGroup)]
     for one in steps:
         sequence_checks.check_steps(one.images, saturation, one.name, _spread_elsewhere(one, steps, saturation))
     for one, other in combinations(steps, 2):
         if one.group.count == other.group.count:
             sequence_checks.check_between_groups(one.images, other.images, saturation, one.name, other.name)
-    for one in taken:
+    for one in groups:
         if isinstance(one.group, GrayCodeGroup) and steps:
             reference = sequence_checks.mean_and_swing(steps[0].images, saturation)
             sequence_checks.check_planes(one.images, one.group, reference, sample.row_px, one.name)
 
 
-def _groups(sample: _Sample, exposure: int) -> Iterator[_Taken]:
+def _groups(sample: _Sample, exposure: int) -> Iterator[_GroupImages]:
     start = 0
     for group in sample.stack.patterns.groups:
-        yield _Taken(group, sample.pixels[exposure, start : start + group.count], _namer(sample, exposure, start))
+        yield _GroupImages(group, sample.pixels[exposure, start : start + group.count], _namer(sample, exposure, start))
         start += group.count
 
 
@@ -176,7 +176,7 @@ def _namer(sample: _Sample, exposure: int, start: int) -> Callable[[int], str]:
     return lambda image: sample.place(exposure, start + image)
 
 
-def _spread_elsewhere(own: _Taken, steps: list[_Taken], saturation: float) -> bool:
+def _spread_elsewhere(own: _GroupImages, steps: list[_GroupImages], saturation: float) -> bool:
     """Whether another group of the same direction, no finer than this one, shows that the phase takes all values."""
     pitch = _pitch_px(own)
     return any(
@@ -186,13 +186,13 @@ def _spread_elsewhere(own: _Taken, steps: list[_Taken], saturation: float) -> bo
     )
 
 
-def _pitch_px(taken: _Taken) -> float:
-    assert isinstance(taken.group, PhaseShiftGroup)
-    return taken.group.pitch_px
+def _pitch_px(group_images: _GroupImages) -> float:
+    assert isinstance(group_images.group, PhaseShiftGroup)
+    return group_images.group.pitch_px
 
 
 def _check_brightness(sample: _Sample) -> None:
-    """What the fringes swing must follow the exposure time."""
+    """The swing of the fringes must follow the exposure time."""
     exposures = sample.stack.exposures_us
     for first, second in pairwise(range(len(exposures))):
         found = _swing_ratio(sample, first, second)
@@ -212,7 +212,7 @@ def _check_brightness(sample: _Sample) -> None:
 
 
 def _swing_ratio(sample: _Sample, first: int, second: int) -> float | None:
-    """Return the ratio of the swings of two exposures over pixels that see fringes in both; None where they do not tell it."""
+    """Return the ratio of the swings of two exposures over pixels that see fringes in both; None where it is not determined."""
     one, two = sample.pixels[first], sample.pixels[second]
     both = np.flatnonzero(_lit(one, sample) & _lit(two, sample))
     if len(both) < LEAST_PIXELS:

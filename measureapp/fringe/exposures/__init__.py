@@ -1,1 +1,1 @@
-"""Which exposures to take, how much each counts, and what saturated pixels do to their neighbours."""
+"""Choice of exposures, their weights, and the effect of saturated pixels on their neighbours."""

@@ -18,7 +18,7 @@ from measureapp.fringe.exposures.weights import exposure_weights
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.unwrap import plan_heterodyne
 
-READOUT_MS = 71.0  # of the paper's cameras: an image cannot take less
+READOUT_MS = 71.0  # of the paper's cameras: shortest time of an image
 GRID_RATIO = 2.0**0.25
 SIGMA_WORTH = 0.02  # what e times less phase noise is worth, as a share of decodable pixels
 TIME_WORTH = 0.004  # what the whole budget of time is worth, likewise
@@ -30,7 +30,7 @@ EXCHANGES = 4  # rounds in which each exposure of a bracket may move
 
 @dataclass(frozen=True, slots=True)
 class BracketLimits:
-    """What the rig and the user allow."""
+    """Limits set by the rig and the user."""
 
     budget_s: float
     most: int = 5  # exposures
@@ -42,7 +42,7 @@ class BracketLimits:
 
 @dataclass(frozen=True, slots=True)
 class BracketFigures:
-    """What a bracket is predicted to give."""
+    """Predicted performance of a bracket."""
 
     exposures_us: tuple[int, ...]  # long to short
     decodable: Mapping[str, float]  # camera -> share of the lit pixels expected to be decoded rightly
@@ -55,7 +55,7 @@ class BracketFigures:
 
 @dataclass(frozen=True, slots=True)
 class BracketProposal:
-    """The bracket to take, what it gives, and where further exposures stop paying."""
+    """The proposed bracket, its predicted performance, and that of brackets with fewer or more exposures."""
 
     exposures_us: tuple[int, ...]
     figures: BracketFigures
@@ -66,7 +66,7 @@ class BracketProposal:
 
     @property
     def bracket(self) -> ExposureBracket:
-        """The exposures as a plan takes them."""
+        """The exposures as part of a plan."""
         return ExposureBracket(exposures_us=self.exposures_us)
 
 
@@ -79,19 +79,19 @@ def propose_bracket(
 ) -> BracketProposal:
     """Choose exposures for a scene.
 
-    A pixel is decodable when an exposure leaves it unsaturated with enough modulation, or all that do are together as exact as one
+    A pixel is decodable when an exposure leaves it unsaturated with enough modulation, or the combination of all that do is as exact as one
     such image and leave no doubt about orders, and the noise of its phase over them,
     σφ² = (2/N) Σw²σ² / (ΣwB)² as `decode` weighs them, is below the limit; it counts with the probability
     that its order is right and its residual below the gate r, erf(2π r / (√2 a σφ)), with a the amplification of the set's
-    most delicate order decision; what neighbours mend comes on top.
+    most delicate order decision; repairs by the neighbourhood come on top.
     Brackets are grown by one exposure at a time on a grid of quarter octaves, from the last ones and from evenly spaced and
     known ones; after each, every exposure may move. Worth is the share of decodable pixels,
     less 2 % per factor e of phase noise and 0.4 % for the whole budget of time.
 
     Parameters
     ----------
-    probe : what `probed` says of each camera
-    patterns : the set that will be taken
+    probe : of `read_probe`, by camera
+    patterns : the set to be recorded
     compare : further brackets to predict, by name; the paper's is always there
 
     Raises
@@ -111,9 +111,9 @@ def propose_bracket(
         start = scene.best_of([*grown, *_even(grid, count), *known])
         if start is None:
             break
-        chosen = scene.improved(start, grid)
+        chosen = scene.improve(start, grid)
         by_count.append(scene.figures(chosen))
-    best = _where_it_stops_paying(by_count)
+    best = _smallest_worthwhile(by_count)
     if best.decodable_share == 0.0:
         raise DecodeError(
             f"No exposure up to {max(grid)} µs makes a pixel decodable.", "Allow longer exposures, open the apertures, or use more steps."
@@ -142,7 +142,7 @@ def _obeys(bracket: Sequence[int], limits: BracketLimits) -> bool:
     )
 
 
-def _where_it_stops_paying(by_count: Sequence[BracketFigures]) -> BracketFigures:
+def _smallest_worthwhile(by_count: Sequence[BracketFigures]) -> BracketFigures:
     most = max(figures.worth for figures in by_count)
     return next(figures for figures in by_count if figures.worth >= most - PAYS)
 
@@ -189,7 +189,7 @@ class _Scene:
         self._steps = min(group.steps for group in sinusoids)
         finest = min(group.pitch_px for group in sinusoids)
         information = [group.steps / self._steps * (finest / group.pitch_px) ** 2 for group in sinusoids]
-        self._averaged = float(np.sum(information)) ** -0.5  # the noise of all pitches together over that of one
+        self._averaged = float(np.sum(information)) ** -0.5  # the noise of the mean of all pitches over that of one
         gray = any(isinstance(group, GrayCodeGroup) for group in alone.groups)
         plan = None if gray else plan_heterodyne(alone)
         self._amplification = plan.amplification if plan else 0.0
@@ -202,12 +202,12 @@ class _Scene:
         return self._images * sum(max(exposure * 1e-6, self._limits.readout_ms * 1e-3) for exposure in exposures)
 
     def best_of(self, brackets: Sequence[tuple[int, ...]]) -> tuple[int, ...] | None:
-        """Return the most worthy bracket that fits into the budget."""
+        """Return the bracket of the highest worth that fits into the budget."""
         fitting = [bracket for bracket in brackets if self.time_s(bracket) <= self._limits.budget_s * (1 + 1e-9)]
         return max(fitting, key=lambda bracket: self.figures(bracket).worth, default=None)
 
-    def improved(self, bracket: tuple[int, ...], grid: Sequence[int]) -> tuple[int, ...]:
-        """Move one exposure at a time to where the bracket is worth most."""
+    def improve(self, bracket: tuple[int, ...], grid: Sequence[int]) -> tuple[int, ...]:
+        """Move one exposure at a time to where the worth of the bracket is highest."""
         for _ in range(EXCHANGES):
             before = bracket
             for place in range(len(bracket)):
@@ -221,10 +221,10 @@ class _Scene:
         """Predict a bracket, in any order."""
         exposures = tuple(sorted(bracket, reverse=True))
         if exposures not in self._seen:
-            self._seen[exposures] = self._predicted(exposures)
+            self._seen[exposures] = self._predict(exposures)
         return self._seen[exposures]
 
-    def _predicted(self, exposures: tuple[int, ...]) -> BracketFigures:
+    def _predict(self, exposures: tuple[int, ...]) -> BracketFigures:
         shares, medians, noise, right = {}, {}, [], []
         for number, camera in enumerate(self._cameras):
             sigma, chance = self._pixels(number, exposures)
@@ -256,10 +256,10 @@ class _Scene:
         if self._amplification > 0:
             allowed_rad = 2 * np.pi * self._settings.residual_gate
             right = erf(allowed_rad / (2.0**0.5 * self._amplification * np.maximum(sigma, 1e-12)))
-        together = (swing**2 * alone >= least**2 * variance) & (sigma <= self._sure_sigma)
+        combined = (swing**2 * alone >= least**2 * variance) & (sigma <= self._sure_sigma)
         sigma *= self._averaged
-        seen = ((strongest >= least) | together) & (sigma <= self._settings.max_sigma_rad)
-        return sigma, np.asarray(np.where(seen, right, 0.0))
+        decodable = ((strongest >= least) | combined) & (sigma <= self._settings.max_sigma_rad)
+        return sigma, np.asarray(np.where(decodable, right, 0.0))
 
     def _single(self, number: int, exposure: int) -> tuple[BoolArray, FloatArray, FloatArray]:
         if (number, exposure) not in self._singles:

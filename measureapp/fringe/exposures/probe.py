@@ -1,4 +1,4 @@
-"""What a quick probe capture tells of a scene: how fast every pixel gathers light and fringes."""
+"""Rates of light and fringes of every pixel, from a quick probe capture of a scene."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from measureapp.fringe.noise.model import CameraNoise
 from measureapp.fringe.phase_shift import wrapped_phase
 
 MOST_PIXELS = 10_000  # of a camera
-SEEN = 4.0  # standard deviations by which a pixel's modulation must stand out to see fringes
+SEEN = 4.0  # standard deviations by which a pixel's modulation must exceed its noise
 LEAST_LIT, MOST_UNKNOWN = 0.002, 0.9
-BEYOND_BOUND = 8.0  # a saturated pixel is taken to be up to this many times as bright as what saturates it
+BEYOND_BOUND = 8.0  # a saturated pixel is assumed to be up to this many times as bright as saturation
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ProbedCamera:
-    """The pixels of one camera that see fringes, a sample of them; rates in grey levels per µs."""
+    """A sample of the pixels of one camera that have fringes; rates in grey levels per µs."""
 
     camera: str
     mean_rate: FloatArray  # (n,) of A
@@ -37,8 +37,8 @@ class ProbedCamera:
         return float(self.is_bound.mean())
 
 
-def probed(stack: FringeStack, noise: Mapping[str, CameraNoise]) -> dict[str, ProbedCamera]:
-    """Read the rates of light out of a probe: one pattern group or more at one exposure or more.
+def read_probe(stack: FringeStack, noise: Mapping[str, CameraNoise]) -> dict[str, ProbedCamera]:
+    """Estimate the rates of light from a probe: one pattern group or more at one exposure or more.
 
     Mean A and modulation B grow in proportion to the exposure. They are summed over the exposures that do not saturate a
     pixel, which is the best estimate for shot noise. Of a pixel that saturates in all, only the least rate is known.
@@ -66,14 +66,14 @@ def probed(stack: FringeStack, noise: Mapping[str, CameraNoise]) -> dict[str, Pr
 
 
 def _camera(stack: FringeStack, name: str, noise: CameraNoise) -> ProbedCamera | None:
-    """Return None where less than 0.2 % of the pixels see fringes."""
+    """Return None where less than 0.2 % of the pixels have fringes."""
     images = stack.images[name]
     pixels = images.reshape(*images.shape[:2], -1)
     pixels = pixels[..., :: max(1, pixels.shape[2] // MOST_PIXELS)].astype(np.float32)
     exposures = np.array(stack.exposures_us, np.float64)
     clear = pixels.max(axis=1) < stack.saturation  # (exposures, n)
     time = (clear * exposures[:, None]).sum(axis=0)
-    mean, power, count = _summed(stack, pixels * clear[:, None, :])
+    mean, power, count = _sum_exposures(stack, pixels * clear[:, None, :])
     variance = clear.sum(axis=0) * noise.floor_variance(stack.saturation) + mean / noise.electrons_per_grey(stack.saturation)
     swing = np.sqrt(np.maximum(power - 4 * variance / count, 0.0))
     known = time > 0
@@ -91,8 +91,8 @@ def _camera(stack: FringeStack, name: str, noise: CameraNoise) -> ProbedCamera |
     return ProbedCamera(name, mean_rate[chosen], swing_rate[chosen], bound[chosen], noise, float(stack.saturation), int(exposures.min()))
 
 
-def _summed(stack: FringeStack, pixels: ImageArray | FloatArray) -> tuple[FloatArray, FloatArray, int]:
-    """Return A and B² of the summed exposures, averaged over the pitches, each (n,), and how many images took part."""
+def _sum_exposures(stack: FringeStack, pixels: ImageArray | FloatArray) -> tuple[FloatArray, FloatArray, int]:
+    """Return A and B² of the summed exposures, averaged over the pitches, each (n,), and the number of images."""
     total = pixels.sum(axis=0, dtype=np.float64)
     means, powers, count, start = [], [], 0, 0
     for group in stack.patterns.groups:

@@ -1,4 +1,4 @@
-"""How far saturated pixels spill over into their neighbours, told by what two exposures of the same neighbours disagree by."""
+"""How far saturated pixels bloom into their neighbours, from the difference of two exposures of the same neighbours."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from measureapp.data.fringe import FringeStack
 from measureapp.fringe.noise.model import CameraNoise
 
 FARTHEST_PX = 16
-CERTAIN = 5.0  # standard errors by which the light of a ring must exceed what the shorter exposure promises
+CERTAIN = 5.0  # standard errors by which the light of a ring must exceed the prediction from the shorter exposure
 HARMFUL = 0.5  # of the noise of a pixel: less light than that is not worth losing an exposure for
 BRIGHTEST = 0.8  # of saturation: brighter pixels are partly clipped by their own noise
 DIMMEST = 0.1  # of saturation: rounding to whole grey levels changes the ratio of darker pixels
@@ -24,7 +24,7 @@ def spill_radius_px(stack: FringeStack, camera: str, noise: CameraNoise) -> int:
 
     A pixel that is not saturated itself must be as much brighter as it was exposed longer. Beside saturated pixels of a sensor that
     blooms it is brighter still, in the long exposure alone; the halo of a lens grows with the exposure and does not count. Rings of
-    growing distance are judged by their mean, against the pixels far from any saturated one, which tell the ratio of the exposures.
+    growing distance are evaluated by their mean; pixels far from any saturated one determine the ratio of the exposures.
 
     Returns
     -------
@@ -57,10 +57,10 @@ def _rings(long: ImageArray, short: ImageArray, saturation: float, noise: Camera
         return nothing, nothing, nothing
     ratio = float(bright[far].sum() / faint[far].sum())
     near = lit & (distance <= FARTHEST_PX) & (ratio * faint < BRIGHTEST * saturation)
-    place, promised = distance[near], ratio * faint[near]
-    shot = noise.variance(promised + noise.black_grey, saturation)
+    place, predicted = distance[near], ratio * faint[near]
+    shot = noise.variance(predicted + noise.black_grey, saturation)
     spread = np.asarray(shot + ratio**2 * noise.variance(short[near].astype(float), saturation))
     over, variance, count = (
-        np.bincount(place, weights, FARTHEST_PX + 1).astype(float) for weights in (bright[near] - promised, spread, np.ones(len(place)))
+        np.bincount(place, weights, FARTHEST_PX + 1).astype(float) for weights in (bright[near] - predicted, spread, np.ones(len(place)))
     )
     return over, variance, count

@@ -1,4 +1,4 @@
-"""How much each exposure counts when the images of several are added."""
+"""Weights of the exposures in the sum of their images."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ def exposure_weights(exposures_us: tuple[int, ...], noise: CameraNoise, saturati
     """Return the whole-number weights with which the images of the exposures, from long to short, are added.
 
     Of a pixel with mean grey level A at the longest exposure, the phase of exposure t (relative to it) has the information
-    B²t²/(gAt + f), with g and f the shot and dark noise of the camera. The best weights of images are t/(t + f/(gA)): all alike where
-    shot noise rules, and t where dark noise does. All ones, the plain sum, stay within 2 % of the best standard deviation for the paper's
+    B²t²/(gAt + f), with g and f the shot and dark noise of the camera. The best weights of images are t/(t + f/(gA)): equal where
+    shot noise dominates, and t where dark noise does. All ones, the plain sum, stay within 2 % of the best standard deviation for the paper's
     bracket; they are kept wherever that holds for every pixel that can be decoded. Otherwise the short exposures of a wide
-    bracket would add mostly dark noise to dark pixels: then the weights t/(t + c), rounded, are taken whose worst loss over all pixels,
+    bracket would add mostly dark noise to dark pixels: then the weights t/(t + c), rounded, are chosen whose worst loss over all pixels,
     bright ones included that only the short exposures do not saturate, is least.
 
     Parameters
@@ -47,7 +47,7 @@ def exposure_weights(exposures_us: tuple[int, ...], noise: CameraNoise, saturati
 
 
 def _scenes(shares: FloatArray, saturation: float, darkest_grey: float) -> list[tuple[int, FloatArray]]:
-    """Return which exposures pixels take (all from a first one on) and the grey levels, at the longest exposure, of such pixels."""
+    """Return which exposures pixels use (all from a first one on) and the grey levels, at the longest exposure, of such pixels."""
     top = BRIGHTEST * saturation
     scenes: list[tuple[int, FloatArray]] = [(0, np.geomspace(min(darkest_grey, top), top, LEVELS))]
     for first in range(1, len(shares)):

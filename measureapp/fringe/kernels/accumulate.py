@@ -1,6 +1,6 @@
 """Weighted sums of the images over the exposures that each pixel uses.
 
-Written with SIMD vectors, which take a third of the time of plain loops. The NumPy statement is `reference.accumulate`.
+Written with SIMD vectors: with plain loops decoding as a whole takes 1.4 times as long. The NumPy statement is `reference.accumulate`.
 """
 
 from __future__ import annotations

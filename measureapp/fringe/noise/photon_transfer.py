@@ -54,7 +54,7 @@ def estimate_noise(levels: Sequence[ImageArray], saturation: float, camera: str 
     Parameters
     ----------
     levels : of each brightness (n ≥ 2, H, W) images of the same scene; at least as many brightnesses as give three points
-    saturation : grey level of a saturated pixel; saturated and clipped pixels are left out
+    saturation : grey level of a saturated pixel; saturated and clipped pixels are not used
     dark : (n ≥ 2, H, W) images without light, which give the black level; without them it is 0
 
     Raises
@@ -96,14 +96,15 @@ def fit_transfer(points: Sequence[TransferPoint], saturation: float, camera: str
     freedom = max(1, len(mean) - 2)
     chi2 = float(2 * fit.cost / freedom)
     deviation = float((np.abs(variance / predicted - 1) * (sd < SOUND_DEVIATION * predicted)).max())
-    return _estimate(fit.x, covariance * max(1.0, chi2), saturation, camera, black_grey, step_grey, used, predicted, chi2, deviation)
+    fitted = _Fit(fit.x, covariance * max(1.0, chi2), used, predicted, chi2, deviation)
+    return _estimate(fitted, saturation, camera, black_grey, step_grey)
 
 
 def rounded_variance(variance: FloatArray, step_grey: float) -> FloatArray:
     """Return half the mean squared difference of two rounded values whose common mean lies anywhere between two grey levels.
 
     For a difference δ of the values before rounding it is ½ E[δ² + f(1 − f)] with f the fraction of |δ|: variance + 1/12 for
-    large noise, less where both values are mostly rounded alike. The series is that of f(1 − f) under the normal distribution.
+    large noise, less where both values are mostly rounded to the same level. The series is that of f(1 − f) under the normal distribution.
 
     >>> float(rounded_variance(np.array(4.0), 1.0).round(4))
     4.0833
@@ -123,7 +124,7 @@ def _grey_step(levels: Sequence[ImageArray]) -> float:
 
 
 def _below_soft_saturation(points: Sequence[TransferPoint], least_peak: float) -> list[TransferPoint]:
-    """Leave out points beyond the peak of the variance: there pixels fill up. A peak in the dark has other reasons."""
+    """Reject points beyond the peak of the variance: there pixels fill up. A peak in the dark has other reasons."""
     if not points:
         return []
     peak = max(points, key=lambda point: point.variance)
@@ -137,7 +138,7 @@ def _check_determined(mean: FloatArray, saturation: float, camera: str) -> None:
     if len(mean) < LEAST_POINTS or np.ptp(mean) < LEAST_SPAN * saturation:
         raise CalibrationError(
             f"{named} give {len(mean)} usable brightness levels from {mean.min():.1f} to {mean.max():.1f} grey levels: "
-            "gain and read noise cannot be told apart.",
+            "gain and read noise cannot be separated.",
             TAKE_FLATS,
         )
 
@@ -171,19 +172,18 @@ def _check_black_level(line: _Line, black_grey: float, camera: str) -> None:
         )
 
 
-def _estimate(
-    values: FloatArray,
-    covariance: FloatArray,
-    saturation: float,
-    camera: str,
-    black_grey: float,
-    step_grey: float,
-    points: list[TransferPoint],
-    predicted: FloatArray,
-    chi2: float,
-    deviation: float,
-) -> NoiseEstimate:
-    slope, floor = (float(value) for value in values)
+@dataclass(frozen=True, slots=True, eq=False)
+class _Fit:
+    values: FloatArray  # slope and floor of the variance
+    covariance: FloatArray
+    points: list[TransferPoint]
+    predicted: FloatArray  # variance of the points
+    chi2: float  # per degree of freedom
+    worst_deviation: float
+
+
+def _estimate(fit: _Fit, saturation: float, camera: str, black_grey: float, step_grey: float) -> NoiseEstimate:
+    (slope, floor), covariance = (float(value) for value in fit.values), fit.covariance
     gain = 1.0 / slope
     gain_sd = float(np.sqrt(covariance[0, 0])) * gain**2
     read = gain * floor**0.5
@@ -192,9 +192,9 @@ def _estimate(
         by_floor = gain / (2 * floor**0.5)
         slopes = np.array([-read * gain, by_floor])
         read_sd = float(np.sqrt(slopes @ covariance @ slopes))
-    else:  # read noise that cannot be told from none: how large it may be
+    else:  # read noise that cannot be distinguished from none: its upper limit
         read_sd = gain * floor_sd**0.5
-    verdict, accepted = _verdict(chi2, deviation, read <= read_sd)
+    verdict, accepted = _verdict(fit.chi2, fit.worst_deviation, read <= read_sd)
     if gain_sd > LARGEST_GAIN_SD * gain:
         verdict, accepted = (
             f"poor: the gain is uncertain by {gain_sd / gain:.0%}; more images or a wider range of brightness are needed",
@@ -209,17 +209,17 @@ def _estimate(
         gain_sd=gain_sd,
         full_well_sd_e=gain_sd * saturation,
         read_noise_sd_e=read_sd,
-        points=tuple(points),
-        predicted_variance=tuple(float(value) for value in predicted),
-        chi2=chi2,
-        worst_deviation=deviation,
+        points=tuple(fit.points),
+        predicted_variance=tuple(float(value) for value in fit.predicted),
+        chi2=fit.chi2,
+        worst_deviation=fit.worst_deviation,
         verdict=verdict,
         accepted=accepted,
     )
 
 
 def _verdict(chi2: float, deviation: float, read_is_small: bool) -> tuple[str, bool]:
-    small = "; read noise is below what these images can tell" if read_is_small else ""
+    small = "; read noise is below what these images resolve" if read_is_small else ""
     if chi2 <= SOUND_CHI2 or deviation <= SOUND_DEVIATION:
         return f"sound: variance and mean follow the model (χ² {chi2:.2g}, at most {deviation:.1%} off){small}", True
     if deviation <= POOR_DEVIATION:

@@ -1,4 +1,4 @@
-"""The noise of a camera from fringe images alone: what N > 3 steps disagree by."""
+"""The noise of a camera from fringe images alone: the residuals of N > 3 steps."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from measureapp.arrays import BoolArray, FloatArray, ImageArray, IntArray
 from measureapp.data.fringe import FringeStack, PhaseShiftGroup
 from measureapp.errors import CalibrationError
 from measureapp.fringe.noise.photon_transfer import NoiseEstimate, fit_transfer
-from measureapp.fringe.noise.transfer_points import BINS, LEAST_PIXELS, TransferPoint, binned
+from measureapp.fringe.noise.transfer_points import BINS, LEAST_PIXELS, TransferPoint, bin_pixels
 
 MOST_HARMONICS = 4
 MOST_PIXELS = 400_000
@@ -22,8 +22,8 @@ def noise_of_stack(stack: FringeStack, camera: str) -> NoiseEstimate:
     N steps leave N − 3 sums in which the ideal fringes cancel; for N = 4 it is (I₀ − I₁ + I₂ − I₃)/2 with the variance σ_I². Its mean
     over the steps is that of the pixel's mean grey level, so that photon transfer applies. The harmonics of a projector
     without gamma correction fall into the same sums. From six steps on as many harmonics as fit, (N − 2)/2 and at most four,
-    are taken out with the fringes; of five steps only the part of the residual at right angles to the second harmonic
-    is used; of four steps only brightnesses at which no second harmonic shows. What stays: light that flickers between
+    are removed with the fringes; of five steps only the part of the residual orthogonal to the second harmonic
+    is used; of four steps only brightnesses at which no second harmonic shows. What remains: light that flickers between
     the images, motion, edges, and images that are not raw all count as noise. Flats are better wherever they can be taken.
 
     Raises
@@ -61,18 +61,18 @@ def _points(images: ImageArray, saturation: float) -> list[TransferPoint]:
     fitted = _basis(count, harmonics) @ values
     mean = values.mean(axis=0, dtype=np.float64)
     if count == 5:
-        return binned(mean, _across_harmonic(values, fitted), 1, np.ones(len(mean), bool), number) if len(mean) else []
+        return bin_pixels(mean, _residual_orthogonal_to_harmonic(values, fitted), 1, np.ones(len(mean), bool), number) if len(mean) else []
     freedom = count - len(fitted)
     variance = np.maximum((values * values).sum(axis=0) - (fitted * fitted).sum(axis=0), 0.0).astype(np.float64) / freedom
     if count == 4:
-        number = np.where(_has_harmonic(variance, fitted, number)[number], BINS, number)  # the last bin is not looked at
+        number = np.where(_has_harmonic(variance, fitted, number)[number], BINS, number)  # the last bin is not used
         keep = number < BINS
         mean, variance, number = mean[keep], variance[keep], number[keep]
-    return binned(mean, variance, freedom, np.ones(len(mean), bool), number) if len(mean) else []
+    return bin_pixels(mean, variance, freedom, np.ones(len(mean), bool), number) if len(mean) else []
 
 
-def _across_harmonic(values: FloatArray, fitted: FloatArray) -> FloatArray:
-    """Return the squared residual of five steps at right angles to where the second harmonic must lie."""
+def _residual_orthogonal_to_harmonic(values: FloatArray, fitted: FloatArray) -> FloatArray:
+    """Return the squared residual of five steps orthogonal to the second harmonic."""
     second = _basis(5, 2)[3:] @ values
     fringe = fitted[1] + 1j * fitted[2]
     turned = (second[0] + 1j * second[1]) * np.conj(fringe**2) / np.maximum(np.abs(fringe) ** 2, 1e-6)

@@ -14,7 +14,7 @@ from measureapp.errors import CalibrationError
 BINS = 24  # of brightness between black and saturation
 LEAST_PIXELS = 1000
 MOST_CLIPPED = 5e-4  # share of a bin's pixels that may be black or saturated
-MOST_DRIFT = 0.02  # of the brightness within a level that is taken out by scaling
+MOST_DRIFT = 0.02  # of the brightness within a level that is removed by scaling
 OUTLIER = 6.0  # standard deviations
 LEAST_SPREAD = 3.0  # grey levels that the means of a bin must cover for rounding to be even, where noise is low
 LOW_NOISE = 0.45  # grey levels; above it rounding is even anyway
@@ -45,7 +45,7 @@ def points_of_flats(levels: Sequence[ImageArray], saturation: float, camera: str
                 f"Brightness level {number + 1}{_of(camera)} has a single image.", "Take at least two images of every brightness."
             )
         mean, variance, usable = _temporal(images, saturation, number, camera)
-        points += binned(mean, variance, len(images) - 1, usable, _bin_numbers(images, saturation, step_grey))
+        points += bin_pixels(mean, variance, len(images) - 1, usable, _bin_numbers(images, saturation, step_grey))
     return points
 
 
@@ -86,7 +86,7 @@ def _scale(grey: FloatArray, reference: FloatArray, usable: BoolArray, number: i
     return 1.0 + drift if abs(drift) < MOST_DRIFT else 1.0
 
 
-def binned(mean: FloatArray, variance: FloatArray, freedom: int, usable: BoolArray, number: IntArray) -> list[TransferPoint]:
+def bin_pixels(mean: FloatArray, variance: FloatArray, freedom: int, usable: BoolArray, number: IntArray) -> list[TransferPoint]:
     """Gather pixels by bin ``number``; bins with too few or too many clipped pixels give no point. All arrays (pixels,)."""
     points = []
     for chosen in _bins(number):
@@ -120,7 +120,7 @@ def _bins(number: IntArray) -> Iterator[IntArray]:
 
 
 def point_of(mean: FloatArray, variance: FloatArray, freedom: int) -> TransferPoint:
-    """Gather pixels of similar mean; single pixels far from all others (defects, something that moved) are left out.
+    """Gather pixels of similar mean; single pixels far from all others (defects, something that moved) are rejected.
 
     Parameters
     ----------

@@ -1,1 +1,1 @@
-"""What the projector shows, what it makes of it, and what a set of patterns promises."""
+"""Projected patterns, the response of the projector to them, and the predicted performance of pattern sets."""

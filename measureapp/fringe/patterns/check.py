@@ -1,4 +1,4 @@
-"""What a pattern set promises on a projector: range, guard band, phase noise, probability of a wrong order."""
+"""Predicted performance of a pattern set on a projector: range, guard band, phase noise, probability of a wrong order."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ MILLION = 1_000_000  # shares of an exposure as whole numbers
 
 @dataclass(frozen=True, slots=True)
 class Contrast:
-    """What a camera sees of the patterns at the longest exposure, in grey levels, and the exposures that are combined."""
+    """Mean and modulation of the patterns in a camera image at the longest exposure, in grey levels, and the exposures that are combined."""
 
     mean_grey: float = DEFAULT_MEAN  # A
     modulation_grey: float = DEFAULT_MODULATION  # B
@@ -42,7 +42,7 @@ class Contrast:
         return self.modulation_grey * float((counts * shares).sum())
 
     def _bracket(self) -> tuple[FloatArray, FloatArray]:
-        """Return the exposures from long to short, and how often `decode` counts the images of each."""
+        """Return the exposures from long to short, and the weights of their images in `decode`."""
         shares = np.sort(np.array(self.exposures))[::-1]
         least = DecodeSettings().min_modulation_grey(self.saturation)
         counts = exposure_weights(tuple(round(MILLION * share) for share in shares), self.noise, self.saturation, least)
@@ -60,7 +60,7 @@ class OrderDecision:
 
 @dataclass(frozen=True, slots=True)
 class DirectionCheck:
-    """The promise of the fringes of one direction."""
+    """Predicted performance of the fringes of one direction."""
 
     direction: Direction
     method: str
@@ -75,9 +75,9 @@ class DirectionCheck:
 
 
 def check_patterns(patterns: PatternSet, width_px: int, height_px: int, contrast: Contrast | None = None) -> tuple[DirectionCheck, ...]:
-    """Say what a set gives on a projector, for each direction of its fringes.
+    """Predict the performance of a pattern set on a projector, for each direction of its fringes.
 
-    The phase of N steps has σφ = √(2/N) σ_I / B; several exposures of shares e count as often as in decoding (`exposure_weights`):
+    The phase of N steps has σφ = √(2/N) σ_I / B; several exposures of shares e have the weights n of decoding (`exposure_weights`):
     Σ n² σ_I²(e A) instead of σ_I², Σ n e B instead of B. An order decision whose weights on the wrapped phases are w is wrong when
     its noise √(Σ w² σφ²) exceeds half a period [1]_: P = erfc(π / (√2 √(Σ w² σφ²))); 46 σφ for the pitches 32 and 33.
 
@@ -110,7 +110,7 @@ def wrapped_sigmas(patterns: PatternSet, contrast: Contrast) -> FloatArray:
     return np.array([float(phase_sigma(group.steps, grey_sigma, modulation)) for group in groups])
 
 
-def decisions(patterns: PatternSet, contrast: Contrast) -> tuple[OrderDecision, ...]:
+def order_decisions(patterns: PatternSet, contrast: Contrast) -> tuple[OrderDecision, ...]:
     """Return every decision of a set with fringes of one direction, with its probability of error."""
     sigmas = wrapped_sigmas(patterns, contrast)
     gray = next((group for group in patterns.groups if isinstance(group, GrayCodeGroup)), None)
@@ -118,7 +118,7 @@ def decisions(patterns: PatternSet, contrast: Contrast) -> tuple[OrderDecision, 
         return _gray_decisions(gray, patterns, sigmas, contrast)
     plan = plan_heterodyne(patterns)
     noises = np.sqrt((plan.decision_weights**2 * sigmas**2).sum(axis=1))
-    # half of the guard band lies at either end; what wraps from one half into the other is seen to be outside
+    # half of the guard band is at either end; a phase that wraps from one half into the other is detected as outside
     unseen = max(0.0, 2 * plan.guard - EDGE_MARGIN_PX / extent_px(patterns) * plan.frequencies[0])
     first = OrderDecision("edge of the range", 0.0, _wraps(float(noises[0]) / tau, unseen, plan.frequencies[0]))
     later = [
@@ -156,7 +156,7 @@ def _check_direction(alone: PatternSet, direction: Direction, contrast: Contrast
         reach = extent / plan_heterodyne(alone).frequencies[0]
         _check_guard(alone, extent, reach)
     sigmas = wrapped_sigmas(alone, contrast)
-    made = decisions(alone, contrast)
+    made = order_decisions(alone, contrast)
     weights = (tau / (np.array(alone.pitches_px) * sigmas)) ** 2
     return DirectionCheck(
         direction=direction,
@@ -186,7 +186,7 @@ def _rounds_wrongly(noise_rad: float) -> float:
 
 
 def _wraps(noise_cycles: float, guard_cycles: float, covered_cycles: float) -> float:
-    """Return the mean probability over the projector that noise carries a pixel past either end of the guarded range."""
+    """Return the mean probability over the projector that noise moves a pixel past either end of the guarded range."""
     if noise_cycles <= 0:
         return 0.0
     z = guard_cycles / noise_cycles
@@ -213,10 +213,10 @@ def _gray_decisions(gray: GrayCodeGroup, patterns: PatternSet, sigmas: FloatArra
 
 
 def _modulation_for(patterns: PatternSet, contrast: Contrast, wanted: float) -> float | None:
-    """Return the B that reaches an order-error probability at the same mean A; None when none does that a camera can see."""
+    """Return the B that reaches an order-error probability at the same mean A; None when no visible modulation does."""
 
     def probability(modulation: float) -> float:
-        return sum(decision.error_probability for decision in decisions(patterns, replace(contrast, modulation_grey=modulation)))
+        return sum(decision.error_probability for decision in order_decisions(patterns, replace(contrast, modulation_grey=modulation)))
 
     low, high = 1e-3, min(contrast.mean_grey, contrast.saturation - contrast.mean_grey)
     if probability(high) > wanted:

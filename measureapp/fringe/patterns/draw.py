@@ -1,4 +1,4 @@
-"""What the projector shows: sinusoids and Gray code planes; and whether a set determines the phase."""
+"""Images of a pattern set: sinusoids and Gray code planes; and whether a set determines the phase."""
 
 from __future__ import annotations
 

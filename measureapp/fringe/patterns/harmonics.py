@@ -25,7 +25,7 @@ TABLE = 4096
 MULTIPLES = 4  # of the steps, up to which the correction has terms
 NEGLIGIBLE_RAD = 1e-4
 TILE_PX = 64
-LEAST_TILE = 200  # usable pixels that tell a tile's harmonics
+LEAST_TILE = 200  # usable pixels that determine a tile's harmonics
 SIGNIFICANT = 3.0
 LEAST_PIXELS = 5000
 
@@ -44,14 +44,14 @@ Waveform = tuple[Harmonic, ...]
 
 def phase_error(waveform: Waveform, steps: int, phase_rad: FloatArray) -> FloatArray:
     """Return by how much ``steps`` equally shifted images give the phase too large, at true phases, in radians."""
-    seen = np.exp(1j * phase_rad)
+    measured = np.exp(1j * phase_rad)
     for harmonic in waveform:
         term = harmonic.share * np.exp(1j * (harmonic.order * phase_rad + harmonic.phase_rad))
         if (harmonic.order - 1) % steps == 0:
-            seen = seen + term
+            measured = measured + term
         if (harmonic.order + 1) % steps == 0:
-            seen = seen + np.conj(term)
-    return np.asarray(np.angle(seen * np.exp(-1j * phase_rad)))
+            measured = measured + np.conj(term)
+    return np.asarray(np.angle(measured * np.exp(-1j * phase_rad)))
 
 
 def error_rms(waveform: Waveform, steps: int) -> float:
@@ -60,7 +60,7 @@ def error_rms(waveform: Waveform, steps: int) -> float:
 
 
 def kept_rms(waveform: Waveform, steps: int) -> float:
-    """Return what a correction by mean harmonics leaves where they differ over the image, in radians."""
+    """Return the residual phase error after a correction by mean harmonics, where they differ over the image, in radians."""
     squares = [h.spread**2 / 2 for h in waveform if (h.order - 1) % steps == 0 or (h.order + 1) % steps == 0]
     return float(np.sqrt(sum(squares)))
 
@@ -69,8 +69,8 @@ def phase_correction(waveform: Waveform, steps: int) -> PhaseCorrection:
     """Return the correction of wrapped phases of ``steps`` images; not to first order only.
 
     The error is tabulated over the true phase, turned into a function of the measured phase, and expanded into its Fourier
-    series, which has the orders mN alone; those above four times the steps or below 0.1 mrad are left. So is the constant term,
-    which would move all cameras' phases alike. Raises DecodeError where the harmonics are too strong for so few steps.
+    series, which has the orders mN alone; those above four times the steps or below 0.1 mrad are omitted. So is the constant term,
+    which would shift the phases of all cameras equally. Raises DecodeError where the harmonics are too strong for so few steps.
     """
     true = _circle()
     error = phase_error(waveform, steps, true)
@@ -87,8 +87,8 @@ def phase_correction(waveform: Waveform, steps: int) -> PhaseCorrection:
     return tuple((order, float(abs(term)), float(np.angle(term))) for order, term in terms if abs(term) > NEGLIGIBLE_RAD)
 
 
-def corrected(phase_rad: FloatArray, correction: PhaseCorrection) -> FloatArray:
-    """Return φ − Σ a sin(kφ + p): the readable statement of what the decoder does with wrapped phases."""
+def correct_phase(phase_rad: FloatArray, correction: PhaseCorrection) -> FloatArray:
+    """Return φ − Σ a sin(kφ + p): the NumPy statement of the decoder's correction of wrapped phases."""
     error = np.zeros_like(phase_rad)
     for order, amplitude, offset in correction:
         error += amplitude * np.sin(order * phase_rad + offset)
@@ -112,7 +112,7 @@ def waveform_of_steps(images: FloatArray, shift_sign: int, usable: BoolArray) ->
     """
     steps = len(images)
     if steps < 6:
-        raise DecodeError(f"{steps} shifted images do not tell harmonics from noise.", "Record six or more steps; twelve are good.")
+        raise DecodeError(f"{steps} shifted images do not separate harmonics from noise.", "Record six or more steps; twelve are good.")
     _check_pixels(int(usable.sum()))
     fundamental = _harmonic(images, 1, shift_sign)
     power = np.where(usable, np.abs(fundamental) ** 2, 0.0)
@@ -131,8 +131,8 @@ def waveform_of_histogram(phase_rad: FloatArray, steps: int) -> Waveform:
     """Estimate the harmonic that disturbs ``steps`` images from their own wrapped phases, without a dense set.
 
     True phases of a scene with many fringes are spread evenly; the error a sin(kφ + p) makes them denser by −k a cos(kφ + p).
-    The Fourier coefficient of the order N therefore gives the error, as if it came from harmonic N − 1 alone; it is believed
-    when it stands out threefold from the orders beside it, which no error of N steps can have.
+    The Fourier coefficient of the order N therefore gives the error, as if it came from harmonic N − 1 alone; it is accepted
+    when it is three times as large as the neighbouring orders, which no error of N steps can have.
 
     Parameters
     ----------
@@ -167,7 +167,7 @@ def _harmonic(images: FloatArray, order: int, shift_sign: int) -> FloatArray:
 
 
 def _spread(weighted: FloatArray, power: FloatArray, usable: BoolArray, mean: complex) -> float:
-    """Return the rms distance of the tiles' own shares from the mean."""
+    """Return the rms difference of the tiles' own shares from the mean."""
     height, width = usable.shape
     squares = []
     for top in range(0, height, TILE_PX):

@@ -1,4 +1,4 @@
-"""What light a projector makes of the levels it is given: as a curve, and as the harmonics of its sinusoids."""
+"""Response of a projector to grey levels: as a curve, and as the harmonics of its sinusoids."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from measureapp.fringe.patterns.harmonics import TABLE, Harmonic, PhaseCorrectio
 
 TOP_LEVEL = 255.0
 CURVE_POINTS = 52  # every fifth level
-HIGHEST_OF_CURVE = 9  # harmonics taken from a curve
+HIGHEST_OF_CURVE = 9  # order of the harmonics derived from a curve
 END_LEVELS = 10.0  # a ramp has to come this close to both ends
 LEAST_RAMP = 5
 LEAST_CONTRAST = 10.0  # grey levels between the ends of a ramp
@@ -21,7 +21,7 @@ FLAT = 0.002  # of the ramp; its last three levels must differ by more
 
 
 class PitchWaveform(Model):
-    """The waveform that a camera saw of one pitch."""
+    """The waveform that a camera recorded of one pitch."""
 
     direction: Direction = "vertical"
     pitch_px: float = Field(gt=2)
@@ -29,11 +29,11 @@ class PitchWaveform(Model):
 
 
 class ProjectorResponse(Model):
-    """A projector's answer to levels: the curve corrects patterns before they are shown, the harmonics phases afterwards."""
+    """Response of a projector to grey levels: the curve corrects patterns before they are shown, the harmonics phases afterwards."""
 
     name: str = "projector"
     curve: tuple[tuple[float, float], ...] | None = Field(
-        default=None, description="(level 0…255, light as a share of its range), both ascending; absent where only phases were seen"
+        default=None, description="(level 0…255, light as a share of its range), both ascending; absent where only phases were recorded"
     )
     waveforms: tuple[PitchWaveform, ...] = ()
 
@@ -71,10 +71,10 @@ class ProjectorResponse(Model):
         return np.asarray(np.interp(light, shares, levels))
 
     def waveform(self, pitch_px: float, direction: Direction) -> Waveform:
-        """Return the waveform seen at the nearest pitch (of this direction, if there is one), otherwise that of the curve."""
+        """Return the waveform recorded at the nearest pitch (of this direction, if there is one), otherwise that of the curve."""
         if self.waveforms:
-            same = [seen for seen in self.waveforms if seen.direction == direction] or list(self.waveforms)
-            return min(same, key=lambda seen: abs(np.log(seen.pitch_px / pitch_px))).harmonics
+            same = [each for each in self.waveforms if each.direction == direction] or list(self.waveforms)
+            return min(same, key=lambda each: abs(np.log(each.pitch_px / pitch_px))).harmonics
         assert self.curve is not None
         levels, shares = np.array(self.curve).T
         return _waveform_of_curve(levels, shares)
@@ -111,7 +111,7 @@ def curve_of_waveform(waveform: Waveform) -> tuple[tuple[float, float], ...]:
     """Return the curve that turns a cosine of levels into this waveform.
 
     With level = 127.5 (1 + cos φ), cos kφ is the Chebyshev polynomial T_k of level / 127.5 − 1, so the shares of the harmonics
-    are the coefficients of the curve. A lens that blurs fringes weakens high harmonics: coarse pitches tell most.
+    are the coefficients of the curve. A lens that blurs fringes weakens high harmonics: coarse pitches are the most informative.
     """
     coefficients = np.zeros(1 + max([1, *(harmonic.order for harmonic in waveform)]))
     coefficients[1] = 1.0
@@ -152,7 +152,7 @@ def _curve(levels: FloatArray, light: FloatArray) -> tuple[tuple[float, float], 
     rising = isotonic_regression(light).x
     levels = np.concatenate([[0.0], levels[1:-1], [TOP_LEVEL]])
     share = (rising - rising[0]) / (rising[-1] - rising[0])
-    # equal neighbours are kept apart by less than any 8-bit projector tells apart
+    # equal neighbours are separated by less than an 8-bit projector resolves
     share = np.maximum.accumulate(share) + np.arange(len(share)) * 1e-9
     share = (share - share[0]) / (share[-1] - share[0])
     return tuple((float(level), float(value)) for level, value in zip(levels, share, strict=True))

@@ -1,4 +1,4 @@
-"""The projector's response from recorded fringes: dense sets tell the waveform, few steps at least their own phase error."""
+"""The projector's response from recorded fringes: the waveform from dense sets, from few steps at least their own phase error."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from measureapp.data.fringe import Direction, FringeStack, PhaseShiftGroup
 from measureapp.errors import DecodeError
 from measureapp.fringe.patterns.harmonics import (
     Waveform,
-    corrected,
+    correct_phase,
     error_rms,
     kept_rms,
     phase_correction,
@@ -23,13 +23,13 @@ from measureapp.fringe.phase_shift import wrapped_phase
 
 DENSE_STEPS = 6
 LEAST_MODULATION = 10.0 / 255.0  # of saturation
-MOST_PIXELS = 1_000_000  # rows are left out above this
+MOST_PIXELS = 1_000_000  # rows are skipped above this
 FEWEST_STEPS = 3
 
 
 @dataclass(frozen=True, slots=True)
 class KeptError:
-    """What a number of steps keeps of the harmonics in the phase, rms over a period, in radians."""
+    """Phase error that the harmonics cause with a number of steps, rms over a period, in radians."""
 
     steps: int
     without_rad: float  # from the waveform
@@ -40,7 +40,7 @@ class KeptError:
 
 @dataclass(frozen=True, slots=True)
 class PitchReport:
-    """What was seen of one phase-shift group."""
+    """Waveform of one phase-shift group, and the phase errors that it causes."""
 
     direction: Direction
     pitch_px: float
@@ -53,34 +53,34 @@ class PitchReport:
 def estimate_response(stack: FringeStack, camera: str, name: str = "projector") -> tuple[ProjectorResponse, tuple[PitchReport, ...]]:
     """Estimate the response from the recorded fringes of one camera.
 
-    Groups of six or more steps tell the harmonics of the waveform, and the coarsest of them the curve. Where all groups have
-    fewer, each tells the harmonic that disturbs its own number of steps, from how unevenly its phases are spread; that needs a
-    scene with many fringes.
+    Groups of six or more steps determine the harmonics of the waveform, and the coarsest of them the curve. Where all groups have
+    fewer, each determines the harmonic that disturbs its own number of steps, from the uneven distribution of its phases; that
+    needs a scene with many fringes.
 
     Raises
     ------
     DecodeError
-        Too few pixels show fringes, or nothing was found that could be corrected.
+        Too few pixels show fringes, or no correctable error was found.
     """
     dense = any(isinstance(group, PhaseShiftGroup) and group.steps >= DENSE_STEPS for group in stack.patterns.groups)
-    seen, first = [], 0
+    reports, first = [], 0
     for group in stack.patterns.groups:
         if isinstance(group, PhaseShiftGroup) and (group.steps >= DENSE_STEPS or not dense):
             images, usable = _best_exposure(stack, camera, first, group)
-            seen.append(_see(images, usable, group, stack.patterns.shift_sign))
+            reports.append(_estimate_waveform(images, usable, group, stack.patterns.shift_sign))
         first += group.count
-    if not any(report.waveform for report in seen):
+    if not any(report.waveform for report in reports):
         raise DecodeError(
             f"The phases of camera {camera!r} show no error of the projector beyond the unevenness of the scene.",
             "Nothing needs correcting; or record twelve steps of one pitch to see smaller errors.",
         )
-    coarsest = max(seen, key=lambda report: report.pitch_px)
+    coarsest = max(reports, key=lambda report: report.pitch_px)
     response = ProjectorResponse(
         name=name,
         curve=curve_of_waveform(coarsest.waveform) if dense else None,
-        waveforms=tuple(PitchWaveform(direction=r.direction, pitch_px=r.pitch_px, harmonics=r.waveform) for r in seen),
+        waveforms=tuple(PitchWaveform(direction=r.direction, pitch_px=r.pitch_px, harmonics=r.waveform) for r in reports),
     )
-    return response, tuple(seen)
+    return response, tuple(reports)
 
 
 def _best_exposure(stack: FringeStack, camera: str, first: int, group: PhaseShiftGroup) -> tuple[FloatArray, BoolArray]:
@@ -98,26 +98,26 @@ def _best_exposure(stack: FringeStack, camera: str, first: int, group: PhaseShif
     return best
 
 
-def _see(images: FloatArray, usable: BoolArray, group: PhaseShiftGroup, shift_sign: int) -> PitchReport:
+def _estimate_waveform(images: FloatArray, usable: BoolArray, group: PhaseShiftGroup, shift_sign: int) -> PitchReport:
     dense = group.steps >= DENSE_STEPS
     if dense:
         waveform = waveform_of_steps(images, shift_sign, usable)
     else:
         waveform = waveform_of_histogram(wrapped_phase(images, shift_sign)[0][usable], group.steps)
     # the lowest harmonic that disturbs N steps is N − 1
-    told = range(FEWEST_STEPS, waveform[-1].order + 2) if dense else [group.steps] * len(waveform)
-    kept = tuple(_kept(images, usable, waveform, steps, shift_sign) for steps in told)
+    counts = range(FEWEST_STEPS, waveform[-1].order + 2) if dense else [group.steps] * len(waveform)
+    kept = tuple(_phase_error(images, usable, waveform, steps, shift_sign) for steps in counts)
     return PitchReport(group.direction, group.pitch_px, group.steps, int(usable.sum()), waveform, kept)
 
 
-def _kept(images: FloatArray, usable: BoolArray, waveform: Waveform, steps: int, shift_sign: int) -> KeptError:
+def _phase_error(images: FloatArray, usable: BoolArray, waveform: Waveform, steps: int, shift_sign: int) -> KeptError:
     predicted = error_rms(waveform, steps), kept_rms(waveform, steps) if len(images) > steps else None
     if len(images) % steps or len(images) == steps:
         return KeptError(steps, *predicted, None, None)
     reference = wrapped_phase(images, shift_sign)[0][usable]
     few = wrapped_phase(images[:: len(images) // steps], shift_sign)[0][usable]
-    mended = corrected(few, phase_correction(waveform, steps))
-    return KeptError(steps, *predicted, _distance(few, reference), _distance(mended, reference))
+    rectified = correct_phase(few, phase_correction(waveform, steps))
+    return KeptError(steps, *predicted, _distance(few, reference), _distance(rectified, reference))
 
 
 def _distance(phase: FloatArray, reference: FloatArray) -> float:

@@ -14,7 +14,7 @@ from measureapp.data.plan import ExposureBracket
 from measureapp.errors import DecodeError
 from measureapp.fringe.decode import decode
 from measureapp.fringe.exposures.bracket import BracketLimits, BracketProposal, propose_bracket
-from measureapp.fringe.exposures.probe import probed
+from measureapp.fringe.exposures.probe import read_probe
 from measureapp.fringe.noise.model import CameraNoise
 from measureapp.fringe.settings import DecodeSettings
 from tests.fringe.conftest import images_of, ramp
@@ -45,7 +45,7 @@ def taken(
 
 @functools.cache
 def proposal(seed: int, limits: BracketLimits, brightness: float = 1.0) -> BracketProposal:
-    return propose_bracket(probed(taken(seed, (100_000, 4_000), brightness=brightness), {}), PATTERNS, limits)
+    return propose_bracket(read_probe(taken(seed, (100_000, 4_000), brightness=brightness), {}), PATTERNS, limits)
 
 
 @functools.cache
@@ -119,13 +119,13 @@ def test_a_scene_saturated_at_the_shortest_probe_exposure_is_refused() -> None:
 
 
 def test_a_scene_that_is_too_dark_for_the_time_is_refused() -> None:
-    probe = probed(taken(1, (2_000_000,), brightness=0.002), {})
+    probe = read_probe(taken(1, (2_000_000,), brightness=0.002), {})
     with pytest.raises(DecodeError, match="makes a pixel decodable"):
         propose_bracket(probe, PATTERNS, BracketLimits(1.0, longest_us=20_000))
 
 
 def test_a_probe_that_saturates_a_part_of_the_scene_says_so_and_still_serves_it() -> None:
-    found = propose_bracket(probed(taken(1, (100_000,), brightness=2.0), {}), PATTERNS, BracketLimits(PAPER_TIME_S))
+    found = propose_bracket(read_probe(taken(1, (100_000,), brightness=2.0), {}), PATTERNS, BracketLimits(PAPER_TIME_S))
     assert found.unknown_share > 0.3
     assert "probe with 25000 µs" in found.note
     share, _ = observed(1, found.exposures_us, brightness=2.0)
@@ -135,7 +135,9 @@ def test_a_probe_that_saturates_a_part_of_the_scene_says_so_and_still_serves_it(
 def test_a_noisier_camera_is_given_longer_exposures_or_fewer_pixels() -> None:
     quiet = proposal(1, BracketLimits(PAPER_TIME_S))
     loud = propose_bracket(
-        probed(taken(1, (100_000, 4_000)), {"left": CameraNoise(full_well_e=1000, read_noise_e=20)}), PATTERNS, BracketLimits(PAPER_TIME_S)
+        read_probe(taken(1, (100_000, 4_000)), {"left": CameraNoise(full_well_e=1000, read_noise_e=20)}),
+        PATTERNS,
+        BracketLimits(PAPER_TIME_S),
     )
     assert loud.figures.median_sigma_rad > 1.5 * quiet.figures.median_sigma_rad
     assert loud.figures.decodable_share < quiet.figures.decodable_share

@@ -8,7 +8,7 @@ from measureapp.data.pattern_sets import PAPER_PATTERNS, PATTERN_SETS
 from measureapp.errors import DecodeError
 from measureapp.fringe.decode import decode
 from measureapp.fringe.noise.model import CameraNoise
-from measureapp.fringe.patterns.check import Contrast, check_patterns, decisions, wrapped_sigmas
+from measureapp.fringe.patterns.check import Contrast, check_patterns, order_decisions, wrapped_sigmas
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.unwrap import HeterodynePlan, plan_heterodyne
 from tests.fringe.conftest import images_of, ramp, stack_of
@@ -52,7 +52,7 @@ def test_the_papers_order_errors_come_as_often_as_predicted(sigma_rad: float, st
 @pytest.mark.parametrize(("name", "sigma_rad"), [("three-close", 0.12), ("three-wide", 0.16), ("three-wide-32", 0.2)])
 def test_order_errors_of_three_pitches_come_as_often_as_predicted(name: str, sigma_rad: float) -> None:
     patterns = PATTERN_SETS[name]
-    made = decisions(patterns, seen_with(sigma_rad, patterns))
+    made = order_decisions(patterns, seen_with(sigma_rad, patterns))
     predicted = sum(decision.error_probability for decision in made[1:])
     wrong, plan = wrong_orders(patterns, sigma_rad, 2)
     range_orders = 1024 / patterns.finest_pitch_px / plan.frequencies[0]
@@ -131,7 +131,7 @@ def test_exposures_that_are_not_shares_of_the_longest_are_refused() -> None:
 def test_bits_of_a_gray_code_are_misread_as_often_as_predicted() -> None:
     random = np.random.default_rng(6)
     contrast = Contrast(30.0, 4.0)
-    bits = decisions(PATTERN_SETS["complementary-gray"], contrast)[0]
+    bits = order_decisions(PATTERN_SETS["complementary-gray"], contrast)[0]
     variance = lambda level: contrast.noise.variance(np.array(level), 255)  # noqa: E731
     threshold = 30 + random.normal(0, np.sqrt(variance(30.0) / 4), PIXELS)
     dark, bright = (level + random.normal(0, np.sqrt(variance(level)), PIXELS) for level in (26.0, 34.0))
@@ -141,7 +141,7 @@ def test_bits_of_a_gray_code_are_misread_as_often_as_predicted() -> None:
 
 def test_a_plain_gray_code_goes_wrong_where_phase_and_bits_change_at_different_places() -> None:
     random = np.random.default_rng(7)
-    border = decisions(PATTERN_SETS["gray"], Contrast())[1]
+    border = order_decisions(PATTERN_SETS["gray"], Contrast())[1]
     sigma = wrapped_sigmas(PATTERN_SETS["gray"], Contrast())[0]
     share = random.uniform(0, TAU, PIXELS)
     crossed = np.floor((share + random.normal(0, sigma, PIXELS)) / TAU) != 0

@@ -13,7 +13,7 @@ from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.fringe.patterns.harmonics import (
     Harmonic,
     Waveform,
-    corrected,
+    correct_phase,
     error_rms,
     phase_correction,
     phase_error,
@@ -57,7 +57,7 @@ def test_the_phase_error_of_few_steps_is_the_one_predicted_and_the_correction_ta
     true = np.linspace(-np.pi, np.pi, 1000)
     phase = wrapped_phase(shown(ODD, true, steps, shift_sign), shift_sign)[0]
     assert difference(phase, true) == pytest.approx(phase_error(ODD, steps, true), abs=1e-9)
-    rest = difference(corrected(phase, phase_correction(ODD, steps)), true)
+    rest = difference(correct_phase(phase, phase_correction(ODD, steps)), true)
     # orders above four times the steps are left, and a constant
     assert rest.std() < max(0.005 * difference(phase, true).std(), 1e-4)
     assert abs(rest.mean()) < 0.0025
@@ -177,7 +177,7 @@ def test_few_steps_tell_their_own_error_from_how_unevenly_their_phases_are_sprea
     images = shown(power_law, true, steps) + random.normal(0, 2.0, (steps, *true.shape))
     phase = wrapped_phase(images)[0]
     waveform = waveform_of_histogram(phase.ravel(), steps)
-    before, after = (difference(p, true).std() for p in (phase, corrected(phase, phase_correction(waveform, steps))))
+    before, after = (difference(p, true).std() for p in (phase, correct_phase(phase, phase_correction(waveform, steps))))
     noise = np.sqrt(2 / steps) * 2.0 / 80
     assert before > 1.3 * noise
     assert after < 1.05 * noise
@@ -283,7 +283,7 @@ def wrapped(stack: FringeStack, response: ProjectorResponse | None = None) -> tu
     usable = np.all([m > 10 for _, m, _ in decoded], axis=0) & (images.max(axis=(0, 1)) < 255)
     phase = np.array([p for p, _, _ in decoded])
     if response is not None:
-        phase = np.array([corrected(p, terms) for p, terms in zip(phase, response.phase_correction(stack.patterns), strict=True)])
+        phase = np.array([correct_phase(p, terms) for p, terms in zip(phase, response.phase_correction(stack.patterns), strict=True)])
     return phase, usable
 
 
