@@ -69,11 +69,7 @@ def register(app: typer.Typer) -> None:
             "points": len(found.distances_mm),
             "unmeasured_share": found.unmeasured_share,
         }
-        lines = [
-            alignment_lines(found.alignment),
-            "Deviation: " + ", ".join(f"{name} {value:+.3f} mm" for name, value in figures.items()),
-            f"Not measured: {found.unmeasured_share:.1%} of the nominal's surface.",
-        ]
+        lines = _summary_lines(found, figures)
         if tolerance is not None:
             bands = bin_deviations(found.distances_mm, *tolerance)
             document["bands"] = _bands_document(bands)
@@ -87,6 +83,14 @@ def register(app: typer.Typer) -> None:
             document["map"] = str(map_file)
             lines.append(f"Deviation map saved to {map_file}")
         reply(document, "\n".join(lines), as_json)
+
+
+def _summary_lines(found: Deviation, figures: dict[str, float]) -> list[str]:
+    return [
+        alignment_lines(found.alignment),
+        "Deviation: " + ", ".join(f"{name} {value:+.3f} mm" for name, value in figures.items()),
+        f"Not measured: {found.unmeasured_share:.1%} of the nominal's surface.",
+    ]
 
 
 def _alignment(align: str, measured: PlainPoints | Mesh, nominal: Mesh) -> Alignment:

@@ -106,7 +106,7 @@ def _dimension(described: DimensionProgram, found: dict[str, FoundFeature], sett
     verdict = decide_verdict(value.value - described.nominal, uncertainty, lower, upper, settings.verdict_rule)
     how = "; ".join(filter(None, (value.how, *assumptions)))
     made = _make_dimension(described, found, value.value, uncertainty, verdict, "", how, value.bonus)
-    return replace(made, budget={share: COVERAGE_FACTOR * sigma for share, sigma in budget.items()})
+    return replace(made, budget={contribution: COVERAGE_FACTOR * sigma for contribution, sigma in budget.items()})
 
 
 def _evaluate(described: DimensionProgram, found: dict[str, FoundFeature], settings: InspectionSettings) -> Value:
@@ -148,7 +148,10 @@ def _complete_budget(
 
 def _average_budgets(budgets: list[Budget], apart: bool) -> Budget:
     """Return the budget of a mean: noise of disjoint copies averages out; all other contributions are taken as fully correlated."""
-    means = {share: float(np.mean([budget.get(share, 0.0) for budget in budgets])) for share in sorted({NOISE}.union(*budgets))}
+    means = {
+        contribution: float(np.mean([budget.get(contribution, 0.0) for budget in budgets]))
+        for contribution in sorted({NOISE}.union(*budgets))
+    }
     return means | {NOISE: float(np.linalg.norm([budget.get(NOISE, 0.0) for budget in budgets])) / len(budgets)} if apart else means
 
 

@@ -118,14 +118,14 @@ def _first_of_each_cell(offsets_mm: FloatArray, size_mm: float) -> tuple[IntArra
 
 
 def _from_cloud(source: HasPoints) -> MeasuredPoints:
-    normals, sigma, view, drawn, errors = (
+    normals, sigma, view, sampled, errors = (
         getattr(source, name, None) for name in ("normals", "sigma_mm", "view", "sampled_view", "errors")
     )
     if sigma is not None and not bool(np.all(np.isfinite(sigma) & (np.asarray(sigma) > 0))):
         sigma = None
     if normals is not None and not bool(np.all(np.any(np.asarray(normals) != 0, axis=1))):
         normals = None  # normals missing for some points: use positions only
-    return MeasuredPoints(source.points_mm, normals, sigma, view if drawn is None else drawn, None if view is None else errors)
+    return MeasuredPoints(source.points_mm, normals, sigma, view if sampled is None else sampled, None if view is None else errors)
 
 
 def sample_mesh(mesh: Mesh, count: int = MESH_SAMPLES) -> MeasuredPoints:

@@ -52,7 +52,7 @@ def _propagate(
             ]
             variance += max((value(*side) - base) ** 2 for side in sides)
         variances[source.contribution] = variances.get(source.contribution, 0.0) + variance
-    return base, {share: float(np.sqrt(variance)) for share, variance in variances.items()}
+    return base, {contribution: float(np.sqrt(variance)) for contribution, variance in variances.items()}
 
 
 def _stack_errors(

@@ -34,7 +34,7 @@ def decide_verdict(
     expanded_uncertainty : k = 2; None or zero allows the simple rule only
     lower, upper : tolerance as deviations from nominal
 
-    >>> judge(0.05, 0.02, -0.1, 0.1), judge(0.095, 0.02, -0.1, 0.1), judge(0.15, 0.02, -0.1, 0.1)
+    >>> decide_verdict(0.05, 0.02, -0.1, 0.1), decide_verdict(0.095, 0.02, -0.1, 0.1), decide_verdict(0.15, 0.02, -0.1, 0.1)
     (<Verdict.PASS: 'pass'>, <Verdict.NOT_PROVEN: 'not proven'>, <Verdict.FAIL: 'fail'>)
     """
     if rule == "simple":

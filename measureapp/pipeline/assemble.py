@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import Any
 
@@ -39,6 +40,14 @@ TYPICAL_RADIUS_MM = 100.0  # typical distance of points from the table's axis
 KNOWN_STATION_MM, KNOWN_STATION_DEG = 0.03, 0.004  # repeatability of the robot and uncertainty of the board's pose, combined
 
 
+@dataclass(frozen=True)
+class Revision:
+    """Other view choices for a measurement whose clouds, calibration validity and settings still apply."""
+
+    former: Measurement
+    choices: ViewChoices
+
+
 def assemble(
     project: ProjectFolder,
     calibrated: RigCalibration,
@@ -47,28 +56,25 @@ def assemble(
     progress: Progress,
     watch: Stopwatch,
     registration_cache: RegistrationCache | None = None,
-    *,
-    choices: ViewChoices | None = None,
-    former: Measurement | None = None,
+    revision: Revision | None = None,
 ) -> Measurement:
     """Stitch the clouds of all views, compute the surface, evaluate the dimensions and store everything.
 
     Parameters
     ----------
     registration_cache : registration results prepared while the views were taken
-    choices : views accepted or refused by hand; None: as stored in the project
-    former : measurement with the same clouds, whose calibration validity and settings still apply; None: both are determined anew
+    revision : measurement with the same clouds and its new view choices; None: the choices stored in the project, all else determined anew
 
     Raises
     ------
     RegistrationError
         No view has a usable cloud.
     """
-    validity = None if former is None else former.validity
+    validity = None if revision is None else revision.former.validity
     if validity is None:
         validity = validity_of(project, calibrated, views)
         on_event(ValidityKnown(validity))
-    choices = project.view_choices() if choices is None else choices
+    choices = project.view_choices() if revision is None else revision.choices
     good = _require_usable(views, choices, validity)
     with watch.stage("stitching"):
         stitched = _stitch(project, calibrated, good, choices, PartOf(progress, 0.0, 0.5), registration_cache)
@@ -90,7 +96,7 @@ def assemble(
         stitched=stitched,
         mesh=mesh,
         inspection=inspection,
-        settings=_settings(project) if former is None else former.settings,
+        settings=_settings(project) if revision is None else revision.former.settings,
         timings_s=dict(watch.seconds),
         validity=validity,
     )

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from measureapp.acquire.events import Event
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import InputError
-from measureapp.pipeline.assemble import assemble
+from measureapp.pipeline.assemble import Revision, assemble
 from measureapp.pipeline.chosen_views import check_choices
 from measureapp.pipeline.run import Outcome, finish
 from measureapp.pipeline.watch import Stopwatch
@@ -36,6 +36,6 @@ def restitch(project: ProjectFolder, choices: ViewChoices, on_event: Callable[[E
     check_choices(choices, [view.viewpoint_id for view in measurement.views])
     watch, rest = Stopwatch(), PartOf(progress, 0.1, 1.0)
     with project.lock():
-        made = assemble(project, measurement.calibration, measurement.views, on_event, rest, watch, choices=choices, former=measurement)
+        made = assemble(project, measurement.calibration, measurement.views, on_event, rest, watch, revision=Revision(measurement, choices))
         project.save_view_choices(choices)
         return finish(project, made, watch)

@@ -110,9 +110,9 @@ def _cast_rays(mesh: Mesh, frame: _Frame) -> tuple[FloatArray, IntArray, FloatAr
     rays[..., 1] = ((frame.height / 2 - 0.5 - np.arange(frame.height)) * frame.mm_per_px)[:, None]
     rays[..., 2], rays[..., 5] = start, -1.0
     answer = scene.cast_rays(o3d.core.Tensor.from_numpy(rays))
-    uv = answer["poutlineitive_uvs"].numpy()
+    uv = answer["primitive_uvs"].numpy()
     weights = np.concatenate([1 - uv.sum(axis=-1, keepdims=True), uv], axis=-1)
-    return answer["t_hit"].numpy(), answer["poutlineitive_ids"].numpy(), weights
+    return answer["t_hit"].numpy(), answer["primitive_ids"].numpy(), weights
 
 
 def _shading_normals(mesh: Mesh) -> FloatArray:

@@ -48,7 +48,7 @@ def percent(value: float | None, digits: int = 1, *, signed: bool = False) -> st
 def format_tolerance(lower: float, upper: float) -> str:
     """Return a tolerance, abbreviated if it is symmetric.
 
-    >>> tolerance(-0.1, 0.1), tolerance(-0.2, 0.05), tolerance(0.0, 0.2)
+    >>> format_tolerance(-0.1, 0.1), format_tolerance(-0.2, 0.05), format_tolerance(0.0, 0.2)
     ('± 0.1', '−0.2 / +0.05', '0 / +0.2')
     """
     if lower == -upper:
@@ -59,7 +59,7 @@ def format_tolerance(lower: float, upper: float) -> str:
 def format_datums(names: Sequence[str]) -> str:
     """Return datums in order with their letters; those of a pattern without letters.
 
-    >>> datums(("gear face", "bore")), datums(())
+    >>> format_datums(("gear face", "bore")), format_datums(())
     ('A gear face, B bore', '–')
     """
     if not names:
@@ -71,9 +71,9 @@ def format_datums(names: Sequence[str]) -> str:
 def format_contributions(dimension: Dimension) -> str:
     """Return the uncertainty budget: contributions with k = 2, largest first, without those that round to zero.
 
-    >>> shares(Dimension("a", 10, 10, 0.05, -0.1, 0.1, Verdict.PASS, budget={"noise": 0.03, "stitching": 0.04})).replace(TOGETHER, " ")
+    >>> format_contributions(Dimension("a", 10, 10, 0.05, -0.1, 0.1, Verdict.PASS, budget={"noise": 0.03, "stitching": 0.04})).replace(TOGETHER, " ")
     'stitching 0.0400, noise 0.0300 mm'
-    >>> shares(Dimension("a", 10, 10, 0.05, -0.1, 0.1, Verdict.PASS, budget={"noise": 0.03, "form": 0.00002})).replace(TOGETHER, " ")
+    >>> format_contributions(Dimension("a", 10, 10, 0.05, -0.1, 0.1, Verdict.PASS, budget={"noise": 0.03, "form": 0.00002})).replace(TOGETHER, " ")
     'noise 0.0300 mm'
     """
     named = ", ".join(f"{name}{TOGETHER}{number(size, CONTRIBUTION_DIGITS)}" for name, size in dimension.rank_contributions())
@@ -96,7 +96,7 @@ def format_setting(value: Any) -> str:
 def format_key(key: str) -> str:
     """Return a key of a document as words, its unit in brackets.
 
-    >>> spoken("exposures_us"), spoken("least_points"), spoken("stitch.voxel_mm")
+    >>> format_key("exposures_us"), format_key("least_points"), format_key("stitch.voxel_mm")
     ('exposures (µs)', 'least points', 'stitch voxel (mm)')
     """
     match = re.fullmatch(r"(.*)_(mm|us|deg|rad|px|s)", key)
@@ -108,7 +108,7 @@ def format_key(key: str) -> str:
 def format_name(name: str) -> str:
     """Return an identifier as words with a capital letter; other names and single letters unchanged.
 
-    >>> titled("outer_diameter"), titled("a"), titled("P1_x, hole")
+    >>> format_name("outer_diameter"), format_name("a"), format_name("P1_x, hole")
     ('Outer diameter', 'a', 'P1_x, hole')
     """
     return name.replace("_", " ").capitalize() if re.fullmatch(r"[a-z][a-z0-9_]+", name) else name
@@ -117,7 +117,7 @@ def format_name(name: str) -> str:
 def format_time(iso: str) -> str:
     """Return an ISO 8601 time as date and time of day.
 
-    >>> moment("2026-05-04T10:20:30.123+00:00")
+    >>> format_time("2026-05-04T10:20:30.123+00:00")
     '2026-05-04 10:20:30 UTC'
     """
     match = re.match(r"(\d{4}-\d\d-\d\d)T(\d\d:\d\d:\d\d)(?:\.\d+)?(Z|[+-]\d\d:\d\d)?$", iso)

@@ -117,7 +117,7 @@ def test_sections_bands_and_the_coloured_nominal_are_written(cloud: Path, tmp_pa
     ("options", "complaint"),
     [
         (("--section", "q=3"), "is not a section"),
-        (("--section", "z=500"), "meets neither"),
+        (("--section", "z=500"), "intersects neither"),
         (("--section", "z=20", "--section-file", "s.xls"), "Sections cannot be written"),
         (("--map", "m.stl"), "does not end in .ply"),
         (("--align", "cyclic:one"), "must be 2 to 1000"),

@@ -59,7 +59,7 @@ def test_a_minimum_zone_shows_its_proof(cone: Path, capsys: pytest.CaptureFixtur
         ("1 2\n3 4\n", ["plane"], "line 1"),
         ("0 0 0\n1 1 1\n2 2 2\n", ["circle"], "do not determine"),
         ("0 0 0\n1 1 1\n2 2 2\n", ["circle", "--criterion", "minimum-zone"], "do not determine"),
-        ("0 0 0\n1 0 0\n0 1 0\n", ["circle", "--criterion", "minimum-zone", "--robust"], "holds all points"),
+        ("0 0 0\n1 0 0\n0 1 0\n", ["circle", "--criterion", "minimum-zone", "--robust"], "contains all points"),
     ],
 )
 def test_bad_points_are_refused_in_words(tmp_path: Path, capsys: pytest.CaptureFixture[str], content: str, arguments: list[str], said: str):

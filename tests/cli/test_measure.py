@@ -128,7 +128,7 @@ def test_features_grown_from_a_seed_are_answered_with_their_points_and_why_they_
     document = json.loads(capsys.readouterr().out)
     features = {entry["name"]: entry for entry in document["features"]}
     assert features["face"]["shape"] == "plane" and features["bore"]["radius_mm"] == pytest.approx(20, abs=0.01)
-    assert "grown from its seed to" in features["face"]["how"] and "it ended" in features["face"]["how"]
+    assert "grown from seed to" in features["face"]["how"] and "border: " in features["face"]["how"]
     assert features["bore"]["how"] in document["dimensions"][0]["origin"]
 
 

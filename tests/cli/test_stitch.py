@@ -104,7 +104,7 @@ def test_clouds_that_share_nothing_are_refused_and_nothing_is_written(views: Pat
     write_poses(views / "poses.csv", away)
     assert main(arguments(views)) == 2
     refusal = json.loads(capsys.readouterr().out)["error"]
-    assert "No two clouds have surface in common" in refusal["message"] and "--kinematic-only" in refusal["hint"]
+    assert "No two clouds overlap" in refusal["message"] and "--kinematic-only" in refusal["hint"]
     assert not (views / "out.ply").exists()
 
 

@@ -117,7 +117,7 @@ def inspection() -> Inspection:
         Dimension("w", 90.0, 90.2, None, -0.1, 0.1, Verdict.FAIL, unit="°"),
         Dimension("d", 40.0, None, None, -0.1, 0.1, Verdict.NOT_MEASURED, reason="no points"),
     )
-    return Inspection("cross", Alignment("best fit", pose(5, "nominal", "part"), 0.05, 0.98, ("turn about z",)), shapes, dimensions)
+    return Inspection("cross", Alignment("best fit", pose(5, "nominal", "part"), 0.05, 0.98, ("rotation about z",)), shapes, dimensions)
 
 
 def placement(name: str, seed: int) -> ViewPlacement:

@@ -84,7 +84,7 @@ def measured(block: Mesh) -> Callable[..., Measurement]:
         assert points.normals is not None
         results, placements = views(view_count)
         count = len(points)
-        alignment = Alignment("best fit", RigidTransform.identity("nominal", "part"), 0.02, 0.99, ("turn about z",))
+        alignment = Alignment("best fit", RigidTransform.identity("nominal", "part"), 0.02, 0.99, ("rotation about z",))
         stitched = StitchedCloud(points.points_mm, points.normals, np.full(count, 0.02), np.full(count, 0.5), np.zeros(count), placements)
         return Measurement(
             project=f"project {NASTY}",

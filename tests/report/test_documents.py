@@ -35,7 +35,7 @@ def test_pdf_csv_and_json_say_the_same_of_every_dimension(measured) -> None:
         assert row["verdict"] == entry["verdict"] == line["verdict"] == dimension.verdict.value
         assert row["reason"] == entry["reason"] == dimension.reason
         for key in ("measured", "error", "uncertainty"):
-            value = getattr(dimension, key)
+            value = dimension.deviation if key == "error" else getattr(dimension, key)
             assert entry[key] == value
             assert (row[key] == "") if value is None else (float(row[key]) == pytest.approx(value, abs=1e-9))
             assert line[key].startswith(number(value, signed=key == "error"))
@@ -57,7 +57,7 @@ def test_the_calibration_says_how_blurred_images_are_where_the_board_told_it(mea
     facts = {fact.name: fact.value for section in model.sections for fact in section.facts}
     assert facts["Camera left"] == "rms 0.040 px, blur 0.75 px, serial S1"
     assert facts["Camera right"] == "rms 0.040 px, serial S1"
-    assert facts["Lengths"] == "by the calibration board; its lengths and the part's temperature are taken as exact"
+    assert facts["Length reference"].endswith("not included (taken as exact)")
     cameras = json.loads(json.dumps(report_document(model)))["calibration"]["cameras"]
     assert (cameras["left"]["blur_px"], cameras["right"]["blur_px"]) == (0.75, None)
 
@@ -76,7 +76,7 @@ def test_the_gravest_dimension_decides(measured) -> None:
     dimensions = measured().inspection.dimensions
     assert summarise_verdicts(dimensions) == (Verdict.FAIL, "Of 5 dimensions: 1 fail, 1 not proven, 1 not measured, 2 pass.")
     assert summarise_verdicts(dimensions[2:]) == (Verdict.NOT_PROVEN, "Of 3 dimensions: 1 not proven, 1 not measured, 1 pass.")
-    assert summarise_verdicts(dimensions[:1]) == (Verdict.PASS, "The one dimension passes.")
+    assert summarise_verdicts(dimensions[:1]) == (Verdict.PASS, "The dimension passes.")
     assert summarise_verdicts(())[0] is None
 
 
@@ -144,7 +144,7 @@ def test_a_cloud_that_does_not_match_the_nominal_is_reported_without_deviation_a
     tiny = Mesh(np.asarray(block.vertices_mm) / 1000, block.triangles, "nominal")
     model = compose(measured(dimensions=None), tiny, pictures=False)
     assert model.deviation is None
-    assert any(fact.name == "Not compared with the nominal" and "metres" in fact.value for fact in model.sections[0].facts)
+    assert any(fact.name == "No deviation from the nominal" and "metres" in fact.value for fact in model.sections[0].facts)
 
 
 def test_the_report_says_what_a_value_is_and_what_it_rests_on(measured) -> None:
@@ -173,7 +173,7 @@ def test_the_report_says_what_a_value_is_and_what_it_rests_on(measured) -> None:
 def test_surface_that_was_filled_without_points_is_told_apart_in_the_pictures(measured) -> None:
     filled, whole = measured(), measured()
     whole = replace(whole, mesh=replace(whole.mesh, measured=None))
-    assert "dark: filled without points" in render_part(filled)[0].caption
+    assert "dark: filled, not measured" in render_part(filled)[0].caption
     assert "filled" not in render_part(whole)[0].caption
     assert render_part(filled)[0].png != render_part(whole)[0].png
 

@@ -143,7 +143,7 @@ def test_a_cut_through_the_ball_draws_its_circle_with_the_deviations_on_the_meas
     assert np.linalg.norm(np.vstack(nominal.lines) - [0, 0, 60.0], axis=1) == pytest.approx(59.9, abs=0.1)
     assert whiskers and all(one[0][2] > 58.0 for layer in whiskers for one in layer.lines)
     assert words.startswith("x = 0.0\u00a0mm, deviations × ")
-    assert cut_lines(compared, CutPlane("z", 500.0))[1].endswith("nothing there")
+    assert cut_lines(compared, CutPlane("z", 500.0))[1].endswith("no intersection")
     assert cut_lines(compared, CutPlane("z", 10.0))[1].endswith("not measured")
 
 

@@ -18,7 +18,7 @@ from ui.widgets.data_table import Cell
 from ui.widgets.data_tree import Branch, DataTree
 from ui.widgets.properties_panel import Properties
 
-ALIGNMENT = Alignment("best fit", RigidTransform.identity("nominal", "part"), 0.021, 0.93, ("turn about z",), {"bore": 0.004})
+ALIGNMENT = Alignment("best fit", RigidTransform.identity("nominal", "part"), 0.021, 0.93, ("rotation about z",), {"bore": 0.004})
 ZONE = Dimension(
     "boss_position", 0.0, 0.005, 0.077, 0.0, 0.2, Verdict.PASS,
     features=("boss",), kind="position", datums=("gear face", "bore"), traceability="boss: 1372 points, 99 left out; associated axis; datums gear face|bore",
@@ -46,7 +46,7 @@ def test_below_a_dimension_lie_its_features_and_its_datums_with_their_letters():
         "Datum B: Bore: not found",
     ]
     assert others.cells[0].text == "Other features"
-    assert others.leaves == ("Spare: plane, made from others",)
+    assert others.leaves == ("Spare: plane, constructed",)
 
 
 def test_the_properties_of_a_zone_name_kind_datums_origin_and_rule():
@@ -56,15 +56,15 @@ def test_the_properties_of_a_zone_name_kind_datums_origin_and_rule():
     assert ("Datums", "A Gear face, B Bore") in groups["Result"]
     assert ("Tolerance", "0 / +0.200 mm") in groups["Result"]
     assert ("Uncertainty (k = 2)", "0.077 mm") in groups["Result"]
-    assert groups["Where the value comes from"] == [("", "Boss: 1372 points, 99 left out."), ("", "Associated axis.")]
+    assert groups["Traceability"] == [("", "Boss: 1372 points, 99 left out."), ("", "Associated axis.")]
     assert groups["Decision rule"] == [("", "By a rule.")]
-    assert "Shares of the uncertainty (k = 2)" not in groups
+    assert "Uncertainty budget (k = 2)" not in groups
 
 
 def test_the_shares_of_an_uncertainty_are_named_the_largest_first():
     shared = replace(ZONE, budget={"noise": 0.0301, "stitching": 0.0708, "calibration": 0.0})
     shown = plain_groups(dimension_properties(shared, [], ALIGNMENT, ""))
-    assert shown["Shares of the uncertainty (k = 2)"] == [("Stitching", "0.0708 mm"), ("Noise", "0.0301 mm")]
+    assert shown["Uncertainty budget (k = 2)"] == [("Stitching", "0.0708 mm"), ("Noise", "0.0301 mm")]
 
 
 @pytest.mark.parametrize(

@@ -68,7 +68,7 @@ def test_a_file_is_measured_by_a_program_and_a_point_of_it_has_no_invented_figur
     page = window.pages["inspection"]
     page._show_point(0, 7)
     rows = dict(row for group in page.properties.groups for row in group.rows)
-    assert rows["View"] == "scan.xyz" and rows["Standard deviation σ"] == rows["Brightness"] == rows["Seen by"] == "–"
+    assert rows["View"] == "scan.xyz" and rows["Standard deviation σ"] == rows["Brightness"] == rows["Measured by"] == "–"
     page.distance.button.setChecked(True)
     for place in (7, 99):
         page._show_point(0, place)
@@ -92,7 +92,7 @@ def test_a_stitched_cloud_from_a_file_is_as_uncertain_as_the_command_line_says(a
     told = inspect(read_cloud_or_mesh(path), described, read_program_nominal(program, described)).dimensions
     for found, wanted in zip(application.session.inspection.dimensions, told, strict=True):
         assert found.budget == pytest.approx(wanted.budget) and found.budget["stitching"] > 0
-        assert "a view lies within" not in found.traceability
+        assert "position of each view" not in found.traceability
     window.pages["inspection"]._show_point(0, int(np.argmax(view)))
     assert dict(row for group in window.pages["inspection"].properties.groups for row in group.rows)["View"] == "right"
 

@@ -35,7 +35,7 @@ def test_a_box_that_ends_before_it_begins_is_refused(qtbot):
     form.kind.setValue("box")
     form.sides[0].setValue(50)
     form.sides[1].setValue(-50)
-    with pytest.raises(InputError, match="ends before it begins"):
+    with pytest.raises(InputError, match="box is empty"):
         form.value()
 
 
@@ -82,7 +82,7 @@ def test_a_filter_that_leaves_nothing_changes_nothing_and_says_why(application, 
     clouds.filters.button.click()
     settled(application, qtbot)
     assert application.session.filtered is None
-    assert "No point is left" in application.session.messages[-1].text
+    assert "removes all points" in application.session.messages[-1].text
 
 
 def test_another_stitched_cloud_forgets_the_filters_of_the_last(application, clouds, measurement, qtbot):

@@ -73,7 +73,7 @@ def test_the_selected_view_is_explained_with_the_shares_of_all_reasons(qtbot, cl
     assert "view-02" in dialog.title.text()
     assert dialog.kind.value() == "reasons"
     shares = {name: text.replace("\u00a0", " ") for name, text in dialog.table.texts()}
-    assert shares == {"Has a point": "74.9 %", "Shadow": "25.0 %", "Saturated": "< 0.1 %", "Contradicted": "< 0.1 %"}
+    assert shares == {"Measured": "74.9 %", "Shadow": "25.0 %", "Saturated": "< 0.1 %", "Contradicted": "< 0.1 %"}
     assert "left 74.9" in dialog.state.text()
     assert not dialog.progress.isVisible() and not dialog.again.isVisible()
 
@@ -90,7 +90,7 @@ def test_a_click_on_a_pixel_tells_stage_reason_and_numbers(qtbot, clouds):
     assert "at least 10" in dialog.figures.text()
     QTest.keyClick(dialog.picture, Qt.Key.Key_Right)
     assert dialog.place.text() == "Row 20, column 31"
-    assert dialog.stage.text() == "Has a point"
+    assert dialog.stage.text() == "Measured"
     assert "0.012 mm, at most 0.5" in dialog.figures.text().replace("\u00a0", " ")
 
 
@@ -112,7 +112,7 @@ def test_colours_and_cameras_can_be_changed(qtbot, clouds):
         assert rows is None or [text[0] for text in dialog.table.texts()] == rows
     dialog.cameras.setValue("right")
     settled(qtbot, clouds)
-    assert "Another camera has it" in [text[0] for text in dialog.table.texts()]
+    assert "Measured by another camera" in [text[0] for text in dialog.table.texts()]
     assert dialog.answer.text() == ASK
 
 
@@ -123,7 +123,7 @@ def test_a_picked_point_leads_to_its_pixel_in_its_camera(qtbot, clouds, calibrat
     assert dialog.viewpoint_id == "view-03"
     assert dialog.cameras.value() == calibration.cameras.names[1] == "right"
     assert dialog.picture.chosen == (7, 50)
-    assert dialog.stage.text() == "Another camera has it"
+    assert dialog.stage.text() == "Measured by another camera"
 
 
 def test_a_view_that_cannot_be_explained_says_why_and_can_be_tried_again(qtbot, clouds, monkeypatch):

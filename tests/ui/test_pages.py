@@ -257,7 +257,7 @@ def test_an_open_patch_is_joined_without_closing_it_and_a_closed_body_is_refused
         qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy, timeout=20_000)
         return application.session.messages[-1]
 
-    assert exported("ball.stl").level == "error" and "no single open patch" in application.session.messages[-1].text
+    assert exported("ball.stl").level == "error" and "not a single open patch" in application.session.messages[-1].text
     assert not (tmp_path / "ball.stl").exists()
     cap = measurement.stitched.points_mm[:, 2] > 100.0  # what filters left is what is exported
     application.session.set_filters(FilterChain((Filter("plane", (0, 0, 1, 100.0)),), cap.astype(np.uint8)))
@@ -269,7 +269,7 @@ def test_an_open_patch_is_joined_without_closing_it_and_a_closed_body_is_refused
 def test_a_document_that_is_not_there_is_refused_in_words(filled, application, qtbot, tmp_path):
     application.controllers.documents.export("csv", tmp_path / "a.csv")
     qtbot.waitUntil(lambda: [message.level for message in application.session.messages][-1:] == ["error"], timeout=10_000)
-    assert "was not written yet" in application.session.messages[-1].text
+    assert "does not exist yet" in application.session.messages[-1].text
     assert not (tmp_path / "a.csv").exists()
     qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy, timeout=10_000)
 
@@ -280,7 +280,7 @@ def test_a_preview_that_fails_says_so(filled, application, qtbot):
     page = filled.pages["report"]
     filled.show_page("report")
     application.controllers.documents.pagesFailed.emit()
-    qtbot.waitUntil(lambda: "There is no preview." in [label.text() for label in page._sheet.findChildren(QLabel) if label.isVisible()])
+    qtbot.waitUntil(lambda: "No preview." in [label.text() for label in page._sheet.findChildren(QLabel) if label.isVisible()])
 
 
 def test_a_click_on_a_tile_asks_for_the_images_of_its_viewpoint(filled, application, monkeypatch, qtbot):
@@ -317,8 +317,8 @@ def test_a_view_that_stitching_left_out_says_so_with_its_reason(measurement):
 
     view, placement = measurement.views[0], measurement.stitched.placements[0]
     assert view_verdict(view, placement)[:2] == ("pass", "Good")
-    left_out = replace(placement, used=False, verdict="its surface lies 0.18 mm away: left out")
-    assert view_verdict(view, left_out) == ("fail", "Left out", "Its surface lies 0.18 mm away.")
+    left_out = replace(placement, used=False, verdict="its surface lies 0.18 mm away: excluded")
+    assert view_verdict(view, left_out) == ("fail", "Excluded", "Its surface lies 0.18 mm away.")
     assert view_properties(view, left_out).note == "Its surface lies 0.18 mm away."
 
 
@@ -371,7 +371,7 @@ def test_decoded_shares_and_losses_are_told_where_they_are_stored(filled, applic
     groups = {group.heading: dict(group.rows) for group in view_properties(view, None).groups}
     assert plain(groups["Pixels decoded"]["Camera left"]) == "15.2 %"
     assert groups["Pixels decoded"]["Order conflicts"] == "6"
-    assert list(groups["Points left out"]) == ["Contradicted", "Island"]
+    assert list(groups["Rejected points"]) == ["Contradicted", "Island"]
     application.session.add_view(view)
     tiles = {tile.name: plain(tile.figure) for tile in filled.pages["scan"].tiles.tiles}
     assert tiles[view.viewpoint_id] == "13–15 % decoded"

@@ -79,7 +79,7 @@ def test_a_point_of_a_view_tells_its_sigma_and_that_its_pixel_is_not_known(measu
     assert rows["View"] == view.viewpoint_id
     assert rows["Pixel (row, column)"] == "–"
     assert rows["Standard deviation σ"].replace("\u00a0", " ") == "0.020 mm"
-    assert rows["Seen by"] == "2 cameras"
+    assert rows["Measured by"] == "2 cameras"
 
 
 def test_a_merged_point_is_traced_back_to_the_view_that_weighs_most_even_when_others_are_hidden(measurement):

@@ -37,7 +37,7 @@ def test_the_virtual_rig_projects_takes_and_finds_its_projector_and_shows_the_tr
     wizard.footer.primary.click()
     assert wizard.step == COLLECT
     assert wizard.collecting.cameras == ("projector", "left", "right", "upper")
-    wizard.collecting.take(VIEWS)
+    wizard.collecting.capture.take(VIEWS)
     settle(qtbot, wizard)
     assert [view.verdict for view in wizard.collecting.views] == ["pass"] * VIEWS
     assert all(0 < view.residuals_px["projector"] < 0.5 for view in wizard.collecting.views)

@@ -65,9 +65,9 @@ def test_hand_eye_is_found_from_a_folder_of_images_and_a_table_of_robot_poses(qt
     wizard.footer.primary.click()
     assert wizard.step == COLLECT, wizard.footer.message.words.text()
     collecting = wizard.collecting
-    qtbot.waitUntil(lambda: not (collecting.is_collecting or collecting.is_solving), timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: not (collecting.is_collecting or collecting.solver.is_running), timeout=PATIENCE_MS)
     assert len(collecting.views) == POSES
-    found = collecting.interim.solved.solution.hand_eye
+    found = collecting.solver.interim.solved.solution.hand_eye
     apart = found.flange_from_camera.inverse() @ truth.hand_eye.flange_from_camera
     assert np.linalg.norm(apart.translation_mm) < 5 * found.translation_sigma_mm
 

@@ -215,12 +215,12 @@ def test_the_virtual_rig_takes_views_and_shows_its_truth_beside_the_result(qtbot
     wizard.setup.resolution.setValue("quarter")
     wizard.footer.primary.click()
     assert wizard.step == COLLECT
-    assert wizard.footer.words == (f"Take {wizard.collecting.remaining} views", "", "Take one view")
-    wizard.collecting.take(5)
+    assert wizard.footer.words == (f"Take {len(wizard.collecting.capture.viewpoints_left)} views", "", "Take one view")
+    wizard.collecting.capture.take(5)
     qtbot.waitUntil(wizard.footer.stop.isVisible, timeout=PATIENCE_MS)
     settle(qtbot, wizard)
     assert len(wizard.collecting.views) == 5
-    assert wizard.collecting.rig.cameras[0].width_px == 648
+    assert wizard.collecting.capture.rig.cameras[0].width_px == 648
     wizard._conclude()
     settle(qtbot, wizard)
     result = wizard.calibrating.result
@@ -235,8 +235,8 @@ def test_the_virtual_rig_takes_views_and_shows_its_truth_beside_the_result(qtbot
     wizard.setup.resumeClicked.emit()
     qtbot.waitUntil(lambda: wizard.step == COLLECT, timeout=PATIENCE_MS)
     settle(qtbot, wizard)
-    assert wizard.collecting.rig.cameras[0].width_px == 648
-    assert not taken & {viewpoint.id for viewpoint in wizard.collecting._viewpoints_left()}
+    assert wizard.collecting.capture.rig.cameras[0].width_px == 648
+    assert not taken & {viewpoint.id for viewpoint in wizard.collecting.capture.viewpoints_left}
 
 
 def test_one_link_of_a_rig_is_offered_only_when_the_rig_is_calibrated(calibration_page, application, calibration):
@@ -264,7 +264,7 @@ def test_an_axis_taken_with_the_rig_is_compared_with_the_one_before(qtbot, calib
     wizard = calibration_page.wizards["axis"]
     wizard.setup.board.setValue(PAPER_BOARD)
     wizard.footer.primary.click()
-    wizard.collecting.take(4)
+    wizard.collecting.capture.take(4)
     settle(qtbot, wizard)
     wizard._conclude()
     settle(qtbot, wizard)

@@ -15,7 +15,7 @@ def settle(qtbot: QtBot, wizard: CalibrationWizard) -> None:
     """Wait until nothing is collected, thought about or concluded any more."""
     collecting = wizard.collecting
     qtbot.waitUntil(
-        lambda: not (collecting.is_collecting or collecting.is_solving or wizard.calibrating.is_concluding), timeout=PATIENCE_MS
+        lambda: not (collecting.is_collecting or collecting.solver.is_running or wizard.calibrating.is_concluding), timeout=PATIENCE_MS
     )
 
 

@@ -26,12 +26,27 @@ class BackgroundSolver(QObject):
         self._job: Job | None = None
         self._discarding = False  # the result of the running job
         self._waiting: tuple[Snapshot, RigDescription | None] | None = None
-        self.interim: work.InterimResult | None = None
+        self.interim: work.InterimResult | None = None  # the last solution with verdict and guidance
 
     @property
     def is_running(self) -> bool:
         """Whether a solution is being computed."""
         return self._job is not None
+
+    @property
+    def is_solved(self) -> bool:
+        """Whether the views of the last solution determine the result."""
+        return self.interim is not None and self.interim.solved is not None
+
+    @property
+    def has_enough(self) -> bool:
+        """Whether nothing is missing."""
+        return self.is_solved and self.interim is not None and self.interim.advice.enough
+
+    @property
+    def is_good(self) -> bool:
+        """Whether the views collected so far make a good calibration."""
+        return self.interim is not None and self.interim.verdict is not None and self.interim.verdict.level == "good"
 
     def solve(self, snapshot: Snapshot, rig: RigDescription | None) -> None:
         """Solve a snapshot, with ``rig`` also suggest its next viewpoint; at once or after the one that is being solved."""

@@ -93,7 +93,7 @@ class CalibratingController(QObject):
         """Solve the collected observations from scratch and evaluate the result."""
         from measureapp.calibrate.draft.draft import Known
 
-        collected, truth = self.collecting.collected, self.collecting.truth
+        collected, truth = self.collecting.collected, self.collecting.capture.truth
         if collected is None or self._job is not None:
             return
         self.forget_result()

@@ -17,9 +17,10 @@ from ui.controllers.background_solver import BackgroundSolver
 from ui.controllers.beginning import begin_with_images, begin_with_rig
 from ui.controllers.collected_images import CollectedImages
 from ui.controllers.collected_views import describe_view
-from ui.controllers.collecting_nouns import CollectedView, LiveImage, Start, StoredSession
+from ui.controllers.collecting_nouns import CollectedView, Start, StoredSession
 from ui.controllers.jobs import JobRunner
-from ui.controllers.rig_connection import RigConnection, truth_of
+from ui.controllers.rig_capture import RigCapture
+from ui.controllers.rig_connection import RigConnection
 from ui.controllers.stored_sessions import newest_session, project_on_disk, sessions_folder
 from ui.session import Session
 from ui.workers.job import Job
@@ -29,8 +30,6 @@ if TYPE_CHECKING:
     from measureapp.calibration_session.observation import CollectedObservation
     from measureapp.calibration_session.session import CalibrationSession
     from measureapp.calibration_session.snapshot import Snapshot
-    from measureapp.data.calibration import RigCalibration
-    from measureapp.data.plan import Viewpoint
     from measureapp.data.rig import RigDescription
 
 
@@ -46,21 +45,19 @@ class CollectingController(QObject):
         super().__init__(parent)
         self.kind = kind
         self._session, self._collecting = session, collecting
-        self._solver = BackgroundSolver(solving, self)
-        self._solver.solved.connect(self._show_interim)
+        self.solver = BackgroundSolver(solving, self)
+        self.solver.solved.connect(self._show_interim)
         self._job: Job | None = None  # taking or reading images
-        self._more = 0  # views beyond those planned that are still to be taken
         self._held = ExitStack()  # the session's folder, while it is open
         self._forget()
 
     def _forget(self) -> None:
         self._held.close()
-        self._solver.stop()
+        self.solver.stop()
         self.collected: CalibrationSession | None = None
         self.now: Snapshot | None = None  # of it, as the pages show it
-        self._rig: RigDescription | None = None
-        self._connection: RigConnection | None = None
-        self._images = CollectedImages()
+        self.capture = RigCapture(self, self._session)
+        self.images = CollectedImages()
         self.views: tuple[CollectedView, ...] = ()
 
     # what there is
@@ -71,39 +68,9 @@ class CollectingController(QObject):
         return () if self.collected is None else self.collected.setup.seeing
 
     @property
-    def from_rig(self) -> bool:
-        """Whether the rig takes the images."""
-        return self._rig is not None
-
-    @property
     def is_collecting(self) -> bool:
         """Whether images are being taken or read."""
         return self._job is not None
-
-    @property
-    def is_solving(self) -> bool:
-        """Whether a solution is being computed."""
-        return self._solver.is_running
-
-    @property
-    def interim(self) -> work.InterimResult | None:
-        """The last solution with verdict and guidance; None before the first."""
-        return self._solver.interim
-
-    @property
-    def is_solved(self) -> bool:
-        """Whether the views determine the result."""
-        return self.interim is not None and self.interim.solved is not None
-
-    @property
-    def has_enough(self) -> bool:
-        """Whether nothing is missing."""
-        return self.is_solved and self.interim is not None and self.interim.advice.enough
-
-    @property
-    def is_good(self) -> bool:
-        """Whether the views collected so far make a good calibration."""
-        return self.interim is not None and self.interim.verdict is not None and self.interim.verdict.level == "good"
 
     @property
     def can_undo(self) -> bool:
@@ -115,44 +82,15 @@ class CollectingController(QObject):
         """Whether a change was undone that can be redone."""
         return self.now is not None and self.now.can_redo
 
-    @property
-    def truth(self) -> RigCalibration | None:
-        """The ground truth of the virtual rig; for display with a result, never for the calibration."""
-        if self.collected is None or self._rig is None:
-            return None
-        return truth_of(self._rig, self.collected.setup.board)
-
-    @property
-    def rig(self) -> RigDescription | None:
-        """The rig that takes the images."""
-        return self._rig
-
-    @property
-    def remaining(self) -> int:
-        """How many views the rig has still to take."""
-        return len(self._viewpoints_left())
-
-    def newest_image(self, camera: str) -> LiveImage | None:
-        """Return the newest image of a camera while its board is still being detected."""
-        return self._images.newest(camera)
-
-    def take_live(self) -> bool:
-        """Fetch the newest images from their mailbox; returns whether there were any."""
-        return self._images.take_live()
-
     def image(self, id_: str, camera: str) -> np.ndarray | None:
         """Return the image of one camera in a view, or None where it has none (or it cannot be read)."""
         if self.collected is None:
             return None
         try:
-            return self._images.full(self.collected, id_, camera)
+            return self.images.full(self.collected, id_, camera)
         except MeasureError as error:
             self.told.emit(error.message, error.hint, "error")
             return None
-
-    def size_px(self, camera: str) -> tuple[int, int] | None:
-        """Return width and height of a camera's images."""
-        return None if self.now is None else self.now.size_px(camera)
 
     # beginning
 
@@ -173,7 +111,7 @@ class CollectingController(QObject):
     def _begin_with_images(self, start: Start, folder: Path) -> None:
         collected, recorded = begin_with_images(self.kind, start, folder, self._session)
         self._take_over(collected, None, {})
-        self._run(f"Reading {folder.name}", lambda job: work.read(job, recorded, collected))
+        self.run(f"Reading {folder.name}", lambda job: work.read(job, recorded, collected))
 
     def resume(self, folder: Path) -> None:
         """Continue a stored session."""
@@ -193,75 +131,24 @@ class CollectingController(QObject):
 
         self._forget()
         self._held.enter_context(lock_folder(collected.folder))
-        self.collected, self._rig, self._images = collected, rig, CollectedImages(thumbnails)
+        self.collected, self.images = collected, CollectedImages(thumbnails)
+        self.capture = RigCapture(self, self._session, rig)
         self.begun.emit()
         self._after_change()
 
     # collecting
 
-    @property
-    def can_take_more(self) -> bool:
-        """Whether the rig can take views beyond those planned that add information."""
-        return self.interim is not None and self.interim.suggestion is not None
-
-    @property
-    def can_collect(self) -> bool:
-        """Whether views can be added, planned ones or others."""
-        return bool(self.remaining) or self.can_take_more
-
-    @property
-    def took_more(self) -> bool:
-        """Whether views beyond those planned were taken before."""
-        return any(view.name.startswith(work.BEYOND_PLAN) for view in self.views)
-
-    def take_more(self, count: int) -> None:
-        """Let the rig take views beyond those planned, each at the viewpoint that adds most information after the one before was solved."""
-        self._more = count
-        self._take_suggested()
-
-    def _take_suggested(self) -> None:
-        suggestion = None if self.interim is None else self.interim.suggestion
-        self._more = 0 if suggestion is None else self._more - 1
-        if suggestion is not None:
-            self._take((suggestion.viewpoint,))
-
-    def take(self, most: int | None = None) -> None:
-        """Let the rig take the planned views that are still missing, at most so many of them."""
-        self._take(self._viewpoints_left()[:most])
-
-    def _take(self, viewpoints: tuple[Viewpoint, ...]) -> None:
-        collected, rig = self.collected, self._rig
-        if collected is None or rig is None or self.is_collecting or not viewpoints:
-            return
-        connection, live = self._connection, self._images.live
-
-        def run(job: Job) -> None:
-            job.report(0, 1, "Connecting the rig")
-            connected = connection or work.connect_rig(job, rig, collected.setup.board)
-            work.take(job, connected.rig, viewpoints, collected, live)
-
-        self._run("Taking images of the board", run)
-
-    def _viewpoints_left(self) -> tuple[Viewpoint, ...]:
-        from measureapp.planning.calibration_views import calibration_viewpoints
-
-        if self.now is None or self._rig is None:
-            return ()
-        taken = {image.name for view in self.now.observations if view.status != "removed" for image in view.images.values()}
-        kind = self.kind
-        planned = calibration_viewpoints(self._rig, self._session.plan, kind.motions, guide_at_zero=kind.guide_at_zero)
-        return tuple(viewpoint for viewpoint in planned if viewpoint.id not in taken)
-
-    def _run(self, title: str, run: work.Work) -> None:
+    def run(self, title: str, run: work.Work) -> None:
+        """Take or read images in the background, as ``run`` does on its job."""
         self._job = self._collecting.run(
-            title, run, self._collected, on_event=self._handle_event, on_stopped=self._stopped, on_failed=self._tell_failure
+            title, run, self._end_collecting, on_event=self._handle_event, on_stopped=self._end_collecting, on_failed=self._tell_failure
         )
         self._job.progressed.connect(self.progressed)
         self.changed.emit()
 
     def stop(self) -> None:
         """Stop taking or reading; what was collected is kept."""
-        self._more = 0
+        self.capture.stop()
         if self._job is not None:
             self._job.cancel()
 
@@ -269,28 +156,22 @@ class CollectingController(QObject):
     def _handle_event(self, event: object) -> None:
         match event:
             case RigConnection():
-                self._connection = event
+                self.capture.connection = event
             case work.Skipped():
                 self.told.emit(event.error.message, event.error.hint, "warning")
             case work.Added() if self.collected is not None:
-                self._images.add(event)
+                self.images.add(event)
                 self._after_change()
-
-    @Slot(object)
-    def _collected(self, _nothing: object) -> None:
-        self._end_collecting()
-
-    @Slot()
-    def _stopped(self) -> None:
-        self._end_collecting()
 
     @Slot(object)
     def _tell_failure(self, error: MeasureError) -> None:
         self.told.emit(error.message, error.hint, "error")
 
-    def _end_collecting(self) -> None:
+    @Slot()
+    @Slot(object)
+    def _end_collecting(self, _nothing: object = None) -> None:
         self._job = None
-        self._images.forget_newest()
+        self.images.forget_newest()
         self._after_change()
         if self.now is not None and not self.now.usable:
             self._report_nothing_found(self.now)
@@ -332,7 +213,7 @@ class CollectingController(QObject):
         """Show the session as it is now, and solve it."""
         self._refresh()
         if self.now is not None:
-            self._solver.solve(self.now, None if self._viewpoints_left() else self._rig)
+            self.solver.solve(self.now, None if self.capture.viewpoints_left else self.capture.rig)
         self.changed.emit()
 
     def _refresh(self) -> None:
@@ -340,23 +221,22 @@ class CollectingController(QObject):
         self.views = () if self.now is None else tuple(self._describe(one) for one in self.now.observations)
 
     def _describe(self, observation: CollectedObservation) -> CollectedView:
-        known = self._images.thumbnails
+        known = self.images.thumbnails
         pictures = {camera: known[key] for camera in observation.images if (key := (observation.id, camera)) in known}
-        return describe_view(observation, None if self.interim is None else self.interim.solved, pictures)
+        return describe_view(observation, None if self.solver.interim is None else self.solver.interim.solved, pictures)
 
     @Slot()
     def _show_interim(self) -> None:
-        if self.collected is not None and self.interim is not None:
-            self.collected.adopt(self.interim.solved)
+        if self.collected is not None and self.solver.interim is not None:
+            self.collected.adopt(self.solver.interim.solved)
         self._refresh()
         self.changed.emit()
-        if self._more and not self.is_collecting and not self.is_solving:
-            self._take_suggested()
+        if not self.is_collecting and not self.solver.is_running:
+            self.capture.take_next()
 
     def close(self) -> None:
         """Stop the jobs of this wizard and disconnect the rig; everything collected is on disk."""
         if self._job is not None:
             self._job.cancel()
-        if self._connection is not None:
-            self._connection.rig.close()
+        self.capture.close()
         self._forget()

@@ -68,8 +68,7 @@ class Canvas:
         words: str,
         *,
         colour: str = "soft",
-        dx: float = 0,
-        dy: float = 0,
+        offset: tuple[float, float] = (0, 0),
         bold: bool = False,
         centre: bool = True,
         clear: bool = False,
@@ -77,7 +76,7 @@ class Canvas:
         """Draw text at a world point with an offset in pixels; ``clear`` fills its background."""
         set_letters(self._painter, self.theme.sizes["small"], bold=bold)
         self._painter.setPen(self.theme.colour(colour))
-        place = self.at(x, y) + QPointF(dx, dy)
+        place = self.at(x, y) + QPointF(*offset)
         box = QRectF(place.x() - (120 if centre else 0), place.y() - 10, 240, 20)
         side = Qt.AlignmentFlag.AlignHCenter if centre else Qt.AlignmentFlag.AlignLeft
         side |= Qt.AlignmentFlag.AlignVCenter

@@ -73,7 +73,7 @@ class RigDrawing(QWidget):
         canvas.pen("faint", 1.2)
         canvas.fill("sunken")
         canvas.box(-140, low - 100, 140, high + 100)
-        canvas.text(0, low - 100, f"Guide {high - low:.0f} mm", dx=28, dy=14, clear=True)
+        canvas.text(0, low - 100, f"Guide {high - low:.0f} mm", offset=(28, 14), clear=True)
         canvas.pen("faint", 1.5)
         canvas.fill("raised")
         canvas.circle(x, y, radius)
@@ -81,7 +81,7 @@ class RigDrawing(QWidget):
         canvas.circle(x, y, radius * 0.62)
         canvas.line((x - 40, y), (x + 40, y))
         canvas.line((x, y - 40), (x, y + 40))
-        canvas.text(x, y - radius, f"Table ⌀ {2 * radius:.0f} mm", dy=14, clear=True)
+        canvas.text(x, y - radius, f"Table ⌀ {2 * radius:.0f} mm", offset=(0, 14), clear=True)
         _robot_top(canvas, stand, x - rig.standoff_mm * 0.85, y)
 
 
@@ -97,7 +97,7 @@ def _table_side(canvas: Canvas, x: float, z: float, radius: float, floor: float)
     canvas.box(x - radius, z, x + radius, z - 60)
     canvas.pen("faint", 1.2, Qt.PenStyle.DashDotLine)
     canvas.line((x, floor), (x, z + 250))
-    canvas.text(x, z + 250, "Table axis", dx=44, dy=0)
+    canvas.text(x, z + 250, "Table axis", offset=(44, 0))
 
 
 def _robot_side(canvas: Canvas, shoulder: tuple[float, float, float], head: tuple[float, float], floor: float) -> None:
@@ -117,7 +117,7 @@ def _robot_side(canvas: Canvas, shoulder: tuple[float, float, float], head: tupl
         canvas.dot(*joint, 8)
     canvas.pen("accent", 14)
     canvas.line((head[0] - 60, head[1] - 90), (head[0] + 40, head[1] + 90))
-    canvas.text(head[0] + 70, head[1] + 110, "Measuring head", dy=-6, colour="accent_text", bold=True, centre=False)
+    canvas.text(head[0] + 70, head[1] + 110, "Measuring head", offset=(0, -6), colour="accent_text", bold=True, centre=False)
 
 
 def _sight(canvas: Canvas, head: tuple[float, float], goal: tuple[float, float], spread: float, standoff_mm: float) -> None:
@@ -136,4 +136,4 @@ def _robot_top(canvas: Canvas, stand: float, head_x: float, y: float) -> None:
     canvas.dot(0, stand, 14)
     canvas.pen("accent", 14)
     canvas.line((head_x, y - 120), (head_x, y + 120))
-    canvas.text(0, stand, "Robot", dy=26)
+    canvas.text(0, stand, "Robot", offset=(0, 26))

@@ -123,7 +123,7 @@ class CollectPage(QWidget):
 
     def _show_guidance(self) -> None:
         """Show guidance; the gauges are those of the camera shown."""
-        interim = self._collecting.interim
+        interim = self._collecting.solver.interim
         if interim is not None:
             camera = self.cameras.value()
             shown = [gauge for gauge in interim.advice.gauges if gauge.camera in {"", camera}]
@@ -131,7 +131,7 @@ class CollectPage(QWidget):
                 interim.advice.sentences, [Level(one.name, one.value / one.target, gauge_words(one)) for one in shown]
             )
             self.guidance.show_verdict(interim.verdict.sentence if interim.verdict else "", str(interim.error) if interim.error else "")
-        elif not self._collecting.is_solving:
+        elif not self._collecting.solver.is_running:
             self.guidance.show_guidance((), ())
             self.guidance.show_verdict("", "")
 
@@ -153,7 +153,7 @@ class CollectPage(QWidget):
         self.picture.show_layers([name for name, button in self.layers.items() if button.isChecked()])
 
     def _take_live(self) -> None:
-        if self._collecting.take_live() and self.chosen is None:
+        if self._collecting.images.take_live() and self.chosen is None:
             self._show_chosen()
 
     def _show_chosen(self) -> None:
@@ -161,9 +161,9 @@ class CollectPage(QWidget):
         collecting, camera = self._collecting, self.cameras.value()
         chosen = self.chosen
         view = chosen or (collecting.views[-1] if collecting.views else None)
-        self.live.setVisible(chosen is not None and collecting.from_rig)
+        self.live.setVisible(chosen is not None and collecting.capture.rig is not None)
         self.remove.setEnabled(chosen is not None and not chosen.removed)
-        newest = collecting.newest_image(camera)
+        newest = collecting.images.newest(camera)
         if chosen is None and newest is not None:
             overlay = Overlay(None, None, None, self._coverage(camera))
             self._draw(
@@ -187,13 +187,14 @@ class CollectPage(QWidget):
             self.picture.show_image(grey_image(pixels), (pixels.shape[1], pixels.shape[0]), overlay, caption)
 
     def _ghost(self, camera: str) -> np.ndarray | None:
-        interim = self._collecting.interim
+        interim = self._collecting.solver.interim
         ghost = None if interim is None else interim.advice.ghost if interim.suggestion is None else interim.suggestion.ghost
         return None if ghost is None else ghost.outlines_px.get(camera)
 
     def _coverage(self, camera: str) -> np.ndarray | None:
         """How often each cell of the image holds corners of the views in use."""
-        size = self._collecting.size_px(camera)
+        snapshot = self._collecting.now
+        size = None if snapshot is None else snapshot.size_px(camera)
         seen = [view.corners_px[camera] for view in self._collecting.views if view.verdict == "pass" and camera in view.corners_px]
         if size is None or not seen:
             return None

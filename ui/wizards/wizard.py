@@ -128,7 +128,7 @@ class CalibrationWizard(QDialog):
             "done" if begun else "now",
             problem if not begun else several(sum(name != PROJECTOR for name in collecting.cameras), "camera"),
         )
-        state: StepState = "waiting" if not begun else "done" if collecting.has_enough else "now"
+        state: StepState = "waiting" if not begun else "done" if collecting.solver.has_enough else "now"
         words = f"{several(views, 'view')} in use" if begun else ""
         result: StepState = "waiting" if found is None else "done" if found.sign == "pass" else "problem"
         return [
@@ -143,22 +143,22 @@ class CalibrationWizard(QDialog):
         if self.step == SETUP:
             return "Begin", "", ""
         if self.step == COLLECT:
-            see = "See the result" if collecting.is_solved and not collecting.is_collecting else ""
-            if collecting.remaining and not collecting.is_collecting:
-                return f"Take {several(collecting.remaining, 'view')}", see, "Take one view"
-            if collecting.can_take_more and not collecting.is_collecting:
+            see = "See the result" if collecting.solver.is_solved and not collecting.is_collecting else ""
+            if collecting.capture.viewpoints_left and not collecting.is_collecting:
+                return f"Take {several(len(collecting.capture.viewpoints_left), 'view')}", see, "Take one view"
+            if collecting.capture.can_take_more and not collecting.is_collecting:
                 more = f"Take {MORE} more views"
-                return (see, more, "") if collecting.is_good or collecting.took_more else (more, see, "")
-            if not (see or collecting.from_rig or collecting.is_collecting or collecting.is_solving):
+                return (see, more, "") if collecting.solver.is_good or collecting.capture.took_more else (more, see, "")
+            if not (see or collecting.capture.rig is not None or collecting.is_collecting or collecting.solver.is_running):
                 return OTHER_IMAGES, "", ""
             return see, "", ""
-        more = "Collect more" if collecting.can_collect else "Back to the views"
+        more = "Collect more" if collecting.capture.can_collect else "Back to the views"
         if self.calibrating.result is None:
             return "", more, ""
         keep = KEEP_OLD if self.calibrating.has_previous else NOT_NOW
         if self.calibrating.result.sign == "pass":
             return "Accept", more, keep
-        return (more, ANYWAY, keep) if collecting.can_collect else (keep, ANYWAY, more)
+        return (more, ANYWAY, keep) if collecting.capture.can_collect else (keep, ANYWAY, more)
 
     def _do_next(self) -> None:
         self.footer.show_message("")
@@ -194,13 +194,13 @@ class CalibrationWizard(QDialog):
 
     def _take(self, offered: str) -> None:
         if offered.endswith("more views"):
-            self.collecting.take_more(MORE)
+            self.collecting.capture.take_more(MORE)
         else:
-            self.collecting.take()
+            self.collecting.capture.take()
 
     def _do_third(self) -> None:
         if self.step == COLLECT:
-            self.collecting.take(1)
+            self.collecting.capture.take(1)
         else:
             self._decide(self.footer.words[2])
 

@@ -132,7 +132,7 @@ def _check_contrast(contrast: Contrast) -> None:
     if not (contrast.exposures and min(contrast.exposures) >= 1 / MILLION and max(contrast.exposures) == 1):
         listed = ", ".join(f"{share:g}" for share in contrast.exposures)
         raise DecodeError(
-            f"The exposures {listed} are not relative to the longest.", "Give 1 for the longest and shares of it for the others."
+            f"The exposures {listed} are not relative to the longest.", "Give 1 for the longest and fractions of it for the others."
         )
     if not (0 < contrast.modulation_grey <= contrast.mean_grey and contrast.saturation > 0):
         raise DecodeError(

@@ -39,10 +39,10 @@ def estimate_blade_errors(own: MeasuredPoints, number: int, frame: SectionFrame)
     in_section = np.maximum(np.linalg.norm(across, axis=1), LEAST_IN_SECTION)[:, None]
     by_motion = _stagger_derivatives(frame, flat.mean(axis=0))
     turn, stagger, apart, total = {}, {}, {}, {}
-    for share, moved in own.errors.along(points, normals, own.view).items():
+    for contribution, moved in own.errors.along(points, normals, own.view).items():
         explained = np.linalg.lstsq(motions, moved, rcond=None)[0]
-        turn[share], stagger[share] = effect @ moved / (effect @ effect), by_motion @ explained
-        apart[share], total[share] = (_rms(change / in_section) for change in (moved - motions @ explained, moved))
+        turn[contribution], stagger[contribution] = effect @ moved / (effect @ effect), by_motion @ explained
+        apart[contribution], total[contribution] = (_rms(change / in_section) for change in (moved - motions @ explained, moved))
     return BladeErrors(turn, stagger, apart, total)
 
 

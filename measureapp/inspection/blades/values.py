@@ -86,7 +86,7 @@ def _single(kind: str, blade: FoundBlade, settings: InspectionSettings) -> Value
         return Value(value, {NOISE: sigma, **_deformation_budget(blade, settings, sides)}, how)
     lean = scale_budget(_deformation_budget(blade, settings, sides), 1 / float(np.linalg.norm(made.chord)))
     if blade.by_errors is not None:
-        lean = {share: float(np.linalg.norm(columns)) for share, columns in blade.by_errors.stagger_rad.items()}
+        lean = {contribution: float(np.linalg.norm(columns)) for contribution, columns in blade.by_errors.stagger_rad.items()}
     return Value(float(np.degrees(value)), scale_budget({NOISE: sigma, **lean}, DEGREES), how)
 
 

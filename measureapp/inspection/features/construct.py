@@ -25,8 +25,8 @@ def construct(described: ConstructedFeature, known: Mapping[str, FoundFeature]) 
     made = {}
     for k, name in enumerate(names, start=1):
         one, other = (known[needed] for needed in substitute_index(described.of, k, count))
-        drawn = _construct_one(described.shape, name, _as_nominal(one), _as_nominal(other)).feature
-        made[name] = replace(_construct_one(described.shape, name, one, other), nominal=drawn)
+        nominal = _construct_one(described.shape, name, _as_nominal(one), _as_nominal(other)).feature
+        made[name] = replace(_construct_one(described.shape, name, one, other), nominal=nominal)
     return made
 
 

@@ -61,7 +61,7 @@ def propagate_point_errors(follows: FloatArray, used: MeasuredPoints, directions
     """Propagate displacements of points along ``directions`` (N, 3) to values with the Jacobian ``follows`` (P, N)."""
     assert used.errors is not None and used.view is not None
     displaced = used.errors.along(used.points_mm, directions, used.view)
-    return {ErrorSource(share): follows @ columns for share, columns in displaced.items()}
+    return {ErrorSource(contribution): follows @ columns for contribution, columns in displaced.items()}
 
 
 def assume_placement_errors(feature: Feature, placement_mm: float) -> dict[ErrorSource, FloatArray]:

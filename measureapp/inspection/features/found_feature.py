@@ -88,22 +88,22 @@ def _find_copy(nominal: NominalFeature, points: MeasuredPoints, edges: cKDTree |
 
 
 def fit_feature(
-    expected: NominalFeature, points: MeasuredPoints, chosen: IntArray, settings: InspectionSettings, drawn: Feature | None
+    expected: NominalFeature, points: MeasuredPoints, chosen: IntArray, settings: InspectionSettings, nominal: Feature | None
 ) -> FoundFeature:
     """Fit the shape of ``expected``, starting there, to the chosen points; ``drawn`` is its nominal, if there is one."""
     name = expected.feature.name
     if len(chosen) < settings.least_points:
         reason = f"{name}: only {len(chosen)} points were measured there, {settings.least_points} are needed"
-        return FoundFeature(name, None, reason, nominal=drawn)
+        return FoundFeature(name, None, reason, nominal=nominal)
     if len(chosen) > settings.fit_points:
         chosen = chosen[:: -(-len(chosen) // settings.fit_points)]
     cut = points.where(chosen)
     try:
         feature, residuals, kept = _fit_with_trimming(expected, cut, settings)
     except FitError as error:
-        return FoundFeature(name, None, f"{name}: {error.message}", nominal=drawn)
+        return FoundFeature(name, None, f"{name}: {error.message}", nominal=nominal)
     if reason := _implausible(feature, expected):
-        return FoundFeature(name, None, f"{name}: {reason}", nominal=drawn)
+        return FoundFeature(name, None, f"{name}: {reason}", nominal=nominal)
     used = cut.where(kept)
     unknowns = QUADRIC if expected.surface_point else PLANE
     factor = correlation_factor(used.points_mm, residuals, settings.uncertainty.correlation_mm, unknowns)
@@ -116,7 +116,7 @@ def fit_feature(
         factor,
         views,
         used.points_mm,
-        drawn,
+        nominal,
         hole=expected.hole,
         view_contributions=by_views,
         view=used.view,

@@ -34,24 +34,24 @@ def grow_features(described: MeasuredFeature, points: MeasuredPoints, settings: 
 
 def _grow_copy(
     described: MeasuredFeature,
-    asked: Grow,
+    requested: Grow,
     name: str,
     turn: FloatArray,
     nominal: NominalFeature | None,
     points: MeasuredPoints,
     settings: InspectionSettings,
 ) -> FoundFeature:
-    drawn = None if nominal is None else nominal.feature
+    nominal_feature = None if nominal is None else nominal.feature
     allowed = within_box(points.points_mm, described.cut, turn)
     assert described.shape != "surface_point"  # the program refuses growing surface points
     try:
-        region = grow_region(points, allowed, described.shape, turn @ np.asarray(asked.seed_mm, float), asked)
+        region = grow_region(points, allowed, described.shape, turn @ np.asarray(requested.seed_mm, float), requested)
     except (InspectionError, FitError) as error:
         return FoundFeature(
-            name, None, " ".join(filter(None, [f"{name}: {error.message.rstrip('.')}.", error.hint])).rstrip("."), nominal=drawn
+            name, None, " ".join(filter(None, [f"{name}: {error.message.rstrip('.')}.", error.hint])).rstrip("."), nominal=nominal_feature
         )
     expected = nominal or NominalFeature(_orient_outwards(region, name, points), described.cut, described.hole, False, 0.0)
-    made = fit_feature(expected, points, region.indices, settings, drawn)
+    made = fit_feature(expected, points, region.indices, settings, nominal_feature)
     if made.feature is None:
         return made
     words = f"grown from seed to {len(region.indices)} points within {region.limit_mm:.3f} mm (noise {region.noise_mm:.3f} mm)"

@@ -31,7 +31,7 @@ def bin_deviations(distances_mm: FloatArray, lower_mm: float, upper_mm: float) -
     InspectionError
         The lower tolerance is not below the upper one, or there are no deviations.
 
-    >>> found = histogram(np.array([-0.3, 0.0, 0.05, 0.2]), -0.1, 0.1)
+    >>> found = bin_deviations(np.array([-0.3, 0.0, 0.05, 0.2]), -0.1, 0.1)
     >>> found.below, found.within, found.above
     (0.25, 0.5, 0.25)
     """

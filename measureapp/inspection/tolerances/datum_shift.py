@@ -88,7 +88,7 @@ def find_plays(
 
 
 def shift_datum_system(
-    drawn: Sequence[Feature], measured: Sequence[Feature], plays: Sequence[Play], offsets: Offsets, more_mm: float = 0.0
+    nominals: Sequence[Feature], measured: Sequence[Feature], plays: Sequence[Play], offsets: Offsets, more_mm: float = 0.0
 ) -> DatumSystem:
     """Return the datum system shifted within all plays so that the greatest offset is minimal.
 
@@ -98,13 +98,13 @@ def shift_datum_system(
     ----------
     more_mm : added to the radius of every play, to propagate its uncertainty
     """
-    start = datum_system(drawn, measured)
+    start = datum_system(nominals, measured)
     radii = [max(play.radius_mm(measured[play.number]) + more_mm, 0.0) for play in plays]
     counts = [start.fixed[play.number].shape[1] for play in plays]
 
     def shifted(motion: FloatArray) -> DatumSystem:
         parts = np.split(motion, np.cumsum(counts)[:-1])
-        return datum_system(drawn, measured, {play.number: part for play, part in zip(plays, parts, strict=True)})
+        return datum_system(nominals, measured, {play.number: part for play, part in zip(plays, parts, strict=True)})
 
     def off(system: DatumSystem) -> list[FloatArray]:
         return [offsets(system), *(play.offsets(system, measured[play.number]) for play in plays)]

@@ -34,14 +34,16 @@ def evaluate_position(
     InspectionError
         The datums do not fix the location, the feature has no position, or a material condition is required of a feature without size.
     """
-    feature, nominal, drawn = require_feature(found), require_nominal(found), require_nominals(datums)
-    datum_system(drawn, [require_feature(one) for one in datums]).require_place(nominal, found.name)
+    feature, nominal, nominals = require_feature(found), require_nominal(found), require_nominals(datums)
+    datum_system(nominals, [require_feature(one) for one in datums]).require_place(nominal, found.name)
     if feature.shape == "plane" and not described.datum_material:
         return evaluate_surface_zone(found, datums, extract_cells(found, settings), settings)
     if feature.shape not in (*AXES, *CENTRES):
         shapes = "axes and centres where a datum has a material condition" if described.datum_material else "planes, axes and centres"
         raise InspectionError(f"{found.name} is a {feature.shape}: position is defined for {shapes}")
-    zone = _Zone(nominal, drawn, ends_of(found, feature), find_plays(described.datum_material, described.datums, datums, drawn, settings))
+    zone = _Zone(
+        nominal, nominals, ends_of(found, feature), find_plays(described.datum_material, described.datums, datums, nominals, settings)
+    )
     made = _add_material_bonus(described, zone.width, found, datums, settings, _describe(feature, zone.ends_mm))
     return zone.with_shift(made, [feature, *(require_feature(one) for one in datums)])
 
@@ -49,13 +51,13 @@ def evaluate_position(
 class _Zone:
     """Zone of an axis or a centre about its nominal location, relative to datums with shift."""
 
-    def __init__(self, nominal: Feature, drawn: Sequence[Feature], ends_mm: FloatArray, plays: tuple[Play, ...]) -> None:
-        self.nominal, self.drawn, self.ends_mm, self.plays = nominal, drawn, ends_mm, plays
+    def __init__(self, nominal: Feature, nominals: Sequence[Feature], ends_mm: FloatArray, plays: tuple[Play, ...]) -> None:
+        self.nominal, self.nominals, self.ends_mm, self.plays = nominal, nominals, ends_mm, plays
 
     def width(self, features: Sequence[Feature], more_mm: float = 0.0) -> float:
         """Return the width of the required zone at the best datum shift."""
         points = points_of(features[0], self.ends_mm)
-        system = shift_datum_system(self.drawn, features[1:], self.plays, lambda made: self._offsets(made, points), more_mm)
+        system = shift_datum_system(self.nominals, features[1:], self.plays, lambda made: self._offsets(made, points), more_mm)
         return self._width(system, points)
 
     def with_shift(self, made: Value, features: Sequence[Feature]) -> Value:
@@ -65,7 +67,7 @@ class _Zone:
         noise = float(np.linalg.norm([play.noise_mm for play in self.plays]))
         best = self.width(features)
         change = max(abs(self.width(features, sign * noise) - best) for sign in (1.0, -1.0))
-        unshifted = self._width(datum_system(self.drawn, features[1:]), points_of(features[0], self.ends_mm))
+        unshifted = self._width(datum_system(self.nominals, features[1:]), points_of(features[0], self.ends_mm))
         sizes = ", ".join(f"{play.nominal.name} play {2 * play.radius_mm(features[1 + play.number]):.4f} mm" for play in self.plays)
         words = f"{made.how}; datum shift: {sizes}, {unshifted:.4f} mm without shift"
         return Value(made.value, combine_budgets(made.budget, {NOISE: change}), words, made.bonus)

@@ -56,10 +56,10 @@ def evaluate_surface_zone(
 ) -> Value:
     """Return twice the greatest distance of cell means from the nominal surface in the datum system, with offset out of the material."""
     distances = _distances(found)
-    drawn = require_nominals(datums)
+    nominals = require_nominals(datums)
 
     def width(features: Sequence[Feature], points_mm: FloatArray) -> float:
-        system = datum_system(drawn, features) if datums else NO_DATUM
+        system = datum_system(nominals, features) if datums else NO_DATUM
         return 2 * float(np.abs(distances(system.apply(points_mm)) - zone_offset_mm).max())
 
     value, budget = propagate_with_surface(width, datums, cells)

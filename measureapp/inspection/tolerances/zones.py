@@ -73,12 +73,12 @@ def _orientation(kind: str, found: FoundFeature, datums: tuple[FoundFeature, ...
 
 def _exact_direction(kind: str, found: FoundFeature, datums: tuple[FoundFeature, ...]) -> Callable[[Sequence[Feature]], FloatArray]:
     """Return the function from feature and datums to the exact direction of the zone, in the frame of the points."""
-    drawn = require_nominals(datums)
+    nominals = require_nominals(datums)
     measured = [require_feature(one) for one in datums]
     if len(datums) > 1:
         nominal = require_nominal(found)
-        datum_system(drawn, measured).require_direction(nominal, found.name)
-        return lambda features: datum_system(drawn, features[1:]).nominal_from_measured[:3, :3].T @ require_direction(nominal)
+        datum_system(nominals, measured).require_direction(nominal, found.name)
+        return lambda features: datum_system(nominals, features[1:]).nominal_from_measured[:3, :3].T @ require_direction(nominal)
     angle = _exact_angle(kind, found, datums[0])
 
     def toward(features: Sequence[Feature]) -> FloatArray:

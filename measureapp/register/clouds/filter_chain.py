@@ -54,7 +54,7 @@ class Filter:
 
 
 def apply_filters(
-    points_mm: FloatArray, asked: Sequence[Filter], progress: Progress | None = None
+    points_mm: FloatArray, requested: Sequence[Filter], progress: Progress | None = None
 ) -> tuple[IntArray, dict[FilterKind, int]]:
     """Apply filters in order; return the indices of the points that pass all of them, and the number each kind removed.
 
@@ -65,8 +65,8 @@ def apply_filters(
     """
     progress = progress or NoProgress()
     stays, removed = np.arange(len(points_mm)), dict[FilterKind, int]()
-    for number, one in enumerate(asked):
-        part = PartOf(progress, number / len(asked), (number + 1) / len(asked))
+    for number, one in enumerate(requested):
+        part = PartOf(progress, number / len(requested), (number + 1) / len(requested))
         part.report(0, 1, f"filter: {one.kind}")
         mask = one.mask(points_mm[stays], part)
         removed[one.kind] = removed.get(one.kind, 0) + int(np.count_nonzero(~mask))

@@ -74,7 +74,7 @@ def test_a_plate_seen_from_above_leaves_shifts_and_a_turn_open_and_says_so() -> 
     plate = Mesh(corners, np.array([[0, 1, 2], [0, 2, 3]]), "nominal")
     seen = np.column_stack([rng.uniform(-40, 40, 3000), rng.uniform(-30, 30, 3000), rng.normal(0, 0.01, 3000)])
     alignment = best_fit(MeasuredPoints(seen, np.tile([0.0, 0.0, 1.0], (3000, 1))), plate)
-    assert set(alignment.undetermined) == {"turn about z", "shift along x", "shift along y"}
+    assert set(alignment.undetermined) == {"rotation about z", "translation along x", "translation along y"}
 
 
 @pytest.mark.parametrize(("factor", "unit"), [(1e-3, "metres"), (1 / 25.4, "inches"), (0.1, "centimetres")])

@@ -78,10 +78,10 @@ def test_a_displaced_block_is_taken_back_by_its_features(alignment, named, bound
 @pytest.mark.parametrize(
     ("alignment", "left_open"),
     [
-        ("datums:top", {"shift along x", "shift along y", "turn about z"}),
-        ("datums:top,front", {"shift along x"}),
-        ("rps:t1,t2,t3", {"shift along x", "shift along y", "turn about z"}),
-        ("rps:t1,t2,t3,f1,f2", {"shift along x"}),
+        ("datums:top", {"translation along x", "translation along y", "rotation about z"}),
+        ("datums:top,front", {"translation along x"}),
+        ("rps:t1,t2,t3", {"translation along x", "translation along y", "rotation about z"}),
+        ("rps:t1,t2,t3,f1,f2", {"translation along x"}),
     ],
 )
 def test_what_the_features_leave_open_is_named(alignment: str, left_open: set[str]) -> None:
@@ -129,10 +129,10 @@ def test_a_missing_feature_refuses_the_alignment_and_says_which() -> None:
     [
         ("3-2-1:t1,front,side", "t1 is a point: 3-2-1 needs a plane"),
         ("3-2-1:top,t1,side", "t1 is a point: 3-2-1 needs a line, an axis"),
-        ("3-2-1:top,bore,s1", "leave open turn about z, and s1 is a point of a surface"),
+        ("3-2-1:top,bore,s1", "leave open rotation about z, and s1 is a point of a surface"),
         ("rps:t1,t2,bore", "bore is a cylinder: as a reference point it needs `along`"),
-        ("datums:top,bore,bore", "fixes nothing"),
-        ("datums:t1", "a datum is a plane, an axis or a centre"),
+        ("datums:top,bore,bore", "constrains nothing"),
+        ("datums:t1", "a datum must be a plane, an axis or a centre"),
     ],
 )
 def test_features_that_cannot_hold_the_part_are_refused_in_words(alignment: str, reason: str) -> None:
@@ -176,7 +176,7 @@ def test_a_local_best_fit_is_not_pulled_by_bent_blades(alignment: object, sample
     found = align(points, InspectionProgram.model_validate(document), sample.surface, InspectionSettings(), "part")
     assert found.name.startswith("local best fit (")
     places = np.array([[0.0, 0, 12], [100, 0, 12], [0, 100, 12], [-100, 0, 12]])
-    back = (found.nominal_from_part @ placed).apply(places)  # the bore's axis and the plate's height; nothing holds the turn about z
+    back = (found.nominal_from_part @ placed).apply(places)  # the bore's axis and the plate's height; nothing holds the rotation about z
     assert np.abs(back[:, 2] - 12).max() < 0.005
     assert np.linalg.norm(back[0, :2]) < 0.01
 

@@ -194,7 +194,7 @@ def test_what_a_single_blade_or_a_part_without_nominal_cannot_tell_is_refused() 
     )
     assert [one.verdict for one in found] == [Verdict.NOT_MEASURED] * 3
     assert "at least two measured blades" in found[0].reason
-    assert "needs the nominal mesh" in found[1].reason
+    assert "needs a nominal mesh" in found[1].reason
     assert "at least two measured blades" in found[2].reason
 
 

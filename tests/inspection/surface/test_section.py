@@ -78,7 +78,7 @@ def test_the_points_of_a_section_follow_its_curve_and_carry_their_deviations() -
 
 def test_a_section_beside_the_part_is_refused() -> None:
     found = compute_deviation(sample_mesh(box(HALF), 1000), box(HALF), no_alignment())
-    with pytest.raises(InspectionError, match="z=90 meets neither"):
+    with pytest.raises(InspectionError, match="z=90 intersects neither"):
         cut_section("z=90", found, NominalSurface(box(HALF)), CuttingPlane.through(90 * UP, UP), 0.5)
 
 

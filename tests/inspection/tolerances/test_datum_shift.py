@@ -119,8 +119,8 @@ def test_what_a_shift_leaves_of_a_position_is_known_within_its_uncertainty(times
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"datums": ["base", "ball", "side"], **loose(0.1, "ball")}, "if it is a cylinder"),
-        (loose(0.1, "base"), "if it is a cylinder"),
+        ({"datums": ["base", "ball", "side"], **loose(0.1, "ball")}, "requires a measured cylinder"),
+        (loose(0.1, "base"), "requires a measured cylinder"),
         ({"features": ["flank"], **loose(0.1)}, "axes and centres where a datum has a material condition"),
     ],
 )

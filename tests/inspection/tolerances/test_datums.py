@@ -48,7 +48,7 @@ def test_what_the_motions_left_open_do_not_move_has_a_place():
     by_axis.require_direction(HOLE, "hole")
     with pytest.raises(InspectionError, match="do not fix the direction of B"):
         by_axis.require_direction(B, "B")
-    with pytest.raises(InspectionError, match="shift along x"):
+    with pytest.raises(InspectionError, match="translation along x"):
         datum_system([A, B], [A, B]).require_place(HOLE, "hole")
 
 
@@ -63,5 +63,5 @@ def test_the_first_datum_wins_where_they_contradict_each_other():
 
 @pytest.mark.parametrize("datums", [[A, A], [AXIS, CONE], [A, B, A]])
 def test_a_datum_that_fixes_nothing_more_is_refused(datums):
-    with pytest.raises(InspectionError, match="fixes nothing"):
+    with pytest.raises(InspectionError, match="constrains nothing"):
         datum_system(datums, datums)

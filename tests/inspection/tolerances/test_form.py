@@ -127,7 +127,7 @@ def test_intervals_of_form_are_narrower_than_what_noise_could_do_at_most(make, f
     """Whatever the form is, noise adds between nothing and its own range: an interval of that width would need no estimate."""
     found = measured(make(7), [feature], **asked)
     assert 2 * found.uncertainty < range_of_noise(NOISE_MM, cells, points)
-    assert "that noise adds" in found.traceability
+    assert "by noise" in found.traceability
 
 
 FORMS_OF_FACES = {
@@ -227,7 +227,7 @@ def test_the_reach_of_noise_is_exceeded_in_5_of_100_cases():
         (TOP, {"kind": "cylindricity"}, "defined for a cylinder"),
         (SHAFT, {"kind": "flatness"}, "defined for a plane"),
         (TOP, {"kind": "straightness"}, "needs `along`"),
-        (TOP, {"kind": "straightness", "along": [0, 0, 1]}, "stands upright"),
+        (TOP, {"kind": "straightness", "along": [0, 0, 1]}, "is perpendicular"),
     ],
 )
 def test_form_that_a_feature_does_not_have_is_refused(feature, asked, said):

@@ -156,7 +156,7 @@ def test_only_what_faces_the_way_asked_belongs_to_it(nominal):
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"datums": ["base", "side"]}, "do not fix the place of wave: they leave open shift along y"),
+        ({"datums": ["base", "side"]}, "do not fix the place of wave: they leave open translation along y"),
         ({"features": ["far"]}, "only 0 points were measured there"),
     ],
 )
@@ -168,7 +168,7 @@ def test_what_has_no_profile_says_why(nominal, change, said):
 
 def test_without_a_nominal_mesh_there_is_no_free_form():
     (found,) = measured(part(0, 0.0), None, ASKED)
-    assert found.verdict is Verdict.NOT_MEASURED and "names no `nominal`" in found.reason
+    assert found.verdict is Verdict.NOT_MEASURED and "has no `nominal`" in found.reason
 
 
 @pytest.mark.parametrize(

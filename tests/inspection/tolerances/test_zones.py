@@ -159,18 +159,18 @@ def test_a_zone_exceeded_fails_and_one_just_touched_is_not_proven():
     [
         (
             {"kind": "position", "features": ["bore"], "datums": ["base"]},
-            "do not fix the place of bore: they leave open shift along x, shift along y",
+            "do not fix the place of bore: they leave open translation along x, translation along y",
         ),
-        ({"kind": "position", "features": ["bore"], "datums": ["base", "shaft"]}, "turn about z"),
-        ({"kind": "position", "features": ["bore"], "datums": ["base", "shelf"]}, "Datum shelf fixes nothing that base has not fixed"),
+        ({"kind": "position", "features": ["bore"], "datums": ["base", "shaft"]}, "rotation about z"),
+        ({"kind": "position", "features": ["bore"], "datums": ["base", "shelf"]}, "Datum shelf constrains nothing that base has not fixed"),
         ({"kind": "surface_profile", "features": ["flank"], "datums": ["shaft"]}, "do not fix the place of flank"),
         ({"kind": "coaxiality", "features": ["flank"], "datums": ["shaft"]}, "defined for axes"),
         ({"kind": "coaxiality", "features": ["bore"], "datums": ["base"]}, "no datum for coaxiality"),
-        ({"kind": "circular_runout", "features": ["collar"], "datums": ["base"]}, "needs an axis"),
-        ({"kind": "circular_runout", "features": ["slope"], "datums": ["shaft"]}, "no run-out"),
-        ({"kind": "total_runout", "features": ["ball"], "datums": ["shaft"]}, "cylinders and planes"),
+        ({"kind": "circular_runout", "features": ["collar"], "datums": ["base"]}, "requires an axis"),
+        ({"kind": "circular_runout", "features": ["slope"], "datums": ["shaft"]}, "run-out is undefined"),
+        ({"kind": "total_runout", "features": ["ball"], "datums": ["shaft"]}, "measured cylinder or plane"),
         ({"kind": "parallelism", "features": ["ball"], "datums": ["base"]}, "planes and axes"),
-        ({"kind": "parallelism", "features": ["wall"], "datums": ["base"]}, "not meant so"),
+        ({"kind": "parallelism", "features": ["wall"], "datums": ["base"]}, "check the feature and its datum"),
         ({"kind": "parallelism", "features": ["shelf"], "datums": ["ball"]}, "has no direction"),
         ({"kind": "perpendicularity", "features": ["corner"], "datums": ["shaft"]}, "has no length"),
         ({"kind": "surface_profile", "features": ["foot"]}, "no measured surface"),
@@ -180,7 +180,7 @@ def test_a_zone_exceeded_fails_and_one_just_touched_is_not_proven():
                 "features": ["collar"],
                 "section": {"point_mm": [0, 0, 500], "normal": [0, 0, 1]},
             },
-            "was not measured where the section cuts it",
+            "was not measured at its section",
         ),
         ({"kind": "step", "features": ["base", "wall"], "nominal": 0}, "from parallel"),
         ({"kind": "step", "features": ["base", "ball"], "nominal": 0}, "between planes"),
@@ -301,4 +301,4 @@ def test_material_conditions_that_mean_nothing_are_refused(change, said):
 
 def test_a_ball_has_no_material_condition():
     (found,) = measured(part(0, 0.0), {**AT_MAXIMUM, "features": ["ball"]})
-    assert found.verdict is Verdict.NOT_MEASURED and "of a measured cylinder" in found.reason
+    assert found.verdict is Verdict.NOT_MEASURED and "requires a measured cylinder" in found.reason

@@ -26,7 +26,7 @@ def view_verdict(view: ViewResult, placement: ViewPlacement | None) -> tuple[str
         why = sentence(quality.reason)
         return ("not proven", "Manual", f"Used by manual choice. {why}") if used else ("fail", "Poor", why)
     if placement is not None and not used:
-        return "fail", "Excluded", sentence(placement.verdict.removesuffix(": excluded").removesuffix(": left out"))
+        return "fail", "Excluded", sentence(placement.verdict.rpartition(": ")[0] or placement.verdict)
     if placement is not None and placement.verdict.endswith(ACCEPTED_BY_HAND):
         return "not proven", "Manual", "Used by manual choice. " + sentence(placement.verdict.removesuffix(f": {ACCEPTED_BY_HAND}"))
     if placement is not None and placement.verdict != "good":

@@ -55,7 +55,7 @@ class Region:
 BORDER, TILTED, DEPARTED = "end of the measured points", "surface tilted", "deviation from the shape"
 
 
-def grow_region(points: MeasuredPoints, allowed: BoolArray, shape: Shape, seed_mm: FloatArray, asked: Grow) -> Region:
+def grow_region(points: MeasuredPoints, allowed: BoolArray, shape: Shape, seed_mm: FloatArray, requested: Grow) -> Region:
     """Grow the region of ``shape`` about a seed.
 
     A point belongs to it if it lies within ``form_mm`` + 3.5 σ of the shape, the plane through its neighbours is tilted against the shape
@@ -72,7 +72,7 @@ def grow_region(points: MeasuredPoints, allowed: BoolArray, shape: Shape, seed_m
     InspectionError
         No surface at the seed, an edge there, another shape, or a region that covers the whole part.
     """
-    grower = _Grower.at(points, allowed, shape, seed_mm, asked)
+    grower = _Grower.at(points, allowed, shape, seed_mm, requested)
     surface, chosen, region = grower.grow()
     indices = grower.at_full_density(surface, chosen, region)
     if len(indices) > WHOLE_PART * len(points):
@@ -90,7 +90,7 @@ class _Grower:
     points: MeasuredPoints
     away_mm: FloatArray  # (N,), distances from the seed; infinite where a point is not allowed
     shape: Shape
-    asked: Grow
+    requested: Grow
     start: int  # index of the point at the seed
     facing: FloatArray | None  # (3,), normal of the point at the seed
     patch: Patch
@@ -99,11 +99,11 @@ class _Grower:
     noise_mm: float
 
     @classmethod
-    def at(cls, points: MeasuredPoints, allowed: BoolArray, shape: Shape, seed_mm: FloatArray, asked: Grow) -> _Grower:
+    def at(cls, points: MeasuredPoints, allowed: BoolArray, shape: Shape, seed_mm: FloatArray, requested: Grow) -> _Grower:
         away = np.where(allowed, np.linalg.norm(points.points_mm - seed_mm, axis=1), np.inf)
         start = int(away.argmin())
-        if not away[start] <= asked.reach_mm:
-            raise InspectionError(f"no measured surface lies within {asked.reach_mm:g} mm of its seed")
+        if not away[start] <= requested.reach_mm:
+            raise InspectionError(f"no measured surface lies within {requested.reach_mm:g} mm of its seed")
         away = np.where(allowed, np.linalg.norm(points.points_mm - points.points_mm[start], axis=1), np.inf)
         first = np.argsort(away, kind="stable")[: FIRST_POINTS + 1] if len(away) <= FIRST_POINTS else np.argpartition(away, FIRST_POINTS)
         first = first[: FIRST_POINTS + 1]
@@ -114,14 +114,14 @@ class _Grower:
         patch = _first_patch(points, first, start, facing)
         radius = float(away[first].max())
         own = np.inf if points.sigma_mm is None else float(np.median(points.sigma_mm[first]))
-        noise = asked.noise_mm or (patch.scatter_mm if not np.isfinite(own) else max(own, patch.scatter_mm))
+        noise = requested.noise_mm or (patch.scatter_mm if not np.isfinite(own) else max(own, patch.scatter_mm))
         spacing = local_spacing(np.sort(away[first])[1:])
-        return cls(points, away, shape, asked, start, facing, patch, radius, spacing, max(noise, 1e-6))
+        return cls(points, away, shape, requested, start, facing, patch, radius, spacing, max(noise, 1e-6))
 
     @property
     def limit_mm(self) -> float:
         """Greatest distance of a point from the shape."""
-        return self.asked.form_mm + SIGMAS * self.noise_mm
+        return self.requested.form_mm + SIGMAS * self.noise_mm
 
     def grow(self) -> tuple[ShapeSurface, Neighbourhood, BoolArray]:
         """Enlarge the sphere about the seed until the region ends within it."""
@@ -170,7 +170,7 @@ class _Grower:
         """Return the mask of points whose surface is tilted against the fitted one."""
         if len(which) == 0:
             return np.zeros(0, bool)
-        most = np.radians(self.asked.turn_deg) + SIGMAS * around.tilt_sigma_rad
+        most = np.radians(self.requested.turn_deg) + SIGMAS * around.tilt_sigma_rad
         beside = surface.normals(around.points_mm[which])
         return np.asarray(np.abs(np.einsum("nd,nd->n", beside, around.normals(which))) < np.cos(most))
 
@@ -189,13 +189,13 @@ class _Grower:
         known = made.radius_mm is None or radius_sigma < DETERMINED * made.radius_mm
         return (
             ShapeSurface(made)
-            if known and made.rms_mm < COMPARABLE_FIT * max(patch.scatter_mm, self.noise_mm) + self.asked.form_mm
+            if known and made.rms_mm < COMPARABLE_FIT * max(patch.scatter_mm, self.noise_mm) + self.requested.form_mm
             else patch
         )
 
     def _refuse_another_shape(self, surface: ShapeSurface, points_mm: FloatArray, region: BoolArray) -> None:
         bent, noise = measure_bending(surface.feature, points_mm, region)
-        if bent > self.asked.form_mm + BENT_SIGMAS * noise:
+        if bent > self.requested.form_mm + BENT_SIGMAS * noise:
             raise InspectionError(
                 f"the surface at its seed is not a {self.shape}: it bends away by {bent:.3f} mm over the region",
                 "Choose another shape, or another seed.",
