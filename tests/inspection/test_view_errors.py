@@ -204,9 +204,7 @@ def test_a_stated_scale_is_a_share_of_lengths_and_named_in_their_origin(errors_k
     for name, length_mm in {"width": 80, "half width": 40, "pin diameter": 30, "small radius": 4, "pins": 160, "foot to wall": 40}.items():
         assert found[name].budget["scale"] == pytest.approx(2e-6 * SCALE_PPM * length_mm, rel=1e-3), name
         assert "length scale ± 200 ppm (k = 1)" in found[name].traceability
-    assert (
-        found["corner"].budget.get("scale", 0.0) < 1e-9 and "length scale" not in found["corner"].traceability
-    )  # no scale turns anything
+    assert found["corner"].budget.get("scale", 0.0) < 1e-9 and "length scale" not in found["corner"].traceability  # no scale turns anything
 
 
 def test_where_nothing_is_known_of_the_views_the_result_says_what_was_assumed() -> None:
