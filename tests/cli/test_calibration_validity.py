@@ -55,7 +55,7 @@ def test_a_check_after_a_knock_ends_with_exit_code_one_and_blames_the_cameras(co
     edit_settings(copy, knocked_deg={"upper": [0.0, 0.1, 0.0]})
     code, document, _ = answer(capsys, "calibrate", "check", "--project", copy)
     assert (code, document["good"], document["suspect"]) == (1, False, "cameras")
-    assert ProjectFolder.open(copy).calibration_history()[-1].standing == "drifted"
+    assert ProjectFolder.open(copy).calibration_history()[-1].status == "drifted"
 
 
 @pytest.mark.parametrize(("option", "value"), [("--cameras", "cameras.json"), ("--angles", "angles.csv")])

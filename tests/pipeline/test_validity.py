@@ -73,7 +73,7 @@ def test_the_demo_finds_its_cameras_where_they_were_calibrated_and_notes_it(demo
     drift = demo.document["validity"]["drift"]
     assert (drift["standing"], drift["cameras"], demo.document["validity"]["warnings"]) == ("good", [], [])
     lines = [line for line in demo.project.calibration_history() if line.kind == "scan"]
-    assert [(line.calibration, line.standing) for line in lines] == [(calibration_id(calibration), "good")]
+    assert [(line.calibration, line.status) for line in lines] == [(calibration_id(calibration), "good")]
     assert lines[0].temperature_c == pytest.approx(35.0, abs=0.05)
     measurement = demo.project.measurement()
     assert measurement is not None and measurement.validity.drift is not None
@@ -88,11 +88,11 @@ def test_the_demo_finds_its_cameras_where_they_were_calibrated_and_notes_it(demo
 def test_a_camera_that_was_knocked_is_named(tmp_path: Path, rig: RigDescription, calibration: RigCalibration, name: str) -> None:
     project, validity = scanned(tmp_path / "project", described(rig, knocked_deg={name: [0.0, KNOCK_DEG, 0.0]}), calibration)
     drift = validity.drift
-    assert drift is not None and (drift.standing, drift.cameras) == ("drifted", (name,))
+    assert drift is not None and (drift.status, drift.cameras) == ("drifted", (name,))
     assert drift.turn_deg == pytest.approx(KNOCK_DEG, rel=0.1)
     assert validity.all_warnings == (drift.sentence,) and "px" in drift.sentence and "mm" in drift.sentence
     (line,) = project.calibration_history()
-    assert (line.standing, line.cameras, line.shift_px) == ("drifted", (name,), drift.shift_px)
+    assert (line.status, line.cameras, line.shift_px) == ("drifted", (name,), drift.shift_px)
 
 
 def test_a_warm_head_is_warned_of_before_it_moves_and_with_the_result(
@@ -133,7 +133,7 @@ def test_a_check_with_the_board_is_noted_with_its_images(tmp_path: Path, rig: Ri
     found = check_with_board(project, connect_rig(project.rig()), NoProgress())
     assert found.good and found.not_tested == ()
     (line,) = project.calibration_history()
-    assert (line.kind, line.standing, line.calibration) == ("board check", "good", calibration_id(calibration))
+    assert (line.kind, line.status, line.calibration) == ("board check", "good", calibration_id(calibration))
     (place,) = (project.path / "calibration" / "checks").iterdir()
     assert len([*place.glob("*/left.png")]) == len(found.views) >= 3
     with pytest.raises(CalibrationError, match="has no calibration"):
@@ -152,10 +152,10 @@ def test_over_rigs_clean_scans_are_silent_and_every_knock_is_named(tmp_path: Pat
     project = ProjectFolder.create(tmp_path / "calibrated", ProjectSettings(name="calibrated", part="gypsum", rig=clean))
     calibrated = calibrate_rig(connect_rig(clean), project, lambda _: None, NoProgress(), Stopwatch()).rig.calibration
     _, validity = scanned(tmp_path / "clean", clean, calibrated)
-    assert validity.drift is not None and (validity.drift.standing, validity.all_warnings) == ("good", ())
+    assert validity.drift is not None and (validity.drift.status, validity.all_warnings) == ("good", ())
     for name in CAMERAS:
         for number, turn in enumerate(([0.0, KNOCK_DEG, 0.0], [0.0, -5 * KNOCK_DEG, 0.0], [0.0, 0.0, 5 * KNOCK_DEG])):
             _, validity = scanned(tmp_path / f"{name}{number}", described(rig, seed, knocked_deg={name: turn}), calibrated)
             assert validity.drift is not None
             assert validity.drift.cameras == (name,), (turn, validity.drift.sentence)
-            assert validity.drift.standing == "drifted"
+            assert validity.drift.status == "drifted"

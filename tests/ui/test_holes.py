@@ -85,7 +85,7 @@ def test_a_click_on_a_pixel_tells_stage_reason_and_numbers(qtbot, clouds):
     place = dialog.picture.place_of(20, 30).toPoint()
     qtbot.mouseClick(dialog.picture, Qt.MouseButton.LeftButton, pos=place)
     assert dialog.place.text() == "Row 20, column 30"
-    assert dialog.stage.text() == "Lost in matching the cameras: contradicted"
+    assert dialog.stage.text() == "Lost in matching: contradicted"
     assert "Another camera sees a projector line" in dialog.answer.text()
     assert "at least 10" in dialog.figures.text()
     QTest.keyClick(dialog.picture, Qt.Key.Key_Right)

@@ -115,7 +115,7 @@ def test_filters_are_applied_again_to_a_cloud_that_is_computed_again(project, me
     save_filters(project.results, FilterChain.build((Filter("plane", (0, 0, 1, 60.0)),), before.points_mm), before)
     after = replace(before, points_mm=before.points_mm + np.array([0, 0, 20.0]))
     project.save_measurement(replace(measurement, inspection=None, stitched=after))
-    assert np.array_equal(project.filters(after).stays, after.points_mm[:, 2] >= 60.0)
+    assert np.array_equal(project.filters(after).kept_mask, after.points_mm[:, 2] >= 60.0)
     far = replace(before, points_mm=before.points_mm - np.array([0, 0, 500.0]))
     project.save_measurement(replace(measurement, inspection=None, stitched=far))  # nothing is left of it
     assert project.filters(far) is None and not (project.results / FILTERED).exists()
@@ -134,5 +134,5 @@ def test_a_project_that_cannot_be_written_is_filtered_for_looking_and_says_so(
     application.controllers.filtering.apply(Filter("plane", (0, 0, 1, 60.0)))
     qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy and not application.session.busy_with, timeout=PATIENCE_MS)
     told = application.session.messages[-1]
-    assert told.level == "warning" and "not kept" in told.text and "permissions" in told.hint
+    assert told.level == "warning" and "Not saved" in told.text and "permissions" in told.hint
     assert application.session.filtered.points_mm[:, 2].min() >= 60.0

@@ -94,7 +94,7 @@ def test_what_grew_joins_the_program_with_a_dimension_of_it_and_both_are_taken_b
     settled(application, qtbot)
     assert opened.properties.decision == ADD
     opened.decide()
-    assert "Plane 1 is added" in settled(application, qtbot).text
+    assert "Plane 1 added" in settled(application, qtbot).text
     assert [feature.name for feature in session.inspection.features] == ["ball", "plane 1"] and opened.grow.last is None
     bar = opened.program.bar
     bar.button.setChecked(True)

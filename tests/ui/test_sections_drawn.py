@@ -70,7 +70,7 @@ def test_a_line_profile_shows_its_deviations_magnified_by_the_factor_its_label_n
     assert np.allclose(lengths, gain * 0.02)
     assert np.allclose([one[0][1] for one in whiskers[0].lines], 0.0)
     (label,) = dimension_labels(Look("light").theme, [ridge], [plane], SECTIONS)
-    assert label.text.endswith(f"pass   drawn x {gain}")
+    assert label.text.endswith(f"pass   magnified x {gain}")
 
 
 def test_a_gross_deviation_does_not_stick_out_of_the_picture():

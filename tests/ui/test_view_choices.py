@@ -82,7 +82,7 @@ def test_what_is_offered_and_said_follows_what_was_decided(measurement):
     assert choice_for(replace(placement, used=False)) == (USE, "use")
     assert view_verdict(view, replace(placement, verdict="its surface lies 0.2 mm away: accepted by hand"))[1:] == (
         "Manual",
-        "Used by hand. Its surface lies 0.2 mm away.",
+        "Used by manual choice. Its surface lies 0.2 mm away.",
     )
     assert view_verdict(poor, placement)[:2] == ("not proven", "Manual")
-    assert view_verdict(view, replace(placement, used=False, verdict="refused by hand: left out"))[1] == "Refused"
+    assert view_verdict(view, replace(placement, used=False, verdict="refused by hand: left out"))[1] == "Excluded"

@@ -48,7 +48,7 @@ def turn_of(size_px):
 
 def test_noise_alone_is_good_and_as_small_as_noise_lets_it_be(calibrated, generator):
     found = camera_drift([evidence(generator) for _ in range(4)], calibrated)
-    assert found.standing == "good" and found.cameras == ()
+    assert found.status == "good" and found.cameras == ()
     assert found.shift_px < 5 * SIGMA_PX * np.sqrt(3 / (4 * SAMPLES))  # five standard deviations of three fitted angles
     assert "stand as they were calibrated" in found.sentence
 
@@ -57,7 +57,7 @@ def test_noise_alone_is_good_and_as_small_as_noise_lets_it_be(calibrated, genera
 def test_the_camera_that_turned_is_named_in_pixels_and_millimetres(calibrated, generator, name):
     size = 1.5 * DRIFTED_FACTOR * RMS_PX
     found = camera_drift([evidence(generator, {name: turn_of(size)}) for _ in range(3)], calibrated)
-    assert (found.standing, found.cameras) == ("drifted", (name,))
+    assert (found.status, found.cameras) == ("drifted", (name,))
     assert found.shift_px == pytest.approx(size, rel=0.05)
     assert found.error_mm == pytest.approx(550.0 * size / FOCAL_PX, rel=0.05)
     assert f"Camera {name} has turned" in found.sentence and "calibrate the cameras again" in found.sentence
@@ -65,7 +65,7 @@ def test_the_camera_that_turned_is_named_in_pixels_and_millimetres(calibrated, g
 
 def test_a_small_turn_asks_for_a_check_only(calibrated, generator):
     found = camera_drift([evidence(generator, {"right": turn_of(0.5 * (WATCH_FACTOR + DRIFTED_FACTOR) * RMS_PX)})], calibrated)
-    assert (found.standing, found.cameras) == ("watch", ("right",))
+    assert (found.status, found.cameras) == ("watch", ("right",))
     assert "board" in found.sentence
 
 
@@ -95,7 +95,7 @@ def test_a_turn_is_seen_from_the_size_on_that_is_said(calibrated, generator, mot
         turn = np.zeros(3)
         turn[motion] = np.deg2rad(share * least)
         found = camera_drift([seen_from_upright_fringes(generator, {"left": turn})], calibrated)
-        assert found.standing in standings, (share, least, found.sentence)
+        assert found.status in standings, (share, least, found.sentence)
 
 
 def test_the_blindness_along_the_fringes_is_told(calibrated, generator):
@@ -108,7 +108,7 @@ def test_the_blindness_along_the_fringes_is_told(calibrated, generator):
 
 def test_without_evidence_nothing_is_claimed(calibrated):
     found = camera_drift([], calibrated)
-    assert (found.standing, found.cameras) == ("unknown", ())
+    assert (found.status, found.cameras) == ("unknown", ())
     assert "cannot tell" in found.sentence
 
 

@@ -75,7 +75,7 @@ def test_a_file_that_was_changed_is_refused(tmp_path: Path, calibration: RigCali
 def test_the_history_only_grows_and_says_nothing_twice(tmp_path: Path) -> None:
     store.record(tmp_path, LINE)
     store.record(tmp_path, LINE)
-    later = replace(LINE, at="2031-05-03T08:00:00+00:00", standing="good", shift_px=None, cameras=())
+    later = replace(LINE, at="2031-05-03T08:00:00+00:00", status="good", shift_px=None, cameras=())
     store.record(tmp_path, later)
     assert store.history(tmp_path) == (LINE, later)
 
