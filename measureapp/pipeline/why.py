@@ -18,7 +18,7 @@ from measureapp.fringe.settings import DecodeSettings
 from measureapp.pipeline.noise import decode_settings_of
 from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.project.folder import ProjectFolder
-from measureapp.reconstruct.projector.with_projector import looked_at_alone
+from measureapp.reconstruct.projector.with_projector import reconstruct_alone
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
 from measureapp.reconstruct.settings import ReconstructSettings
 from measureapp.reconstruct.why import POINT, HoleReason, line_of, shares_of_region, shares_of_view, why
@@ -84,7 +84,7 @@ class ExplainedView:
     @property
     def cameras(self) -> tuple[str, ...]:
         """Cameras with explanations, the reference camera first."""
-        return tuple(self.made.fates)
+        return tuple(self.made.states)
 
     def shares(self) -> dict[str, dict[str, float]]:
         """Return the fraction of pixels of every reason, by camera; those of a camera sum to 1."""
@@ -123,10 +123,10 @@ class ExplainedView:
 
     def codes(self, camera: str) -> IntArray:
         """Return the state of every pixel, (H, W) uint8, as an index of `REASONS`. Raises ReconstructError for another camera."""
-        if camera not in self.made.fates:
+        if camera not in self.made.states:
             raise ReconstructError(f"The view has no camera {camera!r}.", "Name one of: " + ", ".join(self.cameras) + ".")
         of_phase, of_point = _tables()
-        fate = self.made.fates[camera]
+        fate = self.made.states[camera]
         return np.where(fate == PointState.NO_PHASE, of_phase[self.phase_maps[camera].state], of_point[fate])
 
     def _of_point(self, camera: str, row: int, column: int) -> tuple[Number, ...]:
@@ -188,7 +188,7 @@ def explain_stack(
     maps = decode(stack, settings, PartOf(progress, 0.0, 0.5))
     names = tuple(maps) if cameras is None else cameras.names
     if len(maps) == 1:
-        made = looked_at_alone(next(iter(maps.values())), cameras)
+        made = reconstruct_alone(next(iter(maps.values())), cameras)
     elif cameras is None:
         raise CalibrationError(f"The calibration of {' and '.join(maps)} is needed to match their images.", "Name their cameras.json.")
     else:

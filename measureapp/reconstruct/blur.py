@@ -1,14 +1,13 @@
-"""The phase without what the blur of the cameras does to it.
+"""Correction of the phase for the blur of the cameras.
 
-A pixel shows the light of its surroundings. Where that grows to one side, as on a wall askance to the projector or across a printed edge,
-the brighter side counts more, and the pixel shows the phase of a place beside it: for a blur of variance s², which is small beside
-the distance over which things change, of the place s² ∇ ln I further on. In a measurement this puts walls seen askance some
-micrometres before their place, all to the same side. And where the phase bends, the surroundings lie to one side of the pixel: the mean
-is off by s² ∇²φ / 2, which makes holes narrower and round bodies thinner. Reading a phase in straight lines between pixels does the
-same, like a blur of a sixth of a px² (decision 15).
+A pixel receives the light of its surroundings. Where that grows to one side, as on a wall oblique to the projector or at a printed edge,
+the brighter side counts more and the pixel has the phase of a place beside it: for a blur of variance s², small against the distance over
+which things change, of the place s² ∇ ln I further on. Uncorrected, oblique walls are measured some micrometres in front of their place, all
+to the same side. Where the phase is curved, its mean over the blur is off by s² ∇²φ / 2, which makes holes narrower and round bodies thinner.
+Linear interpolation of a phase between pixels does the same, like a blur of a sixth of a px² (decision 15).
 
-Where a hole or an edge hides how much that is, it stays, and counts as noise: such pixels, steep at the rims of round bodies, would
-weigh most otherwise.
+Where a hole or an edge hides the size of the correction, the phase stays and its standard deviation grows: such pixels, steep near the horizons
+of round bodies, would have the largest weights otherwise.
 """
 
 from __future__ import annotations
@@ -18,54 +17,98 @@ from dataclasses import replace
 
 import numpy as np
 
-from measureapp.arrays import in_bands, read_only
+from measureapp.arrays import FloatArray, in_bands, read_only
 from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.phase import PhaseMap
 from measureapp.reconstruct import kernels
-from measureapp.reconstruct.other_light import other_light
+from measureapp.reconstruct.kernels.blur import Blur
 
-READ_PX2 = 1 / 6  # variance of what reading between pixels does, (1 - f) f, over all places f between two of them
-MOST_PX = 1.5  # of the blur; the first order takes back no more, and slopes over four pixels show no more
+INTERPOLATION_PX2 = 1 / 6  # variance of linear interpolation, (1 - f) f, over all places f between two pixels
+MAX_BLUR_PX = 1.5  # beyond, neither the first order nor slopes over four pixels hold
+AMBIENT_SAMPLES = 20_000  # pixels determine a hundredth of the light
+SLOPE_PX = 2  # distance over which the slope of the phase is taken
+MAX_SLOPE = 0.5  # rad/px: beyond, blur lowers the modulation, but not the mean
+MIN_AMBIENT_SAMPLES = 500
+MIN_SPREAD = 0.05  # of the modulation: an evenly bright image does not determine the line
+ITERATIONS = 5
+CAUCHY = 1.5  # in units of the median residual: pixels at edges mix fringes out of phase
+TINY = 1e-9
 
 
-def without_blur(
+def correct_blur(
     phase_maps: Mapping[str, PhaseMap],
     cameras: CameraArrayCalibration,
     step_rad: float,
     memory: BufferPool | None = None,
-    read: Collection[str] = (),
+    interpolated: Collection[str] = (),
 ) -> dict[str, PhaseMap]:
-    """Return the phase maps as cameras without blur would give them, with what is in doubt of that in ``sigma_rad``.
+    """Correct phase maps for blur; the uncertainty of the correction goes into ``sigma_rad``.
 
-    Those of cameras whose blur is not known stay as they are.
+    Those of cameras whose blur is unknown stay as they are.
 
     Parameters
     ----------
     step_rad : largest phase step between neighbouring pixels of one surface
-    read : cameras whose phases will be read between pixels, in straight lines, which cut bends short as blur does; that is taken back too
+    interpolated : cameras whose phases will be interpolated between pixels; this blur is corrected too
     """
     memory = memory or BufferPool()
     return {
-        name: _sharp(phase_map, cameras.cameras[name].blur_px, step_rad, memory, name in read) if name in cameras.cameras else phase_map
+        name: _correct(phase_map, cameras.cameras[name].blur_px, step_rad, memory, name in interpolated)
+        if name in cameras.cameras
+        else phase_map
         for name, phase_map in phase_maps.items()
     }
 
 
-def _sharp(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: BufferPool, read: bool) -> PhaseMap:
+def _correct(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: BufferPool, interpolated: bool) -> PhaseMap:
     if blur_px <= 0:
         return phase_map
     shape = phase_map.phase_rad.shape
-    phase, sigma = read_only(phase_map.phase_rad, np.float32).reshape(-1), read_only(phase_map.sigma_rad, np.float32).reshape(-1)
-    grey, state = read_only(phase_map.grey, np.uint16).reshape(-1), read_only(phase_map.state, np.uint8).reshape(-1)
-    out, doubted = memory.empty(phase.shape, np.float32), memory.empty(phase.shape, np.float32)
-    variance = min(blur_px, MOST_PX) ** 2
-    numbers = (
+    variance = min(blur_px, MAX_BLUR_PX) ** 2
+    blur = Blur(
+        read_only(phase_map.phase_rad, np.float32),
+        read_only(phase_map.sigma_rad, np.float32),
+        read_only(phase_map.grey, np.uint16),
+        read_only(phase_map.state, np.uint8),
         np.float32(variance),
-        np.float32(READ_PX2 / variance if read else 0.0),
+        np.float32(INTERPOLATION_PX2 / variance if interpolated else 0.0),
         np.float32(step_rad),
-        np.float32(other_light(phase_map)),
+        np.float32(estimate_ambient_light(phase_map)),
     )
-    in_bands(lambda start, stop: kernels.take_blur(phase, sigma, grey, state, *shape, *numbers, start, stop, out, doubted), shape[0])
-    across = None if phase_map.orthogonal is None else _sharp(phase_map.orthogonal, blur_px, step_rad, memory, read)
-    return replace(phase_map, phase_rad=read_only(out.reshape(shape)), sigma_rad=read_only(doubted.reshape(shape)), orthogonal=across)
+    phase, sigma = memory.empty(shape, np.float32), memory.empty(shape, np.float32)
+    in_bands(lambda start, stop: kernels.correct_blur(blur, start, stop, phase, sigma), shape[0])
+    orthogonal = None if phase_map.orthogonal is None else _correct(phase_map.orthogonal, blur_px, step_rad, memory, interpolated)
+    return replace(phase_map, phase_rad=read_only(phase), sigma_rad=read_only(sigma), orthogonal=orthogonal)
+
+
+def estimate_ambient_light(phase_map: PhaseMap) -> float:
+    """Estimate the grey level without the projector's light: ambient light and the camera's black level; 0 where it is undetermined.
+
+    Over all pixels the mean grey level grows linearly with the modulation; the intercept of a robust line is the level without any. Scaled
+    as `PhaseMap.grey` is.
+    """
+    grey, modulation = _sample_light(phase_map)
+    if len(grey) < MIN_AMBIENT_SAMPLES or modulation.std() < MIN_SPREAD * modulation.mean():
+        return 0.0
+    columns = np.column_stack([modulation, np.ones(len(grey))])
+    weight: FloatArray = np.ones(len(grey))
+    line: FloatArray = np.zeros(2)
+    for _ in range(ITERATIONS):
+        line = np.linalg.solve((columns * weight[:, None]).T @ columns, (columns * weight[:, None]).T @ grey)
+        residual = grey - columns @ line
+        weight = 1 / (1 + (residual / (CAUCHY * np.median(np.abs(residual)) + TINY)) ** 2)
+    return float(np.clip(line[1], 0.0, grey.min()))
+
+
+def _sample_light(phase_map: PhaseMap) -> tuple[FloatArray, FloatArray]:
+    """Return grey levels and modulation (N,), both at the longest exposure, of pixels all over the image."""
+    step = max(1, int(np.sqrt(phase_map.state.size / AMBIENT_SAMPLES)))
+    here = (slice(None, None, step), slice(SLOPE_PX, None, step))
+    before = (slice(None, None, step), slice(None, -SLOPE_PX, step))
+    rows, columns = phase_map.state[here].shape
+    rise = np.abs(phase_map.phase_rad[here] - phase_map.phase_rad[before][:rows, :columns])
+    chosen = (phase_map.state[here] == 0) & (phase_map.state[before][:rows, :columns] == 0) & (rise < MAX_SLOPE * SLOPE_PX)
+    scale = np.array([phase_map.exposures_us[0] / exposure for exposure in phase_map.exposures_us] or [1.0])
+    exposure = np.clip(phase_map.exposure_index[here][chosen], 0, len(scale) - 1)
+    return phase_map.grey[here][chosen].astype(float), phase_map.modulation[here][chosen] * scale[exposure]

@@ -11,7 +11,7 @@ from measureapp.arrays import BoolArray
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.point_state import PointState
 from measureapp.errors import ReconstructError
-from measureapp.reconstruct.projector.fate import ProjectorFate
+from measureapp.reconstruct.projector.state import ProjectorState
 from measureapp.reconstruct.reconstruct import Reconstruction
 from measureapp.reconstruct.settings import ReconstructSettings
 
@@ -89,14 +89,14 @@ def why(
     ReconstructError
         The view has no such camera or pixel.
     """
-    fate, phase_map = _images(phase_maps, made, camera)
-    height, width = fate.shape
+    states, phase_map = _images(phase_maps, made, camera)
+    height, width = states.shape
     if not (0 <= row < height and 0 <= column < width):
         raise ReconstructError(
             f"Camera {camera!r} has no pixel in row {row}, column {column}.", f"Its images have {height} rows and {width} columns."
         )
     values = _values(phase_map, settings or ReconstructSettings(), row, column)
-    point = PointState(int(fate[row, column]))
+    point = PointState(int(states[row, column]))
     if point == PointState.NO_PHASE:
         state = PixelState(int(phase_map.state[row, column]))
         return HoleReason("decode", _word(state), OF_PHASE[state].format(**values))
@@ -117,9 +117,9 @@ def line_of(phase_map: PhaseMap) -> str:
 
 def _sentences(made: Reconstruction) -> dict[PointState, str]:
     """Return the sentences for what a camera was reconstructed with: others, the projector, or nothing."""
-    if len(made.fates) > 1:
+    if len(made.states) > 1:
         return OF_POINT
-    return OF_POINT_WITH_PROJECTOR if any(state.words in made.rejected for state in ProjectorFate) else OF_POINT_OF_NOBODY
+    return OF_POINT_WITH_PROJECTOR if any(state.words in made.rejected for state in ProjectorState) else OF_POINT_OF_NOBODY
 
 
 def _aside(phase_map: PhaseMap, made: Reconstruction, point: PointState, row: int, column: int) -> str:
@@ -148,19 +148,19 @@ def shares_of_region(
     ReconstructError
         No such camera, or a region without pixels.
     """
-    fate, phase_map = _images(phase_maps, made, camera)
+    states, phase_map = _images(phase_maps, made, camera)
     if isinstance(region, tuple):
         top, left, bottom, right = region
-        chosen = np.zeros(fate.shape, np.bool_)
+        chosen = np.zeros(states.shape, np.bool_)
         chosen[max(0, top) : max(0, bottom), max(0, left) : max(0, right)] = True
     else:
         chosen = region
-    if chosen.shape != fate.shape or not chosen.any():
+    if chosen.shape != states.shape or not chosen.any():
         raise ReconstructError(
-            f"The region has no pixel of camera {camera!r}.", f"Its images have {fate.shape[0]} rows and {fate.shape[1]} columns."
+            f"The region has no pixel of camera {camera!r}.", f"Its images have {states.shape[0]} rows and {states.shape[1]} columns."
         )
-    points = np.bincount(fate[chosen], minlength=len(PointState))
-    without = chosen & (fate == PointState.NO_PHASE)
+    points = np.bincount(states[chosen], minlength=len(PointState))
+    without = chosen & (states == PointState.NO_PHASE)
     phases = np.bincount(phase_map.state[without], minlength=len(PixelState))
     counts = {_word(state): int(points[state]) for state in PointState if state != PointState.NO_PHASE}
     counts |= {_word(state): int(phases[state]) for state in PixelState if state != PixelState.VALID}
@@ -170,13 +170,13 @@ def shares_of_region(
 
 def shares_of_view(phase_maps: Mapping[str, PhaseMap], made: Reconstruction) -> dict[str, dict[str, float]]:
     """Return the shares of all reasons for every camera of a view."""
-    return {camera: shares_of_region(phase_maps, made, camera, np.ones(fate.shape, np.bool_)) for camera, fate in made.fates.items()}
+    return {camera: shares_of_region(phase_maps, made, camera, np.ones(states.shape, np.bool_)) for camera, states in made.states.items()}
 
 
 def _images(phase_maps: Mapping[str, PhaseMap], made: Reconstruction, camera: str) -> tuple[np.ndarray, PhaseMap]:
-    if camera not in made.fates or camera not in phase_maps:
-        raise ReconstructError(f"The view has no camera {camera!r}.", "Name one of: " + ", ".join(made.fates) + ".")
-    return np.asarray(made.fates[camera]), phase_maps[camera]
+    if camera not in made.states or camera not in phase_maps:
+        raise ReconstructError(f"The view has no camera {camera!r}.", "Name one of: " + ", ".join(made.states) + ".")
+    return np.asarray(made.states[camera]), phase_maps[camera]
 
 
 def _values(phase_map: PhaseMap, settings: ReconstructSettings, row: int, column: int) -> dict[str, float]:

@@ -30,11 +30,12 @@ from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.data.phase import PhaseMap
 from measureapp.fringe.decode import decode_camera
 from measureapp.fringe.settings import DecodeSettings
-from measureapp.reconstruct import kernels
-from measureapp.reconstruct.cleaning.clean import cleaned
+from measureapp.reconstruct.cleaning.clean import clean_grid
 from measureapp.reconstruct.cleaning.depth_grid import Lens
-from measureapp.reconstruct.cleaning.gather import gathered_normals
-from measureapp.reconstruct.matching.match import flat, partner_of
+from measureapp.reconstruct.cleaning.gather import gather_normals
+from measureapp.reconstruct.kernels.match import STRIP, match
+from measureapp.reconstruct.kernels.structures import Candidates
+from measureapp.reconstruct.matching.match import CameraSet, flatten
 from measureapp.reconstruct.matching.tables import pair_tables
 from measureapp.reconstruct.phase_view import PhaseView
 from measureapp.reconstruct.reconstruct import reconstruct
@@ -100,15 +101,17 @@ def matching(maps: dict[str, PhaseMap], rectifier: Rectifier) -> Callable[[], li
     views = {name: PhaseView.of(maps[name], 3.0) for name in ("left", "right")}
     skip = (views["left"].state != 0).view(np.uint8)
     memory = BufferPool()
-    rays, phase, width = flat(rectifier.rays("left")), views["left"].phase, skip.shape[1]
+    cameras = CameraSet(views, rectifier, ReconstructSettings(), memory)
+    rays, phase, width = flatten(rectifier.rays("left")), views["left"].phase, skip.shape[1]
+    padded = -(-width // STRIP) * STRIP
 
     def work() -> list[int]:
         tables = pair_tables("left", ("right",), views, maps["left"], rectifier, memory)["right"]
-        partner = partner_of("left", "right", views, tables, rectifier)
+        partner = cameras.partner("left", "right", tables)
 
         def rows(start: int, stop: int) -> int:
-            out = [memory.empty((stop - start, width), dtype) for dtype in (np.float32, np.float32, np.float32, np.int32, np.uint8)]
-            return int(kernels.match(rays, phase, skip, partner, start, stop, 0, width, kernels.Found(*out)))
+            out = [memory.empty((stop - start, padded), dtype) for dtype in (np.float32, np.float32, np.float32, np.int32, np.uint8)]
+            return int(match(rays, phase, skip, partner, start, stop, 0, width, Candidates(*out)))
 
         return in_bands(rows, len(skip), 40)
 
@@ -117,9 +120,9 @@ def matching(maps: dict[str, PhaseMap], rectifier: Rectifier) -> Callable[[], li
 
 def test_matching_a_pair(benchmark: Benchmark, maps: dict[str, PhaseMap], rectifier: Rectifier) -> None:
     """Asked: 3.2 copies of a camera's images."""
-    match = matching(maps, rectifier)
-    assert sum(match()) > 0.9 * 4_055_000
-    assert noted(benchmark, match, CAMERA_BYTES, ASKED_OF_PAIR) <= MOST_OF_PAIR
+    matched = matching(maps, rectifier)
+    assert sum(matched()) > 0.9 * 4_055_000
+    assert noted(benchmark, matched, CAMERA_BYTES, ASKED_OF_PAIR) <= MOST_OF_PAIR
 
 
 def opencv_triangulation() -> tuple[Callable[[], object], int]:
@@ -132,13 +135,13 @@ def test_matching_and_triangulating_a_point_beside_opencv_triangulating_it(
     benchmark: Benchmark, maps: dict[str, PhaseMap], rectifier: Rectifier
 ) -> None:
     """The depth is computed where a match is found: the search for the partner is in our time and not in OpenCV's."""
-    match = matching(maps, rectifier)
-    count = sum(match())
+    matched = matching(maps, rectifier)
+    count = sum(matched())
     peer, peer_count = opencv_triangulation()
-    own_s, peer_s = alternating(match, peer)
+    own_s, peer_s = alternating(matched, peer)
     ratio = (peer_s / peer_count) / (own_s / count)
     benchmark.extra_info.update({"ns_per_point": own_s / count * 1e9, "opencv_ns": peer_s / peer_count * 1e9, "ratio": ratio})
-    benchmark.pedantic(match, rounds=1)
+    benchmark.pedantic(matched, rounds=1)
     assert ratio >= LEAST_OF_MATCH
 
 
@@ -210,11 +213,11 @@ def test_cleaning_on_the_grid_beside_neighbours_from_a_tree(benchmark: Benchmark
     depth = (550 / (1 - 0.2 * rays[..., 0] - 0.1 * rays[..., 1])).astype(np.float32)
     depth += np.random.default_rng(5).normal(0, 0.03, depth.shape).astype(np.float32)
     sigma, others = np.full(depth.shape, 0.03, np.float32), np.zeros(depth.shape, np.uint8)
-    lens = Lens(rays, rectifier.ray_steps("left"), 1 / 4090)
+    lens = Lens(rays, rectifier.ray_jacobian("left"), 1 / 4090)
 
     def own() -> object:
-        fate = np.zeros(depth.shape, np.uint8)
-        return gathered_normals(cleaned(depth, sigma, others, fate, lens, [], ReconstructSettings()))
+        state = np.zeros(depth.shape, np.uint8)
+        return gather_normals(clean_grid(depth, sigma, others, state, lens, [], ReconstructSettings()))
 
     part = (slice(800, 1100), slice(1000, 1400))
     points = (np.dstack([rays[part], np.ones((300, 400))]) * depth[part][..., None]).reshape(-1, 3)

@@ -9,7 +9,7 @@ import pytest
 from measureapp.fringe.kernels import solve, vote
 from measureapp.pipeline.warm_up import warm_up
 from measureapp.progress import CallbackProgress, Cancelled
-from measureapp.reconstruct.kernels import across, band, binning, both, cleaning, fusing, islands, looking, matching, sightlines, slopes
+from measureapp.reconstruct.kernels import blur, clean, components, cross_check, fuse, gather, gradients, match, reproject, table
 from measureapp.reconstruct.reconstruct import reconstruct
 from measureapp.register.grid import kernels as register_kernels
 from measureapp.register.pairs.prepare import prepare
@@ -18,17 +18,16 @@ from tests.reconstruct.conftest import make_head, plane
 MEASURING = (
     solve,
     vote,
-    across,
-    band,
-    binning,
-    both,
-    cleaning,
-    fusing,
-    islands,
-    looking,
-    matching,
-    sightlines,
-    slopes,
+    blur,
+    clean,
+    components,
+    cross_check,
+    fuse,
+    gather,
+    gradients,
+    match,
+    reproject,
+    table,
     register_kernels,
 )
 
@@ -44,8 +43,8 @@ def test_every_kernel_that_measures_is_compiled_by_the_warm_up() -> None:
     warm_up(CallbackProgress(lambda done, total, note: reports.append((done / total, note))))
     counts = {f"{module.__name__}.{name}": count for module in MEASURING for name, count in compiled(module).items()}
     assert len(counts) > 20
-    called_from_kernels = {"root_of", "match", "fuse", "fuse_both"}
-    rare = {"check_across"}  # for sets with fringes of both directions
+    called_from_kernels = {"root_of", "match", "fuse_pairs"}
+    rare = {"check_orthogonal"}  # for sets with fringes of both directions
     assert {name for name, count in counts.items() if count == 0 and name.split(".")[-1] not in called_from_kernels | rare} == set()
     shares = [share for share, _ in reports]
     assert shares == sorted(shares) and shares[0] == 0 and shares[-1] == 1

@@ -13,7 +13,7 @@ from measureapp.data.calibration import CameraArrayCalibration, CameraCalibratio
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
-from measureapp.reconstruct.blur import without_blur
+from measureapp.reconstruct.blur import correct_blur
 
 HEIGHT, WIDTH, BLUR_PX, STEP_RAD, NOISE_RAD = 60, 80, 0.8, 3.0, 0.01
 ROWS, COLUMNS = np.mgrid[:HEIGHT, :WIDTH].astype(float)
@@ -51,13 +51,13 @@ def seen(light: FloatArray, true_phase: FloatArray = PHASE) -> PhaseMap:
 def test_the_shift_by_changing_light_is_taken_back(light: FloatArray, left: float) -> None:
     phase_map = seen(light)
     before = np.abs(phase_map.phase_rad - PHASE)[INNER].max()
-    after = np.abs(without_blur({"one": phase_map}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad - PHASE)[INNER].max()
+    after = np.abs(correct_blur({"one": phase_map}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad - PHASE)[INNER].max()
     assert before > 0.003
     assert after < left * before + 1e-4  # grey levels are whole numbers
 
 
 def test_a_step_of_the_light_shifts_nothing_further_away_than_the_blur_reaches() -> None:
-    made = without_blur({"one": seen(np.where(COLUMNS >= 40, 3000.0, 2000.0))}, camera(BLUR_PX), STEP_RAD)["one"]
+    made = correct_blur({"one": seen(np.where(COLUMNS >= 40, 3000.0, 2000.0))}, camera(BLUR_PX), STEP_RAD)["one"]
     beyond = INNER[0], np.r_[9:38, 42 : WIDTH - 9]
     np.testing.assert_allclose(made.phase_rad[beyond], PHASE[beyond], atol=0.003)
 
@@ -67,7 +67,7 @@ def test_the_shift_by_a_bent_surface_is_taken_back(bend: FloatArray) -> None:
     round_part = PHASE + bend
     phase_map = seen(np.full(PHASE.shape, 2000.0), round_part)
     before = np.mean((phase_map.phase_rad - round_part)[INNER])
-    after = np.mean((without_blur({"one": phase_map}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad - round_part)[INNER])
+    after = np.mean((correct_blur({"one": phase_map}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad - round_part)[INNER])
     assert abs(before) > 0.001
     assert abs(after) < 0.05 * abs(before)
 
@@ -79,11 +79,11 @@ def test_an_edge_of_two_planes_is_no_bend_and_noise_hardly_grows(away: float) ->
     even = np.full(PHASE.shape, 2000, np.uint16)
     edge = PHASE + 0.3 * np.abs(COLUMNS - 40 - away)
     phase_map = replace(seen(np.full(PHASE.shape, 2000.0)), phase_rad=edge.astype(np.float32), grey=even)
-    made = without_blur({"one": phase_map}, camera(BLUR_PX), STEP_RAD)["one"]
+    made = correct_blur({"one": phase_map}, camera(BLUR_PX), STEP_RAD)["one"]
     np.testing.assert_allclose(made.phase_rad[beside], phase_map.phase_rad[beside], atol=2e-5)
     noise = np.random.default_rng(1).normal(0.0, 0.01, PHASE.shape)
     noisy = replace(phase_map, phase_rad=(PHASE + noise).astype(np.float32))
-    left = (without_blur({"one": noisy}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad - PHASE)[INNER]
+    left = (correct_blur({"one": noisy}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad - PHASE)[INNER]
     assert left.std() < 1.05 * noise[INNER].std()
 
 
@@ -95,7 +95,7 @@ def test_at_the_rim_of_a_round_body_neither_light_nor_bend_is_taken_alone() -> N
     round_part, light = 20.0 + 1.6 * away, np.where(on, 1500.0 * (1 + 0.16 * away), 300.0)
     blurred = seen(light, np.where(on, round_part, 14.0))
     state = np.where(rim + 2 <= COLUMNS, 0, PixelState.EDGE).astype(np.uint8)
-    made = without_blur({"one": replace(blurred, state=state)}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad
+    made = correct_blur({"one": replace(blurred, state=state)}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad
     error = (made - round_part)[30]
     alone = np.gradient(np.log(light), axis=1)[30] * np.gradient(round_part, axis=1)[30] * BLUR_PX**2  # what the light alone would take off
     assert alone[rim + 5] > 0.005
@@ -103,7 +103,7 @@ def test_at_the_rim_of_a_round_body_neither_light_nor_bend_is_taken_alone() -> N
 
 
 def doubt(made: PhaseMap) -> FloatArray:
-    """What `without_blur` added to the noise, in rad."""
+    """What `correct_blur` added to the noise, in rad."""
     return np.asarray(np.sqrt(np.maximum(made.sigma_rad.astype(float) ** 2 - NOISE_RAD**2, 0.0)))
 
 
@@ -111,7 +111,7 @@ def test_beside_a_hole_what_blur_does_stays_and_counts_as_noise() -> None:
     beside = (INNER[0], slice(57, 60))
     steep = seen(60 * np.exp(0.08 * COLUMNS))
     cut = replace(steep, state=np.where(COLUMNS >= 60, PixelState.SHADOW, 0).astype(np.uint8))
-    made = without_blur({"one": cut}, camera(BLUR_PX), STEP_RAD)["one"]
+    made = correct_blur({"one": cut}, camera(BLUR_PX), STEP_RAD)["one"]
     left = np.abs(made.phase_rad - PHASE)
     assert left[beside].min() > 0.02
     assert (left[beside] < 1.01 * doubt(made)[beside]).all()
@@ -125,7 +125,7 @@ def test_at_the_rim_of_a_round_body_what_stays_counts_as_noise(rim: float) -> No
     round_part = 20.0 + 1.6 * away
     blurred = seen(np.where(on, 1500.0 * (1 + 0.16 * away), 300.0), np.where(on, round_part, 14.0))
     state = np.where(rim + 2 <= COLUMNS, 0, PixelState.EDGE).astype(np.uint8)
-    made = without_blur({"one": replace(blurred, state=state)}, camera(BLUR_PX), STEP_RAD)["one"]
+    made = correct_blur({"one": replace(blurred, state=state)}, camera(BLUR_PX), STEP_RAD)["one"]
     first = int(np.ceil(rim)) + 2
     left = np.abs(made.phase_rad - round_part)[30, first : first + 6]
     assert (left < 2.0 * doubt(made)[30, first : first + 6] + 0.1 * NOISE_RAD).all()
@@ -135,7 +135,7 @@ def test_at_the_rim_of_a_round_body_what_stays_counts_as_noise(rim: float) -> No
 @pytest.mark.parametrize("fold", [0.1, -0.3, 0.6])
 def test_at_an_edge_of_two_planes_what_blur_does_counts_as_noise(away: float, fold: float) -> None:
     folded = PHASE + fold * np.abs(COLUMNS - 40 - away)
-    made = without_blur({"one": seen(np.full(PHASE.shape, 2000.0), folded)}, camera(BLUR_PX), STEP_RAD)["one"]
+    made = correct_blur({"one": seen(np.full(PHASE.shape, 2000.0), folded)}, camera(BLUR_PX), STEP_RAD)["one"]
     left = np.abs(made.phase_rad - folded)[INNER]
     assert left.max() > 0.1 * abs(fold)
     assert (left < 2.0 * doubt(made)[INNER] + 0.1 * NOISE_RAD).all()
@@ -146,14 +146,14 @@ def test_flat_and_evenly_bent_parts_are_as_certain_as_they_were() -> None:
     for bend in (0.0, 0.003 * (COLUMNS - 40) ** 2):
         phase_map = seen(2000 * np.exp(0.02 * COLUMNS), PHASE + bend)
         noisy = replace(phase_map, phase_rad=(phase_map.phase_rad + noise).astype(np.float32))
-        made = without_blur({"one": noisy}, camera(BLUR_PX), STEP_RAD)["one"]
+        made = correct_blur({"one": noisy}, camera(BLUR_PX), STEP_RAD)["one"]
         assert np.mean(made.sigma_rad[INNER]) < 1.01 * NOISE_RAD
 
 
 def test_what_reading_between_pixels_does_to_a_bent_phase_is_taken_back() -> None:
     bend = 0.003 * (COLUMNS - 40) ** 2
     phase_map = seen(np.full(PHASE.shape, 2000.0), PHASE + bend)
-    made = without_blur({"one": phase_map}, camera(BLUR_PX), STEP_RAD, read=["one"])["one"].phase_rad
+    made = correct_blur({"one": phase_map}, camera(BLUR_PX), STEP_RAD, interpolated=["one"])["one"].phase_rad
     places = np.linspace(0, 1, 101)[:-1] + 0.005
     left, right = made[INNER][:, :-1, None], made[INNER][:, 1:, None]
     between = COLUMNS[INNER][:, :-1, None] + places
@@ -163,19 +163,19 @@ def test_what_reading_between_pixels_does_to_a_bent_phase_is_taken_back() -> Non
 
 def test_evenly_lit_fringes_a_sharp_camera_and_one_of_unknown_blur_change_nothing() -> None:
     even, steep = seen(np.full(PHASE.shape, 2000.0)), seen(2000 * np.exp(0.02 * COLUMNS))
-    made = without_blur({"one": even}, camera(BLUR_PX), STEP_RAD)["one"]
+    made = correct_blur({"one": even}, camera(BLUR_PX), STEP_RAD)["one"]
     np.testing.assert_allclose(made.phase_rad[INNER], even.phase_rad[INNER], atol=4e-6)
-    assert without_blur({"one": steep}, camera(0.0), STEP_RAD)["one"] is steep
-    assert without_blur({"other": steep}, camera(BLUR_PX), STEP_RAD)["other"] is steep
+    assert correct_blur({"one": steep}, camera(0.0), STEP_RAD)["one"] is steep
+    assert correct_blur({"other": steep}, camera(BLUR_PX), STEP_RAD)["other"] is steep
 
 
 def test_pixels_without_a_phase_stay_so_and_do_not_reach_their_neighbours() -> None:
     steep = seen(2000 * np.exp(0.02 * COLUMNS))
     state, phase = np.array(steep.state), np.array(steep.phase_rad)
     state[30, 40], phase[30, 40] = PixelState.SHADOW, 0.0
-    made = without_blur({"one": replace(steep, state=state, phase_rad=phase)}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad
+    made = correct_blur({"one": replace(steep, state=state, phase_rad=phase)}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad
     assert made[30, 40] == 0.0
-    whole = without_blur({"one": steep}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad
+    whole = correct_blur({"one": steep}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad
     touched = np.argwhere(np.abs(made - whole) > 1e-6)
     near = {(30 + a, 40) for a in (-3, -2, 2, 3)} | {(30, 40 + a) for a in (-3, -2, 2, 3)}
     assert {(int(y), int(x)) for y, x in touched} <= {(30, 40), *near}
@@ -184,7 +184,7 @@ def test_pixels_without_a_phase_stay_so_and_do_not_reach_their_neighbours() -> N
 
 def test_horizontal_fringes_of_the_same_images_follow() -> None:
     steep = seen(2000 * np.exp(0.02 * COLUMNS))
-    made = without_blur({"one": replace(steep, orthogonal=replace(steep, direction="horizontal"))}, camera(BLUR_PX), STEP_RAD)["one"]
+    made = correct_blur({"one": replace(steep, orthogonal=replace(steep, direction="horizontal"))}, camera(BLUR_PX), STEP_RAD)["one"]
     assert made.orthogonal is not None
     np.testing.assert_array_equal(made.orthogonal.phase_rad, made.phase_rad)
 
@@ -198,7 +198,7 @@ def columns_of(whole: PhaseMap, width: int) -> PhaseMap:
 def test_columns_beyond_the_last_whole_vector_are_taken_like_all_others(width: int) -> None:
     whole = seen(2000 * np.exp(0.02 * COLUMNS), PHASE + 0.004 * COLUMNS**2 + 0.003 * ROWS**2)
     part = columns_of(whole, width)
-    wide, narrow = (without_blur({"one": each}, camera(BLUR_PX), STEP_RAD)["one"] for each in (whole, part))
+    wide, narrow = (correct_blur({"one": each}, camera(BLUR_PX), STEP_RAD)["one"] for each in (whole, part))
     assert np.array_equal(narrow.phase_rad[:, :-6], wide.phase_rad[:, : width - 6])
     assert np.array_equal(narrow.sigma_rad[:, :-6], wide.sigma_rad[:, : width - 6])
     assert np.array_equal(narrow.phase_rad[:, -6:], part.phase_rad[:, -6:])
@@ -207,4 +207,4 @@ def test_columns_beyond_the_last_whole_vector_are_taken_like_all_others(width: i
 
 def test_images_too_narrow_for_it_stay() -> None:
     part = columns_of(seen(2000 * np.exp(0.02 * COLUMNS)), 27)
-    assert np.array_equal(without_blur({"one": part}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad, part.phase_rad)
+    assert np.array_equal(correct_blur({"one": part}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad, part.phase_rad)

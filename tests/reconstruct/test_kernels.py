@@ -1,4 +1,4 @@
-"""The compiled loops beside their readable NumPy statements."""
+"""Kernels against independent statements of what they compute; `test_reference` compares them with their NumPy versions."""
 
 from __future__ import annotations
 
@@ -7,15 +7,19 @@ import numpy as np
 import pytest
 
 from measureapp.arrays import read_only
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.point_state import PointState
 from measureapp.reconstruct import kernels
-from measureapp.reconstruct.cleaning.clean import cleaned
+from measureapp.reconstruct.cleaning.clean import clean_grid
 from measureapp.reconstruct.cleaning.depth_grid import Lens
-from measureapp.reconstruct.cleaning.gather import gathered_normals
-from measureapp.reconstruct.matching.match import flat, partner_of
+from measureapp.reconstruct.cleaning.gather import gather_normals
+from measureapp.reconstruct.kernels.fuse import Camera, fuse_pairs
+from measureapp.reconstruct.kernels.match import STRIP, match
+from measureapp.reconstruct.kernels.structures import Candidates, Limits
+from measureapp.reconstruct.matching.match import CameraSet
 from measureapp.reconstruct.matching.tables import pair_tables
 from measureapp.reconstruct.phase_view import PhaseView
-from measureapp.reconstruct.rectification.cubics import PixelSteps
+from measureapp.reconstruct.rectification.jacobian import PixelJacobian
 from measureapp.reconstruct.rectification.rectifier import Rectifier
 from measureapp.reconstruct.settings import ReconstructSettings
 from tests.reconstruct.conftest import Head, sphere
@@ -32,10 +36,12 @@ def test_a_row_is_matched_where_phase_and_epipolar_line_are_right(head: Head) ->
     skip = (views["left"].state != 0).view(np.uint8)
     tables = pair_tables("left", ("right",), views, maps["left"], rectifier)["right"]
     row, width = 120, skip.shape[1]
-    out = [np.zeros((1, width), dtype) for dtype in (np.float32, np.float32, np.float32, np.int32, np.uint8)]
-    partner = partner_of("left", "right", views, tables, rectifier)
-    count = kernels.match(flat(rectifier.rays("left")), views["left"].phase, skip, partner, row, row + 1, 0, width, kernels.Found(*out))
-    depth = out[0][0]
+    padded = -(-width // STRIP) * STRIP
+    out = Candidates(*(np.zeros((1, padded), dtype) for dtype in (np.float32, np.float32, np.float32, np.int32, np.uint8)))
+    cameras = CameraSet(views, rectifier, ReconstructSettings(), BufferPool())
+    camera, partner = cameras.camera("left", skip), cameras.partner("left", "right", tables)
+    count = match(camera.flat_rays, camera.phase, skip, partner, row, row + 1, 0, width, out)
+    depth = out.depth[0, :width]
     found = np.flatnonzero(depth > 0)
     assert count == len(found) > 0.6 * (skip[row] == 0).sum()
     left, right = head.cameras.cameras["left"], head.cameras.cameras["right"]
@@ -62,10 +68,11 @@ def test_two_candidates_are_fused_by_least_squares() -> None:
     gain = (random.uniform(0.05, 0.2, (2, 1, width)) * np.array([1, -1])[:, None, None]).astype(np.float32)
     depth = (550 + random.normal(0, 0.02, (2, 1, width))).astype(np.float32)
     z, z_sigma = np.zeros((1, width), np.float32), np.zeros((1, width), np.float32)
-    step, limits = tuple(np.float32(c) for c in (0, 0, 1e-6)), (np.float32(100), np.float32(0.5))
-    kernels.fuse_both(
-        read_only(np.zeros((1, 2 * width), np.float32)), read_only(sigma), depth, gain, variance, step, limits, 0, 1, 0, width, z, z_sigma
-    )
+    px_per_mm, limits = tuple(np.float32(c) for c in (0, 0, 1e-6)), Limits(np.float32(100), np.float32(0.5))
+    rays, nothing = read_only(np.zeros((1, width, 2), np.float32)), np.zeros((1, width), np.uint8)
+    camera = Camera(rays, rays.reshape(1, -1), read_only(sigma), read_only(sigma), nothing)
+    found = Candidates(depth, gain, variance, np.zeros(depth.shape, np.int32), np.zeros(depth.shape, np.uint8))
+    fuse_pairs(camera, found, px_per_mm, limits, 0, 1, 0, width, z, z_sigma)
     for x in range(width):
         # unknowns: z and the projector's phase less the pixel's; equations: phase − own = 0 ± σ and gain · (z − depth) − (phase − own) = 0 ± σ
         model = np.array([[0, 1], [gain[0, 0, x], -1], [gain[1, 0, x], -1]], float)
@@ -89,12 +96,12 @@ def test_normals_are_those_of_planes_through_the_points_left_in_the_window(scene
     if scene == "an outlier":
         depth[OUTLIER] += 8  # within a depth step, so that windows had it among their points before it was removed
     sigma = np.full(depth.shape, 0.02, np.float32)
-    fate = np.where(depth > 0, 0, 1).astype(np.uint8)
+    state = np.where(depth > 0, 0, 1).astype(np.uint8)
     settings = ReconstructSettings(min_island_px=1)
-    lens = Lens(rays, PixelSteps.of(rays), 1 / focal)
-    grid = cleaned(depth, sigma, np.zeros(depth.shape, np.uint8), fate, lens, [], settings)
-    pixel, normals = gathered_normals(grid)
-    left = np.where(grid.fate == 0, depth, 0).astype(float)
+    lens = Lens(rays, PixelJacobian.of(rays), 1 / focal)
+    grid = clean_grid(depth, sigma, np.zeros(depth.shape, np.uint8), state, lens, [], settings)
+    pixel, normals = gather_normals(grid)
+    left = np.where(grid.state == 0, depth, 0).astype(float)
     assert (left[OUTLIER] == 0) == (scene == "an outlier" or depth[OUTLIER] == 0)
     places = (-4, -2, 0, 2, 4)
     around = np.flatnonzero(np.abs(pixel - np.array(OUTLIER)).max(axis=1) <= 5)
@@ -111,15 +118,15 @@ def test_normals_are_those_of_planes_through_the_points_left_in_the_window(scene
 
 
 @pytest.mark.parametrize("sampled", [0, 1])
-def test_pixels_near_covered_ones_are_not_matched_again(sampled: int) -> None:
+def test_pixels_near_used_ones_are_not_matched_again(sampled: int) -> None:
     random = np.random.default_rng(5)
     state = (random.random((61, 83)) < 0.1).astype(np.uint8) * 3
-    covered = (random.random(state.shape) < 0.02).astype(np.uint8)
+    used = (random.random(state.shape) < 0.02).astype(np.uint8)
     marked = np.empty_like(state)
     for start, stop in ((0, 20), (20, 61)):
-        kernels.mark_covered(read_only(state), covered, 7, np.uint8(sampled), np.uint8(PointState.UNMATCHED), start, stop, marked)
-    near = cv2.dilate(covered, np.ones((5, 5), np.uint8))
-    near[::7, ::7] = covered[::7, ::7] * sampled
+        kernels.mark_used(read_only(state), used, 7, np.uint8(sampled), np.uint8(PointState.UNMATCHED), start, stop, marked)
+    near = cv2.dilate(used, np.ones((5, 5), np.uint8))
+    near[::7, ::7] = used[::7, ::7] * sampled
     seen = np.where(near != 0, PointState.SEEN_BY_ANOTHER, PointState.UNMATCHED)
     assert (marked == np.where(state != 0, PointState.NO_PHASE, seen)).all()
 
@@ -145,8 +152,8 @@ def slopes_of(phase: np.ndarray, sigma: np.ndarray, state: np.ndarray, every: in
     height, width = phase.shape
     pixels, quad = np.empty((height, width, 4), np.float32), np.empty(phase.shape, np.uint8)
     samples = np.empty((3, -(-height // every), -(-width // every)), np.float32)
-    maps = tuple(read_only(each).reshape(-1) for each in (phase, sigma, state))
-    kernels.slopes(maps, height, width, np.float32(3), every, 0, height, pixels.reshape(-1), quad.reshape(-1), samples)
+    maps = tuple(read_only(each) for each in (phase, sigma, state))
+    kernels.measure_gradients(*maps, np.float32(3), every, 0, height, pixels, quad, samples)
     return pixels, quad, samples
 
 

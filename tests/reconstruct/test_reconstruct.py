@@ -243,17 +243,17 @@ def test_a_surface_that_another_camera_cannot_see_for_something_before_it_is_no_
     assert (made.cloud.cameras[hidden] == 5).mean() > 0.95
 
 
-def test_every_pixel_of_every_camera_has_a_fate_and_the_points_are_the_valid_ones(head: Head, rectifier: Rectifier) -> None:
+def test_every_pixel_of_every_camera_has_a_state_and_the_points_are_the_valid_ones(head: Head, rectifier: Rectifier) -> None:
     maps = head.phase_maps(nearest(sphere((20, -10, 500), 40), plane(560)), SIGMA_RAD, 2)
     made = reconstruct(maps, head.cameras, rectifier=rectifier)
-    assert set(made.fates) == set(maps)
-    assert sum(int((fate == PointState.VALID).sum()) for fate in made.fates.values()) == len(made.cloud)
-    for name, fate in made.fates.items():
-        assert ((fate == PointState.NO_PHASE) == (maps[name].state != PixelState.VALID)).all()
+    assert set(made.states) == set(maps)
+    assert sum(int((state == PointState.VALID).sum()) for state in made.states.values()) == len(made.cloud)
+    for name, state in made.states.items():
+        assert ((state == PointState.NO_PHASE) == (maps[name].state != PixelState.VALID)).all()
     first = made.cloud.cameras != 6
-    assert (made.fates["left"][tuple(made.cloud.pixel[first].T)] == PointState.VALID).all()
-    assert made.rejected["flying"] == sum(int((made.fates[name] == PointState.FLYING).sum()) for name in ("left", "right"))
-    assert (made.fates["right"] == PointState.SEEN_BY_ANOTHER).mean() > 0.5
+    assert (made.states["left"][tuple(made.cloud.pixel[first].T)] == PointState.VALID).all()
+    assert made.rejected["flying"] == sum(int((made.states[name] == PointState.FLYING).sum()) for name in ("left", "right"))
+    assert (made.states["right"] == PointState.SEEN_BY_ANOTHER).mean() > 0.5
 
 
 def test_a_perfect_head_has_no_epipolar_residual_in_any_pair_and_a_turned_camera_its_true_one(head: Head, rectifier: Rectifier) -> None:
@@ -313,8 +313,8 @@ def test_points_whose_horizontal_phases_differ_are_contradicted(head: Head, rect
     wrong[100:120, 100:140] += np.float32(0.8)
     maps["left"] = replace(maps["left"], orthogonal=replace(across, phase_rad=wrong))
     made = reconstruct(maps, head.cameras, rectifier=rectifier)
-    fate = made.fates["left"]
-    assert (fate[100:120, 100:140] == PointState.CONTRADICTED).mean() > 0.95
+    state = made.states["left"]
+    assert (state[100:120, 100:140] == PointState.CONTRADICTED).mean() > 0.95
     assert made.rejected["contradicted"] <= 20 * 40
 
 

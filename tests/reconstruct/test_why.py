@@ -9,7 +9,7 @@ from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.point_state import PointState
 from measureapp.errors import ReconstructError
-from measureapp.reconstruct.projector.with_projector import looked_at_alone
+from measureapp.reconstruct.projector.with_projector import reconstruct_alone
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
 from measureapp.reconstruct.settings import ReconstructSettings
 from measureapp.reconstruct.why import OF_PHASE, OF_POINT, shares_of_region, shares_of_view, why
@@ -76,7 +76,7 @@ def projector_head() -> ProjectorHead:
 
 
 def alone(phase_map: PhaseMap, cameras: CameraArrayCalibration | None) -> View:
-    return {phase_map.camera: phase_map}, looked_at_alone(phase_map, cameras)
+    return {phase_map.camera: phase_map}, reconstruct_alone(phase_map, cameras)
 
 
 def test_a_single_camera_without_a_projector_is_explained_up_to_its_phase(projector_head: ProjectorHead) -> None:
@@ -100,8 +100,8 @@ def test_a_single_camera_with_the_projector_has_points_and_the_reasons_of_their_
     wrong, behind = across.phase_rad.copy(), seen.phase_rad.copy()
     wrong[box] += np.float32(1.5)
     torn = replace(seen, orthogonal=replace(across, phase_rad=wrong))
-    made = looked_at_alone(seen, projector_head.cameras)
-    assert (made.fates["left"] == PointState.VALID).sum() == len(made.cloud) > 0.9 * seen.valid.sum()
+    made = reconstruct_alone(seen, projector_head.cameras)
+    assert (made.states["left"] == PointState.VALID).sum() == len(made.cloud) > 0.9 * seen.valid.sum()
     assert why({"left": seen}, made, "left", row, column).stage == "point"
     said = why(*alone(torn, projector_head.cameras), "left", row, column)
     assert said.reason == "contradicted"
@@ -114,7 +114,7 @@ def test_a_single_camera_with_the_projector_has_points_and_the_reasons_of_their_
 def test_a_camera_and_a_projector_without_any_point_are_explained_all_the_same(projector_head: ProjectorHead) -> None:
     seen = projector_head.phase_maps(plane(550, 0.2, 0.1))["left"]
     beyond = replace(seen, phase_rad=np.where(seen.valid, np.float32(400 * np.pi), np.float32(0)))
-    made = looked_at_alone(beyond, projector_head.cameras)
+    made = reconstruct_alone(beyond, projector_head.cameras)
     assert len(made.cloud) == 0
     assert shares_of_view({"left": beyond}, made)["left"]["unmatched"] == pytest.approx(float(seen.valid.mean()))
 

@@ -84,7 +84,6 @@ def test_in_the_smallest_window_nothing_is_cut_off_or_lies_over_its_neighbour(fi
     page = filled.pages[name]
     unfold(page)
     filled.properties.fold(folded)
-    import time
     qtbot.wait(8000)
     assert squeezed(page) == []
 

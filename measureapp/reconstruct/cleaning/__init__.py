@@ -1,1 +1,1 @@
-"""Cleaning of depth maps on the pixel grid, and the points they leave."""
+"""Cleaning of depth maps on the pixel grid, and clouds of the points that are left."""

@@ -16,7 +16,7 @@ from measureapp.errors import ReconstructError
 from measureapp.reconstruct.diagnosis.sample import FlatView, Samples, match_samples
 from measureapp.reconstruct.diagnosis.witness import Residuals, contrast, likeness, seen_by_camera, seen_by_projector
 from measureapp.reconstruct.projector.depth import triangulate_with_projector
-from measureapp.reconstruct.projector.fate import ProjectorFate
+from measureapp.reconstruct.projector.state import ProjectorState
 
 Kind = Literal[
     "wrong-sign", "phase-runs-backwards", "fringe-direction", "turned-image", "swapped-cameras", "unrelated-cameras", "moved-camera",
@@ -344,9 +344,9 @@ def _columns(samples: Samples, phase_map: PhaseMap) -> FloatArray:
 def _alone(name: str, phase_map: PhaseMap, cameras: CameraArrayCalibration, projector: ProjectorCalibration) -> Iterator[Finding]:
     """A single camera: nearly all phases must meet their column before the camera and inside the projector's image."""
     made = triangulate_with_projector(replace(phase_map, orthogonal=None), cameras.cameras[name], projector)
-    seen = max(int((made.fate != ProjectorFate.NO_PHASE).sum()), 1)
-    share = float((made.fate == ProjectorFate.POINT).sum()) / seen
-    parallel = float((made.fate == ProjectorFate.PARALLEL).sum()) / seen
+    seen = max(int((made.state != ProjectorState.NO_PHASE).sum()), 1)
+    share = float((made.state == ProjectorState.POINT).sum()) / seen
+    parallel = float((made.state == ProjectorState.PARALLEL).sum()) / seen
     if share + parallel < LEAST_PROJECTOR_SHARE:
         yield Finding(
             "projector-off",

@@ -1,55 +1,55 @@
-"""Compiled loops of matching, fusing and cleaning; each works on a band of rows and releases the interpreter."""
+"""Kernels of reconstruction; each works on a band of rows and releases the interpreter.
+
+``kernels.NAME`` is the compiled loop, or its statement in NumPy (`reference`) while ``MEASUREAPP_KERNELS=reference`` is set; both have the same
+parameters.
+"""
 
 from __future__ import annotations
 
-from measureapp.reconstruct.kernels.across import check_across
-from measureapp.reconstruct.kernels.band import match_and_fuse
-from measureapp.reconstruct.kernels.binning import LEAST_SINE, LINES_PER_CELL, fill_table, rectified_lines, spread_table
-from measureapp.reconstruct.kernels.blur import take_blur
-from measureapp.reconstruct.kernels.both import fuse_both
-from measureapp.reconstruct.kernels.cleaning import CHUNK, invert, judge
-from measureapp.reconstruct.kernels.constants import PIXELS
-from measureapp.reconstruct.kernels.covered import mark_covered, mark_without_phase
-from measureapp.reconstruct.kernels.gathering import Points, gather_points
-from measureapp.reconstruct.kernels.islands import drop_islands, find_runs
-from measureapp.reconstruct.kernels.lanes import Found
-from measureapp.reconstruct.kernels.looking import resample
-from measureapp.reconstruct.kernels.matching import match
-from measureapp.reconstruct.kernels.rims import mark_rims
-from measureapp.reconstruct.kernels.seen import BLANK, MATCHED, PARTLY, REPEATS, SEEN, WITHOUT_PARTNER
-from measureapp.reconstruct.kernels.sightlines import keep_new
-from measureapp.reconstruct.kernels.slopes import slopes
+from typing import Any
 
-__all__ = [
-    "BLANK",
-    "CHUNK",
-    "LEAST_SINE",
-    "LINES_PER_CELL",
-    "MATCHED",
-    "PARTLY",
-    "PIXELS",
-    "REPEATS",
-    "SEEN",
-    "WITHOUT_PARTNER",
-    "Found",
-    "Points",
-    "check_across",
-    "drop_islands",
-    "fill_table",
-    "find_runs",
-    "fuse_both",
-    "gather_points",
-    "invert",
-    "judge",
-    "keep_new",
-    "mark_covered",
-    "mark_rims",
-    "mark_without_phase",
-    "match",
-    "match_and_fuse",
-    "rectified_lines",
-    "resample",
-    "slopes",
-    "spread_table",
-    "take_blur",
-]
+from measureapp.compiled.selection import use_reference
+from measureapp.reconstruct.kernels import (
+    blur,
+    clean,
+    components,
+    cross_check,
+    fuse,
+    gather,
+    gradients,
+    projector,
+    reference,
+    reproject,
+    table,
+)
+
+_COMPILED = {
+    kernel.__name__: kernel
+    for kernel in (
+        blur.correct_blur,
+        blur.mark_discontinuities,
+        clean.invert_depth,
+        clean.refit_normals,
+        clean.reject_points,
+        components.find_runs,
+        components.remove_small_components,
+        cross_check.check_orthogonal,
+        cross_check.keep_new,
+        cross_check.mark_used,
+        fuse.match_and_fuse,
+        gather.gather_points,
+        gradients.measure_gradients,
+        projector.triangulate,
+        reproject.resample_phase,
+        table.fill_gaps,
+        table.fill_table,
+        table.rectify_pixels,
+    )
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Return the selected version of a kernel."""
+    if name not in _COMPILED:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(reference, name) if use_reference() else _COMPILED[name]

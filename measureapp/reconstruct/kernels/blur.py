@@ -1,8 +1,11 @@
-"""Compiled loops that take from the phase by how far blur has shifted it, and tell the doubt where that is not known."""
+"""Blur of the cameras: correction of the phase to first order, and the pixels at depth discontinuities, where blur mixes two surfaces.
+
+With SIMD vectors: plain loops over as many neighbours take three times as long (decision 16). Maps are C-contiguous.
+"""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numba import njit
@@ -10,133 +13,169 @@ from numba import njit
 from measureapp.compiled.options import INLINE, LOOP
 from measureapp.compiled.simd.elements import broadcast, convert, maximum, minimum, select, sqrt
 from measureapp.compiled.simd.memory import load, store
-from measureapp.reconstruct.kernels.constants import PIXELS
+from measureapp.data.point_state import PointState
+from measureapp.reconstruct.kernels.structures import LANES, VALID, copy_row
 
-REACH = 2  # px to either side, over which slopes of the phase are taken: its noise hardly grows by it, and the blur reaches no further
-STEEPEST = np.float32(0.3)  # of the logarithm of the light per px; beyond, at edges, the first order says nothing
-NEAR, FAR = 3, 6  # px to either side, over which bends are taken; over the far ones they cost 3 % in noise
-NARROWEST = 2 * FAR + PIXELS  # px that a row must have
-RATIO = np.float32((FAR / NEAR) ** 2)  # of an even bend over both
-ALIKE = np.float32(0.25)  # of a bend: by how much an even one may differ from that over the near pixels, and its halves from each other,
-BENDS_APART, HALVES_APART = np.float32(17), np.float32(6.3)  # and two standard deviations of both in those of the phase
-PER_RISE, PER_RUNS = np.float32(1 / 12), np.float32(1 / (2 * REACH))
-PER_BEND, PER_RUN = np.float32(0.5 / FAR**2), np.float32(1 / (2 * FAR) ** 2)
-# How a phase bends 2 to 5 px from the rim of a round body, where a hole hides that: φ'' is there φ' over twice the distance.
-BEND_AT_RIM = np.float32(1 / 7)
-SPAN, EIGHT, TWO, ONE, HALF, ZERO = (np.float32(number) for number in (2 * REACH, 8, 2, 1, 0.5, 0))
-NOTHING = np.uint8(0)
+SLOPE_REACH = 2  # px to either side, over which slopes of the phase are taken; the blur reaches no further
+NEAR, FAR = 3, 6  # px to either side, over which curvatures are taken; the far ones cost 3 % in noise
+MIN_WIDTH = 2 * FAR + LANES
+MAX_LIGHT_SLOPE = np.float32(0.3)  # of the logarithm of the light per px; beyond, at edges, the first order does not hold
+FAR_PER_NEAR = np.float32((FAR / NEAR) ** 2)  # ratio of the second differences of an even curvature
+EVEN = np.float32(0.25)  # share of a curvature by which an even one may differ over the near pixels, and its halves from each other,
+CURVATURE_SIGMAS, HALVES_SIGMAS = np.float32(17), np.float32(6.3)  # plus two standard deviations of either, in those of the phase
+PER_LIGHT, PER_SLOPE = np.float32(1 / 12), np.float32(1 / (2 * SLOPE_REACH))
+PER_CURVATURE, PER_RUN = np.float32(0.5 / FAR**2), np.float32(1 / (2 * FAR) ** 2)
+# Curvature 2 to 5 px from the horizon of a round body, relative to the slope: φ'' is φ' over twice the distance.
+HORIZON_CURVATURE = np.float32(1 / 7)
+ZERO, HALF, ONE, TWO, EIGHT = (np.float32(number) for number in (0, 0.5, 1, 2, 8))
+RIM = np.uint8(PointState.RIM)
+RIM_PX = 3  # an edge two pixels wide, beside a hole that is two deep
+
+
+class Blur(NamedTuple):
+    """Blur of a camera and the images it acts on, (H, W)."""
+
+    phase: Any  # float32
+    sigma: Any  # float32
+    grey: Any  # uint16
+    state: Any  # uint8, 0 valid
+    variance: Any  # float32, px²
+    interpolation: Any  # float32, variance of the interpolation between pixels, relative to it
+    max_step: Any  # float32, largest phase step between neighbours of one surface
+    ambient: Any  # float32, grey level without the light of the projector
 
 
 @njit(**INLINE)
-def grey_at(grey: Any, at: int) -> Any:
-    """Return grey levels as numbers with a fraction."""
-    return convert(load(grey, at, PIXELS), np.float32)
+def light_at(grey: Any, at: int) -> Any:
+    """Return grey levels as float32."""
+    return convert(load(grey, at, LANES), np.float32)
 
 
 @njit(**INLINE)
-def holes_at(state: Any, at: int, apart: int) -> Any:
-    """Return where a pixel so far before or behind has no phase, one mask for each."""
-    return load(state, at - apart, PIXELS) != NOTHING, load(state, at + apart, PIXELS) != NOTHING
+def missing_at(state: Any, at: int, apart: int) -> Any:
+    """Return masks of the pixels so far before and behind that have no phase."""
+    return load(state, at - apart, LANES) != VALID, load(state, at + apart, LANES) != VALID
 
 
 @njit(**INLINE)
-def slope_at(phase: Any, grey: Any, state: Any, at: int, along: int, per_light: Any, limits: Any) -> Any:
-    """Return what comes of light that changes along one direction, ∇φ · ∇ ln I, and the square of what is in doubt of it.
+def slope_term(blur: Blur, at: int, along: int, per_light: Any) -> Any:
+    """Return the shift by the slope of the light along one direction, ∇φ · ∇ ln I, and the square of its uncertainty.
 
-    Of a phase that rises evenly the shift follows, however the light changes, from the slope of the blurred light at the pixel itself: by
-    differences over one and two pixels, which leave nothing of the third order. Over a wider reach an edge would act where it does not reach.
-    Where a hole is too near to tell how the phase bends, that stays with it: at the rim of a round body the phase bends as much as the light
-    falls, and one without the other is worse than neither. Both are in doubt then, as they are where the light changes too fast.
+    For a linear phase the shift follows exactly from the slope of the blurred light at the pixel itself: by differences over one and two
+    pixels, free of third-order terms. Where a hole is too near to know the curvature of the phase, the shift is not corrected: towards the
+    horizon of a round body both terms nearly cancel. It is uncertain then, as it is where the light changes too fast.
 
     Parameters
     ----------
-    along : from a pixel to the next in that direction
+    along : distance of neighbours in that direction
     per_light : 1/12 over the light of the pixels
     """
-    farthest, hidden_bend = limits
-    no_before, no_behind = holes_at(state, at, REACH * along)
-    no_near_before, no_near_behind = holes_at(state, at, NEAR * along)
-    own = load(phase, at, PIXELS)
-    back = select(no_before, ZERO, own - load(phase, at - REACH * along, PIXELS))
-    ahead = select(no_behind, ZERO, load(phase, at + REACH * along, PIXELS) - own)
-    one_sided = no_before | no_behind
-    run = select(one_sided, TWO * (back + ahead), back + ahead)
-    near, far = grey_at(grey, at + along) - grey_at(grey, at - along), grey_at(grey, at + 2 * along) - grey_at(grey, at - 2 * along)
-    rise = (EIGHT * near - far) * per_light
-    slope = select(abs(run) < farthest, PER_RUNS * run, ZERO)
-    unknown = one_sided | no_near_before | no_near_behind | (abs(rise) >= STEEPEST)
-    doubt = select(unknown, slope * (minimum(abs(rise), ONE) + hidden_bend), ZERO)
-    return select(unknown, ZERO, slope * rise), doubt * doubt
+    no_before, no_after = missing_at(blur.state, at, SLOPE_REACH * along)
+    no_near_before, no_near_after = missing_at(blur.state, at, NEAR * along)
+    own = load(blur.phase, at, LANES)
+    before = select(no_before, ZERO, own - load(blur.phase, at - SLOPE_REACH * along, LANES))
+    after = select(no_after, ZERO, load(blur.phase, at + SLOPE_REACH * along, LANES) - own)
+    one_sided = no_before | no_after
+    run = select(one_sided, TWO * (before + after), before + after)
+    near = light_at(blur.grey, at + along) - light_at(blur.grey, at - along)
+    far = light_at(blur.grey, at + 2 * along) - light_at(blur.grey, at - 2 * along)
+    light = (EIGHT * near - far) * per_light
+    slope = select(abs(run) < blur.max_step * np.float32(2 * SLOPE_REACH), PER_SLOPE * run, ZERO)
+    unknown = one_sided | no_near_before | no_near_after | (abs(light) >= MAX_LIGHT_SLOPE)
+    hidden_curvature = HORIZON_CURVATURE * HALF * (ONE + blur.interpolation)
+    uncertainty = select(unknown, slope * (minimum(abs(light), ONE) + hidden_curvature), ZERO)
+    return select(unknown, ZERO, slope * light), uncertainty * uncertainty
 
 
 @njit(**INLINE)
-def bend_at(phase: Any, state: Any, at: int, along: int, sigma: Any, variances: Any) -> Any:
-    """Return what comes of a phase that bends evenly along one direction, and the square of what is in doubt of it.
+def curvature_term(blur: Blur, at: int, along: int, sigma: Any) -> Any:
+    """Return the shift by an even curvature of the phase along one direction, and the square of its uncertainty.
 
-    Of blurred fringes exp(i φ) that is φ'' (1 - s² φ'²) / 2: steep ones fade where they are out of step, and count less.
-    An edge between two walls is no even bend: on it the near pixels bend more than the far ones, beside it one half of them does not bend.
-    Where a hole is among the far pixels, the near ones have to do. Twice what an uneven bend would do is in doubt: an edge may be sharper than
-    the near pixels tell.
+    For blurred fringes exp(i φ) it is φ'' (1 - s² φ'²) / 2: steep ones lose modulation and count less. An edge between two walls is no even
+    curvature: the near pixels on it show more than the far ones, and beside it one half shows none. Where a hole is among the far pixels,
+    the near ones replace them. Twice the shift of an uneven curvature is its uncertainty: an edge may be sharper than the near pixels show.
     """
-    variance, read = variances
-    twice = TWO * load(phase, at, PIXELS)
-    far_before, far_behind = load(phase, at - FAR * along, PIXELS), load(phase, at + FAR * along, PIXELS)
-    near_before, near_behind = load(phase, at - NEAR * along, PIXELS), load(phase, at + NEAR * along, PIXELS)
-    far, near = far_before + far_behind - twice, RATIO * (near_before + near_behind - twice)
-    far_run, near_run = far_behind - far_before, TWO * (near_behind - near_before)
-    no_far_before, no_far_behind = holes_at(state, at, FAR * along)
-    no_near_before, no_near_behind = holes_at(state, at, NEAR * along)
-    allowed = ALIKE * abs(far)
-    even = (abs(far - near) <= allowed + BENDS_APART * sigma) & (abs(far_run - near_run) <= allowed + HALVES_APART * sigma)
-    cut, hidden = no_far_before | no_far_behind, no_near_before | no_near_behind
+    twice = TWO * load(blur.phase, at, LANES)
+    far_before, far_after = load(blur.phase, at - FAR * along, LANES), load(blur.phase, at + FAR * along, LANES)
+    near_before, near_after = load(blur.phase, at - NEAR * along, LANES), load(blur.phase, at + NEAR * along, LANES)
+    far, near = far_before + far_after - twice, FAR_PER_NEAR * (near_before + near_after - twice)
+    far_run, near_run = far_after - far_before, TWO * (near_after - near_before)
+    no_far_before, no_far_after = missing_at(blur.state, at, FAR * along)
+    no_near_before, no_near_after = missing_at(blur.state, at, NEAR * along)
+    allowed = EVEN * abs(far)
+    even = (abs(far - near) <= allowed + CURVATURE_SIGMAS * sigma) & (abs(far_run - near_run) <= allowed + HALVES_SIGMAS * sigma)
+    cut, hidden = no_far_before | no_far_after, no_near_before | no_near_after
     run = select(cut, near_run, far_run)
-    steep = maximum(ONE - variance * PER_RUN * run * run, ZERO) + read
-    bend = select(cut, near, select(even, far, ZERO))
-    doubt = select(hidden | cut | even, ZERO, TWO * PER_BEND * near * steep)
-    return select(hidden, ZERO, PER_BEND * bend * steep), doubt * doubt
+    weight = maximum(ONE - blur.variance * PER_RUN * run * run, ZERO) + blur.interpolation
+    curvature = select(cut, near, select(even, far, ZERO))
+    uncertainty = select(hidden | cut | even, ZERO, TWO * PER_CURVATURE * near * weight)
+    return select(hidden, ZERO, PER_CURVATURE * curvature * weight), uncertainty * uncertainty
 
 
 @njit(**LOOP)
-def take_blur(
-    phase: Any,  # (H · W,) float32
-    sigma: Any,  # (H · W,) float32
-    grey: Any,  # (H · W,) uint16
-    state: Any,  # (H · W,) uint8, 0 valid
-    height: int,
-    width: int,
-    variance: Any,  # float32, of the blur, px²
-    read: Any,  # float32, what reading between pixels does as well, in shares of it
-    step: Any,  # float32, largest phase step between neighbours of one surface
-    dark: Any,  # float32, grey level without the light of the projector
-    row_start: int,
-    row_stop: int,
-    out: Any,  # (H · W,) float32
-    out_sigma: Any,  # (H · W,) float32
-) -> None:
-    """Write the phase of some rows as it were without blur, and its standard deviation with what of that is in doubt.
+def correct_blur(blur: Blur, row_start: int, row_stop: int, phase: Any, sigma: Any) -> None:
+    """Write the phase of some rows without blur, and its standard deviation with the uncertainty of the correction.
 
-    What has no neighbours on its surface, FAR pixels at every border, and images of less than NARROWEST columns stay.
+    Pixels without neighbours on their surface, FAR pixels at every border, and images of less than MIN_WIDTH columns are not corrected.
     """
-    limits = (step * SPAN, BEND_AT_RIM * HALF * (ONE + read))
+    height, width = blur.phase.shape
     for y in range(row_start, row_stop):
-        row, end = y * width, (y + 1) * width
-        inner = FAR <= y < height - FAR and width >= NARROWEST
-        for at in range(row, row + FAR if inner else end):
-            out[at], out_sigma[at] = phase[at], sigma[at]
-        for at in range(end - FAR if inner else end, end):
-            out[at], out_sigma[at] = phase[at], sigma[at]
+        inner = FAR <= y < height - FAR and width >= MIN_WIDTH
+        border = FAR if inner else width
+        copy_row(blur.phase[y, :border], phase[y, :border])
+        copy_row(blur.sigma[y, :border], sigma[y, :border])
         if not inner:
             continue
-        last = end - FAR - PIXELS
-        for first in range(row + FAR, end - FAR, PIXELS):
-            at = min(first, last)  # some pixels twice rather than some beyond
-            own, noise = load(phase, at, PIXELS), load(sigma, at, PIXELS)
-            per_light = PER_RISE / maximum(grey_at(grey, at) - dark, ONE)
-            across, doubt_across = slope_at(phase, grey, state, at, 1, per_light, limits)
-            down, doubt_down = slope_at(phase, grey, state, at, width, per_light, limits)
-            bend_across, unsure_across = bend_at(phase, state, at, 1, noise, (variance, read))
-            bend_down, unsure_down = bend_at(phase, state, at, width, noise, (variance, read))
-            taken = select(load(state, at, PIXELS) != NOTHING, ZERO, broadcast(variance, PIXELS))
-            store(own - taken * (across + down + bend_across + bend_down), out, at)
-            doubt = doubt_across + doubt_down + unsure_across + unsure_down
-            store(sqrt(noise * noise + taken * taken * doubt), out_sigma, at)
+        copy_row(blur.phase[y, width - FAR :], phase[y, width - FAR :])
+        copy_row(blur.sigma[y, width - FAR :], sigma[y, width - FAR :])
+        last = width - FAR - LANES
+        for first in range(FAR, width - FAR, LANES):
+            at = y * width + min(first, last)  # some pixels twice
+            own, noise = load(blur.phase, at, LANES), load(blur.sigma, at, LANES)
+            per_light = PER_LIGHT / maximum(light_at(blur.grey, at) - blur.ambient, ONE)
+            slope_x, slope_x_variance = slope_term(blur, at, 1, per_light)
+            slope_y, slope_y_variance = slope_term(blur, at, width, per_light)
+            curvature_x, curvature_x_variance = curvature_term(blur, at, 1, noise)
+            curvature_y, curvature_y_variance = curvature_term(blur, at, width, noise)
+            variance = select(load(blur.state, at, LANES) != VALID, ZERO, broadcast(blur.variance, LANES))
+            store(own - variance * (slope_x + slope_y + curvature_x + curvature_y), phase, at)
+            unknown = slope_x_variance + slope_y_variance + curvature_x_variance + curvature_y_variance
+            store(sqrt(noise * noise + variance * variance * unknown), sigma, at)
+
+
+@njit(**INLINE)
+def hole_begins(state: Any, at: int, apart: int) -> Any:
+    """Whether a hole two pixels deep begins one or two pixels away in a direction."""
+    first, second = load(state, at + apart, LANES) != VALID, load(state, at + 2 * apart, LANES) != VALID
+    return second & (first | (load(state, at + 3 * apart, LANES) != VALID))
+
+
+@njit(**INLINE)
+def hole_at_corner(state: Any, at: int, apart: int) -> Any:
+    """Whether the next two pixels in a diagonal direction have no phase."""
+    return (load(state, at + apart, LANES) != VALID) & (load(state, at + 2 * apart, LANES) != VALID)
+
+
+@njit(**LOOP)
+def mark_discontinuities(
+    state: Any,  # (H, W) uint8, 0 for pixels with a phase
+    row_start: int,
+    row_stop: int,
+    marked: Any,  # out (H, W) uint8: RIM at depth discontinuities, `state` elsewhere
+) -> None:
+    """Mark the two pixels beside, above or below a hole that is at least two deep, and the one diagonal to it.
+
+    A single pixel without a phase is no discontinuity. Pixels within RIM_PX of the border of the image stay as they are.
+    """
+    height, width = state.shape
+    for y in range(row_start, row_stop):
+        copy_row(state[y], marked[y])
+        if not (RIM_PX <= y < height - RIM_PX and width >= LANES + 2 * RIM_PX):
+            continue
+        for first in range(RIM_PX, width - RIM_PX, LANES):
+            at = y * width + min(first, width - RIM_PX - LANES)
+            edge = hole_begins(state, at, -1) | hole_begins(state, at, 1) | hole_begins(state, at, -width) | hole_begins(state, at, width)
+            edge = edge | hole_at_corner(state, at, -width - 1) | hole_at_corner(state, at, -width + 1)
+            edge = edge | hole_at_corner(state, at, width - 1) | hole_at_corner(state, at, width + 1)
+            own = load(state, at, LANES)
+            store(select(edge & (own == VALID), RIM, own), marked, at)

@@ -1,98 +1,115 @@
-"""Compiled loops over pixels: where a camera's ray meets the surface that one projector column or row lights."""
+"""Triangulation of a camera and the projector: where a ray meets the surface that one projector column or row illuminates."""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numba import njit
 
 POINT, NO_PHASE, PARALLEL, BEHIND, OUTSIDE, UNSOLVED, CONTRADICTED = range(7)
-STEPS = 3
+STEPS = 3  # of Gauss-Newton's method
 SOLVED_PX = 2e-3  # an order below the noise of the best phase
 TINY = 1e-30
+# Rows of the buffer of a row of pixels.
 COLUMN, ROW, WEIGHT_C, WEIGHT_R, A0, A1, A2, W, SINE, SEEN_C, SEEN_R, SQUARE, LEFT, MISS, ALLOWED, BUFFERS = range(16)
-FAST = {"contract", "arcp", "nsz", "reassoc"}  # without nnan and ninf: what cannot be solved must stay recognisable
+FAST = {"contract", "arcp", "nsz", "reassoc"}  # without nnan and ninf: pixels without a solution must stay recognisable
+OPTIONS: dict[str, Any] = {"nogil": True, "cache": True, "fastmath": FAST, "error_model": "numpy"}
 
 
-@njit(nogil=True, cache=True, fastmath=FAST, error_model="numpy")
+class Fringes(NamedTuple):
+    """Phase map of fringes of one direction; (1, 1) where there are none."""
+
+    phase: Any  # (H, W) float32
+    sigma: Any  # (H, W) float32
+    state: Any  # (H, W) uint8, 0 valid
+    scale: Any  # (2,) projector pixels per rad, and the pixel at phase 0
+    present: bool
+
+
+class Projector(NamedTuple):
+    """Projector in the camera's frame, and the limits of its points."""
+
+    rotation: Any  # (3, 3) from the camera
+    centre: Any  # (3,) of the camera in the projector's frame, mm
+    distortion: Any  # (12,) k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4
+    image: Any  # (3, 3) distorted normalised coordinates to pixels, tilt of the imager included
+    min_sine: float  # of the angle between ray and illuminated surface
+    bounds: Any  # (4,) column from, to; row from, to
+    sigmas: float  # by which column and row may differ,
+    px: float  # plus so many pixels
+
+
+class Output(NamedTuple):
+    """Triangulated points."""
+
+    depth: Any  # (H, W) float32, z in the camera's frame, 0 for none
+    sigma: Any  # (H, W) float32
+    residual: Any  # (H, W) float32, px off the epipolar line; (1, 1) unless both directions are used
+    state: Any  # (H, W) uint8
+
+
+@njit(**OPTIONS)
 def triangulate(
     rays: Any,  # (H, W, 2) float32, normalised image coordinates of the camera
-    column_phase: Any,  # (H, W) float32, of vertical fringes; (1, 1) where there are none
-    column_sigma: Any,
-    column_state: Any,  # uint8, 0: valid
-    row_phase: Any,  # the same of horizontal fringes
-    row_sigma: Any,
-    row_state: Any,
-    scales: Any,  # (2, 2): column per rad and column at phase 0; the same for the row
-    used: Any,  # (2,) whether there are vertical, horizontal fringes
-    turn: Any,  # (3, 3) rotation from the camera to the projector
-    step: Any,  # (3,) the camera's centre in the projector's frame, mm
-    lens: Any,  # (12,) distortion k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4
-    image: Any,  # (3, 3) distorted normalised coordinates to projector pixels, tilt of the imager included
-    limits: Any,  # least sine between ray and surface; column from, to; row from, to; sigmas and px that both directions may differ
+    columns: Fringes,  # vertical fringes
+    rows: Fringes,  # horizontal fringes
+    projector: Projector,
     row_start: int,
     row_stop: int,
-    depth: Any,  # out (H, W) float32, z in the camera's frame, 0 for none
-    depth_sigma: Any,  # out (H, W) float32
-    residual: Any,  # out (H, W) float32, px off the epipolar line; (1, 1) unless both directions are used
-    fate: Any,  # out (H, W) uint8
+    out: Output,
 ) -> None:
-    """Take the pixels with a phase row by row: gather them, solve them in SIMD loops, judge and scatter them."""
-    width = rays.shape[1]
-    both = used[0] and used[1]
+    """Collect the pixels of a row that have a phase, solve them in SIMD loops, evaluate and scatter them."""
+    width, turn = rays.shape[1], projector.rotation
     b = np.empty((BUFFERS, width))
     index = np.empty(width, np.int64)
     for y in range(row_start, row_stop):
         count = 0
         for x in range(width):
-            depth[y, x] = 0
-            depth_sigma[y, x] = 0
-            fate[y, x] = NO_PHASE
-            if both:
-                residual[y, x] = 0
-            has_c = used[0] and column_state[y, x] == 0
-            has_r = used[1] and row_state[y, x] == 0
-            if not (has_c or has_r):
+            out.depth[y, x], out.sigma[y, x], out.state[y, x] = 0, 0, NO_PHASE
+            if columns.present and rows.present:
+                out.residual[y, x] = 0
+            has_column, has_row = columns.present and columns.state[y, x] == 0, rows.present and rows.state[y, x] == 0
+            if not (has_column or has_row):
                 continue
-            b[COLUMN, count], b[WEIGHT_C, count] = 0.0, 0.0
-            b[ROW, count], b[WEIGHT_R, count] = 0.0, 0.0
-            if has_c:
-                b[COLUMN, count], b[WEIGHT_C, count] = measured(column_phase[y, x], column_sigma[y, x], scales[0])
-            if has_r:
-                b[ROW, count], b[WEIGHT_R, count] = measured(row_phase[y, x], row_sigma[y, x], scales[1])
-            rx, ry = np.float64(rays[y, x, 0]), np.float64(rays[y, x, 1])
-            b[A0, count] = turn[0, 0] * rx + turn[0, 1] * ry + turn[0, 2]
-            b[A1, count] = turn[1, 0] * rx + turn[1, 1] * ry + turn[1, 2]
-            b[A2, count] = turn[2, 0] * rx + turn[2, 1] * ry + turn[2, 2]
+            b[COLUMN, count], b[WEIGHT_C, count], b[ROW, count], b[WEIGHT_R, count] = 0.0, 0.0, 0.0, 0.0
+            if has_column:
+                b[COLUMN, count], b[WEIGHT_C, count] = pixel_and_weight(columns.phase[y, x], columns.sigma[y, x], columns.scale)
+            if has_row:
+                b[ROW, count], b[WEIGHT_R, count] = pixel_and_weight(rows.phase[y, x], rows.sigma[y, x], rows.scale)
+            ray_x, ray_y = np.float64(rays[y, x, 0]), np.float64(rays[y, x, 1])
+            b[A0, count] = turn[0, 0] * ray_x + turn[0, 1] * ray_y + turn[0, 2]
+            b[A1, count] = turn[1, 0] * ray_x + turn[1, 1] * ray_y + turn[1, 2]
+            b[A2, count] = turn[2, 0] * ray_x + turn[2, 1] * ray_y + turn[2, 2]
             index[count] = x
             count += 1
-        solve(b, count, step, lens, image, limits)
+        solve(b, count, projector)
         for i in range(count):
             x, w = index[i], b[W, i]
-            fate[y, x] = judged(b, i, step, limits)
-            if b[WEIGHT_C, i] > 0.0 and b[WEIGHT_R, i] > 0.0 and (fate[y, x] == POINT or fate[y, x] == CONTRADICTED):
-                residual[y, x] = b[MISS, i]
-            if fate[y, x] == POINT:
-                depth[y, x] = 1.0 / w
-                depth_sigma[y, x] = 1.0 / (w * w * np.sqrt(b[SQUARE, i]))
+            state = evaluate(b, i, projector)
+            out.state[y, x] = state
+            if b[WEIGHT_C, i] > 0.0 and b[WEIGHT_R, i] > 0.0 and state in (POINT, CONTRADICTED):
+                out.residual[y, x] = b[MISS, i]
+            if state == POINT:
+                out.depth[y, x], out.sigma[y, x] = 1.0 / w, 1.0 / (w * w * np.sqrt(b[SQUARE, i]))
 
 
-@njit(nogil=True, cache=True, fastmath=FAST, error_model="numpy", forceinline=True)
-def measured(phase: Any, sigma: Any, scale: Any) -> Any:
-    """Return the column (or row) of a phase and its weight, one over its variance; ``scale`` is px per rad and the px at phase 0."""
+@njit(**OPTIONS, forceinline=True)
+def pixel_and_weight(phase: Any, sigma: Any, scale: Any) -> Any:
+    """Return the column (or row) of a phase and its weight, one over its variance."""
     noise = sigma * scale[0]
     return phase * scale[0] + scale[1], 1.0 / (noise * noise + TINY)
 
 
-@njit(nogil=True, cache=True, fastmath=FAST, error_model="numpy", forceinline=True)
-def judged(b: Any, i: int, step: Any, limits: Any) -> int:
-    """Return what becomes of the solved pixel ``i``: POINT, or the first reason against it. What is not a number fails every test."""
-    if not b[SINE, i] >= limits[0]:
+@njit(**OPTIONS, forceinline=True)
+def evaluate(b: Any, i: int, projector: Projector) -> int:
+    """Return POINT for the i-th solved pixel, or the first reason against it; NaN fails every test."""
+    bounds = projector.bounds
+    if not b[SINE, i] >= projector.min_sine:
         return PARALLEL
-    if not (b[W, i] > 0.0 and b[A2, i] + b[W, i] * step[2] > 0.0):
+    if not (b[W, i] > 0.0 and b[A2, i] + b[W, i] * projector.centre[2] > 0.0):
         return BEHIND
-    if b[SEEN_C, i] < limits[1] or b[SEEN_C, i] > limits[2] or b[SEEN_R, i] < limits[3] or b[SEEN_R, i] > limits[4]:
+    if b[SEEN_C, i] < bounds[0] or b[SEEN_C, i] > bounds[1] or b[SEEN_R, i] < bounds[2] or b[SEEN_R, i] > bounds[3]:
         return OUTSIDE
     if not abs(b[LEFT, i]) <= SOLVED_PX:
         return UNSOLVED
@@ -101,20 +118,21 @@ def judged(b: Any, i: int, step: Any, limits: Any) -> int:
     return POINT
 
 
-@njit(nogil=True, cache=True, fastmath=FAST, error_model="numpy")
-def solve(b: Any, count: int, step: Any, lens: Any, image: Any, limits: Any) -> None:
+@njit(**OPTIONS)
+def solve(b: Any, count: int, projector: Projector) -> None:
     """Solve projected column = column (and row = row) for the inverse depth w by Gauss-Newton steps; one long loop that stays SIMD code.
 
     In the projector's frame the ray's point is (a + w t) / w: its undistorted image is a ratio of two linear functions of w, and
     the first guess, without distortion, is exact for a lens without.
     """
+    lens, image, step = projector.distortion, projector.image, projector.centre
     k1, k2, p1, p2, k3, k4, k5, k6 = lens[0], lens[1], lens[2], lens[3], lens[4], lens[5], lens[6], lens[7]
     s1, s2, s3, s4 = lens[8], lens[9], lens[10], lens[11]
     m00, m01, m02 = image[0, 0], image[0, 1], image[0, 2]
     m10, m11, m12 = image[1, 0], image[1, 1], image[1, 2]
     m20, m21, m22 = image[2, 0], image[2, 1], image[2, 2]
     t0, t1, t2 = step[0], step[1], step[2]
-    sigmas, tolerance = limits[5], limits[6]
+    sigmas, tolerance = projector.sigmas, projector.px
     for i in range(count):
         u, v = (b[COLUMN, i] - m02) / m00, (b[ROW, i] - m12) / m11
         below_u, below_v = u * t2 - t0, v * t2 - t1
@@ -149,7 +167,7 @@ def solve(b: Any, count: int, step: Any, lens: Any, image: Any, limits: Any) -> 
                 b[SEEN_C, i] = seen_c
                 b[SEEN_R, i] = seen_r
                 b[LEFT, i] = left / np.sqrt((weight_c + weight_r) * square + TINY)
-                # Sine of the angle between the ray and the lit surface (as a plane through the projector's centre).
+                # Sine of the angle between the ray and the illuminated surface (as a plane through the projector's centre).
                 length = np.sqrt(b[A0, i] * b[A0, i] + b[A1, i] * b[A1, i] + b[A2, i] * b[A2, i])
                 across_c = abs(du) / np.sqrt(1.0 + u * u) if weight_c > 0.0 else 0.0
                 across_r = abs(dv) / np.sqrt(1.0 + v * v) if weight_r > 0.0 else 0.0

@@ -1,1 +1,1 @@
-"""Matching a camera with all others by phase, and what the others say of its points."""
+"""Matching of a camera with all others by phase, and checks of its points by the others."""

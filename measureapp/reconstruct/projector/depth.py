@@ -1,50 +1,50 @@
-"""The projector as an inverse camera: a camera's ray meets the surface that one projector column (or row) lights."""
+"""The projector as an inverse camera: a camera's ray meets the surface that one projector column (or row) illuminates."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from math import cos, sin
-from typing import Any
 
 import numpy as np
 
-from measureapp.arrays import BoolArray, FloatArray, IntArray, in_bands, read_only
+from measureapp.arrays import FloatArray, IntArray, in_bands, read_only
 from measureapp.data.calibration import CameraCalibration, ProjectorCalibration
 from measureapp.data.phase import PhaseMap
 from measureapp.errors import ReconstructError
 from measureapp.geometry.pinhole import PinholeCamera
-from measureapp.reconstruct.kernels import projector as kernel
-from measureapp.reconstruct.projector.fate import ProjectorFate
+from measureapp.reconstruct import kernels
+from measureapp.reconstruct.kernels.projector import Fringes, Output, Projector
+from measureapp.reconstruct.projector.state import ProjectorState
 from measureapp.reconstruct.rectification.rectify import pixel_rays
 from measureapp.reconstruct.settings import ReconstructSettings
 
-LEAST_SINE = 0.02  # between the ray and the lit surface: there a depth error is 50 times that of a crosswise look
+MIN_SINE = 0.02  # between the ray and the illuminated surface: there a depth error is 50 times that of perpendicular ones
 MARGIN_PX = 3.0  # beyond the projector's image in the direction that the phase measures: blur of its outermost pixels
-MARGIN_SHARE = 0.1  # of the image in the other one, which only the calibration tells: its error there does not touch the depth
+MARGIN_SHARE = 0.1  # of the image in the other one, which follows from the calibration alone: its error there does not affect the depth
 DISTORTION_TERMS, TILTED = 12, 14
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ProjectorDepth:
-    """What one camera sees with the help of the projector, on its pixel grid."""
+    """What one camera sees together with the projector, on its pixel grid."""
 
     depth_mm: FloatArray  # (H, W) float32, z in the camera's frame, 0 for none
     sigma_mm: FloatArray  # (H, W) float32, standard deviation of it
-    fate: IntArray  # (H, W) uint8 of ProjectorFate
+    state: IntArray  # (H, W) uint8 of ProjectorState
     residual_px: FloatArray | None  # (H, W) float32, off the epipolar line, where both directions were decoded
 
     @property
     def rejected(self) -> dict[str, int]:
         """How many pixels with a phase gave no point, by reason."""
-        counts = np.bincount(self.fate.ravel(), minlength=len(ProjectorFate))
-        return {fate.words: int(counts[fate]) for fate in list(ProjectorFate)[2:]}
+        counts = np.bincount(self.state.ravel(), minlength=len(ProjectorState))
+        return {state.words: int(counts[state]) for state in list(ProjectorState)[2:]}
 
     @property
     def residual_rms_px(self) -> float | None:
         """Root mean square of the residuals of all points; None for fringes of one direction, which have none."""
         if self.residual_px is None:
             return None
-        of_points = self.residual_px[(self.fate == ProjectorFate.POINT) & (self.residual_px != 0)]
+        of_points = self.residual_px[(self.state == ProjectorState.POINT) & (self.residual_px != 0)]
         return float(np.sqrt(np.mean(of_points.astype(np.float64) ** 2))) if of_points.size else None
 
 
@@ -55,9 +55,9 @@ def triangulate_with_projector(
     settings: ReconstructSettings | None = None,
     rays: FloatArray | None = None,
 ) -> ProjectorDepth:
-    """Intersect every pixel's ray with the surface its projector column lights; with both directions by least squares [1]_.
+    """Intersect every pixel's ray with the surface its projector column illuminates; with both directions by least squares [1]_.
 
-    With distortion a column lights a curved surface: the depth solves *projected column = column of the phase*, by Gauss-Newton steps
+    With distortion a column illuminates a curved surface: the depth solves *projected column = column of the phase*, by Gauss-Newton steps
     with the exact distortion. The column of a phase is (phase - origin) · pitch / 2π, its origin as the decoder found it; column 0 is
     the centre of the projector's first column. The standard deviation holds the phase noise and the geometry, not the calibration's.
 
@@ -79,15 +79,13 @@ def triangulate_with_projector(
     _check_size(phase_map, camera.pinhole)
     rays = pixel_rays(camera.pinhole) if rays is None else rays
     vertical, horizontal = _by_direction(phase_map)
-    seen = (*_arrays(vertical), *_arrays(horizontal), *_scales(vertical, horizontal))
-    geometry = _geometry(camera, projector, vertical, horizontal, settings or ReconstructSettings())
-    given: tuple[Any, ...] = (rays, *seen, *geometry)
+    inputs = (rays, _fringes(vertical), _fringes(horizontal))
+    inverse_camera = _projector(camera, projector, _bounds(projector.pinhole, vertical, horizontal), settings or ReconstructSettings())
     shape, both = phase_map.phase_rad.shape, vertical is not None and horizontal is not None
-    depth, sigma, fate = np.empty(shape, np.float32), np.empty(shape, np.float32), np.empty(shape, np.uint8)
     residual = np.empty(shape if both else (1, 1), np.float32)
-    out: tuple[Any, ...] = (depth, sigma, residual, fate)
-    in_bands(lambda start, stop: kernel.triangulate(*(*given, start, stop, *out)), shape[0])
-    return ProjectorDepth(read_only(depth), read_only(sigma), read_only(fate), read_only(residual) if both else None)
+    out = Output(np.empty(shape, np.float32), np.empty(shape, np.float32), residual, np.empty(shape, np.uint8))
+    in_bands(lambda start, stop: kernels.triangulate(*inputs, inverse_camera, start, stop, out), shape[0])
+    return ProjectorDepth(read_only(out.depth), read_only(out.sigma), read_only(out.state), read_only(residual) if both else None)
 
 
 def lens_of(pinhole: PinholeCamera) -> tuple[FloatArray, FloatArray]:
@@ -126,18 +124,15 @@ def _bounds(pinhole: PinholeCamera, vertical: PhaseMap | None, horizontal: Phase
     return -over[0], columns - 1 + over[0], -over[1], rows - 1 + over[1]
 
 
-def _geometry(
-    camera: CameraCalibration,
-    projector: ProjectorCalibration,
-    vertical: PhaseMap | None,
-    horizontal: PhaseMap | None,
-    settings: ReconstructSettings,
-) -> tuple[FloatArray, ...]:
-    """Return rotation and translation from the camera to the projector, the projector's lens, and the limits, as the kernel wants them."""
+def _projector(
+    camera: CameraCalibration, projector: ProjectorCalibration, bounds: tuple[float, ...], settings: ReconstructSettings
+) -> Projector:
+    """Return the projector in the camera's frame, and the limits of its points."""
     projector_from_camera = projector.reference_from_projector.inverse() @ camera.reference_from_camera
-    bounds = _bounds(projector.pinhole, vertical, horizontal)
-    limits = np.array([LEAST_SINE, *bounds, settings.agreement_sigmas, settings.agreement_px])
-    return np.array(projector_from_camera.rotation), np.array(projector_from_camera.translation_mm), *lens_of(projector.pinhole), limits
+    rotation, centre = np.array(projector_from_camera.rotation), np.array(projector_from_camera.translation_mm)
+    distortion, image = lens_of(projector.pinhole)
+    sigmas, px = settings.agreement_sigmas, settings.agreement_px
+    return Projector(rotation, centre, distortion, image, MIN_SINE, np.array(bounds), sigmas, px)
 
 
 def _by_direction(phase_map: PhaseMap) -> tuple[PhaseMap | None, PhaseMap | None]:
@@ -145,18 +140,10 @@ def _by_direction(phase_map: PhaseMap) -> tuple[PhaseMap | None, PhaseMap | None
     return (phase_map, phase_map.orthogonal) if phase_map.direction == "vertical" else (phase_map.orthogonal, phase_map)
 
 
-def _arrays(phase_map: PhaseMap | None) -> tuple[FloatArray, FloatArray, IntArray]:
-    """Return phase, its standard deviation and state; (1, 1) where there are none."""
+def _fringes(phase_map: PhaseMap | None) -> Fringes:
+    """Return the phases of one direction, (1, 1) where there are none."""
     if phase_map is None:
-        return read_only(np.zeros((1, 1), np.float32)), read_only(np.zeros((1, 1), np.float32)), read_only(np.ones((1, 1), np.uint8))
-    return (
-        read_only(phase_map.phase_rad, np.float32),
-        read_only(phase_map.sigma_rad, np.float32),
-        read_only(phase_map.state, np.uint8),
-    )
-
-
-def _scales(vertical: PhaseMap | None, horizontal: PhaseMap | None) -> tuple[FloatArray, BoolArray]:
-    """Return projector pixels per radian and at phase 0 of both directions, (2, 2), and which of them there are, (2,)."""
-    maps = (vertical, horizontal)
-    return np.array([(1.0, 0.0) if each is None else each.pixel_of_phase() for each in maps]), np.array([each is not None for each in maps])
+        nothing = read_only(np.zeros((1, 1), np.float32))
+        return Fringes(nothing, nothing, read_only(np.ones((1, 1), np.uint8)), np.array([1.0, 0.0]), False)
+    phase, sigma = read_only(phase_map.phase_rad, np.float32), read_only(phase_map.sigma_rad, np.float32)
+    return Fringes(phase, sigma, read_only(phase_map.state, np.uint8), np.array(phase_map.pixel_of_phase()), True)

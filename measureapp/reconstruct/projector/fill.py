@@ -1,4 +1,4 @@
-"""Points of the projector where a camera has a phase but no other camera helps."""
+"""Points of the projector where a camera has a phase that no other camera has."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ class ProjectorAgreement:
     bias_mm: float  # median of projector minus cameras
     disagreement_mm: float  # median size of the mean difference in a window: free of noise, sees tilts as well
     limit_mm: float
-    refused: str  # why nothing was filled; empty where it was
+    refused: str  # reason why nothing was filled; empty where it was
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ProjectorFill:
-    """What the projector adds to the points of one camera."""
+    """Points that the projector adds to those of one camera."""
 
     cloud: PointCloud  # in frame ``camera``, the filled points alone, marked by PROJECTOR_BIT
     filled: BoolArray  # (H, W), the pixels that got them, in the order of the cloud
@@ -62,7 +62,7 @@ def fill_with_projector(
     Parameters
     ----------
     depth_mm, sigma_mm : (H, W) float32, what the cameras measured and cleaning left, on the grid of the lit camera; 0 for none
-    fillable : (H, W), pixels that may be filled: leave out those that a camera contradicted; None for all
+    fillable : (H, W), pixels that may be filled: without those that a camera contradicted; None for all
     fill : None for the defaults
 
     Raises
@@ -70,7 +70,7 @@ def fill_with_projector(
     ReconstructError
         The images have another size than the camera is calibrated for.
     """
-    made = lit.triangulated()
+    made = lit.triangulate()
     agreement, fits = _agreement(depth_mm, sigma_mm, made.depth_mm, made.sigma_mm, fill or FillSettings())
     wanted = (made.depth_mm > 0) & (depth_mm == 0)
     if fillable is not None:
@@ -78,9 +78,9 @@ def fill_with_projector(
     new = wanted & fits
     joint = np.where(new, made.depth_mm, depth_mm).astype(np.float32)
     joint_sigma = np.where(new, made.sigma_mm, sigma_mm).astype(np.float32)
-    cleaned = lit.cleaned(joint, joint_sigma, new)
+    cleaned = lit.clean(joint, joint_sigma, new)
     kept = np.asarray(new & (cleaned.depth_mm > 0))
-    cloud = lit.points(cleaned, joint_sigma, kept)
+    cloud = lit.make_cloud(cleaned, joint_sigma, kept)
     rejected = made.rejected | {
         "disagreement of projector and cameras": int((wanted & ~fits).sum()),
         "cleaned away": int((new & ~kept).sum()),
@@ -91,7 +91,7 @@ def fill_with_projector(
 def _agreement(
     depth_mm: FloatArray, sigma_mm: FloatArray, other_mm: FloatArray, other_sigma_mm: FloatArray, fill: FillSettings
 ) -> tuple[ProjectorAgreement, BoolArray]:
-    """Compare both depths; also where (H, W) the projector may be believed."""
+    """Compare both depths; also where (H, W) the projector agrees."""
     both = (depth_mm > 0) & (other_mm > 0)
     compared = int(both.sum())
     if compared < fill.least_compared:

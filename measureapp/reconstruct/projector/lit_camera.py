@@ -1,4 +1,4 @@
-"""One camera beside a calibrated projector: what both need to measure together."""
+"""One camera and a calibrated projector that measure together."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from measureapp.data.calibration import CameraArrayCalibration, CameraCalibratio
 from measureapp.data.cloud import PROJECTOR_BIT, PointCloud
 from measureapp.data.phase import PhaseMap
 from measureapp.errors import ReconstructError
-from measureapp.reconstruct.blur import without_blur
+from measureapp.reconstruct.blur import correct_blur
 from measureapp.reconstruct.cleaning.clean import CleanDepth, Partner, clean
+from measureapp.reconstruct.discontinuities import exclude_discontinuities
 from measureapp.reconstruct.projector.depth import ProjectorDepth, triangulate_with_projector
 from measureapp.reconstruct.rectification.rectifier import Rectifier
-from measureapp.reconstruct.rims import without_rims
 from measureapp.reconstruct.settings import ReconstructSettings
 
-UNUSUAL = 3.0  # times the median standard deviation
+MAX_RELATIVE_SIGMA = 3.0  # of a point, relative to the median
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LitCamera:
-    """The phases of one camera, with its calibration and that of the projector that lit what it sees."""
+    """The phases of one camera, its calibration and that of the projector."""
 
     phase_map: PhaseMap
     camera: CameraCalibration
@@ -40,7 +40,7 @@ class LitCamera:
         settings: ReconstructSettings | None = None,
         rectifier: Rectifier | None = None,
     ) -> LitCamera:
-        """Find the calibrations that belong to a phase map.
+        """Exclude discontinuities and correct blur of a phase map, and find its calibrations.
 
         Parameters
         ----------
@@ -57,32 +57,32 @@ class LitCamera:
         name = phase_map.camera
         if name not in cameras.cameras:
             raise ReconstructError(
-                f"Camera {name!r} is not in the calibration, which knows {', '.join(cameras.names)}.",
+                f"Camera {name!r} is not in the calibration of {', '.join(cameras.names)}.",
                 "Use the calibration of the cameras that took the images.",
             )
         rays, settings = (rectifier or Rectifier(cameras)).rays(name), settings or ReconstructSettings()
-        inner = without_rims({name: phase_map}, cameras)
-        sharp = without_blur(inner, cameras, settings.max_phase_step_rad)[name]
-        return cls(sharp, cameras.cameras[name], cameras.projector, cameras.names.index(name), rays, settings)
+        inner = exclude_discontinuities({name: phase_map}, cameras)
+        corrected = correct_blur(inner, cameras, settings.max_phase_step_rad)[name]
+        return cls(corrected, cameras.cameras[name], cameras.projector, cameras.names.index(name), rays, settings)
 
-    def triangulated(self) -> ProjectorDepth:
-        """Measure every pixel, see `triangulate_with_projector`. Raises ReconstructError for images of another size."""
+    def triangulate(self) -> ProjectorDepth:
+        """Triangulate every pixel, see `triangulate_with_projector`. Raises ReconstructError for images of another size."""
         return triangulate_with_projector(self.phase_map, self.camera, self.projector, self.settings, self.rays)
 
-    def cleaned(self, depth_mm: FloatArray, sigma_mm: FloatArray, of_projector: BoolArray) -> CleanDepth:
+    def clean(self, depth_mm: FloatArray, sigma_mm: FloatArray, of_projector: BoolArray) -> CleanDepth:
         """Clean a depth map (H, W) whose pixels ``of_projector`` (H, W) the projector took part in.
 
-        A projector beside its camera knows depth less well than two cameras far apart: a point is too uncertain beyond three times the
-        median of the view, where that is more than the settings allow.
+        A projector close to its camera measures depth less precisely than two cameras far apart: a point is too uncertain beyond three
+        times the median, where that is more than the settings allow.
         """
-        usual = float(np.median(sigma_mm[depth_mm > 0])) if (depth_mm > 0).any() else 0.0
-        settings = self.settings.model_copy(update={"max_sigma_mm": max(self.settings.max_sigma_mm, UNUSUAL * usual)})
+        median = float(np.median(sigma_mm[depth_mm > 0])) if (depth_mm > 0).any() else 0.0
+        settings = self.settings.model_copy(update={"max_sigma_mm": max(self.settings.max_sigma_mm, MAX_RELATIVE_SIGMA * median)})
         camera_from_reference = self.camera.reference_from_camera.inverse()
         centre = camera_from_reference.apply(np.array(self.projector.reference_from_projector.translation_mm))
         spacing = 1.0 / float(self.camera.pinhole.matrix[0, 0])
         return clean(depth_mm, sigma_mm, self.rays, spacing, [Partner(centre, of_projector)], settings)
 
-    def points(self, cleaned: CleanDepth, sigma_mm: FloatArray, keep: BoolArray) -> PointCloud:
+    def make_cloud(self, cleaned: CleanDepth, sigma_mm: FloatArray, keep: BoolArray) -> PointCloud:
         """Return the pixels ``keep`` (H, W) of a cleaned depth map as a cloud in frame ``camera``, marked as the projector's."""
         reference_from_camera, phase_map = self.camera.reference_from_camera, self.phase_map
         flat = np.column_stack([self.rays[keep].astype(np.float64), np.ones(int(keep.sum()))])

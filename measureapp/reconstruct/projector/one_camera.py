@@ -1,4 +1,4 @@
-"""Measuring with a single camera and the projector."""
+"""Reconstruction with a single camera and the projector."""
 
 from __future__ import annotations
 
@@ -12,31 +12,31 @@ from measureapp.data.cloud import PointCloud
 from measureapp.data.point_state import PointState
 from measureapp.errors import ReconstructError
 from measureapp.reconstruct.cleaning.clean import WORDS
-from measureapp.reconstruct.projector.fate import OF_POINT, ProjectorFate
 from measureapp.reconstruct.projector.lit_camera import LitCamera
+from measureapp.reconstruct.projector.state import OF_POINT, ProjectorState
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ProjectorReconstruction:
-    """The cloud of a single camera and the projector, in frame ``camera``, and how it came about."""
+    """The cloud of a single camera and the projector, in frame ``camera``, and the state of every pixel."""
 
     cloud: PointCloud
     rejected: Mapping[str, int]  # reason -> count
     residual_rms_px: float | None
-    fate: IntArray  # (H, W) uint8 of PointState
+    state: IntArray  # (H, W) uint8 of PointState
 
 
 def reconstruct_with_projector(lit: LitCamera) -> ProjectorReconstruction:
-    """Measure with one camera and the projector alone; cleaned as the points of camera pairs are.
+    """Reconstruct with one camera and the projector alone; cleaned as the points of camera pairs are.
 
     Raises
     ------
     ReconstructError
         The images have another size than the camera is calibrated for, or no ray meets its column.
     """
-    made = measured_with_projector(lit)
-    lost = {state.words: made.rejected[state.words] for state in list(ProjectorFate)[2:]}
-    if sum(lost.values()) == np.count_nonzero((made.fate != PointState.NO_PHASE) & (made.fate != PointState.RIM)):
+    made = measure_with_projector(lit)
+    lost = {state.words: made.rejected[state.words] for state in list(ProjectorState)[2:]}
+    if sum(lost.values()) == np.count_nonzero((made.state != PointState.NO_PHASE) & (made.state != PointState.RIM)):
         most, name = max(lost, key=lambda reason: lost[reason]), lit.camera.name
         raise ReconstructError(
             f"Camera {name!r} and the projector give no points: {lost[most]} pixels are {most}."
@@ -47,19 +47,19 @@ def reconstruct_with_projector(lit: LitCamera) -> ProjectorReconstruction:
     return made
 
 
-def measured_with_projector(lit: LitCamera) -> ProjectorReconstruction:
-    """Do what `reconstruct_with_projector` does, but return an empty cloud with the fate of every pixel where no ray meets its column.
+def measure_with_projector(lit: LitCamera) -> ProjectorReconstruction:
+    """Do what `reconstruct_with_projector` does, but return an empty cloud where no ray meets its column.
 
     Raises
     ------
     ReconstructError
         The images have another size than the camera is calibrated for.
     """
-    made = lit.triangulated()
-    cleaned = lit.cleaned(made.depth_mm, made.sigma_mm, made.depth_mm > 0)
-    cloud = lit.points(cleaned, made.sigma_mm, np.asarray(cleaned.depth_mm > 0))
-    met = np.array([OF_POINT[state] for state in ProjectorFate], np.uint8)[made.fate]
-    rims = lit.phase_map.state == PointState.RIM
-    fate = np.where(made.depth_mm > 0, cleaned.fate, np.where(rims, np.uint8(PointState.RIM), met))
-    rejected = made.rejected | cleaned.rejected | {WORDS[PointState.RIM]: int(np.count_nonzero(rims))}
-    return ProjectorReconstruction(cloud, rejected, made.residual_rms_px, read_only(fate))
+    made = lit.triangulate()
+    cleaned = lit.clean(made.depth_mm, made.sigma_mm, made.depth_mm > 0)
+    cloud = lit.make_cloud(cleaned, made.sigma_mm, np.asarray(cleaned.depth_mm > 0))
+    triangulated = np.array([OF_POINT[state] for state in ProjectorState], np.uint8)[made.state]
+    edges = lit.phase_map.state == PointState.RIM
+    state = np.where(made.depth_mm > 0, cleaned.state, np.where(edges, np.uint8(PointState.RIM), triangulated))
+    rejected = made.rejected | cleaned.rejected | {WORDS[PointState.RIM]: int(np.count_nonzero(edges))}
+    return ProjectorReconstruction(cloud, rejected, made.residual_rms_px, read_only(state))

@@ -1,4 +1,4 @@
-"""A view with a calibrated projector as one more eye: alone with a single camera, or filling what only one camera sees."""
+"""Reconstruction with a calibrated projector as an inverse camera: with a single camera, or filling what only one camera sees."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from measureapp.data.point_state import PointState
 from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.reconstruct.projector.fill import FillSettings, ProjectorAgreement, fill_with_projector
 from measureapp.reconstruct.projector.lit_camera import LitCamera
-from measureapp.reconstruct.projector.one_camera import measured_with_projector, reconstruct_with_projector
+from measureapp.reconstruct.projector.one_camera import measure_with_projector, reconstruct_with_projector
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
 from measureapp.reconstruct.rectification.rectifier import Rectifier
 from measureapp.reconstruct.settings import ReconstructSettings
@@ -23,7 +23,7 @@ from measureapp.reconstruct.settings import ReconstructSettings
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ProjectorView:
-    """A reconstruction in which the projector took part."""
+    """A reconstruction with points of the projector."""
 
     reconstruction: Reconstruction
     agreement: Mapping[str, ProjectorAgreement]  # camera -> how far the projector's depths lie from those of the cameras
@@ -38,7 +38,7 @@ def reconstruct_view_with_projector(
     rectifier: Rectifier | None = None,
     fill: FillSettings | None = None,
 ) -> ProjectorView:
-    """Reconstruct the cameras' pairs, then let the projector fill pixels whose phase no other camera has; or one camera with it alone.
+    """Reconstruct the cameras' pairs, then let the projector fill pixels whose phase no other camera has; or use one camera and the projector alone.
 
     Parameters
     ----------
@@ -56,30 +56,30 @@ def reconstruct_view_with_projector(
     if len(seen) == 1:
         return _alone(LitCamera.of(phase_maps[seen[0]], cameras, settings, rectifier))
     made = reconstruct(phase_maps, cameras, settings, PartOf(progress, 0.0, 0.8), rectifier)
-    clouds, fates, rejected = [made.cloud], dict(made.fates), dict(made.rejected)
+    clouds, states, rejected = [made.cloud], dict(made.states), dict(made.rejected)
     agreement, added = {}, 0
-    for name, fate in made.fates.items():
+    for name, state in made.states.items():
         progress.report(4, 5, f"filling {name}")
-        depth, sigma = _depth_of(name, made.cloud, cameras, fate.shape)
+        depth, sigma = _depth_of(name, made.cloud, cameras, state.shape)
         lit = LitCamera.of(phase_maps[name], cameras, settings, rectifier)
-        filled = fill_with_projector(depth, sigma, lit, fate == PointState.UNMATCHED, fill)
+        filled = fill_with_projector(depth, sigma, lit, state == PointState.UNMATCHED, fill)
         agreement[name] = filled.agreement
         clouds.append(filled.cloud)
-        fates[name] = read_only(np.where(filled.filled, np.uint8(PointState.VALID), fate))
+        states[name] = read_only(np.where(filled.filled, np.uint8(PointState.VALID), state))
         rejected["unmatched"] = rejected.get("unmatched", 0) - len(filled.cloud)
         added += len(filled.cloud)
-    return ProjectorView(replace(made, cloud=concatenate_clouds(clouds), fates=fates, rejected=rejected), agreement, added)
+    return ProjectorView(replace(made, cloud=concatenate_clouds(clouds), states=states, rejected=rejected), agreement, added)
 
 
 def _alone(lit: LitCamera) -> ProjectorView:
     made = reconstruct_with_projector(lit)
-    return ProjectorView(Reconstruction(made.cloud, (), made.rejected, {lit.camera.name: made.fate}), {}, len(made.cloud))
+    return ProjectorView(Reconstruction(made.cloud, (), made.rejected, {lit.camera.name: made.state}), {}, len(made.cloud))
 
 
-def looked_at_alone(
+def reconstruct_alone(
     phase_map: PhaseMap, cameras: CameraArrayCalibration | None = None, settings: ReconstructSettings | None = None
 ) -> Reconstruction:
-    """Say what becomes of the pixels of a single camera: with a calibrated projector its points, without one that there are none.
+    """Reconstruct a single camera: with a calibrated projector its points, without one an empty cloud.
 
     Parameters
     ----------
@@ -91,18 +91,18 @@ def looked_at_alone(
         The camera is not in the calibration, or its images have another size.
     """
     if cameras is not None and cameras.projector is not None:
-        made = measured_with_projector(LitCamera.of(phase_map, cameras, settings))
-        return Reconstruction(made.cloud, (), made.rejected, {phase_map.camera: made.fate})
-    fate = np.where(phase_map.valid, np.uint8(PointState.UNMATCHED), np.uint8(PointState.NO_PHASE))
+        made = measure_with_projector(LitCamera.of(phase_map, cameras, settings))
+        return Reconstruction(made.cloud, (), made.rejected, {phase_map.camera: made.state})
+    state = np.where(phase_map.valid, np.uint8(PointState.UNMATCHED), np.uint8(PointState.NO_PHASE))
     nothing = np.zeros((0, 3))
     empty = PointCloud(
         nothing, nothing, np.zeros(0), np.zeros(0), np.zeros((0, 2), np.int32), np.zeros(0, np.uint8), "camera", phase_map.viewpoint_id
     )
-    return Reconstruction(empty, (), {"unmatched": int(phase_map.valid.sum())}, {phase_map.camera: read_only(fate)})
+    return Reconstruction(empty, (), {"unmatched": int(phase_map.valid.sum())}, {phase_map.camera: read_only(state)})
 
 
 def _depth_of(name: str, cloud: PointCloud, cameras: CameraArrayCalibration, shape: tuple[int, ...]) -> tuple[FloatArray, FloatArray]:
-    """Return depth and its standard deviation (H, W) of the points that stand on the grid of one camera; 0 for none."""
+    """Return depth and its standard deviation (H, W) of the points on the grid of one camera; 0 for none."""
     bit = 1 << cameras.names.index(name)
     first = cloud.cameras & ~np.uint8(PROJECTOR_BIT)
     own = (first & -first.astype(np.int16)) == bit  # the lowest bit is the camera that saw the point first

@@ -1,1 +1,1 @@
-"""What of a calibration reconstruction needs before it sees an image: rectified pairs, epipolar lines, viewing rays."""
+"""What reconstruction derives from a calibration alone: viewing rays, rectified pairs, epipolar lines."""

@@ -1,4 +1,4 @@
-"""A camera as if it had been built rectified: with two cameras the cloud is sampled on the rectified grid of the pair."""
+"""Rectified grid of a pair: with two cameras the cloud is sampled on it."""
 
 from __future__ import annotations
 
@@ -41,28 +41,26 @@ def rectified_grid(cameras: CameraArrayCalibration, here: str, there: str) -> Re
     return RectifiedGrid(camera, read_only(np.stack(coarse, axis=-1), np.float32))
 
 
-def on_rectified_grid(phase_map: PhaseMap, grid: RectifiedGrid, step_rad: float) -> PhaseMap:
-    """Take the phase map of a camera to its rectified grid; the standard deviations are those of the interpolated phases."""
+def resample_on_grid(phase_map: PhaseMap, grid: RectifiedGrid, step_rad: float) -> PhaseMap:
+    """Resample the phase map of a camera on its rectified grid; the standard deviations are those of the interpolated phases."""
     view = PhaseView.of(phase_map, step_rad)
     shape = grid.native.shape[:2]
     phase, sigma = np.empty(shape, np.float32), np.empty(shape, np.float32)
     state = np.empty(shape, np.uint8)
     hole = int(PixelState.EDGE)
-    in_bands(
-        lambda start, stop: kernels.resample(view.state, view.pixels, view.quad, grid.native, start, stop, phase, sigma, state, hole),
-        shape[0],
-    )
+    source = view.kernel_image
+    in_bands(lambda start, stop: kernels.resample_phase(source, grid.native, start, stop, phase, sigma, state, hole), shape[0])
     return replace(
         phase_map,
         phase_rad=read_only(phase),
         sigma_rad=read_only(sigma),
         state=read_only(state),
-        modulation=_remapped(phase_map.modulation, grid),
-        grey=_remapped(phase_map.grey, grid),
-        exposure_index=read_only(_remapped(phase_map.exposure_index, grid, cv2.INTER_NEAREST), np.int8),
-        orthogonal=None if phase_map.orthogonal is None else on_rectified_grid(phase_map.orthogonal, grid, step_rad),
+        modulation=_remap(phase_map.modulation, grid),
+        grey=_remap(phase_map.grey, grid),
+        exposure_index=read_only(_remap(phase_map.exposure_index, grid, cv2.INTER_NEAREST), np.int8),
+        orthogonal=None if phase_map.orthogonal is None else resample_on_grid(phase_map.orthogonal, grid, step_rad),
     )
 
 
-def _remapped(image: FloatArray | IntArray, grid: RectifiedGrid, how: int = cv2.INTER_LINEAR) -> FloatArray:
+def _remap(image: FloatArray | IntArray, grid: RectifiedGrid, how: int = cv2.INTER_LINEAR) -> FloatArray:
     return np.asarray(read_only(cv2.remap(np.asarray(image, np.float32), grid.native[..., 0].copy(), grid.native[..., 1].copy(), how)))

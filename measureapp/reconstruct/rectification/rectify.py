@@ -1,4 +1,4 @@
-"""Rectified pairs: both cameras turned so that rows of the one are the epipolar lines of the other. Built once per calibration."""
+"""Rectified pairs: both cameras rotated until rows of one are the epipolar lines of the other. Built once per calibration."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LARGEST_GROWTH = 4.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RectifiedView:
-    """One camera of a pair: x_px = focal · X/Z − x0 and y_px = focal · Y/Z − y0 in axes turned by `rectified_from_camera`."""
+    """One camera of a pair: x_px = focal · X/Z − x0 and y_px = focal · Y/Z − y0 in axes rotated by `rectified_from_camera`."""
 
     rectified_from_camera: FloatArray  # (3, 3)
     frame: FloatArray  # (focal, x0, y0)
@@ -54,12 +54,12 @@ def _nodes(length: int) -> FloatArray:
 
 
 def rectify(here: CameraCalibration, there: CameraCalibration) -> RectifiedPair:
-    """Turn two cameras about their centres until their rows coincide: x along the baseline, z nearest to both optical axes.
+    """Rotate two cameras about their centres until their rows coincide: x along the baseline, z nearest to both optical axes.
 
     Raises
     ------
     ReconstructError
-        The cameras stand in one place, or look along their baseline.
+        The cameras are at one place, or look along their baseline.
 
     References
     ----------
@@ -87,11 +87,11 @@ def _rectified_axes(here: CameraCalibration, there: CameraCalibration) -> tuple[
     baseline_mm = float(np.linalg.norm(step))
     forward = here.reference_from_camera.rotation[:, 2] + there.reference_from_camera.rotation[:, 2]
     if baseline_mm < 1e-6:
-        raise ReconstructError(f"Cameras {here.name!r} and {there.name!r} stand in one place.", "Check the calibration.")
+        raise ReconstructError(f"Cameras {here.name!r} and {there.name!r} are at one place.", "Check the calibration.")
     x = step / baseline_mm
     z = forward - x * float(x @ forward)
     if float(np.linalg.norm(z)) < MOST_OBLIQUE:
-        raise ReconstructError(f"Cameras {here.name!r} and {there.name!r} look along their baseline.", "Leave one of them out.")
+        raise ReconstructError(f"Cameras {here.name!r} and {there.name!r} look along their baseline.", "Exclude one of them.")
     z /= np.linalg.norm(z)
     return np.stack([x, np.cross(z, x), z]), baseline_mm
 
@@ -103,7 +103,7 @@ def _box(pinhole: PinholeCamera, turn: FloatArray) -> tuple[float, float, float,
     rays = pinhole.rays(np.column_stack([u.ravel(), v.ravel()])) @ turn.T
     ahead = rays[rays[:, 2] > MOST_OBLIQUE]
     if len(ahead) == 0:
-        raise ReconstructError("A camera of the pair looks along the baseline.", "Leave one of the cameras out.")
+        raise ReconstructError("A camera of the pair looks along the baseline.", "Exclude one of the cameras.")
     flat = ahead[:, :2] / ahead[:, 2:]
     return float(flat[:, 0].min()), float(flat[:, 1].min()), float(flat[:, 0].max()), float(flat[:, 1].max())
 

@@ -21,9 +21,9 @@ from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.images import read_image
 from measureapp.reconstruct.projector.depth import lens_of, triangulate_with_projector
-from measureapp.reconstruct.projector.fate import ProjectorFate
 from measureapp.reconstruct.projector.lit_camera import LitCamera
 from measureapp.reconstruct.projector.one_camera import reconstruct_with_projector
+from measureapp.reconstruct.projector.state import ProjectorState
 from tests.reconstruct.conftest import nearest, plane, sphere
 from tests.reconstruct.projector_scene import HEAD, PITCH_PX, SIGMA_RAD, ProjectorHead, make_head, projector_lens, wrong_sign
 
@@ -42,7 +42,7 @@ def head() -> ProjectorHead:
 def test_a_surface_without_noise_is_recovered_to_the_resolution_of_its_phase(head, surface, origin_rad, across) -> None:
     for name, phase_map in head.phase_maps(surface, across=across, origin_rad=origin_rad).items():
         made = triangulate_with_projector(phase_map, head.cameras.cameras[name], head.projector)
-        usable = made.fate == ProjectorFate.POINT
+        usable = made.state == ProjectorState.POINT
         # Above the projector its columns run along the rays: only rows measure there.
         if name != "upper" or across:
             assert usable.sum() == phase_map.valid.sum() > 5_000
@@ -100,8 +100,8 @@ def test_a_row_that_does_not_belong_to_the_column_is_a_contradiction(head) -> No
     spoiled[40:50] += np.float32(tau)  # a wrong fringe order
     wrong = replace(phase_map, orthogonal=replace(phase_map.orthogonal, phase_rad=spoiled))
     made = triangulate_with_projector(wrong, head.cameras.cameras["left"], head.projector)
-    assert (made.fate[40:50][phase_map.valid[40:50]] == ProjectorFate.CONTRADICTED).all()
-    assert (made.fate[50:][phase_map.valid[50:]] == ProjectorFate.POINT).all()
+    assert (made.state[40:50][phase_map.valid[40:50]] == ProjectorState.CONTRADICTED).all()
+    assert (made.state[50:][phase_map.valid[50:]] == ProjectorState.POINT).all()
 
 
 def test_columns_that_meet_the_rays_nowhere_are_rejected_with_a_reason(head) -> None:

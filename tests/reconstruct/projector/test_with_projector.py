@@ -35,16 +35,16 @@ def test_what_the_left_camera_alone_sees_gets_points_of_the_projector(head: Proj
     maps = {name: maps["left"] if name == "left" else blinded(maps[name], slice(100, 200)) for name in maps}
     by_cameras = reconstruct(maps, head.cameras)
     made = reconstruct_view_with_projector(maps, head.cameras)
-    assert (by_cameras.fates["left"] == PointState.UNMATCHED).sum() > 1000
-    assert made.points > 0.9 * (by_cameras.fates["left"] == PointState.UNMATCHED).sum()
+    assert (by_cameras.states["left"] == PointState.UNMATCHED).sum() > 1000
+    assert made.points > 0.9 * (by_cameras.states["left"] == PointState.UNMATCHED).sum()
     cloud = made.reconstruction.cloud
     filled = cloud.cameras & PROJECTOR_BIT != 0
     assert filled.sum() == made.points == len(cloud) - len(by_cameras.cloud)
     truth = head.depth_mm("left", PLANE)[cloud.pixel[filled, 0], cloud.pixel[filled, 1]]
     off = cloud.points_mm[filled, 2] - truth
     assert (off / cloud.sigma_mm[filled]).std() == pytest.approx(1.0, abs=0.15)
-    assert (made.reconstruction.fates["left"] == PointState.VALID).sum() >= (
-        by_cameras.fates["left"] == PointState.VALID
+    assert (made.reconstruction.states["left"] == PointState.VALID).sum() >= (
+        by_cameras.states["left"] == PointState.VALID
     ).sum() + made.points
     assert made.agreement["left"].refused == ""
 

@@ -1,4 +1,4 @@
-"""How a map over an image changes from pixel to pixel, as cubic polynomials that the kernels evaluate where they need them."""
+"""Jacobian of a smooth map over an image, as cubic polynomials that the kernels evaluate at any pixel."""
 
 from __future__ import annotations
 
@@ -15,15 +15,17 @@ Cubic = tuple[np.float32, ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class PixelSteps:
-    """The derivatives of a map (x, y) over pixels (u, v)."""
+class PixelJacobian:
+    """Derivatives of a map (x, y) with respect to pixels (u, v)."""
 
     cubics: tuple[Cubic, Cubic, Cubic, Cubic]  # of ∂x/∂u, ∂x/∂v, ∂y/∂u, ∂y/∂v
-    unit: tuple[np.float32, np.float32, np.float32, np.float32]  # (u0, per u, v0, per v): variables are (u − u0) · per u, (v − v0) · per v
+    unit: tuple[
+        np.float32, np.float32, np.float32, np.float32
+    ]  # (u0, per u, v0, per v) of their variables (u − u0) · per u, (v − v0) · per v
 
     @classmethod
-    def of(cls, image: FloatArray) -> PixelSteps:
-        """Fit the derivatives of a smooth map (H, W, 2), from differences over eight pixels."""
+    def of(cls, image: FloatArray) -> PixelJacobian:
+        """Fit the derivatives of a map (H, W, 2) by least squares to differences over eight pixels."""
         height, width = image.shape[:2]
         reach_u, reach_v = min(STEP_PX, (width - 1) // 2), min(STEP_PX, (height - 1) // 2)
         us = np.unique(np.linspace(reach_u, width - 1 - reach_u, NODES).astype(int))
@@ -40,5 +42,5 @@ class PixelSteps:
         return cls((cubics[0], cubics[1], cubics[2], cubics[3]), scaled)
 
     def at_centre(self) -> FloatArray:
-        """Return the derivatives [[∂x/∂u, ∂x/∂v], [∂y/∂u, ∂y/∂v]] in the middle of the image."""
+        """Return [[∂x/∂u, ∂x/∂v], [∂y/∂u, ∂y/∂v]] in the middle of the image."""
         return np.array([float(cubic[0]) for cubic in self.cubics]).reshape(2, 2)

@@ -14,9 +14,9 @@ from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.point_state import PointState
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
-from measureapp.reconstruct.projector.with_projector import looked_at_alone
+from measureapp.reconstruct.discontinuities import exclude_discontinuities
+from measureapp.reconstruct.projector.with_projector import reconstruct_alone
 from measureapp.reconstruct.reconstruct import reconstruct
-from measureapp.reconstruct.rims import without_rims
 from measureapp.reconstruct.why import why
 from tests.reconstruct.conftest import plane
 from tests.reconstruct.projector_scene import ProjectorHead
@@ -43,7 +43,7 @@ def blurred(head: ProjectorHead) -> CameraArrayCalibration:
 
 
 def rims(hole: BoolArray, blur_px: float = BLUR_PX) -> BoolArray:
-    made = without_rims({"one": phase_map(np.where(hole, np.uint8(PixelState.SHADOW), np.uint8(0)))}, cameras(blur_px))["one"]
+    made = exclude_discontinuities({"one": phase_map(np.where(hole, np.uint8(PixelState.SHADOW), np.uint8(0)))}, cameras(blur_px))["one"]
     assert (made.state[hole] == PixelState.SHADOW).all()
     return np.asarray(made.state == PointState.RIM)
 
@@ -76,7 +76,7 @@ def test_what_is_left_of_a_blurred_border_lies_where_it_should(blur_px: float) -
     blurred = cv2.GaussianBlur(fringes.real, (0, 0), blur_px) + 1j * cv2.GaussianBlur(fringes.imag, (0, 0), blur_px)
     seen = truth + np.angle(blurred * np.exp(-1j * truth))
     state = np.where(np.abs(blurred) > 100, np.uint8(0), np.uint8(PixelState.SHADOW))
-    made = without_rims({"one": phase_map(state, seen)}, cameras(blur_px))["one"]
+    made = exclude_discontinuities({"one": phase_map(state, seen)}, cameras(blur_px))["one"]
     inner = (slice(5, -5), slice(5, -5))
     off = np.abs(seen - truth)[inner] / SLOPE
     assert off[(state == 0)[inner]].max() > 0.2
@@ -87,8 +87,8 @@ def test_a_camera_whose_blur_is_not_known_keeps_its_rims() -> None:
     hole = np.zeros((HEIGHT, WIDTH), np.uint8)
     hole[15:22, 20:30] = PixelState.SHADOW
     seen = phase_map(hole)
-    assert without_rims({"one": seen}, cameras(0.0))["one"] is seen
-    assert without_rims({"other": seen}, cameras(BLUR_PX))["other"] is seen
+    assert exclude_discontinuities({"one": seen}, cameras(0.0))["one"] is seen
+    assert exclude_discontinuities({"other": seen}, cameras(BLUR_PX))["other"] is seen
 
 
 @pytest.mark.parametrize("chosen", [("left",), ("left", "right"), ("left", "right", "upper")])
@@ -99,12 +99,12 @@ def test_rims_give_no_points_and_say_so(chosen: tuple[str, ...]) -> None:
     state = maps["left"].state.copy()
     state[80:140, 100:180] = PixelState.SHADOW
     seen = {**maps, "left": replace(maps["left"], state=state)}
-    made = reconstruct(seen, known) if len(chosen) > 1 else looked_at_alone(seen["left"], known)
-    fate = made.fates["left"]
-    assert (fate[110, 97:100] == [PointState.VALID, PointState.RIM, PointState.RIM]).all()
-    assert (fate[110, 180:183] == [PointState.RIM, PointState.RIM, PointState.VALID]).all()
-    assert fate[110, 120] == PointState.NO_PHASE
-    assert made.rejected["at a rim"] >= (fate == PointState.RIM).sum() > 400
+    made = reconstruct(seen, known) if len(chosen) > 1 else reconstruct_alone(seen["left"], known)
+    states = made.states["left"]
+    assert (states[110, 97:100] == [PointState.VALID, PointState.RIM, PointState.RIM]).all()
+    assert (states[110, 180:183] == [PointState.RIM, PointState.RIM, PointState.VALID]).all()
+    assert states[110, 120] == PointState.NO_PHASE
+    assert made.rejected["at a rim"] >= (states == PointState.RIM).sum() > 400
     told = why(seen, made, "left", 110, 98)
     assert (told.stage, told.reason) == ("clean", "rim")
     assert "border of its surface" in told.sentence
@@ -117,9 +117,9 @@ def test_the_phase_of_a_rim_touches_no_other_pixel() -> None:
     state = maps["left"].state.copy()
     state[80:140, 100:180] = PixelState.SHADOW
     seen = {**maps, "left": replace(maps["left"], state=state)}
-    rim = without_rims({"left": seen["left"]}, blurred(head))["left"].state == PointState.RIM
+    rim = exclude_discontinuities({"left": seen["left"]}, blurred(head))["left"].state == PointState.RIM
     off = {**seen, "left": replace(seen["left"], phase_rad=(seen["left"].phase_rad + 0.3 * rim).astype(np.float32))}
     made, shifted = (reconstruct(phases, blurred(head)).cloud for phases in (seen, off))
     np.testing.assert_array_equal(made.points_mm, shifted.points_mm)
-    alone, shifted_alone = (looked_at_alone(phases["left"], blurred(head)).cloud for phases in (seen, off))
+    alone, shifted_alone = (reconstruct_alone(phases["left"], blurred(head)).cloud for phases in (seen, off))
     np.testing.assert_array_equal(alone.points_mm, shifted_alone.points_mm)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from measureapp.data.phase import PhaseMap, PixelState
-from measureapp.reconstruct.other_light import other_light
+from measureapp.reconstruct.blur import estimate_ambient_light
 
 HEIGHT, WIDTH, OTHER, CONTRAST = 200, 300, 12.0, 0.9
 SCALE = (1.0, 2.0, 4.0)
@@ -30,18 +30,18 @@ def seen() -> PhaseMap:
 
 
 def test_it_is_told_to_half_a_grey_level_whatever_the_exposures(seen: PhaseMap) -> None:
-    assert other_light(seen) == pytest.approx(OTHER, abs=0.5)
+    assert estimate_ambient_light(seen) == pytest.approx(OTHER, abs=0.5)
 
 
 def test_pixels_at_edges_and_without_a_phase_do_not_spoil_it(seen: PhaseMap) -> None:
     modulation, state = np.array(seen.modulation), np.array(seen.state)
     modulation[::12] = modulation[::12] // 2  # fringes out of step take from the modulation
     state[:, 40:60], modulation[:, 40:60] = PixelState.SHADOW, 0
-    assert other_light(replace(seen, modulation=modulation, state=state)) == pytest.approx(OTHER, abs=1.0)
+    assert estimate_ambient_light(replace(seen, modulation=modulation, state=state)) == pytest.approx(OTHER, abs=1.0)
 
 
 def test_where_it_cannot_be_told_it_is_none(seen: PhaseMap) -> None:
     evenly = replace(seen, modulation=np.full_like(seen.modulation, 100), exposure_index=np.zeros_like(seen.exposure_index))
     nowhere = replace(seen, state=np.full_like(seen.state, PixelState.SHADOW))
     less_than_none = replace(seen, grey=np.maximum(np.array(seen.grey, int) - 30, 0).astype(np.uint16))
-    assert other_light(evenly) == other_light(nowhere) == other_light(less_than_none) == 0.0
+    assert estimate_ambient_light(evenly) == estimate_ambient_light(nowhere) == estimate_ambient_light(less_than_none) == 0.0
