@@ -19,7 +19,7 @@ POINT = "point"
 OF_PHASE = {
     PixelState.SATURATED: "Saturated in every exposure: {grey:.0f} of {saturation:.0f} grey levels. Add a shorter exposure.",
     PixelState.WEAK_MODULATION: "Too little of the light follows the pattern: modulation {modulation:.1f} at {grey:.0f} grey levels. "
-    "Add a longer exposure, shade other light, or dull a shiny surface.",
+    "Add a longer exposure, shade ambient light, or dull a shiny surface.",
     PixelState.SHADOW: "No light of the projector arrives: modulation {modulation:.1f} grey levels. Turn the part or add a viewpoint.",
     PixelState.ORDER_CONFLICT: "The fringe orders of the pitches contradict each other, at modulation {modulation:.1f} grey levels. "
     "Use patterns with more pitches, or a longer exposure.",
@@ -33,13 +33,13 @@ OF_POINT = {
     PointState.AMBIGUOUS: "The {lit} occurs at several places of an epipolar line, or hardly changes along it: a wrong fringe order, or "
     "fringes along the line.",
     PointState.CONTRADICTED: "Another camera sees a projector line there that differs from {lit} by more than {sigmas:g} standard "
-    "deviations plus {px:g} px: reflections, or a camera that moved. Look at the epipolar residual of the view.",
+    "deviations plus {px:g} px: reflections, or a camera that moved. Inspect the epipolar residual of the view.",
     PointState.UNCERTAIN: "The predicted standard deviation exceeds {max_sigma:g} mm: phase noise {sigma:.4f} rad. Add a longer exposure.",
     PointState.FLYING: "Fewer than {neighbours} of 24 places around it lie on the same surface: it is at a border or alone.",
     PointState.OUTLIER: "Further from the plane through its neighbours than {outlier:g} standard deviations.",
     PointState.GRAZING: "The surface is seen more than {incidence:g}° off its normal. Turn the part towards the sensor.",
     PointState.PARTNER_GRAZING: "Another camera that takes part sees the surface more than {partner:g}° off its normal.",
-    PointState.ISLAND: "Its group has fewer than {island} pixels without a neighbour.",
+    PointState.ISLAND: "Its group has fewer than {min_pixels} pixels without a neighbour.",
     PointState.SEEN_BY_ANOTHER: "A camera before this one has the surface: its point stands in that camera's image.",
     PointState.RIM: "At the border of its surface, where the light of what lies beyond is mixed in. Another viewpoint sees it from further inside.",
     PointState.VALID: "It has a point.",
@@ -48,7 +48,7 @@ OF_POINT = {
 OF_POINT_WITH_PROJECTOR = OF_POINT | {
     PointState.UNMATCHED: "The viewing ray does not meet the {lit} before the camera and inside the projector's image: a wrong fringe order, "
     "light by a reflection, or the calibration of another projector.",
-    PointState.AMBIGUOUS: "The viewing ray runs nearly along the surface that the {lit} lights, so that it tells no depth. Move the projector "
+    PointState.AMBIGUOUS: "The viewing ray runs nearly along the surface that the {lit} lights, so that its depth is undetermined. Move the projector "
     "or the camera apart, or add fringes of the other direction.",
     PointState.CONTRADICTED: "The {lit} belong to no point of the viewing ray, by more than {sigmas:g} standard deviations plus {px:g} px: "
     "reflections, or a projector or camera that moved.",
@@ -130,7 +130,7 @@ def _aside(phase_map: PhaseMap, made: Reconstruction, point: PointState, row: in
         told += "".join(f" {' and '.join(pair.names)} were not matched: {pair.skipped}." for pair in skipped)
     across = phase_map.orthogonal
     if across is not None and across.state[row, column] != PixelState.VALID:
-        told += f" The fringes across give no {line_of(across)} there: {_word(PixelState(int(across.state[row, column])))}."
+        told += f" The orthogonal fringes give no {line_of(across)} there: {_word(PixelState(int(across.state[row, column])))}."
     return told
 
 
@@ -192,7 +192,7 @@ def _values(phase_map: PhaseMap, settings: ReconstructSettings, row: int, column
         "outlier": settings.outlier_sigmas,
         "incidence": settings.max_incidence_deg,
         "partner": settings.max_partner_incidence_deg,
-        "island": settings.min_island_px,
+        "min_pixels": settings.min_island_px,
     }
 
 

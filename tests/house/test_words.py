@@ -53,11 +53,6 @@ RETIRED = {
     r"worth a (second )?look": "to be inspected",
 }
 
-EXCLUDED = {
-    # path prefix → why its texts are not checked yet; an entry goes as soon as its texts are revised
-    "measureapp/reconstruct/": "reconstruction is revised next",
-}
-
 
 class Text(NamedTuple):
     """One text with its place."""
@@ -124,12 +119,8 @@ def findings() -> tuple[tuple[str, str], ...]:
 
 
 def test_texts_use_the_terms_of_the_field() -> None:
-    found = [finding for path, finding in findings() if not path.startswith(tuple(EXCLUDED))]
+    found = [finding for _, finding in findings()]
     assert not found, "\n" + "\n".join(found)
-
-
-def test_every_excluded_path_still_has_retired_words() -> None:
-    assert not [excluded for excluded in EXCLUDED if not any(path.startswith(excluded) for path, _ in findings())]
 
 
 def test_a_retired_word_is_found_in_a_text_and_not_in_a_docstring() -> None:

@@ -85,4 +85,4 @@ def test_what_is_offered_and_said_follows_what_was_decided(measurement):
         "Used by manual choice. Its surface lies 0.2 mm away.",
     )
     assert view_verdict(poor, placement)[:2] == ("not proven", "Manual")
-    assert view_verdict(view, replace(placement, used=False, verdict="refused by hand: left out"))[1] == "Excluded"
+    assert view_verdict(view, replace(placement, used=False, verdict="refused by hand: excluded"))[1] == "Excluded"

@@ -36,12 +36,10 @@ class ResultPage(QWidget):
         self.truth_note = label(TRUTH_NOTE, "small", wrap=True)
         self._facts = column(spacing=8)
         self.comparison = label("", "body", wrap=True)
-        facts = card(label("How it was found", "heading"), self._facts, margin=16)
+        facts = card(label("How it was determined", "heading"), self._facts, margin=16)
         self.held_back, self.stop_check = label("", "body", wrap=True), Button("Stop", look, "cancel", "quiet", CHECK_TIP)
-        self._held_back = card(
-            label("Cross-validation with held-back views", "heading"), self.held_back, row(self.stop_check, 0), margin=16
-        )
-        self._compared = card(label("Compared with the previous calibration", "heading"), self.comparison, margin=16)
+        self._held_back = card(label("Cross-validation", "heading"), self.held_back, row(self.stop_check, 0), margin=16)
+        self._compared = card(label("Previous calibration", "heading"), self.comparison, margin=16)
         cards = QWidget()
         cards.setObjectName("clear")
         cards.setLayout(column(facts, self._held_back, self._compared, 0, self.truth_note, spacing=12))

@@ -97,7 +97,7 @@ class Limit:
     def sentence(self) -> str:
         """The figure, its limit and contributions in a sentence."""
         unit = f" {self.unit}" if self.unit == "mm" else self.unit
-        verdict = "as asked" if self.met else "exceeded by the rig's axes alone" if self.met_beyond else "more than requested"
+        verdict = "met" if self.met else "exceeded by the rig's axes alone" if self.met_beyond else "more than requested"
         start = f"{self.name} ± {self.sigma:.2g}{unit}, requested {self.asked:.2g}{unit}"
         if self.axes_allow is None:
             return f"{start}: {verdict}"

@@ -135,7 +135,7 @@ def _directions(maps: Mapping[str, PhaseMap], samples: Mapping[str, Samples], ca
             "warning",
             f"The phase falls from left to right in the images of {', '.join(maps)}.",
             "Either shift_sign is wrong, or the projector (or the reference camera) stands on its head; change shift_sign, or calibrate the "
-            "projector, which tells the two apart.",
+            "projector, which distinguishes the two.",
         )
 
 

@@ -50,7 +50,7 @@ def test_noise_alone_is_good_and_as_small_as_noise_lets_it_be(calibrated, genera
     found = camera_drift([evidence(generator) for _ in range(4)], calibrated)
     assert found.status == "good" and found.cameras == ()
     assert found.shift_px < 5 * SIGMA_PX * np.sqrt(3 / (4 * SAMPLES))  # five standard deviations of three fitted angles
-    assert "stand as they were calibrated" in found.sentence
+    assert "passed" in found.sentence
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -109,7 +109,7 @@ def test_the_blindness_along_the_fringes_is_told(calibrated, generator):
 def test_without_evidence_nothing_is_claimed(calibrated):
     found = camera_drift([], calibrated)
     assert (found.status, found.cameras) == ("unknown", ())
-    assert "cannot tell" in found.sentence
+    assert "cannot show" in found.sentence
 
 
 def test_the_evidence_of_views_adds_up(generator):

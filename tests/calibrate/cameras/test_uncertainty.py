@@ -130,7 +130,7 @@ def test_more_views_make_the_volume_more_certain_and_the_sentence_says_what_it_m
         maps.append(uncertainty_map(solution.calibration, solution.parameters, solution.covariance, paper_head.VOLUME))
     assert maps[1].volume.shape_rms_mm < 0.85 * maps[0].volume.shape_rms_mm
     assert "(k = 2)" in maps[0].sentence
-    assert "to a length of 300 mm in this volume" in maps[0].sentence
+    assert "a length of 300 mm in this volume" in maps[0].sentence
     assert set(maps[0].projection) == {"left", "right", "upper"}
     assert maps[0].volume.worst_length_sigma_mm >= maps[0].volume.length_sigma_mm
     apart = np.linalg.norm(np.diff(maps[0].volume.worst_length_at_mm, axis=0))

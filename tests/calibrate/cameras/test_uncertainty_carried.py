@@ -10,6 +10,7 @@ import pytest
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.boards.pose import stated_pose
 from measureapp.calibrate.motions import hand_eye, linear_guide, rotation_axis
+from measureapp.calibrate.motions.axis_motion import perpendicular_basis
 from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.poses import apply_changes
 from measureapp.data.board import CheckerboardDescription
@@ -91,7 +92,7 @@ def test_an_axis_scatters_by_what_is_stated(generator):
         )
 
     estimate, covariance, _ = solved(poses, camera_jacobian=camera_jacobian, camera_prior=PRIOR)
-    basis = rotation_axis.across(estimate.axis.direction)
+    basis = perpendicular_basis(estimate.axis.direction)
     drawn = [solved(seen_with_errors(poses, camera_jacobian, generator))[0].axis for _ in range(60)]
     turns = np.array([basis @ (one.direction - estimate.axis.direction) for one in drawn])
     np.testing.assert_allclose(turns.std(axis=0), np.sqrt(np.diag(covariance)[:2]), rtol=4 / np.sqrt(2 * 60))

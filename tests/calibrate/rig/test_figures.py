@@ -99,7 +99,7 @@ def test_the_covariance_grows_with_the_uncertainty_of_the_cameras():
     assert larger.max() > 1.05
 
 
-def test_figures_are_stated_as_asked_and_as_the_axes_allow():
+def test_figures_are_stated_with_their_requirement_and_as_the_axes_allow():
     run = calibrated(4, stations=False)
     limits = {one.name: one for one in rig_limits(run.solution, {})}
     assert set(limits) == {
@@ -113,7 +113,7 @@ def test_figures_are_stated_as_asked_and_as_the_axes_allow():
     for one in limits.values():
         assert 0 < one.axes_allow < one.sigma
         assert one.sigma**2 == pytest.approx(one.axes_allow**2 + one.beyond**2)
-        assert "asked" in one.sentence
+        assert "requested" in one.sentence
     better = calibrated(4, stations=False, noise=replace(NOISE, robot_mm=NOISE.robot_mm / 10, robot_rad=NOISE.robot_rad / 10))
     assert next(iter(rig_limits(better.solution, {}))).axes_allow < limits["hand-eye position"].axes_allow
 
@@ -145,5 +145,5 @@ def test_a_board_pose_without_its_dependence_on_the_cameras_is_refused_with_a_pr
     from measureapp.calibrate.rig.joint import solve_rig
 
     bare = [replace(one, camera_jacobian=None) for one in run.observations]
-    with pytest.raises(CalibrationError, match="depend on the cameras"):
+    with pytest.raises(CalibrationError, match="derivatives of the board poses"):
         solve_rig(bare, run.cameras, camera_prior=run.prior)

@@ -172,7 +172,7 @@ def test_a_zone_exceeded_fails_and_one_just_touched_is_not_proven():
         ({"kind": "parallelism", "features": ["ball"], "datums": ["base"]}, "planes and axes"),
         ({"kind": "parallelism", "features": ["wall"], "datums": ["base"]}, "check the feature and its datum"),
         ({"kind": "parallelism", "features": ["shelf"], "datums": ["ball"]}, "has no direction"),
-        ({"kind": "perpendicularity", "features": ["corner"], "datums": ["shaft"]}, "has no length"),
+        ({"kind": "perpendicularity", "features": ["corner"], "datums": ["shaft"]}, "without a length"),
         ({"kind": "surface_profile", "features": ["foot"]}, "no measured surface"),
         (
             {
