@@ -93,7 +93,7 @@ def test_a_part_larger_than_its_nominal_is_measured_as_it_is(samples, scan, on_t
     assert found["b"].verdict is Verdict.PASS
 
 
-def test_points_in_another_unit_are_asked_about_where_only_the_features_tell() -> None:
+def test_points_in_another_unit_are_detected_by_the_features_alone() -> None:
     described = program(BLOCK, BLOCK_DIMENSIONS)
     points = block(np.random.default_rng(3))
     with pytest.raises(InspectionError, match=r"Taken as metres, 100% of the features are found; taken as millimetres, 0%.*`--unit m`"):
@@ -147,7 +147,7 @@ def test_a_feature_without_points_leaves_its_dimensions_unmeasured_and_the_other
     assert all(dimension.verdict is Verdict.PASS for dimension in others)
 
 
-def test_outliers_are_left_out_of_a_fit_and_counted() -> None:
+def test_outliers_are_rejected_from_a_fit_and_counted() -> None:
     points = block(np.random.default_rng(3))
     assert points.normals is not None
     spoiled = np.array(points.points_mm)

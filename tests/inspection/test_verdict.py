@@ -50,5 +50,5 @@ def test_simple_acceptance_does_not_look_at_the_uncertainty() -> None:
     assert decide_verdict(0.101, 5.0, -0.1, 0.1, "simple") is Verdict.FAIL
 
 
-def test_every_rule_is_told_in_words() -> None:
+def test_every_rule_has_a_description() -> None:
     assert all("PASS" in text and "FAIL" in text for text in RULES.values())

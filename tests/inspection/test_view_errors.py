@@ -156,7 +156,7 @@ def inspected(points: MeasuredPoints) -> tuple[Dimension, ...]:
 @pytest.mark.parametrize(
     "made", [drawn(), with_form(drawn()), with_common(drawn()), with_scale(drawn())], ids=["poses", "form", "common", "scale"]
 )
-def test_intervals_hold_the_truth_in_95_of_100_cases_when_views_and_calibration_err_as_they_say(made: Drawn) -> None:
+def test_intervals_cover_the_truth_in_95_of_100_cases_of_view_and_calibration_errors(made: Drawn) -> None:
     scores = []
     for seed in range(DRAWS):
         found = inspected(made.measured(np.random.default_rng(seed)))
@@ -174,7 +174,7 @@ def test_a_motion_of_all_views_together_adds_nothing() -> None:
         assert one.uncertainty is not None and one.uncertainty < 1e-3, one.name  # of 0.2 mm and 1e-3 rad
 
 
-def test_shares_add_up_and_are_told() -> None:
+def test_contributions_add_up_and_are_reported() -> None:
     found = {one.name: one for one in inspected(drawn().measured(np.random.default_rng(1)))}
     for one in found.values():
         assert set(one.budget) == {"noise", "stitching", "calibration"}
@@ -185,7 +185,7 @@ def test_shares_add_up_and_are_told() -> None:
 
 
 @pytest.mark.parametrize(("share", "made"), [("form", with_form(drawn())), ("common", with_common(drawn()))])
-def test_what_clouds_have_of_form_by_themselves_or_in_common_is_a_share_of_its_own(share: str, made: Drawn) -> None:
+def test_form_and_systematic_errors_of_clouds_are_contributions_of_their_own(share: str, made: Drawn) -> None:
     plain, formed = ({one.name: one for one in inspected(each.exact)} for each in (drawn(), made))
     for name, one in formed.items():
         assert set(one.budget) == {"noise", "stitching", "calibration", share}
@@ -230,7 +230,7 @@ def test_two_clicked_points_stand_off_as_their_views_do() -> None:
     assert within == pytest.approx(2 * SCALE * 80)  # one view alone errs by the scale only
 
 
-def test_what_moves_the_whole_part_is_followed_by_an_alignment_by_its_surface() -> None:
+def test_a_best_fit_alignment_removes_motions_of_the_whole_part() -> None:
     exact = drawn().exact
     assert exact.errors is not None and exact.normals is not None and exact.view is not None
     left = exact.remove_alignment_motion().errors

@@ -113,7 +113,7 @@ def waving(cloud: PointCloud, height_mm: float, period_mm: float) -> PointCloud:
     return replace(cloud, points_mm=points, normals=normals)
 
 
-def test_waves_of_a_surface_are_told_from_its_noise_and_refused():
+def test_waviness_is_separated_from_noise_and_excluded():
     clean = assess_cloud(plane(18_000, 0.04, 1))
     wavy = assess_cloud(waving(plane(18_000, 0.04, 1), 0.25, 8.0))
     # a cell of 4 mm² holds 18 points, whose median has σ √(π/36); the variance of 28 such medians about six terms is known to √(2/22), and

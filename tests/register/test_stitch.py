@@ -58,7 +58,7 @@ def test_an_impeller_is_stitched_to_below_the_noise_of_its_points(impeller_scan,
     assert all(placement.verdict == "good" for placement in stitched_impeller.placements)
 
 
-def test_corrections_are_told_beside_the_other_views(impeller_scan, stitched_impeller):
+def test_corrections_are_relative_to_the_other_views(impeller_scan, stitched_impeller):
     samples = [np.asarray(cloud.points_mm)[::300] for cloud in impeller_scan.clouds]
     before = [placement.kinematic.apply(sample) for placement, sample in zip(stitched_impeller.placements, samples, strict=True)]
     after = [placement.part_from_camera.apply(sample) for placement, sample in zip(stitched_impeller.placements, samples, strict=True)]
@@ -90,7 +90,7 @@ def test_the_order_of_the_views_does_not_matter(scanned, cross_mesh):
     assert np.array_equal(np.array(order)[second.view], first.view)
 
 
-def test_a_displaced_view_is_named_and_left_out(scanned, impeller_mesh):
+def test_a_displaced_view_is_named_and_excluded(scanned, impeller_mesh):
     scan = scanned(impeller_mesh, SIXTHS, [45.0], step_mm=0.8)
     slipped = RigidTransform.from_parts(np.eye(3), [1.2, 1.2, 1.05], "camera", "camera")  # 2 mm
     kinematic = [pose @ slipped if i == 2 else pose for i, pose in enumerate(scan.kinematic)]
@@ -123,7 +123,7 @@ def test_a_view_without_overlap_stays_where_the_axes_say(scanned, cross_mesh):
     assert stitched.placements[0].verdict == "good"
 
 
-def test_clouds_without_points_are_refused_or_left_out(scanned, cross_mesh):
+def test_clouds_without_points_are_refused_or_excluded(scanned, cross_mesh):
     scan = scanned(cross_mesh, [10.0, 70.0], [40.0], step_mm=1.0)
     nothing = scan.clouds[0].where(np.arange(1))
     with pytest.raises(RegistrationError, match="enough points"):
@@ -152,7 +152,7 @@ def test_a_surface_that_does_not_fit_into_memory_is_refused_before_it_is_made(st
 
 
 @pytest.mark.parametrize("displaced", [1, 4])
-def test_tight_axes_do_not_hide_a_displaced_view(scanned, impeller_mesh, displaced):
+def test_precise_axes_do_not_hide_a_displaced_view(scanned, impeller_mesh, displaced):
     scan = scanned(impeller_mesh, SIXTHS, [45.0], step_mm=1.0, station_mm=0.02, station_deg=0.002)
     covariance = KinematicPrior(0.02, np.radians(0.002), 0.02, np.radians(0.002)).covariance(scan.stations)
     clean = stitch(scan.clouds, scan.kinematic, prior=PosePrior(covariance=covariance))

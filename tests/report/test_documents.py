@@ -41,7 +41,7 @@ def test_pdf_csv_and_json_say_the_same_of_every_dimension(measured) -> None:
             assert line[key].startswith(number(value, signed=key == "error"))
 
 
-def test_every_document_names_the_shares_of_an_uncertainty(measured) -> None:
+def test_every_document_names_the_contributions_to_uncertainty(measured) -> None:
     model = compose(measured(), pictures=False)
     first, second = list(csv.DictReader(io.StringIO(csv_text(model))))[:2]
     assert [first[f"uncertainty_{name}"] for name in ("noise", "stitching", "calibration")] == ["0.018", "0.024", "0.0"]
@@ -52,7 +52,7 @@ def test_every_document_names_the_shares_of_an_uncertainty(measured) -> None:
     assert json.loads(json.dumps(report_document(model)))["dimensions"][0]["uncertainty_budget"]["stitching"] == 0.024
 
 
-def test_the_calibration_says_how_blurred_images_are_where_the_board_told_it(measured) -> None:
+def test_the_calibration_states_image_blur_where_the_board_determined_it(measured) -> None:
     model = compose(measured(), pictures=False)
     facts = {fact.name: fact.value for section in model.sections for fact in section.facts}
     assert facts["Camera left"] == "rms 0.040 px, blur 0.75 px, serial S1"
@@ -170,7 +170,7 @@ def test_the_report_says_what_a_value_is_and_what_it_rests_on(measured) -> None:
     assert "A gear face, B bore" in html and "1372 points, 99 left out" in html and "ISO 14253-1" in html
 
 
-def test_surface_that_was_filled_without_points_is_told_apart_in_the_pictures(measured) -> None:
+def test_filled_surface_without_points_is_distinguished_in_the_pictures(measured) -> None:
     filled, whole = measured(), measured()
     whole = replace(whole, mesh=replace(whole.mesh, measured=None))
     assert "dark: filled, not measured" in render_part(filled)[0].caption

@@ -15,7 +15,7 @@ from ui.widgets.segments import Segments
 if TYPE_CHECKING:
     from measureapp.register.clouds.filter_chain import Filter
 
-KINDS = {"statistical": "Statistical", "radius": "Radius", "islands": "Isolated patches", "box": "Box", "plane": "Plane"}
+KINDS = {"statistical": "Statistical", "radius": "Radius", "islands": "Patches", "box": "Box", "plane": "Plane"}
 TIPS = {
     "statistical": "Statistical outlier removal, by the mean distance to neighbours",
     "radius": "Radius outlier removal, by the number of neighbours",

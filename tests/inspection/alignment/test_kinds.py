@@ -67,7 +67,7 @@ def off_mm(alignment: Alignment) -> float:
         (RPS, "RPS (6 points: t1, t2, t3, f1, f2, s1)", PATCH_BOUND_MM),
     ],
 )
-def test_a_displaced_block_is_taken_back_by_its_features(alignment, named, bound) -> None:
+def test_a_displaced_block_is_aligned_by_its_features(alignment, named, bound) -> None:
     found = aligned(block(), alignment)
     assert off_mm(found) < bound
     assert found.name.startswith(named)
@@ -102,7 +102,7 @@ def test_more_reference_points_than_needed_leave_their_residuals() -> None:
     assert all(residual == pytest.approx(0.05, abs=PATCH_BOUND_MM / 3) for residual in found.residuals_mm.values())
 
 
-def test_a_centre_can_be_held_along_chosen_directions() -> None:
+def test_a_centre_can_be_constrained_along_chosen_directions() -> None:
     part = Part(np.random.default_rng(2), NOISE_MM)
     places = {"a": [0, 0, 0], "b": [100, 0, 0], "c": [0, 80, 0]}
     for place in places.values():
@@ -181,7 +181,7 @@ def test_a_local_best_fit_is_not_pulled_by_bent_blades(alignment: object, sample
     assert np.linalg.norm(back[0, :2]) < 0.01
 
 
-def test_the_positions_of_a_true_impeller_cannot_be_told_apart(samples, scan, on_table) -> None:
+def test_the_positions_of_a_true_impeller_are_indistinguishable(samples, scan, on_table) -> None:
     impeller = samples("impeller")
     found = _cyclic(scan(impeller.nominal, on_table(3.0), count=60_000), impeller.surface)
     assert found.undetermined == ("which of 7 positions about the axis",)

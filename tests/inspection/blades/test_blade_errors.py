@@ -43,7 +43,7 @@ def moved(points: MeasuredPoints, number: int) -> MeasuredPoints:
     return replace(points, points_mm=points.points_mm + away)
 
 
-def test_angles_of_blades_change_with_their_views_as_they_say() -> None:
+def test_angles_of_blades_change_with_view_errors_as_predicted() -> None:
     points, section = in_views(), SECTIONS[:1]
     found = measured(points, section, *ASKED, settings=SETTINGS)
     said = [one.budget["stitching"] / 2 for one in found]

@@ -81,7 +81,7 @@ def test_the_values_of_a_wheel_lie_within_their_stated_uncertainties() -> None:
     assert [one.unit for one in found[-2:]] == ["°", "°"]
 
 
-def test_the_pitch_of_neighbouring_blades_is_told_to_a_hundredth_of_a_degree() -> None:
+def test_the_pitch_of_neighbouring_blades_is_determined_to_a_hundredth_of_a_degree() -> None:
     found = measured(wheel(), SECTIONS, *(dimension("pitch", f"low.{k}", f"low.{k % COUNT + 1}", nominal=90) for k in range(1, COUNT + 1)))
     truth = np.roll(PITCH_OFF_DEG, -1) - np.array(PITCH_OFF_DEG)
     # 4000 points on a lever of about 80 mm: 0.02 / sqrt(4000) / 80 rad is far less than the 0.01 mm a view may stand off
@@ -216,7 +216,7 @@ def test_a_blade_that_was_not_measured_is_named() -> None:
         ({"axis": [0, 0, 0]}, "`axis` has length 0"),
     ],
 )
-def test_a_section_that_is_none_is_refused_when_the_program_is_read(change: dict, reason: str) -> None:
+def test_an_invalid_section_is_refused_when_the_program_is_read(change: dict, reason: str) -> None:
     with pytest.raises(ValidationError, match=reason):
         measured(wheel(), [{**SECTIONS[0], **change}])
 

@@ -54,7 +54,7 @@ def test_a_noisy_round_blade_gives_back_its_values() -> None:
 
 
 @pytest.mark.parametrize("turn_deg", [-10.0, 15.0])
-def test_a_blade_that_stands_askew_keeps_its_values(turn_deg: float) -> None:
+def test_a_tilted_blade_keeps_its_values(turn_deg: float) -> None:
     turn = np.radians(turn_deg)
     rotation = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
     points = scattered(BLADE.contour(), POINTS, NOISE_MM, np.random.default_rng(2)) @ rotation.T

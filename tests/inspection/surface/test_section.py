@@ -82,7 +82,7 @@ def test_a_section_beside_the_part_is_refused() -> None:
         cut_section("z=90", found, NominalSurface(box(HALF)), CuttingPlane.through(90 * UP, UP), 0.5)
 
 
-def test_a_histogram_counts_every_point_once_and_knows_the_shares() -> None:
+def test_a_histogram_counts_every_point_once_and_states_fractions() -> None:
     values = np.random.default_rng(0).normal(0, 0.1, 50_000)
     found = bin_deviations(values, -0.1, 0.2)
     assert found.counts.sum() == 50_000

@@ -124,7 +124,7 @@ def test_what_a_shift_leaves_of_a_position_is_known_within_its_uncertainty(times
         ({"features": ["flank"], **loose(0.1)}, "axes and centres where a datum has a material condition"),
     ],
 )
-def test_what_has_no_play_is_refused_with_the_reason(change, said):
+def test_features_without_play_are_refused_with_the_reason(change, said):
     (found,) = measured(part(0, 0.0), {**ASKED, **change})
     assert found.verdict is Verdict.NOT_MEASURED and said in found.reason
 
@@ -140,7 +140,7 @@ def test_what_has_no_play_is_refused_with_the_reason(change, said):
         ({"features": ["bore.{k}"], "count": 3, **loose(0.1)}, "is meaningless"),
     ],
 )
-def test_datum_material_that_means_nothing_is_refused(change, said):
+def test_meaningless_material_conditions_of_datums_are_refused(change, said):
     with pytest.raises(ValueError, match=said):
         InspectionProgram.model_validate(
             {"name": "p", "alignment": "none", "features": FEATURES, "dimensions": [{"name": "d", **ASKED, **change}]}

@@ -40,7 +40,7 @@ def test_a_system_knows_how_many_motions_it_leaves_open(datums, open_motions):
     assert datum_system(datums, datums).free.shape[1] == open_motions
 
 
-def test_what_the_motions_left_open_do_not_move_has_a_place():
+def test_features_not_moved_by_free_motions_have_a_position():
     by_axis = datum_system([AXIS, A], [AXIS, A])
     by_axis.require_place(CONE, "cone")  # about the same axis
     with pytest.raises(InspectionError, match="do not fix the place of hole: they leave open"):

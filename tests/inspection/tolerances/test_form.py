@@ -89,7 +89,7 @@ CASES = {
 @pytest.mark.parametrize(
     ("make", "feature", "asked", "truth", "loss"), [c for c in CASES.values() if c[3]], ids=[n for n in CASES if CASES[n][3]]
 )
-def test_form_without_noise_is_the_known_one(make, feature, asked, truth, loss):
+def test_noise_free_form_is_the_known_one(make, feature, asked, truth, loss):
     found = measured(make(1, noise_mm=0.0), [feature], **asked)
     # slopes scatter the points within a cell, whose places are random: by 0.0015·5 mm/√12 on the shaft, by 0.0005 mm of a mean of 20
     assert found.uncertainty < 2 * greatest_noise_factor(600) * 0.0005
@@ -123,7 +123,7 @@ def test_a_perfect_surface_may_be_perfect(times):
     ("make", "feature", "asked", "cells", "points"),
     [(wavy_top, TOP, {"kind": "flatness"}, 144, 4000), (oval_shaft, SHAFT, {"kind": "cylindricity"}, 600, 12000)],
 )
-def test_intervals_of_form_are_narrower_than_what_noise_could_do_at_most(make, feature, asked, cells, points):
+def test_intervals_of_form_are_narrower_than_the_worst_effect_of_noise(make, feature, asked, cells, points):
     """Whatever the form is, noise adds between nothing and its own range: an interval of that width would need no estimate."""
     found = measured(make(7), [feature], **asked)
     assert 2 * found.uncertainty < range_of_noise(NOISE_MM, cells, points)
@@ -230,7 +230,7 @@ def test_the_reach_of_noise_is_exceeded_in_5_of_100_cases():
         (TOP, {"kind": "straightness", "along": [0, 0, 1]}, "is perpendicular"),
     ],
 )
-def test_form_that_a_feature_does_not_have_is_refused(feature, asked, said):
+def test_form_not_defined_for_a_feature_is_refused(feature, asked, said):
     part = wavy_top(0) if feature is TOP else oval_shaft(0)
     found = measured(part, [feature], **asked)
     assert found.verdict is Verdict.NOT_MEASURED and said in found.reason

@@ -145,7 +145,7 @@ def test_a_line_profile_sees_only_what_its_section_cuts(nominal):
     assert beside.measured < 0.01 and through.measured == pytest.approx(0.16, abs=2 * FACET_MM + 1e-3), through.reason
 
 
-def test_only_what_faces_the_way_asked_belongs_to_it(nominal):
+def test_only_surface_facing_the_requested_direction_belongs_to_it(nominal):
     whole = {"name": "wave", "shape": "free_form", "z_mm": [-10, 300]}
     up = {**whole, "facing": [0, 0, 1]}
     named = [measured(part(0, 0.0), nominal, {**ASKED}, features=(*DATUMS, one))[0].traceability for one in (whole, up)]
@@ -160,7 +160,7 @@ def test_only_what_faces_the_way_asked_belongs_to_it(nominal):
         ({"features": ["far"]}, "only 0 points were measured there"),
     ],
 )
-def test_what_has_no_profile_says_why(nominal, change, said):
+def test_a_missing_profile_is_refused_with_the_reason(nominal, change, said):
     far = {**WAVE, "name": "far", "z_mm": [400, 500]}
     (found,) = measured(part(0, 0.0), nominal, {**ASKED, **change}, features=(*DATUMS, WAVE, far))
     assert found.verdict is Verdict.NOT_MEASURED and said in found.reason

@@ -239,7 +239,7 @@ def test_a_datum_that_was_not_found_is_the_reason(without_noise):
         ({"kind": "position", "features": ["bore"], "datums": ["nothing"]}, "needs feature 'nothing'"),
     ],
 )
-def test_a_program_that_cannot_be_meant_is_refused(asked, said):
+def test_a_meaningless_program_is_refused(asked, said):
     with pytest.raises(ValueError, match=said):
         InspectionProgram.model_validate({"name": "p", "features": FEATURES, "dimensions": [{"name": "d", **asked}]})
 
@@ -293,7 +293,7 @@ def test_what_a_bore_leaves_of_its_widened_zone_is_known_within_its_uncertainty(
         ({"features": ["bore.{k}"], "count": 3}, "is meaningless"),
     ],
 )
-def test_material_conditions_that_mean_nothing_are_refused(change, said):
+def test_meaningless_material_conditions_are_refused(change, said):
     described = {"name": "d", "upper_tolerance": 0.1, **AT_MAXIMUM, **change}
     with pytest.raises(ValueError, match=said):
         InspectionProgram.model_validate({"name": "p", "alignment": "none", "features": FEATURES, "dimensions": [described]})

@@ -32,17 +32,17 @@ def around() -> list[RigidTransform]:
 
 
 @pytest.mark.parametrize(("unit_mm", "word"), [(1000.0, "metres"), (25.4, "inches")])
-def test_clouds_that_meet_in_another_unit_are_asked_for_it(unit_mm: float, word: str) -> None:
+def test_clouds_that_overlap_in_another_unit_require_a_unit(unit_mm: float, word: str) -> None:
     with pytest.raises(RegistrationError, match=f"read as {word}"):
         check_unit([seen(unit_mm)] * 6, around())
 
 
-def test_clouds_that_meet_in_millimetres_are_not_asked() -> None:
+def test_clouds_that_overlap_in_millimetres_require_no_unit() -> None:
     check_unit([seen(1.0)] * 6, around())
 
 
 @pytest.mark.parametrize("lean_deg", [0.0, 2.0])
-def test_clouds_far_apart_side_by_side_are_not_asked(lean_deg: float) -> None:
+def test_clouds_far_apart_require_no_unit(lean_deg: float) -> None:
     poses = [
         RigidTransform.from_parts(rotation_about([0, 1, 0], np.radians(lean_deg * np.sign(shift))), [float(shift), 0, 0], "part", "camera")
         for shift in (-1500, -900, -300, 300, 900, 1500)
@@ -50,7 +50,7 @@ def test_clouds_far_apart_side_by_side_are_not_asked(lean_deg: float) -> None:
     check_unit([seen(1.0)] * 6, poses)
 
 
-def test_clouds_of_the_inside_or_outside_of_something_wide_are_not_asked() -> None:
+def test_clouds_of_the_inside_or_outside_of_a_wide_part_require_no_unit() -> None:
     for distance_mm in (2000.0, -2000.0):
         moved = [pose @ RigidTransform.from_parts(np.eye(3), [0, 0, distance_mm], "camera", "camera") for pose in around()]
         check_unit([seen(1.0)] * 6, moved)

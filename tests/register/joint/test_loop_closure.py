@@ -96,7 +96,7 @@ def test_an_error_of_one_pair_shows_in_full(wrong: int) -> None:
     assert abs(spoiled.gap_mm - 0.2) < 3 * spoiled.sigma_mm
 
 
-def test_of_several_rings_the_one_that_closes_worst_is_told_and_begins_with_its_first_view() -> None:
+def test_the_worst_of_several_loops_is_reported_from_its_first_view() -> None:
     covariance = by_axes(0.1, 0.5)
     kinematic, pairs, centres = drawn(covariance, np.random.default_rng(4))
     pairs = [replace(pair, change=np.array([0, 0, 0.3, 0, 0, 0])) if (pair.target, pair.source) == (1, 3) else pair for pair in pairs]

@@ -53,7 +53,7 @@ def test_views_of_one_station_share_their_error():
     assert covariance[0, 0] == pytest.approx(0.25 + 0.02**2)
 
 
-def test_a_motion_that_all_views_have_in_common_is_not_uncertainty_beside_each_other() -> None:
+def test_a_motion_common_to_all_views_adds_no_relative_uncertainty() -> None:
     """The part as a whole known to 5 mm and 0.01 rad, each view in it to 0.02 mm and 1e-4 rad: 4 of 5 parts of the latter remain."""
     generator = np.random.default_rng(3)
     poses = [RigidTransform.from_vector(generator.uniform(-1, 1, 3), generator.uniform(-50, 50, 3), "part", "camera") for _ in range(5)]

@@ -34,7 +34,7 @@ def test_stitching_while_views_arrive_gives_exactly_what_stitching_afterwards_gi
         assert (one.verdict, one.residual_mm, one.sigma_mm) == (other.verdict, other.residual_mm, other.sigma_mm)
 
 
-def test_after_the_last_view_no_pair_is_left_to_be_registered(scan, monkeypatch):
+def test_no_pair_remains_to_be_registered_after_the_last_view(scan, monkeypatch):
     with RegistrationCache() as registration_cache:
         for cloud, kinematic in zip(scan.clouds, scan.kinematic, strict=True):
             registration_cache.add(cloud, kinematic)
@@ -45,7 +45,7 @@ def test_after_the_last_view_no_pair_is_left_to_be_registered(scan, monkeypatch)
     assert all(placement.verdict == "good" for placement in stitched.placements)
 
 
-def test_views_that_are_not_stitched_in_the_end_change_nothing(scan):
+def test_views_not_stitched_in_the_end_change_nothing(scan):
     chosen = [0, 1, 2, 4]
     clouds, kinematic = [scan.clouds[i] for i in chosen], [scan.kinematic[i] for i in chosen]
     with RegistrationCache() as registration_cache:
@@ -64,7 +64,7 @@ def test_a_pair_registered_for_other_settings_or_poses_is_not_taken(scan):
     assert np.array_equal(ahead.points_mm, stitch(scan.clouds, scan.kinematic, settings).points_mm)
 
 
-def test_what_fails_ahead_is_told_when_the_result_is_wanted(scan, monkeypatch):
+def test_a_failure_during_preparation_is_reported_with_the_result(scan, monkeypatch):
     def broken(*_: object) -> None:
         raise MemoryError("too little memory")
 

@@ -49,7 +49,7 @@ def before(scan: Scan) -> StitchedCloud:
     return stitched(scan, scan.clouds)
 
 
-def test_common_errors_are_as_large_as_those_of_form_whichever_way_a_surface_is_turned(before: StitchedCloud) -> None:
+def test_systematic_errors_are_as_large_as_form_errors_in_every_orientation(before: StitchedCloud) -> None:
     assert before.errors is not None and before.errors.form is not None and before.errors.systematic is not None
     common, form = before.errors.systematic, before.errors.form
     assert common.size_mm == pytest.approx(np.sqrt(np.mean(form.sizes_mm**2)))
@@ -62,7 +62,7 @@ def test_common_errors_are_as_large_as_those_of_form_whichever_way_a_surface_is_
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
-def test_views_follow_common_errors_as_told(scan: Scan, before: StitchedCloud, seed: int) -> None:
+def test_views_respond_to_systematic_errors_as_predicted(scan: Scan, before: StitchedCloud, seed: int) -> None:
     assert before.errors is not None and before.errors.systematic is not None
     common = before.errors.systematic
     drawn = np.random.default_rng(seed).standard_normal(common.count) * DRAWN_MM / common.size_mm

@@ -55,6 +55,6 @@ def test_a_turned_part_says_that_only_the_axes_hold_its_turn(scanned) -> None:
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
-def test_an_impeller_is_held_by_its_blades(scanned, impeller_mesh, seed: int) -> None:
+def test_an_impeller_is_constrained_by_its_blades(scanned, impeller_mesh, seed: int) -> None:
     scan = scanned(impeller_mesh, [0.0, 60.0, 120.0, 180.0, 240.0, 300.0], [45.0], step_mm=1.0, seed=seed)
     assert all(not placement.unconstrained_motions for placement in stitch(scan.clouds, scan.kinematic).placements)
