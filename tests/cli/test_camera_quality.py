@@ -31,7 +31,7 @@ def test_recorded_pairs_are_cross_validated_and_mapped(capsys, tmp_path):
     validation = answer["cross_validation"]
     assert validation["observed_px"] == pytest.approx(validation["predicted_px"], rel=0.25)
     assert {half["camera"] for half in validation["halves"]} == {"left", "right"}
-    assert "to a length of 300 mm in this volume" in answer["uncertainty"]["sentence"]
+    assert "a length of 300 mm in this volume" in answer["uncertainty"]["sentence"]
     assert answer["uncertainty"]["projection"]["left"]["least_px"] < 0.2
     stored = np.load(tmp_path / "map.npz")
     assert stored["left_sigma_px"].shape == (18, 24)

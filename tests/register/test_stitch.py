@@ -96,7 +96,7 @@ def test_a_displaced_view_is_named_and_excluded(scanned, impeller_mesh):
     kinematic = [pose @ slipped if i == 2 else pose for i, pose in enumerate(scan.kinematic)]
     stitched = stitch(scan.clouds, kinematic)
     assert [placement.used for placement in stitched.placements] == [True, True, False, True, True, True]
-    assert "left out" in stitched.placements[2].verdict
+    assert "excluded" in stitched.placements[2].verdict
     assert 2 not in stitched.view
     assert judged(scan, stitched)[0] < 0.05
 

@@ -178,8 +178,8 @@ def test_the_blades_of_the_sample_impeller_have_their_thickness_pitch_and_form(s
     assert abs(thickness.deviation) < thickness.uncertainty
     assert abs(pitch.deviation) < pitch.uncertainty
     assert form.measured < form.uncertainty and outline.measured < outline.uncertainty  # the zones of a true part are noise alone
-    assert chord.verdict is Verdict.NOT_MEASURED and "at its leading end the blade goes on there" in chord.reason
-    assert trailing.verdict is Verdict.NOT_MEASURED and "at its trailing end" in trailing.reason
+    assert chord.verdict is Verdict.NOT_MEASURED and "as the blade continues there (leading end)" in chord.reason
+    assert trailing.verdict is Verdict.NOT_MEASURED and "(trailing end)" in trailing.reason
 
 
 def test_what_a_single_blade_or_a_part_without_nominal_cannot_tell_is_refused() -> None:

@@ -64,17 +64,17 @@ def test_draws_give_the_quantile_that_normal_errors_of_the_curvature_demand(nois
     assert 2 * found.radius_sigma == pytest.approx(demanded, rel=0.2)
 
 
-def test_the_linear_uncertainty_stays_where_it_is_enough_and_the_origin_tells_which() -> None:
+def test_linear_uncertainty_is_kept_where_it_suffices_and_the_traceability_states_which() -> None:
     wide, small = measured(1, 0.02, arc_deg=90.0), measured(1, 0.1)
     assert "Monte Carlo" not in wide.traceability
-    assert "small piece: Monte Carlo, 400 draws" in small.traceability
+    assert "small segment: Monte Carlo, 400 draws" in small.traceability
     assert measured(1, 0.1).uncertainty == small.uncertainty  # the draws are the same every time
 
 
-def test_a_piece_whose_curvature_drowns_in_noise_has_no_radius() -> None:
+def test_a_segment_whose_curvature_is_below_the_noise_has_no_radius() -> None:
     """Here the curvature is known to ± 48 %: radii without end are as likely as any."""
     refused = measured(3, 0.3)
-    assert refused.measured is None and "too small a piece to determine a radius and an axis" in refused.reason, refused
+    assert refused.measured is None and "too small a segment to determine a radius and an axis" in refused.reason, refused
 
 
 def test_the_linear_interval_holds_less_and_less_as_the_text_says() -> None:

@@ -67,7 +67,7 @@ def best_of_bore(play_mm: float) -> float:
 def test_the_part_shifts_to_where_its_bore_lies_best_within_the_play_of_its_shaft(play_mm, condition):
     (found,) = measured(part(0, 0.0), {**ASKED, **loose(play_mm, condition=condition)})
     assert found.measured == pytest.approx(best_of_bore(play_mm), abs=LOST_MM + 1e-3), found.reason
-    assert "datum shift: shaft loose by" in found.traceability and found.upper_tolerance == 0.5
+    assert "datum shift: shaft play " in found.traceability and found.upper_tolerance == 0.5
 
 
 def best_of_collar(play_mm: float) -> float:

@@ -156,7 +156,7 @@ def test_only_surface_facing_the_requested_direction_belongs_to_it(nominal):
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"datums": ["base", "side"]}, "do not fix the place of wave: they leave open translation along y"),
+        ({"datums": ["base", "side"]}, "do not fix the location of wave: free are translation along y"),
         ({"features": ["far"]}, "only 0 points were measured there"),
     ],
 )

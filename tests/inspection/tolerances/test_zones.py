@@ -159,13 +159,13 @@ def test_a_zone_exceeded_fails_and_one_just_touched_is_not_proven():
     [
         (
             {"kind": "position", "features": ["bore"], "datums": ["base"]},
-            "do not fix the place of bore: they leave open translation along x, translation along y",
+            "do not fix the location of bore: free are translation along x, translation along y",
         ),
         ({"kind": "position", "features": ["bore"], "datums": ["base", "shaft"]}, "rotation about z"),
-        ({"kind": "position", "features": ["bore"], "datums": ["base", "shelf"]}, "Datum shelf constrains nothing that base has not fixed"),
-        ({"kind": "surface_profile", "features": ["flank"], "datums": ["shaft"]}, "do not fix the place of flank"),
+        ({"kind": "position", "features": ["bore"], "datums": ["base", "shelf"]}, "Datum shelf constrains nothing beyond base"),
+        ({"kind": "surface_profile", "features": ["flank"], "datums": ["shaft"]}, "do not fix the location of flank"),
         ({"kind": "coaxiality", "features": ["flank"], "datums": ["shaft"]}, "defined for axes"),
-        ({"kind": "coaxiality", "features": ["bore"], "datums": ["base"]}, "no datum for coaxiality"),
+        ({"kind": "coaxiality", "features": ["bore"], "datums": ["base"]}, "cannot be a datum for coaxiality"),
         ({"kind": "circular_runout", "features": ["collar"], "datums": ["base"]}, "requires an axis"),
         ({"kind": "circular_runout", "features": ["slope"], "datums": ["shaft"]}, "run-out is undefined"),
         ({"kind": "total_runout", "features": ["ball"], "datums": ["shaft"]}, "measured cylinder or plane"),
