@@ -53,9 +53,10 @@ def register(group: typer.Typer) -> None:
         from measureapp.data.fringe import Readback
         from measureapp.project.tables import read_guide
 
-        wanted, noise, known = asked.values(("guide direction", "guide scale")), noise_of_robot.axis_noise(), read_hand_eye(hand_eye)
+        wanted, noise = asked.values(("guide direction", "guide scale")), noise_of_robot.axis_noise()
         flanges, slide = read_robot_poses(robot_poses), read_guide(guide_positions)
         require_same_names(guide_positions, tuple(flanges), tuple(slide))
+        known = read_hand_eye(hand_eye)
         robot = {name: Readback(pose, slide[name]) for name, pose in flanges.items()}
         seen = observed_at_robot_poses(robot, board_poses, source, TerminalProgress())
         if seen is not None:

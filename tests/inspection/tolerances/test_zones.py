@@ -173,7 +173,7 @@ def test_a_zone_exceeded_fails_and_one_just_touched_is_not_proven():
         ({"kind": "parallelism", "features": ["wall"], "datums": ["base"]}, "check the feature and its datum"),
         ({"kind": "parallelism", "features": ["shelf"], "datums": ["ball"]}, "has no direction"),
         ({"kind": "perpendicularity", "features": ["corner"], "datums": ["shaft"]}, "without a length"),
-        ({"kind": "surface_profile", "features": ["foot"]}, "no measured surface"),
+        ({"kind": "surface_profile", "features": ["foot"]}, "without a measured surface"),
         (
             {
                 "kind": "line_profile",
