@@ -40,7 +40,7 @@ class DatumSystem:
         """Rotate a direction to the nominal frame."""
         return np.asarray(self.nominal_from_measured[:3, :3] @ direction)
 
-    def require_place(self, nominal: Feature, name: str) -> None:
+    def require_location(self, nominal: Feature, name: str) -> None:
         """Raise InspectionError unless the datums fix the location of this nominal feature."""
         self._require(np.vstack([_locations(nominal, nominal.point_mm), _orientations(nominal)]), "location", name)
 
@@ -48,7 +48,7 @@ class DatumSystem:
         """Raise InspectionError unless the datums fix the orientation of this nominal feature."""
         self._require(_orientations(nominal), "orientation", name)
 
-    def require_nothing_open(self, name: str) -> None:
+    def require_all_fixed(self, name: str) -> None:
         """Raise InspectionError unless the datums fix all motions, as a free-form surface requires."""
         self._require(np.eye(6), "location", name)
 

@@ -35,7 +35,7 @@ def evaluate_position(
         The datums do not fix the location, the feature has no position, or a material condition is required of a feature without size.
     """
     feature, nominal, nominals = require_feature(found), require_nominal(found), require_nominals(datums)
-    datum_system(nominals, [require_feature(one) for one in datums]).require_place(nominal, found.name)
+    datum_system(nominals, [require_feature(one) for one in datums]).require_location(nominal, found.name)
     if feature.shape == "plane" and not described.datum_material:
         return evaluate_surface_zone(found, datums, extract_cells(found, settings), settings)
     if feature.shape not in (*AXES, *CENTRES):

@@ -37,9 +37,9 @@ def evaluate_profile(
     if datums:
         system = datum_system(require_nominals(datums), [require_feature(one) for one in datums])
         if isinstance(found, FoundSurface):
-            system.require_nothing_open(found.name)
+            system.require_all_fixed(found.name)
         else:
-            system.require_place(require_nominal(found), found.name)
+            system.require_location(require_nominal(found), found.name)
     cells = _cells(found, described.section, settings)
     made = evaluate_surface_zone(found, datums, cells, settings, described.zone_offset_mm)
     words = [made.how]

@@ -42,14 +42,14 @@ def test_a_system_knows_how_many_motions_it_leaves_open(datums, open_motions):
 
 def test_features_not_moved_by_free_motions_have_a_position():
     by_axis = datum_system([AXIS, A], [AXIS, A])
-    by_axis.require_place(CONE, "cone")  # about the same axis
+    by_axis.require_location(CONE, "cone")  # about the same axis
     with pytest.raises(InspectionError, match="do not fix the location of hole: free are"):
-        by_axis.require_place(HOLE, "hole")
+        by_axis.require_location(HOLE, "hole")
     by_axis.require_direction(HOLE, "hole")
     with pytest.raises(InspectionError, match="do not fix the orientation of B"):
         by_axis.require_direction(B, "B")
     with pytest.raises(InspectionError, match="translation along x"):
-        datum_system([A, B], [A, B]).require_place(HOLE, "hole")
+        datum_system([A, B], [A, B]).require_location(HOLE, "hole")
 
 
 def test_the_first_datum_wins_where_they_contradict_each_other():
