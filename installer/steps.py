@@ -26,6 +26,7 @@ KERNEL_TESTS = (
     "tests/fringe/test_reference.py",
     "tests/fringe/test_decode.py::test_highlights_and_dark_places_are_told_apart",
     "tests/reconstruct/test_kernels.py",
+    "tests/reconstruct/test_reference.py",
 )
 
 

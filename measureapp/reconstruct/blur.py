@@ -67,19 +67,20 @@ def _correct(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: Buffe
     shape = phase_map.phase_rad.shape
     variance = min(blur_px, MAX_BLUR_PX) ** 2
     blur = Blur(
-        read_only(phase_map.phase_rad, np.float32),
-        read_only(phase_map.sigma_rad, np.float32),
-        read_only(phase_map.grey, np.uint16),
-        read_only(phase_map.state, np.uint8),
+        read_only(phase_map.phase_rad, np.float32).reshape(-1),
+        read_only(phase_map.sigma_rad, np.float32).reshape(-1),
+        read_only(phase_map.grey, np.uint16).reshape(-1),
+        read_only(phase_map.state, np.uint8).reshape(-1),
         np.float32(variance),
         np.float32(INTERPOLATION_PX2 / variance if interpolated else 0.0),
         np.float32(step_rad),
         np.float32(estimate_ambient_light(phase_map)),
+        *shape,
     )
-    phase, sigma = memory.empty(shape, np.float32), memory.empty(shape, np.float32)
+    phase, sigma = memory.empty(phase_map.state.size, np.float32), memory.empty(phase_map.state.size, np.float32)
     in_bands(lambda start, stop: kernels.correct_blur(blur, start, stop, phase, sigma), shape[0])
     orthogonal = None if phase_map.orthogonal is None else _correct(phase_map.orthogonal, blur_px, step_rad, memory, interpolated)
-    return replace(phase_map, phase_rad=read_only(phase), sigma_rad=read_only(sigma), orthogonal=orthogonal)
+    return replace(phase_map, phase_rad=read_only(phase.reshape(shape)), sigma_rad=read_only(sigma.reshape(shape)), orthogonal=orthogonal)
 
 
 def estimate_ambient_light(phase_map: PhaseMap) -> float:

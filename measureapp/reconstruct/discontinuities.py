@@ -48,7 +48,8 @@ def _width_px(blur_px: float) -> int:
 def _exclude(phase_map: PhaseMap, width_px: int, memory: BufferPool) -> PhaseMap:
     state = read_only(phase_map.state, np.uint8)
     marked = memory.empty(state.shape, np.uint8)
-    in_bands(lambda start, stop: kernels.mark_discontinuities(state, start, stop, marked), len(state))
+    flat, out = state.reshape(-1), marked.reshape(-1)
+    in_bands(lambda start, stop: kernels.mark_discontinuities(flat, *state.shape, start, stop, out), len(state))
     if width_px > MIN_WIDTH_PX:
         near = cv2.dilate(np.equal(marked, PointState.RIM).astype(np.uint8), CROSS, iterations=width_px - MIN_WIDTH_PX)
         marked[(near != 0) & (state == 0)] = PointState.RIM

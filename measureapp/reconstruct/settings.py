@@ -1,4 +1,4 @@
-"""What can be chosen about reconstruction."""
+"""Settings of reconstruction."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from measureapp.data.model import Model
 
 
 class ReconstructSettings(Model):
-    """How phase maps become points."""
+    """Settings of matching, fusing and cleaning."""
 
     grid: Literal["auto", "image", "rectified"] = Field(
         default="auto", description="pixels that become points: of the images, or of the rectified images (two cameras only; auto there)"
@@ -19,12 +19,14 @@ class ReconstructSettings(Model):
     agreement_sigmas: float = Field(
         default=4.0, gt=0, description="phase difference, in standard deviations, at which a camera contradicts"
     )
-    agreement_px: float = Field(default=0.5, ge=0, description="what the calibration may add to it, px along the epipolar line")
+    agreement_px: float = Field(
+        default=0.5, ge=0, description="plus this distance along the epipolar line in px, for errors of the calibration"
+    )
     max_sigma_mm: float = Field(default=0.5, gt=0, description="largest standard deviation along the viewing ray")
     max_incidence_deg: float = Field(default=85.0, gt=0, lt=90, description="largest angle between normal and viewing ray")
     max_partner_incidence_deg: float = Field(default=85.0, gt=0, lt=90, description="the same for the other cameras that take part")
     normal_radius_px: int = Field(default=4, ge=1, le=15, description="radius of the window of normals and of the outlier filter")
     min_neighbours: int = Field(default=6, ge=3, le=24, description="of 24 places in that window; fewer: a flying pixel")
     outlier_sigmas: float = Field(default=5.0, gt=0, description="distance to the local plane, in standard deviations")
-    outlier_slope: float = Field(default=0.5, ge=0, description="what a sharp edge may add to it, as a share of the window's radius")
-    min_island_px: int = Field(default=50, ge=1, description="smaller groups of points without a neighbour are removed")
+    outlier_slope: float = Field(default=0.5, ge=0, description="plus this share of the window's radius, for sharp edges")
+    min_island_px: int = Field(default=50, ge=1, description="smaller isolated patches (connected components) are removed")

@@ -1,4 +1,4 @@
-"""Why is there a hole here? The stage and the reason, for a pixel, a region and a whole view."""
+"""Explanation of holes: stage and reason, for a pixel, a region and all images of a viewpoint."""
 
 from __future__ import annotations
 
@@ -20,50 +20,50 @@ OF_PHASE = {
     PixelState.SATURATED: "Saturated in every exposure: {grey:.0f} of {saturation:.0f} grey levels. Add a shorter exposure.",
     PixelState.WEAK_MODULATION: "Too little of the light follows the pattern: modulation {modulation:.1f} at {grey:.0f} grey levels. "
     "Add a longer exposure, shade ambient light, or dull a shiny surface.",
-    PixelState.SHADOW: "No light of the projector arrives: modulation {modulation:.1f} grey levels. Turn the part or add a viewpoint.",
+    PixelState.SHADOW: "Not reached by the projector's light: modulation {modulation:.1f} grey levels. Turn the part or add a viewpoint.",
     PixelState.ORDER_CONFLICT: "The fringe orders of the pitches contradict each other, at modulation {modulation:.1f} grey levels. "
     "Use patterns with more pitches, or a longer exposure.",
-    PixelState.OUT_OF_RANGE: "The phase lies outside the projector's image: light comes by a reflection, or the order is wrong.",
-    PixelState.EDGE: "At a depth step, where the pixel sees two surfaces at once. Another viewpoint sees it undivided.",
+    PixelState.OUT_OF_RANGE: "The phase lies outside the projector's image: light arrives by a reflection, or the order is wrong.",
+    PixelState.EDGE: "At a depth discontinuity, where the pixel covers two surfaces at once. Another viewpoint sees them apart.",
     PixelState.BLOOMING: "Beside a saturated pixel that spills over. Add a shorter exposure.",
 }
 OF_POINT = {
-    PointState.UNMATCHED: "No other camera has the {lit} on the epipolar line: it is hidden from them, or out of their images. "
+    PointState.UNMATCHED: "No other camera has the {lit} on the epipolar line: it is occluded from them, or outside their images. "
     "Add a viewpoint.",
     PointState.AMBIGUOUS: "The {lit} occurs at several places of an epipolar line, or hardly changes along it: a wrong fringe order, or "
     "fringes along the line.",
     PointState.CONTRADICTED: "Another camera sees a projector line there that differs from {lit} by more than {sigmas:g} standard "
-    "deviations plus {px:g} px: reflections, or a camera that moved. Inspect the epipolar residual of the view.",
+    "deviations plus {px:g} px: reflections, or a camera that moved. Check the epipolar residual of the viewpoint.",
     PointState.UNCERTAIN: "The predicted standard deviation exceeds {max_sigma:g} mm: phase noise {sigma:.4f} rad. Add a longer exposure.",
-    PointState.FLYING: "Fewer than {neighbours} of 24 places around it lie on the same surface: it is at a border or alone.",
+    PointState.FLYING: "Fewer than {neighbours} of 24 places around it lie on the same surface: it is at a depth discontinuity or isolated.",
     PointState.OUTLIER: "Further from the plane through its neighbours than {outlier:g} standard deviations.",
-    PointState.GRAZING: "The surface is seen more than {incidence:g}° off its normal. Turn the part towards the sensor.",
-    PointState.PARTNER_GRAZING: "Another camera that takes part sees the surface more than {partner:g}° off its normal.",
-    PointState.ISLAND: "Its group has fewer than {min_pixels} pixels without a neighbour.",
-    PointState.SEEN_BY_ANOTHER: "A camera before this one has the surface: its point stands in that camera's image.",
-    PointState.RIM: "At the border of its surface, where the light of what lies beyond is mixed in. Another viewpoint sees it from further inside.",
+    PointState.GRAZING: "Grazing incidence: the camera sees the surface more than {incidence:g}° off its normal. Turn the part towards the sensor.",
+    PointState.PARTNER_GRAZING: "Grazing incidence on another camera of the point: more than {partner:g}° off the normal.",
+    PointState.ISLAND: "Isolated patch: its connected component has fewer than {min_pixels} pixels.",
+    PointState.SEEN_BY_ANOTHER: "Measured by an earlier camera already: the point is in that camera's image.",
+    PointState.RIM: "At a depth discontinuity, where blur mixes in the light from beyond the border of its surface. Add a viewpoint from which it is not at a border.",
     PointState.VALID: "It has a point.",
 }
 
 OF_POINT_WITH_PROJECTOR = OF_POINT | {
     PointState.UNMATCHED: "The viewing ray does not meet the {lit} before the camera and inside the projector's image: a wrong fringe order, "
-    "light by a reflection, or the calibration of another projector.",
-    PointState.AMBIGUOUS: "The viewing ray runs nearly along the surface that the {lit} lights, so that its depth is undetermined. Move the projector "
+    "light from a reflection, or the calibration of another projector.",
+    PointState.AMBIGUOUS: "The viewing ray is nearly parallel to the surface that the {lit} illuminates, so that the depth is undetermined. Move the projector "
     "or the camera apart, or add fringes of the other direction.",
     PointState.CONTRADICTED: "The {lit} belong to no point of the viewing ray, by more than {sigmas:g} standard deviations plus {px:g} px: "
     "reflections, or a projector or camera that moved.",
     PointState.UNCERTAIN: "The predicted standard deviation exceeds {max_sigma:g} mm and three times the median of the view: phase noise "
     "{sigma:.4f} rad. Add a longer exposure.",
-    PointState.PARTNER_GRAZING: "The projector lights the surface more than {partner:g}° off its normal.",
+    PointState.PARTNER_GRAZING: "The projector illuminates the surface more than {partner:g}° off its normal.",
 }
 OF_POINT_OF_NOBODY = OF_POINT | {
-    PointState.UNMATCHED: "One camera alone sees the {lit} and has no depth of it. Add a second camera, or calibrate the projector.",
+    PointState.UNMATCHED: "Only one camera sees the {lit}, which gives no depth. Add a second camera, or calibrate the projector.",
 }
 
 
 @dataclass(frozen=True, slots=True)
 class HoleReason:
-    """What became of a pixel."""
+    """Stage and reason that decided about a pixel."""
 
     stage: str  # "decode", "match", "clean", or "point"
     reason: str  # in lower case, as in the shares
@@ -78,7 +78,7 @@ def why(
     column: int,
     settings: ReconstructSettings | None = None,
 ) -> HoleReason:
-    """Say why a pixel has no point.
+    """Explain why a pixel has no point.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ def why(
 
 
 def lit_by(phase_map: PhaseMap, row: int, column: int) -> str:
-    """Return which line of the projector lights a pixel, in words: its column, its row, or both."""
+    """Return which line of the projector illuminates a pixel, in words: its column, its row, or both."""
     seen = [each for each in (phase_map, phase_map.orthogonal) if each is not None and each.state[row, column] == PixelState.VALID]
     return "projector " + " and ".join(f"{line_of(each)} {each.column_at(row, column):.2f}" for each in seen)
 
@@ -123,15 +123,15 @@ def _sentences(made: Reconstruction) -> dict[PointState, str]:
 
 
 def _aside(phase_map: PhaseMap, made: Reconstruction, point: PointState, row: int, column: int) -> str:
-    """Return what else bears on a pixel with a phase: pairs that were not matched, and fringes of the other direction without one."""
-    told = ""
+    """Return further causes for a pixel with a phase: pairs that were not matched, and orthogonal fringes without a phase."""
+    text = ""
     if point == PointState.UNMATCHED:
         skipped = [pair for pair in made.pairs if pair.skipped and phase_map.camera in pair.names]
-        told += "".join(f" {' and '.join(pair.names)} were not matched: {pair.skipped}." for pair in skipped)
-    across = phase_map.orthogonal
-    if across is not None and across.state[row, column] != PixelState.VALID:
-        told += f" The orthogonal fringes give no {line_of(across)} there: {_word(PixelState(int(across.state[row, column])))}."
-    return told
+        text += "".join(f" {' and '.join(pair.names)} were not matched: {pair.skipped}." for pair in skipped)
+    orthogonal = phase_map.orthogonal
+    if orthogonal is not None and orthogonal.state[row, column] != PixelState.VALID:
+        text += f" The orthogonal fringes give no {line_of(orthogonal)} there: {_word(PixelState(int(orthogonal.state[row, column])))}."
+    return text
 
 
 def shares_of_region(

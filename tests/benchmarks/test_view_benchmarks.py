@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from time import perf_counter
+from time import perf_counter, thread_time
 from typing import Any
 
 import cv2
@@ -30,6 +30,7 @@ from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.data.phase import PhaseMap
 from measureapp.fringe.decode import decode_camera
 from measureapp.fringe.settings import DecodeSettings
+from measureapp.reconstruct import kernels
 from measureapp.reconstruct.cleaning.clean import clean_grid
 from measureapp.reconstruct.cleaning.depth_grid import Lens
 from measureapp.reconstruct.cleaning.gather import gather_normals
@@ -175,6 +176,30 @@ def test_reconstructing_a_view_of_three_cameras(benchmark: Benchmark, head: Head
     work()
     benchmark.extra_info["fresh_ms"] = alternating(lambda: reconstruct(maps, head.cameras, rectifier=rectifier), work)[0] * 1e3
     assert noted(benchmark, work, 3 * CAMERA_BYTES, ASKED_OF_VIEW) <= MOST_OF_VIEW
+
+
+def test_processor_time_of_every_kernel(
+    benchmark: Benchmark, head: Head, maps: dict[str, PhaseMap], rectifier: Rectifier, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Milliseconds of two processors per view: other work on the machine hardly changes them. The table of decision 16."""
+    spent: dict[str, float] = {}
+
+    def timed(name: str, kernel: Callable[..., Any]) -> Callable[..., Any]:
+        def call(*arguments: Any) -> Any:
+            start = thread_time()
+            kernel(*arguments)
+            spent[name] = spent.get(name, 0.0) + (thread_time() - start) * 1e3 / 2
+
+        return call
+
+    monkeypatch.setattr(kernels, "_COMPILED", {name: timed(name, kernel) for name, kernel in kernels._COMPILED.items()})
+    memory, rounds = BufferPool(), []
+    for _ in range(ROUNDS):
+        spent.clear()
+        reconstruct(maps, head.cameras, rectifier=rectifier, memory=memory)
+        rounds.append(dict(spent))
+    benchmark.extra_info.update({name: min(each[name] for each in rounds) for name in rounds[0]})
+    benchmark.pedantic(lambda: None, rounds=1)
 
 
 def images_of_camera(seen: PhaseMap, seed: int) -> np.ndarray:

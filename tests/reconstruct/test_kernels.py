@@ -152,8 +152,8 @@ def slopes_of(phase: np.ndarray, sigma: np.ndarray, state: np.ndarray, every: in
     height, width = phase.shape
     pixels, quad = np.empty((height, width, 4), np.float32), np.empty(phase.shape, np.uint8)
     samples = np.empty((3, -(-height // every), -(-width // every)), np.float32)
-    maps = tuple(read_only(each) for each in (phase, sigma, state))
-    kernels.measure_gradients(*maps, np.float32(3), every, 0, height, pixels, quad, samples)
+    maps = tuple(read_only(each).reshape(-1) for each in (phase, sigma, state))
+    kernels.measure_gradients(*maps, phase.shape, np.float32(3), every, 0, height, pixels.reshape(-1), quad.reshape(-1), samples)
     return pixels, quad, samples
 
 

@@ -1,1 +1,1 @@
-"""What geometry says about mistakes that decode smoothly, and about cameras that have turned."""
+"""Detection of mistakes that decode smoothly, and of cameras that have turned."""

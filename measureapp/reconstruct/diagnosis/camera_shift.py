@@ -1,7 +1,7 @@
-"""Have cameras turned against each other since the calibration? The phases of any view tell.
+"""Rotation of the cameras against each other since the calibration, from the phases of any viewpoint.
 
 A point matched in two cameras is projected into every other camera: there its phase must be the one of the reference camera's pixel. One
-combination of these differences is the point's unknown depth, and is taken out; what is left contradicts the calibration. Of three
+combination of these differences is the point's unknown depth, and is eliminated; the rest contradicts the calibration. Of three
 cameras that is one number per point, the trifocal residual (R. Hartley and A. Zisserman, Multiple View Geometry, 2nd ed., chapter 15).
 """
 
@@ -28,10 +28,10 @@ OUTLIER = 5.0  # robust standard deviations; beyond them a sample is a wrong mat
 
 
 def camera_shift(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibration) -> ShiftEvidence | None:
-    """Gather what the phases of one view say about turned cameras.
+    """Measure the evidence of one viewpoint for turned cameras.
 
-    The points are matched here, between the reference camera and the next one alone: those of a cloud are the ones that all cameras
-    agree on, which a turned camera leaves few and wrong ones of.
+    The points are matched here, between the reference camera and the next one alone: a cloud has only those that all cameras
+    agree on, of which a turned camera leaves few and wrong ones.
 
     Parameters
     ----------
@@ -39,11 +39,11 @@ def camera_shift(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibra
 
     Returns
     -------
-    evidence : None where the phases leave nothing over (two cameras with fringes of one direction), or too few points are seen by all
+    evidence : None where the phases are not redundant (two cameras with fringes of one direction), or too few points are seen by all
     """
     names = tuple(name for name in cameras.names if name in phase_maps)
-    across = {name: each for name in names if (each := phase_maps[name].orthogonal) is not None}
-    both = len(across) == len(names)
+    orthogonal = {name: each for name in names if (each := phase_maps[name].orthogonal) is not None}
+    both = len(orthogonal) == len(names)
     if names[0] != cameras.reference or (len(names) - 1) * (1 + both) < 2:
         return None
     samples = Samples.of(phase_maps[names[0]]).thinned(SAMPLES)
@@ -54,7 +54,7 @@ def camera_shift(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibra
         return None
     equations = [_equations(names, phase_maps, points, pixels, cameras)]
     if both:
-        equations.append(_equations(names, across, points, pixels, cameras))
+        equations.append(_equations(names, orthogonal, points, pixels, cameras))
     return _evidence(names, equations)
 
 
@@ -172,7 +172,7 @@ def _evidence(names: tuple[str, ...], equations: list[_Equations]) -> ShiftEvide
 def _explained(left: FloatArray, design: FloatArray) -> BoolArray:
     """Return which samples some turn of the cameras explains; the others are wrong matches or lie beside an edge.
 
-    Judged about a fit, not about zero: the samples that a turn moves most are the ones that tell most of it.
+    Residuals are taken about a fit, not about zero: the samples that a turn moves most determine it best.
     """
     near = np.ones(len(left), bool)
     prior = np.eye(design.shape[2]) / WEAKEST_RAD**2

@@ -1,4 +1,4 @@
-"""What geometry says about mistakes that decode smoothly: wrong shift sign, exchanged or turned images, a camera that has moved."""
+"""Detection of mistakes that decode smoothly: wrong shift sign, exchanged or rotated images, a camera that has moved."""
 
 from __future__ import annotations
 
@@ -14,7 +14,13 @@ from measureapp.data.calibration import CameraArrayCalibration, CameraCalibratio
 from measureapp.data.phase import PhaseMap
 from measureapp.errors import ReconstructError
 from measureapp.reconstruct.diagnosis.sample import FlatView, Samples, match_samples
-from measureapp.reconstruct.diagnosis.witness import Residuals, contrast, likeness, seen_by_camera, seen_by_projector
+from measureapp.reconstruct.diagnosis.witness import (
+    Residuals,
+    compare_with_projector,
+    correlate_contrast,
+    extract_contrast,
+    observe_with_camera,
+)
 from measureapp.reconstruct.projector.depth import triangulate_with_projector
 from measureapp.reconstruct.projector.state import ProjectorState
 
@@ -22,7 +28,7 @@ Kind = Literal[
     "wrong-sign", "phase-runs-backwards", "fringe-direction", "turned-image", "swapped-cameras", "unrelated-cameras", "moved-camera",
     "projector-off", "wrong-pitch",
 ]  # fmt: skip
-CLEARLY = 0.8  # share of the samples that must say so
+CLEARLY = 0.8  # share of the samples that must agree
 BACKWARDS = np.cos(np.radians(135))
 ALIKE, MORE_ALIKE = 0.4, 0.25  # cosine or correlation from which two things count as the same; how much more alike is clear
 LEAST_MATCHES = 50
@@ -74,9 +80,9 @@ class Agreement:
 
 
 def diagnose(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibration) -> tuple[Finding, ...]:
-    """Look for mistakes with a few thousand pixels per camera; costs some tenths of a second.
+    """Search for mistakes with a few thousand pixels per camera; takes some tenths of a second.
 
-    What can be seen depends on what there is. Exchanged images of two cameras that are turned towards each other, for instance, give
+    What is detected depends on the data. Exchanged images of two cameras that are turned towards each other, for instance, give
     a surface before them all the same (turned inside out): they show by a third camera, horizontal fringes or a calibrated projector,
     or at least by the print of the part, of which both then see different spots.
 
@@ -98,9 +104,9 @@ def diagnose(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibration
     wrong_way = any(finding.severity == "error" for finding in directions)
     if any(finding.kind == "wrong-sign" for finding in directions):
         return tuple(directions)
-    # A projector that contradicts the images of all cameras cannot tell which of them are exchanged.
-    judges = replace(cameras, projector=None) if wrong_way else cameras
-    orders = list(_orders(maps, judges)) if len(names) > 1 else []
+    # A projector that contradicts the images of all cameras does not show which of them are exchanged.
+    checks = replace(cameras, projector=None) if wrong_way else cameras
+    orders = list(_orders(maps, checks)) if len(names) > 1 else []
     if any(finding.kind == "swapped-cameras" for finding in orders):
         return tuple(orders)
     if wrong_way:
@@ -134,7 +140,7 @@ def _directions(maps: Mapping[str, PhaseMap], samples: Mapping[str, Samples], ca
             "phase-runs-backwards",
             "warning",
             f"The phase falls from left to right in the images of {', '.join(maps)}.",
-            "Either shift_sign is wrong, or the projector (or the reference camera) stands on its head; change shift_sign, or calibrate the "
+            "Either shift_sign is wrong, or the projector (or the reference camera) is mounted upside down; change shift_sign, or calibrate the "
             "projector, which distinguishes the two.",
         )
 
@@ -169,7 +175,7 @@ def _against_projector(cosines: Mapping[str, FloatArray]) -> Iterator[Finding]:
             "wrong-sign",
             "error",
             f"The phase of {', '.join(against)} runs against the direction that the calibrated projector allows.",
-            "Change the sign of shift_sign, or reverse the order of the shifted images; or the projector now stands on its head.",
+            "Change the sign of shift_sign, or reverse the order of the shifted images; or the projector is now upside down.",
             {name: float(np.median(cosine)) for name, cosine in cosines.items()},
         )
     elif against:
@@ -180,12 +186,12 @@ def _against_projector(cosines: Mapping[str, FloatArray]) -> Iterator[Finding]:
             f"The phase of {named} runs against that of the other cameras and the projector.",
             f"Check whether the images of {named} are turned by half a turn or mirrored, and whether the calibration belongs to them.",
         )
-    across = [name for name, cosine in cosines.items() if (np.abs(cosine) < ALIKE).mean() > CLEARLY]
-    if across:
+    orthogonal = [name for name, cosine in cosines.items() if (np.abs(cosine) < ALIKE).mean() > CLEARLY]
+    if orthogonal:
         yield Finding(
             "fringe-direction",
             "error",
-            f"The fringes in the images of {', '.join(across)} run across those of the calibrated projector.",
+            f"The fringes in the images of {', '.join(orthogonal)} are orthogonal to those of the calibrated projector.",
             "Check the direction of the fringes in the pattern set, and whether images are turned.",
         )
 
@@ -198,7 +204,7 @@ def _common_direction(samples: Samples, camera: CameraCalibration) -> FloatArray
     return np.asarray(way / max(float(np.linalg.norm(way)), 1e-30))
 
 
-# ---- The order of the cameras, and whether they still stand where they were calibrated
+# ---- The order of the cameras, and whether they have moved since the calibration
 
 
 def _orders(maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibration) -> Iterator[Finding]:
@@ -249,7 +255,7 @@ def _other_orders(names: tuple[str, ...], maps: Mapping[str, PhaseMap]) -> list[
 
 
 def _agreement(names: tuple[str, ...], order: tuple[str, ...], maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibration) -> Agreement:
-    """Give the i-th calibrated camera the images of the i-th camera of ``order``; match the first two, let a witness judge."""
+    """Give the i-th calibrated camera the images of the i-th camera of ``order``; match the first two and check the matches independently."""
     devices = [cameras.cameras[name] for name in names]
     images = [maps[name] for name in order]
     samples = Samples.of(images[0])
@@ -259,21 +265,21 @@ def _agreement(names: tuple[str, ...], order: tuple[str, ...], maps: Mapping[str
         return Agreement(matched, len(samples), None)
     along = None
     if len(names) > 2:
-        along = seen_by_camera(matches, samples, devices[0], devices[2], FlatView.of(images[2], devices[2]))
+        along = observe_with_camera(matches, samples, devices[0], devices[2], FlatView.of(images[2], devices[2]))
     elif images[0].orthogonal is not None and images[1].orthogonal is not None:
-        rows, view = samples.across(images[0].orthogonal), FlatView.of(images[1].orthogonal, devices[1])
-        along = seen_by_camera(matches, rows, devices[0], devices[1], view, across=True)
+        rows, view = samples.orthogonal(images[0].orthogonal), FlatView.of(images[1].orthogonal, devices[1])
+        along = observe_with_camera(matches, rows, devices[0], devices[1], view, orthogonal=True)
     if along is not None and len(along.px) >= LEAST_MATCHES:
         return Agreement(matched, len(samples), along.beyond_noise_px, along)
     if cameras.projector is None:
-        alike = likeness(matches, samples, devices[0], devices[1], (contrast(images[0]), contrast(images[1])))
+        alike = correlate_contrast(matches, samples, devices[0], devices[1], (extract_contrast(images[0]), extract_contrast(images[1])))
         return Agreement(matched, len(samples), None, likeness=alike)
-    seen, _ = seen_by_projector(matches, samples, devices[0], cameras.projector, images[0])
+    seen, _ = compare_with_projector(matches, samples, devices[0], cameras.projector, images[0])
     return Agreement(matched, len(samples), seen.beyond_noise_px if len(seen.px) >= LEAST_MATCHES else None)
 
 
 def _moved(names: tuple[str, ...], residuals: Residuals, third: bool) -> Iterator[Finding]:
-    """Say so where a witness is off by more than phase noise and a good calibration explain."""
+    """Report residuals beyond phase noise and the errors of a good calibration."""
     beyond, noise = residuals.systematic_px()
     if beyond < max(MOVED_PX, MOVED_SIGMAS * noise):
         return
@@ -312,7 +318,7 @@ def _projector(
     matches = match_samples(samples[names[0]], here, there, FlatView.of(maps[names[1]], there))
     if matches.front.sum() < LEAST_MATCHES:
         return
-    residuals, both = seen_by_projector(matches, samples[names[0]], here, projector, maps[names[0]])
+    residuals, both = compare_with_projector(matches, samples[names[0]], here, projector, maps[names[0]])
     if len(residuals.px) < LEAST_MATCHES:
         return
     slope, _ = np.polyfit(both[:, 0], both[:, 1], 1)
@@ -322,7 +328,7 @@ def _projector(
         yield Finding(
             "wrong-pitch",
             "warning",
-            f"The columns that the phases say are {slope:.3f} times those of the calibrated projector.",
+            f"The columns of the phases are {slope:.3f} times those of the calibrated projector.",
             "Check pitches and projector_px of the pattern set, or calibrate the projector again.",
             {"scale": float(slope), "columns": off},
         )

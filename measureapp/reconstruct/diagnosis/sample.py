@@ -1,4 +1,4 @@
-"""A few thousand pixels of every camera, matched without the compiled matcher: enough to see whether geometry and phases belong together."""
+"""A few thousand pixels of every camera, matched along whole epipolar lines: enough to see whether geometry and phases fit together."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.calibration import CameraCalibration
 from measureapp.data.phase import PhaseMap
 
-SAMPLES = 2_000  # pixels of a camera that are looked at
+SAMPLES = 2_000  # pixels of a camera that are used
 COARSE_PX = 2.0  # step of the undistorted phase and along epipolar lines
 GRADIENT_PX = 3  # half the base of phase gradients
 WHOLE = 0.999  # share of valid pixels under an interpolated phase
@@ -60,8 +60,8 @@ class Samples:
         every = slice(None, None, max(1, len(self) // count))
         return Samples(self.pixel[every], self.phase[every], self.sigma[every], self.gradient[every])
 
-    def across(self, phase_map: PhaseMap) -> Samples:
-        """Return the same pixels with the phase of the horizontal fringes; NaN where there is none."""
+    def orthogonal(self, phase_map: PhaseMap) -> Samples:
+        """Return the same pixels with the phase of the orthogonal fringes; NaN where there is none."""
         columns, rows = self.pixel.astype(int).T
         there = np.asarray(phase_map.valid)[rows, columns]
         phase = np.where(there, phase_map.phase_rad[rows, columns].astype(float), np.nan)
@@ -125,10 +125,10 @@ class SampleMatches:
 
 
 def match_samples(samples: Samples, here: CameraCalibration, there: CameraCalibration, view: FlatView) -> SampleMatches:
-    """Look for the phase of every sample of ``here`` along its whole epipolar line in ``there``, behind the cameras as well.
+    """Search for the phase of every sample of ``here`` along its whole epipolar line in ``there``, behind the cameras as well.
 
     In the other camera's frame the ray's point is (a + w t) / w with the inverse depth w; its image runs along a straight line, on which
-    w follows from either coordinate. Samples with two matches or none are left out.
+    w follows from either coordinate. Samples with two matches or none are not used.
     """
     flat = here.pinhole.normalise(samples.pixel)
     there_from_here = there.reference_from_camera.inverse() @ here.reference_from_camera

@@ -1,4 +1,4 @@
-"""Witnesses of matched samples: what a third camera, the rows, the projector or the print of the part say about them."""
+"""Independent checks of matched samples: by a third camera, orthogonal fringes, the projector, or the texture of the part."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ CELLS, LEAST_IN_CELL = 4, 20  # parts of the image along each side; residuals th
 STEP = 1e-4  # share of the depth by which a point is moved to see where its image goes
 
 
-def contrast(phase_map: PhaseMap) -> PhaseMap:
+def extract_contrast(phase_map: PhaseMap) -> PhaseMap:
     """Return the map with the fine contrast of its grey values (log grey minus its surroundings') in the place of the phase."""
     there = np.asarray(phase_map.valid).astype(np.float32)
     grey = np.where(phase_map.valid, np.log(np.maximum(phase_map.grey, 1.0)), 0.0).astype(np.float32)
@@ -33,7 +33,7 @@ def _blurred(image: FloatArray, there: FloatArray, width_px: float) -> FloatArra
     return np.asarray(blurred / np.maximum(cv2.GaussianBlur(there, (0, 0), width_px), np.float32(1e-3)))
 
 
-def likeness(
+def correlate_contrast(
     matches: SampleMatches,
     samples: Samples,
     here: CameraCalibration,
@@ -102,12 +102,12 @@ class Residuals:
         return sqrt(max(middle**2 + scatter**2 - self.noise_px**2, 0.0))
 
 
-def seen_by_camera(
-    matches: SampleMatches, samples: Samples, here: CameraCalibration, witness: CameraCalibration, view: FlatView, across: bool = False
+def observe_with_camera(
+    matches: SampleMatches, samples: Samples, here: CameraCalibration, witness: CameraCalibration, view: FlatView, orthogonal: bool = False
 ) -> Residuals:
-    """Look with a camera at the points of a pair; residuals in pixels across the fringes, where calibration errors are what they are.
+    """Observe the points of a pair with a camera; residuals in pixels across the fringes, where calibration errors appear in full.
 
-    A third camera looks at the phase that was matched. With ``across``, ``samples`` and ``view`` hold the phase of the horizontal
+    A third camera observes the phase that was matched. With ``orthogonal``, ``samples`` and ``view`` hold the phase of the orthogonal
     fringes, and the camera may be one of the pair.
     """
     index, w = matches.index[matches.front], matches.inverse_depth[matches.front]
@@ -122,7 +122,7 @@ def seen_by_camera(
     along, beside = (phase[:, 2] - phase[:, 1]) / COARSE_PX, (phase[:, 4] - phase[:, 3]) / COARSE_PX
     steep = np.hypot(along, beside)
     usable = ahead & there_is.all(axis=1) & (steep * COARSE_PX < np.pi) & (steep > 1e-9) & np.isfinite(samples.phase[index])
-    gain = 0.0 if across else np.abs(along * per_w / np.where(matches.slope[matches.front] == 0, 1e-30, matches.slope[matches.front]))
+    gain = 0.0 if orthogonal else np.abs(along * per_w / np.where(matches.slope[matches.front] == 0, 1e-30, matches.slope[matches.front]))
     noise = samples.sigma[index] * np.sqrt(2 + 2 * gain**2)
     safe = np.where(usable, steep, 1.0)
     px, sigma = (samples.phase[index] - phase[:, 0]) / safe, noise / safe
@@ -135,7 +135,7 @@ def _normalised(points: FloatArray) -> tuple[FloatArray, BoolArray]:
     return points[:, :2] / np.where(ahead, points[:, 2], 1.0)[:, None], ahead
 
 
-def seen_by_projector(
+def compare_with_projector(
     matches: SampleMatches, samples: Samples, here: CameraCalibration, projector: ProjectorCalibration, phase_map: PhaseMap
 ) -> tuple[Residuals, FloatArray]:
     """Compare the projector's columns of points with those of their phase, in pixels of the camera; also both columns (R, 2)."""

@@ -185,7 +185,6 @@ def newton(
     disparity = x - near_x + partner.offset - (x_u * du + x_v * dv + dx)
     focal_baseline = partner.focal * partner.baseline
     depth = focal_baseline / (disparity * depth_scale)
-
     usable = active & (continuous | (state == np.float32(PARTIAL))) & (abs(slope) >= MIN_SLOPE)
     found = usable & settled & (minimum(disparity, depth) > ZERO)
     precise = slope * slope >= MIN_SLOPE_SIGMAS * MIN_SLOPE_SIGMAS * variance

@@ -128,7 +128,12 @@ def cubic(c: Any, s: Any, t: Any) -> Any:
 
 
 @njit(**INLINE)
-def copy_row(source: Any, target: Any) -> None:
-    """Copy a row; slice assignment would need numba's runtime."""
-    for x in range(len(source)):
-        target[x] = source[x]
+def read(image: Any, at: int) -> Any:
+    """Return an element of a flat array; the check for Python's negative indices would keep a loop from becoming SIMD code."""
+    return image[np.uint64(at)]
+
+
+@njit(**INLINE)
+def write(image: Any, at: int, value: Any) -> None:
+    """Set an element of a flat array, as `read` reads it."""
+    image[np.uint64(at)] = value

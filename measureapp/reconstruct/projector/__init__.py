@@ -1,1 +1,1 @@
-"""The calibrated projector as one more eye: alone with a camera, or filling what only one camera sees."""
+"""The calibrated projector as an inverse camera: with a single camera, or filling what only one camera sees."""

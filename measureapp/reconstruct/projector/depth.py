@@ -91,7 +91,7 @@ def triangulate_with_projector(
 def lens_of(pinhole: PinholeCamera) -> tuple[FloatArray, FloatArray]:
     """Return the 12 distortion coefficients and the (3, 3) matrix from distorted normalised coordinates to pixels.
 
-    The tilt of an imager (coefficients 13 and 14) is a homography and stands in the matrix.
+    The tilt of an imager (coefficients 13 and 14) is a homography and part of the matrix.
     """
     lens = np.zeros(DISTORTION_TERMS)
     given = np.asarray(pinhole.distortion)

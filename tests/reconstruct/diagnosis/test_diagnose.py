@@ -114,7 +114,7 @@ def test_without_a_calibrated_projector_a_wrong_sign_and_a_projector_on_its_head
     (finding,) = diagnose(maps, good.without_projector())
     assert (finding.kind, finding.severity) == ("phase-runs-backwards", "warning")
     assert "shift_sign" in finding.remedy
-    assert "on its head" in finding.remedy
+    assert "upside down" in finding.remedy
 
 
 @pytest.mark.parametrize("with_projector", [False, True])

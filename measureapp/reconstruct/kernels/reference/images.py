@@ -16,7 +16,6 @@ from measureapp.reconstruct.kernels.blur import (
     HALVES_SIGMAS,
     HORIZON_CURVATURE,
     MAX_LIGHT_SLOPE,
-    MIN_WIDTH,
     NEAR,
     RIM_PX,
     SLOPE_REACH,
@@ -24,7 +23,7 @@ from measureapp.reconstruct.kernels.blur import (
 )
 from measureapp.reconstruct.kernels.gradients import CURVATURE_SIGMAS as SMOOTH_SIGMAS
 from measureapp.reconstruct.kernels.gradients import MAX_CURVATURE, REACH_PX
-from measureapp.reconstruct.kernels.structures import CONTINUOUS, DISCONTINUOUS, LANES, NO_QUAD, PARTIAL
+from measureapp.reconstruct.kernels.structures import CONTINUOUS, DISCONTINUOUS, NO_QUAD, PARTIAL, RECORD
 
 DIRECTIONS = ((0, 1), (1, 0))  # (dy, dx) of x and y
 
@@ -39,11 +38,13 @@ def shifted(image: FloatArray | IntArray | BoolArray, dy: int, dx: int, margin: 
 
 def correct_blur(blur: Blur, row_start: int, row_stop: int, phase: FloatArray, sigma: FloatArray) -> None:
     """Correct the phase of some rows for blur; FAR pixels at every border stay."""
-    rows = slice(row_start, row_stop)
+    rows, shape = slice(row_start, row_stop), (blur.height, blur.width)
+    blur = blur._replace(**{name: getattr(blur, name).reshape(shape) for name in ("phase", "sigma", "grey", "state")})
+    phase, sigma = phase.reshape(shape), sigma.reshape(shape)
     phase[rows], sigma[rows] = blur.phase[rows], blur.sigma[rows]
-    height, width = blur.phase.shape
+    height, width = shape
     inner = slice(max(row_start, FAR), min(row_stop, height - FAR))
-    if width < MIN_WIDTH or inner.stop <= inner.start:
+    if width <= 2 * FAR or inner.stop <= inner.start:
         return
     terms = [term for dy, dx in DIRECTIONS for term in (_slope_term(blur, dy, dx, inner), _curvature_term(blur, dy, dx, inner))]
     shift, variance = (np.sum(parts, axis=0) for parts in zip(*terms, strict=True))
@@ -92,12 +93,10 @@ def _curvature_term(blur: Blur, dy: int, dx: int, rows: slice) -> tuple[FloatArr
     return np.where(hidden, 0, curvature / (2 * FAR**2) * weight), uncertainty**2
 
 
-def mark_discontinuities(state: IntArray, row_start: int, row_stop: int, marked: IntArray) -> None:
+def mark_discontinuities(state: IntArray, height: int, width: int, row_start: int, row_stop: int, marked: IntArray) -> None:
     """Mark the two pixels beside a hole that is at least two deep, and the one diagonal to it."""
-    rows, (height, width) = slice(row_start, row_stop), state.shape
+    rows, state, marked = slice(row_start, row_stop), state.reshape(height, width), marked.reshape(height, width)
     marked[rows] = state[rows]
-    if width < LANES + 2 * RIM_PX:
-        return
     missing = state != 0
 
     def at(distance: int, dy: int, dx: int) -> Any:
@@ -114,11 +113,13 @@ def mark_discontinuities(state: IntArray, row_start: int, row_stop: int, marked:
 
 
 def measure_gradients(
-    phase: FloatArray, sigma: FloatArray, state: IntArray, max_step: float, every: int, row_start: int, row_stop: int,
-    records: FloatArray, quads: IntArray, samples: FloatArray,
+    phase: FloatArray, sigma: FloatArray, state: IntArray, shape: tuple[int, int], max_step: float, every: int, row_start: int,
+    row_stop: int, records: FloatArray, quads: IntArray, samples: FloatArray,
 ) -> None:  # fmt: skip
     """Take central differences over ±3 px where the phase is smooth, else over the neighbours on the same surface."""
-    rows, (height, width) = slice(row_start, row_stop), phase.shape
+    rows, (height, width) = slice(row_start, row_stop), shape
+    phase, sigma, state, quads = phase.reshape(shape), sigma.reshape(shape), state.reshape(shape), quads.reshape(shape)
+    records = records.reshape(*shape, RECORD)
     missing = np.pad(state != 0, REACH_PX, constant_values=True)
     padded = np.pad(phase, REACH_PX)
 
@@ -126,7 +127,7 @@ def measure_gradients(
         return image[REACH_PX + rows.start + dy : REACH_PX + min(rows.stop, height) + dy, REACH_PX + dx : REACH_PX + dx + width]
 
     own, rises, curvatures, narrow = phase[rows], [], [], []
-    smooth = ~at(missing, 0, 0) & (width >= LANES + 2 * REACH_PX)
+    smooth = ~at(missing, 0, 0)
     for dy, dx in DIRECTIONS:
         before, after = at(padded, -REACH_PX * dy, -REACH_PX * dx), at(padded, REACH_PX * dy, REACH_PX * dx)
         smooth &= ~at(missing, -REACH_PX * dy, -REACH_PX * dx) & ~at(missing, REACH_PX * dy, REACH_PX * dx)
