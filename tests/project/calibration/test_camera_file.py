@@ -252,4 +252,4 @@ def test_an_empty_image_is_refused(tmp_path):
     (tmp_path / "left1.png").write_bytes(b"")
     files = find_board_images([f"left={tmp_path}/left*.png"])
     with pytest.raises(InputError, match="not a readable image"):
-        list(files.each())
+        files.sizes_px()
