@@ -34,7 +34,7 @@ REMEDIES = {
     "shadow": "add a viewpoint",
     "order conflict": "more pitches",
     "out of range": "reflection",
-    "unmatched": "hidden from them",
+    "unmatched": "occluded from them",
     "edge": "Another viewpoint",
     "island": "fewer than",
 }

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from measureapp.calibrate.draft.verdict import judge
+from measureapp.calibrate.draft.verdict import evaluate
 from measureapp.calibration_session.accepting import read_result
 from measureapp.calibration_session.session import CalibrationSession
 from measureapp.cli import main
@@ -48,7 +48,7 @@ def test_its_calibration_session_is_continued_and_its_result_is_read(older):
     assert [one.status for one in session.observations] == ["new", "removed", "new", "new", "new"]
     assert session.setup.noise.robot_mm > 0 and session.setup.hand_eye is not None
     solved = session.solve()
-    assert judge(session.draft).level in ("good", "usable")
+    assert evaluate(session.draft).level in ("good", "usable")
     kept = read_result(folder / "result" / "axis.json")
     # The same axis; its standard deviations are larger now by the uncertainty of the cameras (decision 19).
     np.testing.assert_allclose(solved.solution.best.axis.direction, kept.direction, atol=1e-12)

@@ -89,7 +89,7 @@ def test_without_datums_the_alignment_places_it(nominal):
     (found,) = measured(part(0, 0.0, lambda x, y: np.full_like(x, 0.05)), nominal, {**ASKED, "datums": []})
     # the displaced part is not where the drawing has it: z + 0.1 mm + tilts of 0.002 rad over up to 200 mm, all within a millimetre
     assert found.measured is not None and 0.1 < found.measured < 2
-    assert "placed by the alignment" in found.traceability
+    assert "located by the alignment" in found.traceability
 
 
 @pytest.mark.parametrize(("offset_mm", "truth"), [(0.0, 0.16), (-0.04, 0.08), (-0.1, 0.2), (0.05, 0.26)])
