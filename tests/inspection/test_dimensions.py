@@ -96,7 +96,7 @@ def test_a_part_larger_than_its_nominal_is_measured_as_it_is(samples, scan, on_t
 def test_points_in_another_unit_are_detected_by_the_features_alone() -> None:
     described = program(BLOCK, BLOCK_DIMENSIONS)
     points = block(np.random.default_rng(3))
-    with pytest.raises(InspectionError, match=r"Taken as metres, 100% of the features are found; taken as millimetres, 0%.*`--unit m`"):
+    with pytest.raises(InspectionError, match=r"Read as metres, 100% of the features are found; read as millimetres, 0%.*`--unit m`"):
         inspect(MeasuredPoints(points.points_mm / 1000, points.normals), described)
 
 
@@ -133,7 +133,7 @@ def test_planes_that_are_not_parallel_have_no_distance() -> None:
     described = program(BLOCK, [{"name": "odd", "kind": "distance", "features": ["front", "roof"], "nominal": 60}])
     (dimension,) = inspect(block(np.random.default_rng(1)), described).dimensions
     assert dimension.verdict is Verdict.NOT_MEASURED and dimension.measured is None
-    assert "from parallel" in dimension.reason and "no distance" in dimension.reason
+    assert "from parallel" in dimension.reason and "distance is undefined" in dimension.reason
 
 
 def test_a_feature_without_points_leaves_its_dimensions_unmeasured_and_the_others_alone() -> None:

@@ -158,7 +158,7 @@ def test_any_first_part_of_a_shuffled_cloud_stands_for_all_of_it_and_knows_where
     share = np.mean(cloud.points_mm[parts[0], 0] > 50)
     assert abs(share - 0.4) < 5 * np.sqrt(0.4 * 0.6 / 10_000)
     for place in (0, 777, 99_999):
-        layer, inside = cloud.traceability(place)
+        layer, inside = cloud.origin(place)
         assert np.allclose(cloud.points_mm[place], layers[layer].points_mm[inside], atol=1e-5)
     assert cloud.points_mm.dtype == np.float32 and cloud.colours.dtype == np.uint8
 

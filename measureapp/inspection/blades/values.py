@@ -142,7 +142,7 @@ def _profile(blade: FoundBlade, settings: InspectionSettings) -> Value:
     line = blade.profile.line
     on_side = (x > line.first_mm) & (x < line.last_mm)
     moved = _deformation_budget(blade, settings, 2.0) if blade.by_errors is None else scale_budget(blade.by_errors.total_mm, 2.0)
-    return _zone(blade, where[on_side], blade.deviations_mm[on_side], settings, moved, "about the nominal, placed by the alignment")
+    return _zone(blade, where[on_side], blade.deviations_mm[on_side], settings, moved, "about the nominal, located by the alignment")
 
 
 def _zone(
