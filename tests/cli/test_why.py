@@ -146,4 +146,4 @@ def test_images_of_a_single_camera_need_no_calibration(tmp_path: Path, capsys: p
     shares = _told(alone, capsys)["cameras"]["left"]["shares"]
     assert set(shares) <= {"unmatched", "edge", "order conflict", "out of range"} and shares["unmatched"] > 0.9
     told = _told([*alone, "--pixel", "20,100"], capsys)["pixel"]
-    assert told["stage"] == "match" and "One camera alone sees the projector column" in told["sentence"]
+    assert told["stage"] == "match" and "Only one camera sees the projector column" in told["sentence"]
