@@ -48,7 +48,11 @@ def _told(arguments: list[str], capsys: pytest.CaptureFixture[str], code: int = 
 
 @pytest.mark.parametrize(
     ("place", "reason", "words"),
-    [((8, 70), "saturated", "shorter exposure"), ((22, 70), "shadow", "projector's light"), ((8, 130), "weak modulation", "longer exposure")],
+    [
+        ((8, 70), "saturated", "shorter exposure"),
+        ((22, 70), "shadow", "projector's light"),
+        ((8, 130), "weak modulation", "longer exposure"),
+    ],
 )
 def test_a_painted_hole_is_explained_with_its_remedy(
     holes: list[str], capsys: pytest.CaptureFixture[str], place: tuple[int, int], reason: str, words: str
