@@ -45,7 +45,7 @@ def aligned_empty(shape: tuple[int, ...], dtype: npt.DTypeLike) -> npt.NDArray[A
 
 
 def _aligned_bytes(size: int) -> npt.NDArray[np.uint8]:
-    """Return ``size`` uninitialised bytes that begin at a cache line, as non-temporal stores of whole lines need it."""
+    """Return ``size`` uninitialised bytes that begin at a cache line."""
     memory = np.empty(size + CACHE_LINE_BYTES, np.uint8)
     begin = -memory.__array_interface__["data"][0] % CACHE_LINE_BYTES
     return memory[begin : begin + size]

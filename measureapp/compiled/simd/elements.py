@@ -91,18 +91,6 @@ def _unary(name: str) -> Any:
     return typed
 
 
-def _reduction(name: str) -> Any:
-    def typed(_typing: Any, vector: Any) -> Any:
-        prefix = "f" if vector.floating else ("s" if vector.signed else "u")
-
-        def generate(_context: Any, builder: Any, _call: Any, args: Any) -> Any:
-            return emit_intrinsic(builder, f"vector.reduce.{prefix}{name}", vector, args, vector.llvm_type.element)
-
-        return vector.element(vector), generate
-
-    return typed
-
-
 def _any_lane(_typing: Any, mask: Any) -> Any:
     """Tell whether a mask is true in any lane."""
 
@@ -149,8 +137,6 @@ maximum: Any = intrinsic(_extremum(">"))  # lane-wise, of two vectors or a vecto
 minimum: Any = intrinsic(_extremum("<"))
 floor: Any = intrinsic(_unary("floor"))
 sqrt: Any = intrinsic(_unary("sqrt"))
-reduce_max: Any = intrinsic(_reduction("max"))  # over all lanes
-reduce_min: Any = intrinsic(_reduction("min"))
 any_lane: Any = intrinsic(_any_lane)
 bitmask: Any = intrinsic(_bitmask)
 count_trailing_zeros: Any = intrinsic(_count_trailing_zeros)

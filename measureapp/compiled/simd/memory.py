@@ -1,4 +1,4 @@
-"""Loads, stores, gathers and non-temporal stores of SIMD vectors, as intrinsics for kernels.
+"""Loads, stores and gathers of SIMD vectors, as intrinsics for kernels.
 
 Arrays are one-dimensional and contiguous; indices are not checked. A record is a fixed number of consecutive elements of an array
 ("array of structures"); records are returned as a tuple of vectors, one per field.
@@ -14,7 +14,6 @@ from numba.core.cgutils import get_or_insert_function
 from numba.core.errors import RequireLiteralValue
 from numba.extending import intrinsic
 
-from measureapp.compiled.buffer_pool import CACHE_LINE_BYTES
 from measureapp.compiled.simd.vectors import INT32, Vector, emit_splat
 
 INT64 = ir.IntType(64)
@@ -50,11 +49,6 @@ def _emit_concatenate(builder: Any, vectors: list[Any]) -> Any:
         lanes = ir.Constant(ir.VectorType(INT32, 2 * vectors[0].type.count), [INT32(k) for k in range(2 * vectors[0].type.count)])
         vectors = [builder.shuffle_vector(*pair, lanes) for pair in zip(vectors[::2], vectors[1::2] + padding, strict=True)]
     return vectors[0]
-
-
-def _emit_streaming(builder: Any, store: Any) -> None:
-    """Mark a store as non-temporal."""
-    store.set_metadata("nontemporal", builder.module.add_metadata([INT32(1)]))
 
 
 def _load(_typing: Any, array: Any, index: Any, lanes: Any) -> Any:
@@ -108,41 +102,6 @@ def _store(_typing: Any, vector: Any, array: Any, index: Any) -> Any:
     return (types.void(vector, array, index), generate) if vector.element == array.dtype else None
 
 
-def _store_streaming(_typing: Any, vector: Any, array: Any, index: Any) -> Any:
-    """Non-temporal store of a vector of whole cache lines; ``array[index]`` must begin a cache line."""
-
-    def generate(context: Any, builder: Any, call: Any, args: Any) -> Any:
-        address = _emit_address(context, builder, vector, call.args[1], *args[1:])
-        _emit_streaming(builder, builder.store(args[0], address, align=CACHE_LINE_BYTES))
-        return context.get_dummy_value()
-
-    return (types.void(vector, array, index), generate) if vector.element == array.dtype else None
-
-
-def _storing_records(streaming: bool) -> Any:
-    """Return the intrinsic that interleaves a tuple of vectors, one per field, and stores them as records from ``array[index]`` on."""
-
-    def typed(_typing: Any, vectors: Any, array: Any, index: Any) -> Any:
-        vector = vectors.dtype
-        all_fields = Vector(vector.element, vector.lanes * len(vectors))
-
-        def generate(context: Any, builder: Any, call: Any, args: Any) -> Any:
-            fields = [builder.extract_value(args[0], field) for field in range(len(vectors))]
-            lanes = [INT32(field * vector.lanes + record) for record in range(vector.lanes) for field in range(len(fields))]
-            joined = _emit_concatenate(builder, fields)
-            undefined = ir.Constant(joined.type, ir.Undefined)
-            records = builder.shuffle_vector(joined, undefined, ir.Constant(ir.VectorType(INT32, all_fields.lanes), lanes))
-            address = _emit_address(context, builder, all_fields, call.args[1], *args[1:])
-            store = builder.store(records, address, align=CACHE_LINE_BYTES if streaming else vector.element_bytes)
-            if streaming:
-                _emit_streaming(builder, store)
-            return context.get_dummy_value()
-
-        return (types.void(vectors, array, index), generate) if vector.element == array.dtype else None
-
-    return typed
-
-
 def _gather(_typing: Any, table: Any, indices: Any) -> Any:
     """Gather ``table[indices]`` for a vector of integers from 0 on."""
     vector, int64s = Vector(table.dtype, indices.lanes), Vector(types.int64, indices.lanes)
@@ -165,7 +124,4 @@ load: Any = intrinsic(_load)
 load_records: Any = intrinsic(_load_records)
 gather_records: Any = intrinsic(_gather_records)
 store: Any = intrinsic(_store)
-store_records: Any = intrinsic(_storing_records(streaming=False))
-store_streaming: Any = intrinsic(_store_streaming)
-store_records_streaming: Any = intrinsic(_storing_records(streaming=True))
 gather: Any = intrinsic(_gather)

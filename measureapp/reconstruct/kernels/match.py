@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numba import njit
 
-from measureapp.compiled.cache_hints import prefetch
 from measureapp.compiled.options import INLINE, LOOP
+from measureapp.compiled.prefetch import prefetch
 from measureapp.compiled.simd.elements import any_lane, bitmask, broadcast, convert, count_trailing_zeros, maximum, minimum, select
 from measureapp.compiled.simd.memory import gather, gather_records, load, store
 from measureapp.reconstruct.kernels.stack import stack_float32, stack_int32

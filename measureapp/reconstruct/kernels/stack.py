@@ -45,6 +45,4 @@ def _stack_of(element: Any) -> Any:
 
 
 stack_float32: Any = _stack_of(types.float32)
-stack_float64: Any = _stack_of(types.float64)
 stack_int32: Any = _stack_of(types.int32)
-stack_uint8: Any = _stack_of(types.uint8)

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.compiled.cache_hints import prefetch
 from measureapp.compiled.options import INLINE, LOOP
+from measureapp.compiled.prefetch import prefetch
 from measureapp.reconstruct.kernels.stack import stack_float32, stack_int32
 
 ROW_SHIFT, COLUMN_MASK = np.int32(16), np.int32(0xFFFF)
