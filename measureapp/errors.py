@@ -88,5 +88,17 @@ class DeviceTimeout(DeviceError):
     """A device did not finish in time."""
 
 
+class MotionError(DeviceError):
+    """An axis did not reach its goal, or left it; nothing may move or be measured before the cause is found."""
+
+
+class FrameError(DeviceError):
+    """One image is damaged, incomplete or not the one requested; it can be taken again."""
+
+
+class DeviceLost(DeviceError):
+    """A device does not answer any more; it has to be connected again, and its state is unknown."""
+
+
 class PluginError(DeviceError):
     """A driver plugin cannot be loaded."""
