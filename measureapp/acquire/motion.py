@@ -51,5 +51,7 @@ def confirm_still(viewpoint_id: str, before: AxisReadback, after: AxisReadback, 
 
 def _difference(one: RigidTransform, other: RigidTransform) -> tuple[float, float]:
     """Return the distance in mm and the angle in rad between two poses; NaN where a read-back is not a number."""
+    if not (np.isfinite(one.matrix).all() and np.isfinite(other.matrix).all()):
+        return np.nan, np.nan
     off = one.inverse() @ other
     return float(np.linalg.norm(off.translation_mm)), off.angle_rad

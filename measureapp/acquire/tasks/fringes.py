@@ -16,6 +16,7 @@ from measureapp.arrays import ImageArray, read_only
 from measureapp.data.fringe import FringeStack, PatternSet
 from measureapp.devices.rig import Rig
 from measureapp.errors import DecodeError, FrameError
+from measureapp.fringe.checks.exposures import check_exposures
 from measureapp.fringe.checks.stack import check_stack
 from measureapp.progress import Progress
 
@@ -127,5 +128,6 @@ def check_images(stack: FringeStack) -> None:
     """Raise FrameError where images contradict the patterns they should show: a wrong, torn, repeated or wrongly exposed one."""
     try:
         check_stack(stack)
+        check_exposures(stack)
     except DecodeError as error:
         raise FrameError(error.message, "Check projector, trigger lines and ambient light.") from error
