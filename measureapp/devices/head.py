@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter, deque
-from collections.abc import Generator, Iterator, Mapping, Sequence
+from collections.abc import Generator, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -43,7 +43,7 @@ class Head(Protocol):
         """
 
     def acquire(self) -> Generator[Shot]:
-        """Take the sequence, exposure by exposure; a damaged image is taken again, at most three times, and then comes last.
+        """Take the sequence, exposure by exposure; a damaged image is taken again at the end, at most three times.
 
         Raises
         ------
@@ -61,8 +61,19 @@ class _Sequence:
         self._cameras, self._projector = cameras, projector
         self._patterns: tuple[int, ...] = ()
         self._exposures_us: tuple[int, ...] = ()
+        self._set_us: int | None = None  # of all cameras, as read back
+
+    def _prepare(self, patterns: Sequence[int], exposures_us: Sequence[int], *, gated: bool) -> None:
+        for exposure_us in exposures_us:
+            check_timing(self._cameras, self._projector, exposure_us, gated=gated)
+            self._set(exposure_us)
+        self._patterns, self._exposures_us = tuple(patterns), tuple(exposures_us)
 
     def _set(self, exposure_us: int) -> None:
+        """Set the exposure of every camera that has another one, and read it back."""
+        if exposure_us == self._set_us:
+            return
+        self._set_us = None
         for name, camera in self._cameras.items():
             camera.set_exposure_us(exposure_us)
             found = camera.exposure_us()
@@ -71,6 +82,7 @@ class _Sequence:
                     f"Camera {name} set {found} µs instead of the requested {exposure_us} µs.",
                     "Choose an exposure that the camera supports, and switch its automatic exposure off.",
                 )
+        self._set_us = exposure_us
 
     def _arm(self, frames: int, trigger: Trigger) -> None:
         for camera in self._cameras.values():
@@ -80,7 +92,11 @@ class _Sequence:
         for camera in self._cameras.values():
             camera.disarm()
 
-    def _collect(self, pattern: int, exposure_us: int, number: int) -> Shot:
+    def _wait_ready(self, exposure_us: int) -> None:
+        for camera in self._cameras.values():
+            camera.wait_ready(timeout_s=frame_timeout_s(camera, exposure_us))
+
+    def _collect(self, exposure_us: int, pattern: int, number: int) -> Shot:
         """Fetch the image of every camera for one trigger. Raises FrameError after all were fetched, so that the sequence can go on."""
         frames, faults = {}, []
         for name, camera in self._cameras.items():
@@ -104,15 +120,17 @@ class _Sequence:
 
 
 class _Retakes:
-    """Counts how often each pattern had to be taken again."""
+    """Counts how often each image had to be taken again."""
 
     def __init__(self) -> None:
-        self._counts: Counter[int] = Counter()
+        self._counts: Counter[Hashable] = Counter()
 
-    def note(self, pattern: int, error: FrameError) -> None:
-        """Accept one more failure of a pattern, or raise it."""
-        self._counts[pattern] += 1
-        if self._counts[pattern] > RETAKES:
+    def note(self, image: Hashable, error: FrameError) -> None:
+        """Accept one more failure of an image, or raise it; an image that cannot be assigned is never accepted."""
+        if isinstance(error, SequenceError):
+            raise error
+        self._counts[image] += 1
+        if self._counts[image] > RETAKES:
             raise FrameError(f"{error.message} It was taken again {RETAKES} times in vain.", error.hint) from error
 
 
@@ -121,45 +139,39 @@ class SoftwareHead(_Sequence):
 
     def prepare(self, patterns: Sequence[int], exposures_us: Sequence[int]) -> None:
         """As `Head.prepare`."""
-        for exposure_us in exposures_us:
-            check_timing(self._cameras, self._projector, exposure_us)
-            self._set(exposure_us)
-        self._patterns, self._exposures_us = tuple(patterns), tuple(exposures_us)
+        self._prepare(patterns, exposures_us, gated=False)
 
     def acquire(self) -> Generator[Shot]:
         """As `Head.acquire`."""
-        for exposure_us in self._exposures_us:
-            self._set(exposure_us)
-            self._arm(len(self._patterns) * (1 + RETAKES), "software")
-            try:
-                yield from self._take_all(exposure_us)
-            finally:
-                self._disarm()
+        waiting = deque((exposure_us, pattern) for exposure_us in self._exposures_us for pattern in self._patterns)
+        self._arm(len(waiting) * (1 + RETAKES), "software")
+        try:
+            yield from self._take_all(waiting)
+        finally:
+            self._disarm()
 
-    def _take_all(self, exposure_us: int) -> Iterator[Shot]:
-        waiting, retakes = deque(self._patterns), _Retakes()
-        number, before = 0, None  # `before`: the pattern whose images are being transferred
+    def _take_all(self, waiting: deque[tuple[int, int]]) -> Iterator[Shot]:
+        retakes, number = _Retakes(), 0
+        before = None  # exposure and pattern of the images that are being transferred
         while waiting or before is not None:
             now = waiting.popleft() if waiting else None
             if now is not None:
-                self._expose(now)
+                self._expose(*now)
             if before is not None:
                 try:
-                    shot = self._collect(before, exposure_us, number - 1)
-                except SequenceError:
-                    raise
+                    shot = self._collect(*before, number - 1)
                 except FrameError as error:
                     retakes.note(before, error)
                     waiting.append(before)
                 else:
                     yield shot
             if now is not None:
-                for camera in self._cameras.values():
-                    camera.wait_ready(timeout_s=frame_timeout_s(camera, exposure_us))
+                self._wait_ready(now[0])
                 number += 1
             before = now
 
-    def _expose(self, pattern: int) -> None:
+    def _expose(self, exposure_us: int, pattern: int) -> None:
+        self._set(exposure_us)
         self._projector.show(pattern, timeout_s=SHOW_TIMEOUT_S)
         for camera in self._cameras.values():
             camera.trigger()
@@ -172,45 +184,51 @@ class HardwareHead(_Sequence):
 
     def prepare(self, patterns: Sequence[int], exposures_us: Sequence[int]) -> None:
         """As `Head.prepare`."""
-        for exposure_us in exposures_us:
-            check_timing(self._cameras, self._projector, exposure_us, gated=self._projector.gated)
-            self._set(exposure_us)
-        self._patterns, self._exposures_us = tuple(patterns), tuple(exposures_us)
+        self._prepare(patterns, exposures_us, gated=self._projector.gated)
 
     def acquire(self) -> Generator[Shot]:
         """As `Head.acquire`."""
-        for exposure_us in self._exposures_us:
-            self._set(exposure_us)
-            retakes = _Retakes()
-            waiting = list(self._patterns)
-            while waiting:
-                damaged: list[int] = []
-                for run in _consecutive(waiting):
-                    yield from self._play(run, exposure_us, retakes, damaged)
-                waiting = damaged
-
-    def _play(self, run: range, exposure_us: int, retakes: _Retakes, damaged: list[int]) -> Iterator[Shot]:
-        self._arm(len(run), "hardware")
+        runs = deque((exposure_us, run) for exposure_us in self._exposures_us for run in _consecutive(self._patterns))
+        self._arm(len(self._patterns) * len(self._exposures_us) * (1 + RETAKES), "hardware")
         try:
-            self._projector.play(run.start, len(run), exposure_us=exposure_us, period_us=period_us(self._cameras, exposure_us))
-            for number, pattern in enumerate(run):
-                try:
-                    shot = self._collect(pattern, exposure_us, number)
-                except SequenceError:
-                    raise
-                except FrameError as error:
-                    retakes.note(pattern, error)
-                    damaged.append(pattern)
-                else:
-                    yield shot
-            sent = self._projector.triggers_sent()
-            if sent != len(run):
-                raise SequenceError(
-                    f"The projector sent {sent} trigger pulses for {len(run)} patterns: the images cannot be assigned to patterns.",
-                    "Check the trigger line; lengthen the period if the cameras were still busy.",
-                )
+            yield from self._play_all(runs)
         finally:
             self._disarm()
+
+    def _play_all(self, runs: deque[tuple[int, range]]) -> Iterator[Shot]:
+        retakes, number = _Retakes(), 0
+        transferring: list[tuple[int, int, int]] = []  # exposure, pattern and number of the last image of the run before
+        while runs or transferring:
+            under_way = transferring
+            if runs:
+                exposure_us, run = runs.popleft()
+                self._play(exposure_us, run)
+                under_way = [*transferring, *((exposure_us, pattern, number + step) for step, pattern in enumerate(run))]
+                number += len(run)
+            transferring = under_way[-1:] if under_way is not transferring else []
+            for image in under_way[: len(under_way) - len(transferring)]:
+                try:
+                    shot = self._collect(*image)
+                except FrameError as error:
+                    retakes.note(image[:2], error)
+                    runs.append((image[0], range(image[1], image[1] + 1)))
+                else:
+                    yield shot
+            if transferring:
+                self._wait_ready(transferring[0][0])
+                self._confirm_pulses(len(run))
+
+    def _play(self, exposure_us: int, run: range) -> None:
+        self._set(exposure_us)
+        self._projector.play(run.start, len(run), exposure_us=exposure_us, period_us=period_us(self._cameras, exposure_us))
+
+    def _confirm_pulses(self, patterns: int) -> None:
+        sent = self._projector.triggers_sent()
+        if sent != patterns:
+            raise SequenceError(
+                f"The projector sent {sent} trigger pulses for {patterns} patterns: the images cannot be assigned to patterns.",
+                "Check the trigger line; lengthen the period if the cameras were still busy.",
+            )
 
 
 def _consecutive(patterns: Sequence[int]) -> Iterator[range]:

@@ -17,7 +17,7 @@ def period_us(cameras: Mapping[str, Camera], exposure_us: int) -> int:
     """Return the shortest time between two triggers for all cameras: exposure and read-out, and no less than the transfer of the images."""
     busy_s = max(exposure_us * 1e-6 + camera.readout_s for camera in cameras.values())
     transfer_s = max(camera.transfer_s for camera in cameras.values())
-    return round(max(busy_s, transfer_s) * 1e6) + MARGIN_US
+    return round(max(busy_s * 1e6 + MARGIN_US, transfer_s * 1e6))
 
 
 def frame_timeout_s(camera: Camera, exposure_us: int) -> float:

@@ -22,7 +22,7 @@ from .waiting import Clock, Stopping
 
 EXPOSURE_LIMITS_US = (35, 1_000_000)
 ROW_S, READOUT_START_S = 35e-6, 490e-6  # read-out of the sensor: every row, and before the first one
-LINK_BYTES_PER_S = 119.0e6  # payload of one link of 1 Gbit/s, shared by all cameras
+LINK_BYTES_PER_S = 123.8e6  # payload of one link of 1 Gbit/s with jumbo frames, shared by all cameras
 SWITCHING_S = 0.02  # until a pattern shown by the program is lit, and by itself in a sequence:
 SEQUENCE_SWITCHING_S = 0.0002
 

@@ -92,6 +92,7 @@ def take_stack(
     rig, count = session.rig, patterns.count
     images = empty_stacks(rig, len(exposures_us), count)
     saturation = min(camera.saturation for camera in rig.description.cameras)
+    missing = dict.fromkeys(exposures_us, count)
     for taken, shot in enumerate(session.shots(range(count), exposures_us)):
         level = exposures_us.index(shot.exposure_us)
         progress.report(
@@ -101,7 +102,8 @@ def take_stack(
             images[name][level, shot.pattern] = frame.pixels
             if shot.pattern == 0:
                 on_event(ImageTaken(visit.viewpoint_id, name, shot.exposure_us, read_only(frame.pixels)))
-        if (taken + 1) % count == 0:
+        missing[shot.exposure_us] -= 1
+        if not missing[shot.exposure_us]:
             of_level = {name: read_only(stack[level]) for name, stack in images.items()}
             on_exposure(ExposureTaken(visit.viewpoint_id, patterns, exposures_us, level, of_level, saturation))
     return FringeStack(
