@@ -129,7 +129,7 @@ def test_a_description_that_leaves_devices_open_is_refused(change: dict[str, obj
         RigDescription.model_validate(composed({}).model_dump() | change)
 
 
-@pytest.mark.parametrize("name", ["../../../evil", "/tmp/x", "", "a/b", "robot"])
+@pytest.mark.parametrize("name", ["../../../evil", "/abs", "", "a/b", "robot"])
 def test_a_camera_name_that_could_leave_the_project_or_is_taken_is_refused(name: str) -> None:
     described = read_rig("paper").model_dump()
     described["cameras"][1]["name"] = name
