@@ -20,16 +20,15 @@ from measureapp.data.rig import RigDescription
 from measureapp.devices.connect import connect_rig
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, InputError
-from measureapp.fringe.patterns.draw import check_determines_phase
 from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.calibrate import calibrate_from_views
 from measureapp.pipeline.documents import outcome_document, write_reports
 from measureapp.pipeline.events import CalibrationReady, Event
-from measureapp.pipeline.measure import check_space, compute_clouds, scan
-from measureapp.pipeline.validity import check_before_scan, check_stored_images
+from measureapp.pipeline.measure import compute_clouds, scan
+from measureapp.pipeline.preflight import Preflight, check_connected, check_plan
+from measureapp.pipeline.validity import check_stored_images
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.calibration_views import calibration_viewpoints
-from measureapp.planning.reach import check_reach
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.register.clouds.filter_chain import FilterChain
@@ -103,18 +102,15 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
     DeviceError
         From the rig.
     """
-    check_determines_phase(request.plan.patterns)
-    check_reach(request.plan, request.rig)
     project = _project_of(request)
+    check_plan(request.plan, request.rig, project).refuse()
     calibrated = _calibrated_for(request, project)
     calibration = calibrated.calibration()
-    check_space(project, request.rig, request.plan)
     watch = Stopwatch()
     with ExitStack() as held, RegistrationCache() as registration_cache:
         rig = connect_rig(request.rig)
         try:
-            if calibration is not None:
-                check_before_scan(rig, calibration)
+            check_connected(request.plan, rig, project, calibration).refuse()
             project = ProjectFolder.create(request.folder, project.settings)
             held.enter_context(project.lock())
             if calibration is not None and project.calibration() is None:
@@ -128,6 +124,17 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
             return None
         measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, registration_cache)
         return finish(project, measurement, watch)
+
+
+def rehearse(request: ScanRequest) -> Preflight:
+    """Connect the rig and check everything that would stop the scan; nothing moves and nothing is written."""
+    project = _project_of(request)
+    calibration = _calibrated_for(request, project).calibration()
+    rig = connect_rig(request.rig)
+    try:
+        return check_connected(request.plan, rig, project, calibration)
+    finally:
+        rig.close()
 
 
 def _project_of(request: ScanRequest) -> ProjectFolder:
