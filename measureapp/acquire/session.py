@@ -23,6 +23,7 @@ from measureapp.devices.head_timing import frame_timeout_s
 from measureapp.devices.projector import DARK, TriggeringProjector
 from measureapp.devices.rig import Rig
 from measureapp.errors import DeviceError
+from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Cancelled, NoProgress, Progress
 
 BY_USER = "cancelled by the user."
@@ -88,16 +89,36 @@ class RigSession:
         Cancelled
             From the progress; every axis was stopped.
         """
-        rig, rules = self.rig, self.rig.description.motion
-        goal, limit_s = viewpoint.flange.transform(), rules.move_timeout_s
-        self._call("The rotary table", lambda: rig.table.move_to(radians(viewpoint.table_deg), timeout_s=limit_s), limit_s)
-        self._call("The linear guide", lambda: rig.guide.move_to(viewpoint.guide_mm, timeout_s=limit_s), limit_s)
-        self._call("The robot", lambda: rig.robot.move_to(goal, timeout_s=limit_s), limit_s)
+        rules = self.rig.description.motion
+        self.move_table(radians(viewpoint.table_deg))
+        self.move_guide(viewpoint.guide_mm)
+        self.move_robot(viewpoint.flange.transform())
         if rules.settle_s:
             self._call("The rig", lambda: self._settled.wait(rules.settle_s), rules.settle_s)
         readback = self.readback()
         confirm_reached(viewpoint, readback, rules)
         return readback
+
+    def move_table(self, goal_rad: float) -> None:
+        """Turn the table alone; raises as `move_to`, but does not read back."""
+        self._move("The rotary table", lambda limit_s: self.rig.table.move_to(goal_rad, timeout_s=limit_s))
+
+    def move_guide(self, goal_mm: float) -> None:
+        """Move the guide alone; raises as `move_to`, but does not read back."""
+        self._move("The linear guide", lambda limit_s: self.rig.guide.move_to(goal_mm, timeout_s=limit_s))
+
+    def move_robot(self, base_from_flange: RigidTransform) -> None:
+        """Move the robot alone; raises as `move_to`, but does not read back."""
+        self._move("The robot", lambda limit_s: self.rig.robot.move_to(base_from_flange, timeout_s=limit_s))
+
+    def home(self) -> None:
+        """Let table and guide find their reference positions, one after the other; raises as `move_to`."""
+        self._move("The rotary table", lambda limit_s: self.rig.table.home(timeout_s=limit_s))
+        self._move("The linear guide", lambda limit_s: self.rig.guide.home(timeout_s=limit_s))
+
+    def _move(self, what: str, move: Callable[[float], None]) -> None:
+        limit_s = self.rig.description.motion.move_timeout_s
+        self._call(what, lambda: move(limit_s), limit_s)
 
     def readback(self) -> AxisReadback:
         """Read every axis back."""
