@@ -16,6 +16,7 @@ from typing import Any, Literal
 from pydantic import Field, ValidationError
 
 from measureapp.data.model import Model, first_problem
+from measureapp.devices.plugin_permission import is_allowed
 from measureapp.devices.request import DeviceRequest
 from measureapp.errors import PluginError
 from measureapp.resources import plugin_folder
@@ -43,6 +44,9 @@ class PluginManifest(Model):
     drives: dict[PluginKind, DriverEntry] = Field(min_length=1)
 
 
+ALLOW = "If you trust it, run: measureapp plugins --folder {0.folder.parent} --allow {0.id}"
+
+
 @dataclass(frozen=True, slots=True)
 class PluginRow:
     """One plugin folder; ``problem`` is empty if it is sound."""
@@ -67,10 +71,15 @@ class LoadedDriver:
 
 
 def discover(folder: Path | None = None) -> tuple[PluginRow, ...]:
-    """List the plugins below ``folder`` (default: those shipped with the program), sorted by folder; imports nothing."""
+    """List the plugins below ``folder`` (default: those shipped with the program), sorted by folder; imports nothing.
+
+    One that does not come with the program and was not allowed as it is now has this as its problem.
+    """
     rows: list[PluginRow] = []
     for path in sorted((folder or plugin_folder()).glob(f"*/{MANIFEST}")):
         row = _row(path)
+        if not row.problem and not is_allowed(row.folder):
+            row = replace(row, problem="It does not come with the program and was not allowed as it is now.", hint=ALLOW.format(row))
         twin = next((other for other in rows if other.id == row.id), None)
         if twin is not None:
             row = replace(row, problem=f"Plugin {twin.folder.name} has the same id {row.id}.", hint="Change one of the two ids.")

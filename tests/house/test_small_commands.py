@@ -48,6 +48,11 @@ def connect(request):
 """
 
 
+@pytest.fixture(autouse=True)
+def _everything_is_allowed(monkeypatch) -> None:
+    monkeypatch.setattr("measureapp.devices.plugin_loader.is_allowed", lambda folder: True)
+
+
 def plugin(folder: Path, name: str, driver: str) -> None:
     (folder / name).mkdir(parents=True)
     (folder / name / "plugin.toml").write_text(MANIFEST.format(id=name), encoding="utf-8")
