@@ -61,11 +61,19 @@ def find_references(rig: Rig, progress: Progress) -> AxisReadback:
 
 
 def show_live(
-    rig: Rig, exposure_us: int, goes_on: Callable[[], bool], on_event: Callable[[AcquisitionEvent], None], progress: Progress
+    rig: Rig,
+    exposure_us_of: Callable[[], int],
+    goes_on: Callable[[], bool],
+    on_event: Callable[[AcquisitionEvent], None],
+    progress: Progress,
 ) -> None:
-    """Take images of all cameras in uniform light, one after the other while ``goes_on`` says so; nothing moves."""
+    """Take images of all cameras in uniform light, one after the other while ``goes_on`` says so; nothing moves.
+
+    ``exposure_us_of`` is asked before every image.
+    """
     with RigSession(rig, progress) as session:
         while goes_on():
+            exposure_us = exposure_us_of()
             for shot in session.shots((PLAIN_LIGHT,), (exposure_us,)):
                 for name, frame in shot.frames.items():
                     on_event(ImageTaken(LIVE, name, exposure_us, read_only(frame.pixels)))

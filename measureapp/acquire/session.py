@@ -179,7 +179,7 @@ class RigSession:
             raise Cancelled
 
     def _call(self, what: str, function: Callable[[], T], within_s: float) -> T:
-        self.rig.latch.check()
+        self.check()
         return call_device(what, function, within_s, self.check, lambda: self.abort(BY_USER))
 
 

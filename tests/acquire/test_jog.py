@@ -70,7 +70,7 @@ def test_references_are_found_one_after_the_other(rig):
 
 def test_live_images_come_from_all_cameras_until_they_are_not_wanted_any_more(rig, cell):
     events = []
-    show_live(rig, 20_000, lambda: len(events) < 6, events.append, NoProgress())
+    show_live(rig, lambda: 20_000, lambda: len(events) < 6, events.append, NoProgress())
     assert [event.camera for event in events] == ["left", "right"] * 3
     assert all(isinstance(event, ImageTaken) for event in events)
     assert not rig.latch.reason

@@ -75,6 +75,7 @@ class DemoController(QObject):
             self._work(settings, folder),
             self._finish,
             on_event=self._apply,
+            moves=True,
         )
 
     def _work(self, settings: DemoSettings, folder: Path) -> Any:
