@@ -22,7 +22,7 @@ from measureapp.devices.head import HardwareHead, Head, Shot, SoftwareHead
 from measureapp.devices.head_timing import frame_timeout_s
 from measureapp.devices.projector import DARK, TriggeringProjector
 from measureapp.devices.rig import Rig
-from measureapp.errors import DeviceError
+from measureapp.errors import DeviceError, MeasureError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Cancelled, NoProgress, Progress
 
@@ -36,7 +36,8 @@ STEPS_OF_A_SHOT = 4  # a shot waits for a pattern, the exposure of the next one,
 class RigSession:
     """Moves the axes and takes images of one rig; a context manager that stops every device on any exception whatever.
 
-    A stop latches: no session starts on the rig before `acquire.stopping.reset`. Calls that wait for a device end at once when the
+    A stop latches, unless its cause was only that images were unfit or could not be stored: no session starts on the rig before
+    `acquire.stopping.reset`. Calls that wait for a device end at once when the
     progress is cancelled; `abort` does the same from any thread.
 
     Raises
@@ -64,7 +65,7 @@ class RigSession:
         """Stop everything after an exception; switch the light off in any case."""
         try:
             if error is not None:
-                self.abort(_reason_of(error))
+                self.stop_report = abort(self.rig, _reason_of(error), latch=_doubts_the_rig(error))
             else:
                 self.rig.projector.show(DARK, timeout_s=READ_TIMEOUT_S)
         finally:
@@ -186,6 +187,11 @@ class RigSession:
 def read_conditions(rig: Rig) -> Conditions:
     """Read the present time, temperature, serial numbers and lens settings; nothing moves."""
     return rig.conditions(datetime.now(UTC).isoformat(timespec="milliseconds"))
+
+
+def _doubts_the_rig(error: BaseException) -> bool:
+    """Whether a person has to look at the rig: not where only the images were unfit, or could not be stored."""
+    return isinstance(error, DeviceError) or not isinstance(error, MeasureError)
 
 
 def _reason_of(error: BaseException) -> str:

@@ -12,13 +12,14 @@ from measureapp.errors import MeasureError
 STOP_WITHIN_S = 0.2  # a device that has not confirmed by then is named
 
 
-def abort(rig: Rig, reason: str) -> str:
-    """Stop every device of ``rig`` now and latch the stop; return what a person must know, empty if all devices confirmed.
+def abort(rig: Rig, reason: str, *, latch: bool = True) -> str:
+    """Stop every device of ``rig`` now, by default latch the stop, and return what a person must know, empty if all devices confirmed.
 
     May be called from any thread, also while another one waits for a device. Axes are asked before cameras and projector, each on
     a thread of its own, so that one that blocks or fails does not keep the others moving.
     """
-    rig.latch.set(reason)
+    if latch:
+        rig.latch.set(reason)
     unconfirmed = _stop(rig.devices)
     if not unconfirmed:
         return ""

@@ -179,18 +179,6 @@ def test_an_axis_that_does_not_arrive_stops_everything(rig, cell):
     assert stopped(rig)
 
 
-def test_a_full_disk_ends_the_run(rig, cell):
-    sink = Truthful(cell)
-
-    def store(stack):
-        raise StorageError("disk full.", "Free some space.")
-
-    sink.store = store
-    with pytest.raises(StorageError):
-        run(rig, fake_plan(), sink)
-    assert stopped(rig)
-
-
 def test_an_event_handler_that_fails_stops_the_rig_too(rig, cell):
     def on_event(event):
         if isinstance(event, ViewpointStored):
@@ -314,3 +302,16 @@ def test_the_board_is_taken_by_every_camera_at_its_longest_exposure_that_does_no
     assert views[1].images["right"].mean() == pytest.approx(truth["right"], abs=1.0)
     assert views[1].images["left"].mean() < 0.85 * truth["left"]
     assert views[1].readback.guide_mm == 10.0
+
+
+def test_images_that_cannot_be_stored_stop_the_rig_but_leave_no_doubt_about_it(rig, cell):
+    sink = Truthful(cell)
+
+    def store(stack):
+        raise StorageError("disk full.", "Free some space.")
+
+    sink.store = store
+    with pytest.raises(StorageError):
+        run(rig, fake_plan(), sink)
+    assert stopped(rig)
+    assert not rig.latch.reason

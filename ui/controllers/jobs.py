@@ -34,7 +34,6 @@ class JobRunner(QObject):
         on_event: Callable[[Any], None] | None = None,
         on_stopped: Callable[[], None] | None = None,
         on_failed: Callable[[MeasureError], None] | None = None,
-        on_cancelled: Callable[[], None] | None = None,
         quiet: bool = False,
         moves: bool = False,
     ) -> Job:
@@ -42,7 +41,7 @@ class JobRunner(QObject):
 
         A ``quiet`` job is not shown as running; during one that ``moves`` axes, Stop is in sight.
 
-        Connecting to the returned job may be too late if it fails immediately.
+        Connecting to the returned job may be too late if it fails immediately; cancelling always comes later.
         """
         job = Job(title, work)
         job.quiet, job.moves = quiet, moves
@@ -54,8 +53,6 @@ class JobRunner(QObject):
             job.failed.connect(on_stopped)
         if on_failed is not None:
             job.failed.connect(on_failed)
-        if on_cancelled is not None:
-            job.cancelled.connect(on_cancelled)
         job.failed.connect(self._on_failed)
         if not quiet:
             job.cancelled.connect(self._on_cancelled)
