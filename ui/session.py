@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from measureapp.data.plan import ScanPlan
     from measureapp.data.rig import RigDescription
     from measureapp.data.validity import Validity
+    from measureapp.devices.rig import Rig
     from measureapp.inspection.section_curves import SectionCurves
     from measureapp.inspection.surface.deviation import Deviation
     from measureapp.inspection.surface.nominal import NominalSurface
@@ -115,6 +116,7 @@ class Session(QObject):
         self.graphics_problem = ""
         self.rig: RigDescription | None = None
         self.cell = CellState()
+        self.connection: Rig | None = None  # of the Rig page
         self.moving = False  # a job runs that may move axes
         self.drivers: tuple[DriverRow, ...] = ()
         self._reset()

@@ -46,12 +46,12 @@ def test_connecting_shows_the_state_of_every_device_and_the_stop_button(connecte
 def test_disconnecting_releases_the_devices(application, connected, window, qtbot):
     connected.disconnect_button.click()
     qtbot.waitUntil(lambda: not application.session.cell.connected, timeout=PATIENCE_MS)
-    assert application.controllers.rig.connection is None
+    assert application.session.connection is None
     assert not window.header.stop.isVisible()
 
 
 def test_a_device_that_is_not_ready_is_named_with_its_remedy(application, connected, qtbot):
-    application.controllers.rig.connection.table.status = lambda: DeviceStatus(False, "not referenced.", "Find its reference.")
+    application.session.connection.table.status = lambda: DeviceStatus(False, "not referenced.", "Find its reference.")
     application.controllers.rig.refresh()
     qtbot.waitUntil(lambda: "1 device not ready" in connected.state.text(), timeout=PATIENCE_MS)
     assert "not referenced. Find its reference." in states(connected)
@@ -73,10 +73,10 @@ def test_steps_follow_each_other_while_a_button_is_held_and_end_with_it(applicat
     qtbot.waitUntil(lambda: len(ended) >= 3, timeout=PATIENCE_MS)
     qtbot.mouseRelease(button, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy, timeout=PATIENCE_MS)
-    turned = np.degrees(application.controllers.rig.connection.table.angle_rad())
+    turned = np.degrees(application.session.connection.table.angle_rad())
     assert turned == pytest.approx(len(ended), abs=1e-3)
     qtbot.wait(100)
-    assert np.degrees(application.controllers.rig.connection.table.angle_rad()) == pytest.approx(turned)
+    assert np.degrees(application.session.connection.table.angle_rad()) == pytest.approx(turned)
 
 
 def test_live_images_show_every_camera_with_its_levels(application, connected, qtbot):
@@ -107,7 +107,7 @@ def test_a_stop_during_live_images_ends_them(application, connected, window, qtb
     qtbot.waitUntil(lambda: not connected.tiles["left"].image.is_empty, timeout=PATIENCE_MS)
     window.header.stop.click()
     qtbot.waitUntil(lambda: bool(application.session.cell.stopped) and not application.controllers.jobs.queue.busy, timeout=PATIENCE_MS)
-    assert application.controllers.rig.connection.projector.shown() == -2
+    assert application.session.connection.projector.shown() == -2
     application.controllers.rig.reset()
 
 

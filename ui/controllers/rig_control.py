@@ -30,15 +30,13 @@ class RigControl(QObject):
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._session, self._runner = session, runner
-        self._rig: Rig | None = None
         self._live = threading.Event()  # images are wanted
         self.live_exposure_us: int | None = None  # None: the longest of the rig
         self._stopped.connect(self._report_stop)
 
     @property
-    def connection(self) -> Rig | None:
-        """The connected rig; what takes images with it runs through the same queue."""
-        return self._rig
+    def _rig(self) -> Rig | None:
+        return self._session.connection
 
     @Slot(object)
     def choose(self, name_or_path: str | Path) -> None:
@@ -72,7 +70,7 @@ class RigControl(QObject):
 
     @Slot(object)
     def _connected(self, found: tuple[Rig, CellState]) -> None:
-        self._rig, cell = found
+        self._session.connection, cell = found
         self._session.set_cell(cell)
         unready = [device.name for device in cell.devices if not device.status.ready]
         if unready:
@@ -84,7 +82,7 @@ class RigControl(QObject):
     def disconnect_rig(self) -> None:
         """Release every device."""
         self._live.clear()
-        rig, self._rig = self._rig, None
+        rig, self._session.connection = self._rig, None
         if rig is None:
             return
 
@@ -222,7 +220,7 @@ class RigControl(QObject):
 
     def close(self) -> None:
         """Release the rig when the window is closed; its jobs have ended."""
-        rig, self._rig = self._rig, None
+        rig, self._session.connection = self._rig, None
         if rig is not None:
             rig.close()
 
