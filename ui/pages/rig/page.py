@@ -21,7 +21,7 @@ from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.data_table import DataTable
 from ui.widgets.demo_form import DemoForm
 from ui.widgets.empty_state import EmptyState
-from ui.widgets.jog_pad import HELD, JogPad
+from ui.widgets.jog_pad import JogPad
 from ui.widgets.live_tile import LiveTile
 from ui.widgets.rig_drawing import RigDrawing
 from ui.widgets.segments import Segments
@@ -30,7 +30,7 @@ from ui.widgets.unit_dialog import UnitDialog
 DEMO_WORDS = (
     "Calibrates a virtual rig with hidden errors, scans the part, stitches the clouds, evaluates the dimensions and writes the report."
 )
-NO_SAFETY = "Stop is a function of the program, not a safety function: in danger use the emergency stop."
+NO_SAFETY = "Hold a button to move on. Stop is no safety function:\nin danger use the emergency stop."
 STATE_INTERVAL_MS, LIVE_INTERVAL_MS = 3_000, 33
 CARD_WIDTH = 352
 OWN_RIG = "Open a rig description…"
@@ -110,8 +110,7 @@ class RigPage(Page):
         self.home = Button("Find references", self.look, "home", "normal", "Guide and table find their reference positions")
         self.home.clicked.connect(self.controllers.rig.find_references)
         self.unmovable = label("Connect the rig to move its axes.", "soft", wrap=True)
-        words = label(f"{HELD} {NO_SAFETY}", "small", wrap=True)
-        return card(self.unmovable, self.pad, self.home, 4, words, 0, spacing=8)
+        return card(self.unmovable, self.pad, self.home, label(NO_SAFETY, "small"), 0, spacing=8)
 
     def _stopped_banner(self) -> QFrame:
         self.stop_reason = label("", "strong", wrap=True)
