@@ -1,0 +1,53 @@
+"""Numbers of images, counted from the identifiers that the camera gives its images."""
+
+from __future__ import annotations
+
+from measureapp.errors import FrameError
+
+WRAP = 65535  # identifiers of GigE Vision 1.x run from 1 to 65535, then begin again
+STALE = 0x8000  # a distance this large is a step back
+
+
+class FrameNumbers:
+    """Counts the images of one sequence after another.
+
+    Some cameras begin again with each sequence, others count on; both are recognised from the second sequence on.
+    """
+
+    def __init__(self) -> None:
+        self._first: int | None = None  # identifier with which the first sequence began
+        self._next: int | None = None  # identifier that follows the last one
+        self._number = -1
+
+    def begin(self) -> None:
+        """Begin a sequence: its first image has number 0."""
+        self._number = -1
+
+    def number(self, identifier: int, triggers: int) -> int:
+        """Return the number of a complete image; images lost or damaged before it count.
+
+        Raises
+        ------
+        FrameError
+            The image was delivered before, or no trigger belongs to it; the count stays as it was.
+        """
+        missing = self._missing(identifier)
+        if missing >= STALE:
+            raise FrameError(f"An image with identifier {identifier} arrived twice or late.", "Take it again.")
+        number = self._number + 1 + missing
+        if number >= triggers:
+            raise FrameError(f"Image {number + 1} arrived after {triggers} triggers.", "Take the whole sequence again.")
+        self._first = identifier if self._first is None else self._first
+        self._next, self._number = identifier + 1, number
+        return number
+
+    def _missing(self, identifier: int) -> int:
+        if self._number >= 0 and self._next is not None:
+            return distance(self._next, identifier)
+        return min((distance(one, identifier) for one in (self._first, self._next) if one is not None), default=0)
+
+
+def distance(expected: int, identifier: int) -> int:
+    """Return how many images lie between the one expected and this one, over a wrap of 16-bit identifiers."""
+    ahead = identifier - expected
+    return ahead if ahead >= 0 else max(0, ahead + WRAP)
