@@ -96,6 +96,10 @@ class FrameError(DeviceError):
     """One image is damaged, incomplete or not the one requested; it can be taken again."""
 
 
+class SequenceError(FrameError):
+    """Images cannot be assigned to triggers and patterns any more; the whole sequence has to be taken again."""
+
+
 class DeviceLost(DeviceError):
     """A device does not answer any more; it has to be connected again, and its state is unknown."""
 

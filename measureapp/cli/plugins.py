@@ -27,7 +27,7 @@ def register(app: typer.Typer) -> None:
             raise InputError(f"{folder} is not a folder.", "Name the folder that contains the plugin folders.")
 
         def line(row: PluginRow) -> str:
-            start = f"{row.id:<20} {row.version or '–':<9} {row.kind or '–':<13} "
+            start = f"{row.id:<20} {row.version or '–':<9} {', '.join(row.kinds) or '–':<13} "
             return start + (f"NOT LOADED: {row.problem} {row.hint}" if row.problem else row.name)
 
         rows = examine(folder)

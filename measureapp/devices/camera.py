@@ -58,6 +58,7 @@ class Camera(Protocol):
     bit_depth: int
     shutter: Shutter
     readout_s: float  # from the end of the first row's exposure until the last row is read out
+    transfer_s: float  # of one image, with those of the cameras on the same link; overlaps the next exposure
     exposure_limits_us: tuple[int, int]
     exposure_step_us: int  # exposures are rounded to multiples of this
 

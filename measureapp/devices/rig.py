@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import threading
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from statistics import median
@@ -53,6 +54,7 @@ class Rig:
     place_on_table: Callable[[str], None]
     release: Callable[[], None] = field(default=lambda: None)  # of what the drivers share
     latch: StopLatch = field(default_factory=StopLatch)
+    in_use: threading.Lock = field(default_factory=threading.Lock)  # held by the session that moves and triggers
 
     @property
     def axes(self) -> tuple[Device, ...]:

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from measureapp.acquire.capture import capture_board
-from measureapp.acquire.events import CalibrationReady, Event
+from measureapp.acquire.engine import Engine
+from measureapp.acquire.events import ImageTaken, ViewpointFailed
+from measureapp.acquire.tasks.board import BoardTask
 from measureapp.calibrate.rig.joint_solution import RigSolution
 from measureapp.calibrate.rig.stitch_uncertainty import uncertainty_of
 from measureapp.data.calibration import RigCalibration
@@ -23,6 +24,7 @@ from measureapp.fringe.patterns.draw import check_determines_phase
 from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.calibrate import calibrate_from_views
 from measureapp.pipeline.documents import outcome_document, write_reports
+from measureapp.pipeline.events import CalibrationReady, Event
 from measureapp.pipeline.measure import check_space, compute_clouds, scan
 from measureapp.pipeline.validity import check_before_scan, check_stored_images
 from measureapp.pipeline.watch import Stopwatch
@@ -63,12 +65,19 @@ def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress:
     viewpoints = calibration_viewpoints(rig.description, project.plan())
     stored = {view.viewpoint_id for view in project.board_views()}
     with watch.stage("calibration images"):
-        rig.place_on_table("board")
-        for index, viewpoint in enumerate(viewpoints):
-            progress.report(0.6 * index, len(viewpoints), f"board from {viewpoint.id}")
-            if viewpoint.id not in stored:
-                project.save_board_view(capture_board(rig, viewpoint))
+        waiting = [viewpoint for viewpoint in viewpoints if viewpoint.id not in stored]
+        Engine(rig).run("calibration", waiting, BoardTask(project.save_board_view), _of_images(on_event), PartOf(progress, 0.0, 0.6))
     return solve_calibration(project, on_event, PartOf(progress, 0.6, 1.0), watch)
+
+
+def _of_images(on_event: OnEvent) -> OnEvent:
+    """Pass on images and failures only: the viewpoints of a calibration are none of a scan."""
+
+    def receive(event: Event) -> None:
+        if isinstance(event, (ImageTaken, ViewpointFailed)):
+            on_event(event)
+
+    return receive
 
 
 def solve_calibration(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigSolution:

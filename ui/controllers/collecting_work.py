@@ -81,8 +81,10 @@ def take(job: Job, rig: Rig, viewpoints: Sequence[Viewpoint], session: Calibrati
     def show(view: str, camera: str, pixels: np.ndarray) -> None:
         live.put(camera, LiveImage(view, pixels))
 
-    for viewpoint, found in capture_views(rig, viewpoints, session, show, job):
-        job.emit_event(_describe_added(found, viewpoint.id))
+    def tell(viewpoint_id: str, found: CollectedObservation) -> None:
+        job.emit_event(_describe_added(found, viewpoint_id))
+
+    capture_views(rig, viewpoints, session, show, tell, job)
 
 
 def read(job: Job, recorded: Sequence[RecordedView], session: CalibrationSession) -> None:

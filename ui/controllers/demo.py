@@ -16,7 +16,7 @@ from ui.look.paths import demo_folder, next_demo_folder
 from ui.session import Session
 
 if TYPE_CHECKING:
-    from measureapp.acquire.events import Event
+    from measureapp.pipeline.events import Event
     from measureapp.pipeline.run import Outcome
     from ui.workers.job import Job
 

@@ -38,13 +38,12 @@ def connect(description: RigDescription, board: BoardDescription) -> RigConnecti
         from measureapp.devices.connect import connect_rig
 
         return RigConnection(connect_rig(description))
-    from measureapp.devices.plugin_loader import load_plugin
-    from measureapp.resources import plugin_folder
+    from measureapp.devices.plugin_loader import load_driver
     from measureapp.simulate.parts import make_part
     from measureapp.simulate.world import World
 
     world = World(description, make_part(PART), _seed(description), board)
-    return RigConnection(load_plugin(plugin_folder(), VIRTUAL).module.rig_of(world))
+    return RigConnection(load_driver(None, VIRTUAL, "rig").module.rig_of(world))
 
 
 def truth_of(description: RigDescription, board: BoardDescription) -> RigCalibration | None:
