@@ -80,9 +80,9 @@ class GenicamCamera:
         self._settings, self._link = settings, link
         self._features = Features(description.name, link)
         self._facts = facts = set_up(self._features, description, settings)
-        self.shutter, self.readout_s = facts.shutter, facts.readout_s
+        self.shutter, self.readout_s, self.transfer_s = facts.shutter, facts.readout_s, facts.transfer_s
         self.exposure_limits_us, self.exposure_step_us = facts.exposure_limits_us, facts.exposure_step_us
-        link.share(settings.buffers, -(-link.call("payload_bytes") // PAGE) * PAGE)
+        link.share(settings.buffers, -(-facts.payload_bytes // PAGE) * PAGE)
         self._armed: Trigger | None = None
         self._stopped = threading.Event()
         self._numbers, self._sequence, self._wanted = FrameNumbers(), 0, 0

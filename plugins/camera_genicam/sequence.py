@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from measureapp.errors import FrameError
+from measureapp.errors import SequenceError
 
 WRAP = 65535  # identifiers of GigE Vision 1.x run from 1 to 65535, then begin again
 STALE = 0x8000  # a distance this large is a step back
@@ -28,15 +28,15 @@ class FrameNumbers:
 
         Raises
         ------
-        FrameError
+        SequenceError
             The image was delivered before, or no trigger belongs to it; the count stays as it was.
         """
         missing = self._missing(identifier)
         if missing >= STALE:
-            raise FrameError(f"An image with identifier {identifier} arrived twice or late.", "Take it again.")
+            raise SequenceError(f"An image with identifier {identifier} arrived twice or late.", "Take the whole sequence again.")
         number = self._number + 1 + missing
         if number >= triggers:
-            raise FrameError(f"Image {number + 1} arrived after {triggers} triggers.", "Take the whole sequence again.")
+            raise SequenceError(f"Image {number + 1} arrived after {triggers} triggers.", "Take the whole sequence again.")
         self._first = identifier if self._first is None else self._first
         self._next, self._number = identifier + 1, number
         return number

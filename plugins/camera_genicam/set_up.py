@@ -19,6 +19,7 @@ SHUTTERS: dict[str, Shutter] = {
     "GlobalResetRelease": "global-reset",
 }
 CHUNK_EXPOSURE = "ChunkExposureTime"
+PACKET_HEADERS_BYTES, ETHERNET_BYTES = 36, 38  # IP, UDP and GVSP; Ethernet with preamble and gap
 DELAY_STEP_US = 0.5  # clocks of cameras are finer
 
 
@@ -32,6 +33,8 @@ class CameraFacts:
     exposure_step_us: int
     shutter: Shutter
     readout_s: float
+    payload_bytes: int
+    transfer_s: float
     exposure_chunk: str  # name of the chunk with the exposure of an image; empty: images have none
     reports_ready: bool  # whether the camera tells that it waits for a trigger
     identity: str
@@ -39,6 +42,8 @@ class CameraFacts:
 
 def set_up(features: Features, description: CameraDescription, settings: GenicamSettings) -> CameraFacts:
     """Write all settings, each read back, and collect the facts. Raises DeviceError, InputError."""
+    if features.link.call("available", "AcquisitionStop"):
+        features.link.call("execute", "AcquisitionStop")  # a program that crashed may have left it running, and settings locked
     features.load_user_set(settings.user_set)
     for name in ("ExposureAuto", "GainAuto"):
         features.write_if_any(name, "Off")
@@ -50,7 +55,9 @@ def set_up(features: Features, description: CameraDescription, settings: Genicam
     for names, value in ((GAIN, settings.gain), (DEBOUNCE, settings.debounce_us)):
         if value is not None:
             features.write_number(names, value)
-    _set_packets(features, settings)
+    packets = _set_packets(features, settings)
+    chunk = _enable_exposure_chunk(features) if settings.exposure_chunk else ""
+    payload_bytes = features.link.call("payload_bytes")
     exposure = features.need(EXPOSURE)
     low, high, step = features.link.call("bounds", exposure)
     return CameraFacts(
@@ -60,10 +67,27 @@ def set_up(features: Features, description: CameraDescription, settings: Genicam
         max(1, round(step)),
         SHUTTERS.get(str(features.read_first(SHUTTER)), settings.shutter),
         1e-6 * float(features.read_first(READOUT) or 1e6 * settings.readout_s),
-        _enable_exposure_chunk(features) if settings.exposure_chunk else "",
+        payload_bytes,
+        transfer_s(payload_bytes, packets, settings.link_mbit_per_s, settings.cameras_on_link),
+        chunk,
         _reports_ready(features),
         f"{features.read_first(('DeviceModelName',))} {description.serial}, firmware {features.read_first(FIRMWARE)}",
     )
+
+
+def transfer_s(payload_bytes: int, packets: tuple[int, int] | None, link_mbit_per_s: int, cameras: int) -> float:
+    """Return how long an image takes on a link that ``cameras`` share, each sending one.
+
+    Parameters
+    ----------
+    packets : size of a packet with its IP, UDP and GVSP headers (bytes), and the delay after each (ns); None: USB3 Vision
+    """
+    if packets is None:
+        return cameras * payload_bytes * 8e-6 / link_mbit_per_s
+    size_bytes, delay_ns = packets
+    count = -(-payload_bytes // (size_bytes - PACKET_HEADERS_BYTES))
+    wire_s = count * (size_bytes + ETHERNET_BYTES) * 8e-6 / link_mbit_per_s
+    return max(cameras * wire_s, wire_s + count * delay_ns * 1e-9)
 
 
 def _set_region(features: Features, description: CameraDescription, settings: GenicamSettings) -> None:
@@ -90,11 +114,12 @@ def _set_pixel_format(features: Features, description: CameraDescription, settin
     return FORMATS[chosen]
 
 
-def _set_packets(features: Features, settings: GenicamSettings) -> None:
+def _set_packets(features: Features, settings: GenicamSettings) -> tuple[int, int] | None:
+    """Set size (bytes) of and delay (ns) between packets and return both; None for USB3 Vision, which has none."""
     delay_ns = None if settings.packet_delay_us is None else round(1000 * settings.packet_delay_us)
     read = features.link.call("packets", settings.packet_size_bytes, delay_ns, timeout_s=SLOW_S)
-    if read is None:  # USB3 Vision
-        return
+    if read is None:
+        return None
     size_bytes, read_ns = read
     if settings.packet_size_bytes not in (None, size_bytes) or abs(read_ns - (delay_ns or 0)) > 1000 * DELAY_STEP_US:
         raise DeviceError(
@@ -102,6 +127,7 @@ def _set_packets(features: Features, settings: GenicamSettings) -> None:
             f"instead of {settings.packet_size_bytes or size_bytes} bytes and {settings.packet_delay_us or 0:g} µs.",
             "Choose a packet size and a delay that the camera supports.",
         )
+    return size_bytes, read_ns
 
 
 def _enable_exposure_chunk(features: Features) -> str:

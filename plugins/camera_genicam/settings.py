@@ -27,6 +27,8 @@ class GenicamSettings(Model):
     debounce_us: float | None = Field(default=None, ge=0, description="pulses shorter than this are ignored; none: leave it as it is")
     packet_size_bytes: int | None = Field(default=None, ge=220, le=16000, description="GigE Vision; none: the largest that arrives")
     packet_delay_us: float | None = Field(default=None, ge=0, description="GigE Vision, pause between packets; none: leave it as it is")
+    link_mbit_per_s: int = Field(default=1000, gt=0, description="GigE 1000, 5GigE 5000, USB3 about 3200")
+    cameras_on_link: int = Field(default=1, ge=1, le=16, description="cameras that send their images over the same link")
     buffers: int = Field(default=16, ge=2, le=256, description="images that can wait for being read")
     shutter: Shutter = Field(default="global", description="used where the camera does not report it")
     readout_s: float = Field(default=0.1, gt=0, le=10, description="read-out time, used where the camera does not report it")

@@ -26,6 +26,7 @@ from measureapp.devices.request import DeviceRequest
 from measureapp.project.rig_file import read_rig
 
 PROGRAM = "arv-fake-gv-camera-0.8"
+PACKAGES = "aravis-tools libaravis-0.8-0"
 SERIAL = "FAKE-7"
 SIZE_PX = 512
 NAME = "left"
@@ -33,10 +34,8 @@ PERIOD_S = 0.04  # the fake camera looks for a trigger 25 times a second
 GVCP = ("127.0.0.1", 3956)
 DISCOVER = bytes([0x42, 0x01, 0x00, 0x02, 0x00, 0x00, 0x00, 0x01])
 
-needs_aravis = pytest.mark.skipif(
-    shutil.which(PROGRAM) is None or find_library("aravis-0.8") is None,
-    reason="needs Aravis: apt-get install aravis-tools libaravis-0.8-0",
-)
+MISSING = "" if shutil.which(PROGRAM) and find_library("aravis-0.8") else f"needs Aravis: apt-get install {PACKAGES}"
+needs_aravis = pytest.mark.skipif(bool(MISSING), reason=MISSING or "Aravis is there")
 
 
 class FakeCamera:
