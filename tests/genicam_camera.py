@@ -1,4 +1,4 @@
-"""The fake GigE Vision camera of Aravis, which others wrote, and the driver connected to it over loopback."""
+"""The fake GigE Vision camera of Aravis, which others wrote, our virtual one, and the driver connected to them over loopback."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ from measureapp.data.rig import RigDescription
 from measureapp.devices.links import Links
 from measureapp.devices.plugin_loader import load_driver
 from measureapp.devices.request import DeviceRequest
+from measureapp.peers.gige_camera import GigeCamera, gige_camera, noise
 from measureapp.project.rig_file import read_rig
 
 PROGRAM = "arv-fake-gv-camera-0.8"
-PACKAGES = "aravis-tools libaravis-0.8-0"
 SERIAL = "FAKE-7"
 SIZE_PX = 512
 NAME = "left"
@@ -34,8 +34,11 @@ PERIOD_S = 0.04  # the fake camera looks for a trigger 25 times a second
 GVCP = ("127.0.0.1", 3956)
 DISCOVER = bytes([0x42, 0x01, 0x00, 0x02, 0x00, 0x00, 0x00, 0x01])
 
-MISSING = "" if shutil.which(PROGRAM) and find_library("aravis-0.8") else f"needs Aravis: apt-get install {PACKAGES}"
-needs_aravis = pytest.mark.skipif(bool(MISSING), reason=MISSING or "Aravis is there")
+LIBRARY, TOOLS = "libaravis-0.8-0", "aravis-tools"
+MISSING_LIBRARY = "" if find_library("aravis-0.8") else f"needs Aravis: apt-get install {LIBRARY}"
+MISSING = "" if shutil.which(PROGRAM) and not MISSING_LIBRARY else f"needs Aravis and its fake camera: apt-get install {LIBRARY} {TOOLS}"
+needs_library = pytest.mark.skipif(bool(MISSING_LIBRARY), reason=MISSING_LIBRARY or "it is there")
+needs_fake_camera = pytest.mark.skipif(bool(MISSING), reason=MISSING or "it is there")
 
 
 class FakeCamera:
@@ -57,8 +60,8 @@ class FakeCamera:
 
 @contextmanager
 def fake_camera(lost_per_1000: int = 0, serial: str = SERIAL) -> Iterator[FakeCamera]:
-    """Run the fake camera; one at a time on this machine, since all have the same port."""
-    with FileLock(Path(tempfile.gettempdir()) / "measureapp-gige-vision-port.lock", timeout=300):
+    """Run the fake camera."""
+    with port():
         command = [PROGRAM, "-i", GVCP[0], "-s", serial, "-r", str(lost_per_1000)]
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
@@ -67,6 +70,20 @@ def fake_camera(lost_per_1000: int = 0, serial: str = SERIAL) -> Iterator[FakeCa
         finally:
             process.kill()
             process.wait()
+
+
+@contextmanager
+def virtual_camera(width_px: int = SIZE_PX, height_px: int = SIZE_PX, bits: int = 8) -> Iterator[GigeCamera]:
+    """Run our virtual camera, which sees another image at each exposure: `scene`."""
+    with port(), gige_camera(SERIAL, width_px, height_px, noise(width_px, height_px, bits)) as camera:
+        yield camera
+
+
+@contextmanager
+def port() -> Iterator[None]:
+    """Hold the GigE Vision port, of which this machine has one."""
+    with FileLock(Path(tempfile.gettempdir()) / "measureapp-gige-vision-port.lock", timeout=300):
+        yield
 
 
 @contextmanager

@@ -81,6 +81,7 @@ FAILING: dict[str, tuple[Any, ...]] = {  # their last argument is a GError **
     "gv_device_take_control": (c_int, c_void_p),
     "gv_device_leave_control": (c_int, c_void_p),
     "device_read_register": (c_int, c_void_p, c_uint64, POINTER(c_uint32)),
+    "device_write_register": (c_int, c_void_p, c_uint64, c_uint32),
     "chunk_parser_get_float_value": (c_double, c_void_p, c_void_p, c_char_p),
 }
 

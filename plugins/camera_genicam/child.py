@@ -20,7 +20,8 @@ from typing import Any
 from .aravis import Aravis, AravisError, text
 
 TRANSPORTS = ("GigEVision", "USB3Vision")
-CONTROL_REGISTER, OWNER_REGISTER = 0x0A00, 0x0A14  # GigE Vision: control channel privilege, address of the primary application
+# GigE Vision: control channel privilege, address of the primary application, heartbeat time-out
+CONTROL_REGISTER, OWNER_REGISTER, HEARTBEAT_REGISTER = 0x0A00, 0x0A14, 0x0938
 CONTROLLED = 0b11
 POP_US = 20_000
 IMAGE_PAYLOADS = (1, 4, 5)  # image, and images with chunks
@@ -69,10 +70,18 @@ class CameraProcess:
         return "me"
 
     def alive(self) -> None:
-        """Read from the camera. Raises AravisError when it does not answer, or when another program controls it."""
+        """Read from the camera. Raises AravisError when it does not answer, or when this program does not control it any more."""
         if not self._is_gige():
             self._arv.camera_get_payload(self._camera)
-        elif not self._register(CONTROL_REGISTER) & CONTROLLED or not self._arv.gv_device_is_controller(self._device):
+            return
+        controlled = self._register(CONTROL_REGISTER) & CONTROLLED and self._arv.gv_device_is_controller(self._device)
+        try:  # only the program in control may write, and this writes what is there
+            self._arv.device_write_register(self._device, HEARTBEAT_REGISTER, self._register(HEARTBEAT_REGISTER))
+        except AravisError as error:
+            controlled = controlled and error.lost
+            if controlled:
+                raise
+        if not controlled:
             raise AravisError("it is no longer controlled by this program", lost=True)
 
     def available(self, feature: str) -> bool:
@@ -89,11 +98,17 @@ class CameraProcess:
         self._feature("set", feature, value.encode() if isinstance(value, str) else value)
 
     def bounds(self, feature: str) -> tuple[float, float, float]:
-        """Return lowest and highest value of a number and its step."""
+        """Return lowest and highest value of a number, and its step; 0: the camera states none."""
         kind = self._kind(feature)
         low, high = (c_double(), c_double()) if kind == "float" else (c_int64(), c_int64())
         self._feature("get", feature, byref(low), byref(high), suffix="_bounds")
-        return low.value, high.value, self._feature("get", feature, suffix="_increment")
+        try:
+            step = self._feature("get", feature, suffix="_increment")
+        except AravisError as error:
+            if error.lost:
+                raise
+            step = 0
+        return low.value, high.value, step
 
     def entries(self, feature: str) -> list[str]:
         """List the values of an enumeration that are available now."""

@@ -15,8 +15,8 @@ from measureapp.errors import DeviceError, DeviceTimeout, FrameError, LimitError
 from measureapp.progress import Cancelled
 
 from .features import TEMPERATURE, Features
-from .link import Link, ProcessLink
-from .pixels import image
+from .link import CameraLink
+from .pixels import Bytes, image
 from .sequence import FrameNumbers
 from .set_up import set_up
 from .settings import GenicamSettings
@@ -43,7 +43,7 @@ def connect(request: DeviceRequest) -> GenicamCamera:
     """
     description = next(camera for camera in request.rig.cameras if camera.name == request.name)
     settings = GenicamSettings.model_validate(request.settings)
-    link = ProcessLink(request.name)
+    link = CameraLink(request.name)
     try:
         open_by_serial(link, description, settings.control_wait_s)
         return GenicamCamera(description, settings, link)
@@ -52,7 +52,7 @@ def connect(request: DeviceRequest) -> GenicamCamera:
         raise
 
 
-def open_by_serial(link: Link, description: CameraDescription, wait_s: float) -> None:
+def open_by_serial(link: CameraLink, description: CameraDescription, wait_s: float) -> None:
     """Find the camera and take control of it, waiting while another program has it. Raises DeviceError."""
     found = link.call("cameras", timeout_s=DISCOVERY_S)
     chosen = next((one for one in found if one["serial"] == description.serial), None)
@@ -74,7 +74,7 @@ def open_by_serial(link: Link, description: CameraDescription, wait_s: float) ->
 class GenicamCamera:
     """One camera, opened through a link."""
 
-    def __init__(self, description: CameraDescription, settings: GenicamSettings, link: Link) -> None:
+    def __init__(self, description: CameraDescription, settings: GenicamSettings, link: CameraLink) -> None:
         self.name, self.serial = description.name, description.serial
         self.width_px, self.height_px, self.bit_depth = description.width_px, description.height_px, int(description.bit_depth)
         self._settings, self._link = settings, link
@@ -214,25 +214,33 @@ class GenicamCamera:
     def _frame(self, found: dict[str, Any]) -> Frame:
         """Copy an image out of the shared memory, check it, and let its place be filled again. Raises FrameError."""
         try:
-            self._check(found)
-            number = self._numbers.number(found["block"], len(self._exposures_us) if self._armed == "software" else self._wanted)
+            triggers = len(self._exposures_us) if self._armed == "software" else self._wanted
+            if found["status"] != 0 or not found["size"]:
+                self._numbers.damaged(found["block"], triggers)
+                reason = STATUSES.get(found["status"], "damaged")
+                raise FrameError(
+                    f"An image arrived {reason}.", "Take it again. If it happens often: larger packets, a longer packet delay."
+                )
+            number = self._numbers.number(found["block"], triggers)
+            self._check_layout(found)
             exposure_us = self._exposures_us[number] if self._armed == "software" else self._exposure_us
             self._check_exposure(found["exposure_us"], exposure_us)
-            raw = self._link.raw(found["start"], found["size"])
-            pixels = image(raw, self._facts.pixel_format, self.width_px, self.height_px)
+            pixels = image(self._raw(found), self._facts.pixel_format, self.width_px, self.height_px)
         except FrameError as error:
             self._failed += 1
-            raise FrameError(f"Camera {self.name}: {error.message}", error.hint) from error
+            raise type(error)(f"Camera {self.name}: {error.message}", error.hint) from error
         finally:
             self._link.call("give_back", found["slot"], self._sequence)
         self._frames += 1
         return Frame(pixels, self.serial, number, exposure_us, 1e-9 * found["time_ns"])
 
-    def _check(self, found: dict[str, Any]) -> None:
-        """Refuse an image that is incomplete, or not of the size and format set."""
-        if found["status"] != 0 or not found["size"]:
-            reason = STATUSES.get(found["status"], "damaged")
-            raise FrameError(f"An image arrived {reason}.", "Take it again. If it happens often: larger packets, a longer packet delay.")
+    def _raw(self, found: dict[str, Any]) -> Bytes:
+        """Return the bytes of the pixels, which come first where chunks follow."""
+        pixel_bytes = self._facts.pixel_format.size_bytes(self.width_px * self.height_px)
+        return self._link.raw(found["start"], min(found["size"], pixel_bytes) if self._facts.exposure_chunk else found["size"])
+
+    def _check_layout(self, found: dict[str, Any]) -> None:
+        """Refuse an image that has not the size and format set."""
         layout = (found["width"], found["height"], found["format"])
         if layout != (self.width_px, self.height_px, self._facts.pixel_format.code):
             raise FrameError(f"An image has size and format {layout}, which were not set.", "Connect the camera again.")

@@ -7,7 +7,7 @@ from typing import Any
 
 from measureapp.errors import DeviceError, InputError, LimitError
 
-from .link import Link
+from .link import CameraLink
 
 SLOW_S = 15.0  # loading a user set
 EXPOSURE = ("ExposureTime", "ExposureTimeAbs", "ExposureTimeRaw")
@@ -23,7 +23,7 @@ RELATIVE_TOLERANCE = 1e-3  # of read-back to written numbers that have no step
 class Features:
     """The features of one camera."""
 
-    def __init__(self, camera: str, link: Link) -> None:
+    def __init__(self, camera: str, link: CameraLink) -> None:
         self.camera = camera
         self.link = link
 

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection
 from pathlib import Path
-from typing import Any, NoReturn, Protocol
+from typing import Any, NoReturn
 
 import numpy as np
 
@@ -30,26 +30,7 @@ END_S = 3.0
 INSTALL = "On Debian and Ubuntu: apt-get install libaravis-0.8-0; on macOS: brew install aravis."
 
 
-class Link(Protocol):
-    """What the driver needs of the camera process; tests put a scripted one in its place."""
-
-    def call(self, method: str, *arguments: Any, timeout_s: float = ANSWER_S, stopped: Callable[[], bool] | None = None) -> Any:
-        """Call a method of the camera process. Raises DeviceLost, DeviceError; Cancelled once ``stopped()``."""
-
-    def share(self, slots: int, slot_bytes: int) -> None:
-        """Provide the memory for ``slots`` images."""
-
-    def frame(self, timeout_s: float) -> dict[str, Any] | None:
-        """Wait for the description of the next image; None when there is none in time. Raises DeviceLost."""
-
-    def raw(self, start: int, size: int) -> Bytes:
-        """Return the bytes of an image in the shared memory, which are overwritten once its place is given back."""
-
-    def close(self) -> None:
-        """Release the camera and end the process. Harmless when repeated."""
-
-
-class ProcessLink:
+class CameraLink:
     """A camera process. Its methods may be called from any thread.
 
     Raises

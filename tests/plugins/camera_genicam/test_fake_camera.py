@@ -13,12 +13,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from genicam_camera import NAME, PERIOD_S, SERIAL, connect, connected, fake_camera, needs_aravis, ramp, rig_with
+from genicam_camera import NAME, PERIOD_S, SERIAL, connect, connected, fake_camera, needs_fake_camera, ramp, rig_with
 
 from measureapp.errors import DeviceError, DeviceLost, DeviceTimeout, FrameError, InputError, LimitError
 from measureapp.progress import Cancelled
 
-pytestmark = needs_aravis
+pytestmark = needs_fake_camera
 RAMP_EXPOSURE_US = 10_000  # at which the fake camera does not scale its ramp
 LOST_S = 4.0
 STOP_S = 0.2
@@ -87,7 +87,7 @@ def test_an_image_with_lost_packets_is_never_taken_for_a_good_one(lost_per_1000:
             try:
                 good.append(frame := camera.next_frame(timeout_s=2.0))
             except FrameError as error:
-                assert "incomplete" in error.message  # noqa: PT017
+                assert "incomplete" in error.message
                 continue
             grey = int(frame.pixels[0, 0])
             np.testing.assert_array_equal(frame.pixels, ramp(grey))

@@ -62,6 +62,17 @@ def test_an_image_that_arrives_twice_is_refused_and_the_next_one_counted_right(i
     assert numbers.number(max(good) + 1, MANY) == len(good)
 
 
+@pytest.mark.parametrize("unknown", [True, False])
+def test_damaged_images_count_also_when_their_identifier_is_unknown(unknown: bool) -> None:
+    driver = load_driver(None, "camera_genicam", "camera")
+    numbers = driver.module.FrameNumbers()
+    for first in (1, 1, 4):  # a camera that begins again, then one that counts on
+        numbers.begin()
+        numbers.damaged(0 if unknown else first, MANY)
+        assert numbers.number(first + 1, MANY) == 1
+        numbers.damaged(0 if unknown else first + 2, MANY)
+
+
 def test_more_images_than_triggers_are_refused() -> None:
     driver = load_driver(None, "camera_genicam", "camera")
     numbers = driver.module.FrameNumbers()
