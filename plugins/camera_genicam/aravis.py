@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable
-from ctypes import POINTER, byref, c_char_p, c_double, c_int, c_int64, c_size_t, c_uint, c_uint32, c_uint64, c_void_p
+from ctypes import POINTER, byref, c_char_p, c_double, c_int, c_int64, c_size_t, c_uint, c_uint16, c_uint32, c_uint64, c_void_p
 from typing import Any
 
 LIBRARIES = ("libaravis-0.8.so.0", "libaravis-0.8.0.dylib", "libaravis-0.8-0.dll")
@@ -29,6 +29,7 @@ PLAIN: dict[str, tuple[Any, ...]] = {
     "camera_is_gv_device": (c_int, c_void_p),
     "camera_gv_set_packet_size_adjustment": (None, c_void_p, c_int),
     "camera_create_chunk_parser": (c_void_p, c_void_p),
+    "gv_stream_get_port": (c_uint16, c_void_p),
     "gv_device_is_controller": (c_int, c_void_p),
     "device_get_feature": (c_void_p, c_void_p, c_char_p),
     "gc_enumeration_get_type": (c_size_t,),

@@ -9,6 +9,7 @@ from __future__ import annotations
 import ctypes
 import mmap
 import signal
+import socket
 import sys
 import threading
 import time
@@ -23,6 +24,7 @@ TRANSPORTS = ("GigEVision", "USB3Vision")
 # GigE Vision: control channel privilege, address of the primary application, heartbeat time-out
 CONTROL_REGISTER, OWNER_REGISTER, HEARTBEAT_REGISTER = 0x0A00, 0x0A14, 0x0938
 CONTROLLED = 0b11
+SOCKET_BYTES, MOST_DESCRIPTORS = 8_000_000, 256
 POP_US = 20_000
 IMAGE_PAYLOADS = (1, 4, 5)  # image, and images with chunks
 NEVER = 0
@@ -149,6 +151,8 @@ class CameraProcess:
         self.stop()
         self._sequence = sequence
         self._stream = self._arv.camera_create_stream(self._camera, None, None)
+        if self._is_gige():
+            widen_socket(self._arv.gv_stream_get_port(self._stream), max(SOCKET_BYTES, 4 * self._slot_bytes))
         for slot in range(self._slots):
             self.give_back(slot, sequence)
         if exposure_chunk and self._parser is None:
@@ -255,6 +259,17 @@ class CameraProcess:
     def _feature(self, verb: str, feature: str, *values: Any, suffix: str = "") -> Any:
         function = getattr(self._arv, f"camera_{verb}_{self._kind(feature)}{suffix}")
         return function(self._camera, feature.encode(), *values)
+
+
+def widen_socket(port: int, size_bytes: int) -> None:
+    """Enlarge the receive buffer of this process's socket on ``port``, as far as the system allows (net.core.rmem_max).
+
+    The system's default holds a fraction of an image, and Aravis enlarges it only once the first image arrives.
+    """
+    for descriptor in range(3, MOST_DESCRIPTORS):
+        with suppress(OSError), socket.fromfd(descriptor, socket.AF_INET, socket.SOCK_DGRAM) as candidate:
+            if candidate.getsockname()[1:2] == (port,):
+                candidate.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, size_bytes)
 
 
 def serve(control: Connection, frames: Connection, memory: int) -> None:

@@ -24,6 +24,7 @@ from .settings import GenicamSettings
 DISCOVERY_S, OPENING_S = 10.0, 20.0
 PAGE = 4096
 LOOK_S = 0.02  # how often a waiting call looks whether it was stopped
+RETAKE = "Take it again. If it happens often: larger packets, a longer packet delay, larger network buffers (README of the driver)."
 READY_LOOK_S = 0.002
 ASK_S = 0.5  # how often a camera is asked whether it is there while no image arrives
 STATUSES = {2: "incomplete after a time-out", 3: "incomplete", 4: "with packets of another image", 5: "of the wrong size", 7: "aborted"}

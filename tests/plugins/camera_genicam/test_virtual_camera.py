@@ -42,7 +42,7 @@ def take(camera: Any) -> Frame:
 
 @pytest.mark.parametrize("lost_share", [0.001, 0.01, 0.05])
 def test_lost_packets_are_sent_again_counted_and_the_images_exact(peer: GigeCamera, lost_share: float) -> None:
-    count = 100
+    count = 60
     with connected() as camera:
         arm(camera, count)
         peer.faults = Faults(lost_share=lost_share)
@@ -63,7 +63,7 @@ def test_lost_packets_are_sent_again_counted_and_the_images_exact(peer: GigeCame
 
 @pytest.mark.parametrize("faults", [Faults(lost_share=0.003, resends=False), Faults(lost_share=0.01, lost_again_share=0.9)])
 def test_an_image_that_stays_incomplete_is_refused_and_the_others_keep_their_numbers(peer: GigeCamera, faults: Faults) -> None:
-    count, good = 120, 0
+    count, good = 50, 0
     with connected(buffers=4) as camera:
         arm(camera, count)
         peer.faults = faults
