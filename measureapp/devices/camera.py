@@ -24,7 +24,7 @@ class Frame:
     pixels: ImageArray  # (height, width), uint8 or uint16; the receiver's own copy
     serial: str
     number: int  # counted from 0 at `Camera.arm`; a gap or a repeat means a lost or stale image
-    exposure_us: int  # as read back with the image, rounded
+    exposure_us: int | None  # as read back with the image, or at its software trigger, rounded; None where the camera cannot tell
     device_time_s: float | None = None  # by the camera's clock; None if it has none
 
 
@@ -46,6 +46,8 @@ class StreamStatistics:
 
 class Camera(Protocol):
     """A triggered monochrome camera. Every driver must pass ``tests/contracts/test_camera.py``.
+
+    The exposure may be changed within a sequence, after `wait_ready`, while images of the former exposure have not been fetched yet.
 
     A sequence is `arm`, then for each image a trigger (`trigger`, or the projector's pulse), `wait_ready` and `next_frame`, then `disarm`.
     The transfer of one image may overlap the exposure of the next: `next_frame` may be called after the next `trigger`.

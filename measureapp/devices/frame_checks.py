@@ -17,6 +17,6 @@ def find_difference(frame: Frame, camera: Camera, exposure_us: int) -> str:
     depth = np.uint8 if camera.bit_depth == 8 else np.uint16
     if frame.pixels.dtype != depth:
         return f"the image has pixels of type {frame.pixels.dtype}, not {np.dtype(depth)} for {camera.bit_depth} bit"
-    if abs(frame.exposure_us - exposure_us) > camera.exposure_step_us:
+    if frame.exposure_us is not None and abs(frame.exposure_us - exposure_us) > camera.exposure_step_us:
         return f"the image was exposed for {frame.exposure_us} µs, not {exposure_us} µs"
     return ""

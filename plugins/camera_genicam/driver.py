@@ -42,8 +42,8 @@ def connect(request: DeviceRequest) -> GenicamCamera:
     InputError
         The camera does not offer what the settings or the rig description require.
     """
-    description = next(camera for camera in request.rig.cameras if camera.name == request.name)
-    settings = GenicamSettings.model_validate(request.settings)
+    description, settings = request.rig.camera(request.name), request.settings
+    assert isinstance(settings, GenicamSettings)
     link = CameraLink(request.name)
     try:
         open_by_serial(link, description, settings.control_wait_s)
@@ -224,8 +224,7 @@ class GenicamCamera:
                 )
             number = self._numbers.number(found["block"], triggers)
             self._check_layout(found)
-            exposure_us = self._exposures_us[number] if self._armed == "software" else self._exposure_us
-            self._check_exposure(found["exposure_us"], exposure_us)
+            exposure_us = self._exposure_of(number, found["exposure_us"])
             pixels = image(self._raw(found), self._facts.pixel_format, self.width_px, self.height_px)
         except FrameError as error:
             self._failed += 1
@@ -246,10 +245,17 @@ class GenicamCamera:
         if layout != (self.width_px, self.height_px, self._facts.pixel_format.code):
             raise FrameError(f"An image has size and format {layout}, which were not set.", "Connect the camera again.")
 
-    def _check_exposure(self, measured_us: float | None, exposure_us: int) -> None:
-        """Refuse an image that was exposed otherwise than set, where images carry their exposure."""
-        if self._facts.exposure_chunk and (measured_us is None or abs(measured_us - exposure_us) > self.exposure_step_us):
-            raise FrameError(f"An image was exposed for {measured_us} µs instead of {exposure_us} µs.", "Take it again.")
+    def _exposure_of(self, number: int, measured_us: float | None) -> int | None:
+        """Return the exposure of an image: as it carries it, else as it was set at its software trigger; None for one started by the line.
+
+        Raises FrameError for an image that was exposed otherwise than set at its trigger, or does not carry what it should.
+        """
+        set_us = self._exposures_us[number] if self._armed == "software" else None
+        if not self._facts.exposure_chunk:
+            return set_us
+        if measured_us is None or (set_us is not None and abs(measured_us - set_us) > self.exposure_step_us):
+            raise FrameError(f"An image was exposed for {measured_us} µs instead of {set_us} µs.", "Take it again.")
+        return round(measured_us)
 
     def _timeout(self, what: str, timeout_s: float) -> DeviceTimeout:
         return DeviceTimeout(f"Camera {self.name} {what} within {timeout_s:g} s.", "Check trigger and exposure; allow more time.")

@@ -53,6 +53,7 @@ def test_images_are_numbered_from_zero_in_every_sequence_with_exposure_and_seria
         assert [frame.number for frame in frames] == [0, 1, 2]
         for frame in frames:
             assert frame.serial == camera.serial
+            assert frame.exposure_us is not None
             assert abs(frame.exposure_us - 20_000) <= camera.exposure_step_us
 
 
@@ -114,3 +115,19 @@ def test_a_camera_tells_its_state_and_counts_its_images(camera: Camera) -> None:
     status = camera.status()
     assert status.ready
     assert status.text
+
+
+def test_the_exposure_may_change_while_the_image_before_is_on_its_way(camera: Camera) -> None:
+    camera.set_exposure_us(40_000)
+    camera.arm(2, "software")
+    camera.trigger()
+    camera.wait_ready(timeout_s=5.0)
+    camera.set_exposure_us(20_000)
+    camera.trigger()
+    first = camera.next_frame(timeout_s=5.0)
+    camera.wait_ready(timeout_s=5.0)
+    second = camera.next_frame(timeout_s=5.0)
+    camera.disarm()
+    for frame, exposure_us in ((first, 40_000), (second, 20_000)):
+        assert frame.exposure_us is not None
+        assert abs(frame.exposure_us - exposure_us) <= camera.exposure_step_us
