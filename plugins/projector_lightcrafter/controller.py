@@ -6,10 +6,10 @@ import struct
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from measureapp.devices.attempt import Attempt
 from measureapp.errors import DeviceError, DeviceTimeout
 
 from . import registers
-from .attempt import Attempt
 from .link import Link
 from .registers import Command, Mailbox, sentences
 from .sequence import PatternSequence

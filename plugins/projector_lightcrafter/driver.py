@@ -9,12 +9,12 @@ from collections.abc import Callable
 import numpy as np
 
 from measureapp.arrays import ImageArray
+from measureapp.devices.attempt import Attempt, Stops
 from measureapp.devices.projector import DARK, PLAIN_LIGHT, Projector
 from measureapp.devices.request import DeviceRequest
 from measureapp.devices.status import DeviceStatus
 from measureapp.errors import DeviceError, InputError, MeasureError
 
-from .attempt import Attempt, Stops
 from .controller import Controller, TriggerEdge
 from .link import HidDevice, Link
 from .registers import BY_ITSELF, FROM_FLASH, HEIGHT_PX, LEDS, WIDTH_PX

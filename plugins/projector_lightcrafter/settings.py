@@ -56,5 +56,5 @@ class LightCrafterSettings(Model):
     )
     trigger_inverted: bool = Field(default=False, description="trigger output 1 is low during the exposure")
     reply_timeout_s: float = Field(default=0.5, gt=0, le=5, description="longest wait for a reply of the projector")
-    poll_s: float = Field(default=0.01, gt=0, le=1, description="wait between two looks at a state that is to change")
+    poll_s: float = Field(default=0.01, gt=0, le=1, description="wait between two reads of a state that is to change")
     wake_timeout_s: float = Field(default=10.0, gt=0, le=60, description="longest wait for the projector to leave standby")

@@ -8,13 +8,13 @@ from pydantic import ValidationError
 
 from measureapp.arrays import ImageArray
 from measureapp.data.model import first_problem
+from measureapp.devices.attempt import Stops
 from measureapp.devices.plugin_loader import load_driver
 from measureapp.devices.projector import DARK, Projector
 from measureapp.devices.request import DeviceRequest
 from measureapp.devices.status import DeviceStatus
 from measureapp.errors import DeviceError, InputError, MeasureError
 
-from .attempt import Stops
 from .controller import Controller, TriggerEdge
 from .link import Link
 from .registers import BY_VSYNC, EXTERNAL_TRIGGER, FROM_VIDEO, LEDS, SHORTEST_EXPOSURE_US

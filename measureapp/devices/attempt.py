@@ -1,4 +1,4 @@
-"""One call that may be stopped by another thread, and must end in time."""
+"""One call of a driver that another thread may stop, and that must end in time."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Attempt:
             raise Cancelled
         if time.monotonic() > self._end:
             raise DeviceTimeout(
-                f"{self._what} did not end within {self._timeout_s:g} s.", "Check the projector; allow more time if it is sound."
+                f"{self._what} did not end within {self._timeout_s:g} s.", "Check the device; allow more time if it is sound."
             )
 
     def wait(self, seconds: float) -> None:
