@@ -21,7 +21,7 @@ from .registers import BY_VSYNC, EXTERNAL_TRIGGER, FROM_VIDEO, LEDS, SHORTEST_EX
 from .sequence import PatternEntry, PatternSequence, check_times
 from .settings import LightCrafterSettings
 
-CONFIGURE_TIMEOUT_S = 5.0
+CONFIGURE_TIMEOUT_S, START_TIMEOUT_S = 5.0, 1.0
 SYNC_GAP_US = 500  # from the end of the exposure to the next vertical synchronisation
 
 
@@ -31,7 +31,7 @@ class VideoLightCrafter:
     def __init__(self, request: DeviceRequest, settings: LightCrafterSettings, link: Link, controller: Controller) -> None:
         self._screen = _connect_screen(request, settings)
         self._link, self._controller = link, controller
-        self._stops = Stops()
+        self._stops, self._poll_s = Stops(), settings.poll_s
         try:
             self._begin(settings)
         except BaseException:
@@ -98,7 +98,10 @@ class VideoLightCrafter:
         if not on:
             self._controller.darken()
         elif not self._controller.is_playing():
-            self._controller.start(self._stops.begin(f"Starting {self._controller.name}", CONFIGURE_TIMEOUT_S))
+            attempt = self._stops.begin(f"Starting {self._controller.name}", START_TIMEOUT_S)
+            self._controller.start(attempt)
+            while not self._controller.is_playing():
+                attempt.wait(self._poll_s)
 
 
 def _connect_screen(request: DeviceRequest, settings: LightCrafterSettings) -> Projector:
