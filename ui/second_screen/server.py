@@ -78,7 +78,7 @@ class Server(QObject):
         except MeasureError as error:
             self._send({"id": number, "error": error.message, "hint": error.hint, "lost": bool(self._lost)})
         except (KeyError, TypeError, ValueError, OSError) as error:
-            reason = f"The command {line.strip()[:120]} cannot be carried out: {type(error).__name__}: {error}."
+            reason = f"The command {line.strip()[:120]} cannot be executed: {type(error).__name__}: {error}."
             self._send({"id": number, "error": reason, "hint": "Use driver and window of the same version.", "lost": False})
 
     @Slot(QScreen)

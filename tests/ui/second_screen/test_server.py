@@ -70,12 +70,12 @@ def test_an_image_that_does_not_exist_is_refused_and_nothing_changes(loaded: Tal
 @pytest.mark.parametrize("line", ["rubbish", "[]", "{}", '{"id": 1}', '{"id": 1, "do": "dance"}', '{"id": 1, "do": "show"}'])
 def test_what_is_no_command_is_refused_in_words(talk: Talk, line: str) -> None:
     talk.server.receive(line)
-    assert "cannot be carried out" in talk.lines[-1]["error"]
+    assert "cannot be executed" in talk.lines[-1]["error"]
 
 
 def test_a_file_of_another_size_is_refused(talk: Talk, tmp_path: Path) -> None:
     (tmp_path / "images.raw").write_bytes(bytes(1001))
-    assert "cannot be carried out: ValueError" in talk.ask(do="load", file=str(tmp_path / "images.raw"))["error"]
+    assert "cannot be executed: ValueError" in talk.ask(do="load", file=str(tmp_path / "images.raw"))["error"]
 
 
 def test_no_pattern_appears_on_another_screen_when_this_one_is_gone(loaded: Talk, qapp: QGuiApplication) -> None:
