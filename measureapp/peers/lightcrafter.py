@@ -75,7 +75,7 @@ class VirtualLightCrafter:
         self._partial, self._missing = b"", 0
         self._busy_polls = self._load_ticks = 0
         self._began: float | None = None
-        self._pulses = 0
+        self._pulses = self._earlier_pulses = 0
 
     def write(self, report: bytes, /) -> int:
         """Take one report, id first, as `hid.device.write`."""
@@ -137,6 +137,11 @@ class VirtualLightCrafter:
             if self._began is None:
                 return self._pulses
             return self._pulses_by_now()
+
+    def all_pulses(self) -> int:
+        """Return the number of pulses of trigger output 1 since the peer was made, as a camera counts them."""
+        with self._lock:
+            return self._earlier_pulses + self.pulses()
 
     def _order(self) -> list[int]:
         """Flash images in the order of buffer swaps: two images are both loaded, and the second entry is shown first."""
@@ -232,6 +237,8 @@ class VirtualLightCrafter:
             if self._settings[0x1A1B] != b"\x01":
                 return False
             if not self.faults.never_starts:
+                self._halt()
+                self._earlier_pulses += self._pulses
                 self._began, self._pulses = self._now() + self._load_s, 0
                 self._settings[ACTION] = data
         else:

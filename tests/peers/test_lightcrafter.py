@@ -98,3 +98,12 @@ def test_an_exposure_below_the_limit_of_its_bit_depth_does_not_validate(client: 
 
 def test_a_report_of_another_length_is_not_taken(device: UsbDevice) -> None:
     assert device.peer.write(b"\0" * 64) == -1
+
+
+def test_pulses_are_counted_across_sequences_as_a_camera_counts_them(client: ModuleType, device: UsbDevice, clock: list[float]) -> None:
+    for _ in range(2):
+        client.pattern_mode(period=10_000, bit_depth=8)
+        clock[0] += 0.045
+    assert device.peer.pulses() == 5
+    client.video_mode()
+    assert device.peer.all_pulses() == 2 * (1 + 5)  # the client starts twice, and the first start ends with its first pulse

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import numpy as np
+import numpy.typing as npt
 from PySide6.QtCore import QPointF, QRect, Qt
 from PySide6.QtGui import QBackingStore, QExposeEvent, QImage, QPainter, QRegion, QScreen, QSurface, QWindow
 
 from measureapp.arrays import ImageArray
 from measureapp.errors import DeviceError
 from ui.second_screen.screens import check_size
+
+OPAQUE = np.uint32(0xFF000000)
+FORMATS_32 = (QImage.Format.Format_RGB32, QImage.Format.Format_ARGB32, QImage.Format.Format_ARGB32_Premultiplied)
 
 
 class PatternWindow(QWindow):
@@ -64,17 +68,26 @@ class PatternWindow(QWindow):
         self._store.beginPaint(whole)
         surface = self._store.paintDevice()
         painter = QPainter(surface)
-        painter.fillRect(QRect(0, 0, self.width() + 1, self.height() + 1), Qt.GlobalColor.black)
         painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Source)
-        pixels = np.ascontiguousarray(self._image)
-        picture = QImage(pixels.data, width, height, width, QImage.Format.Format_Grayscale8)
+        painter.fillRect(QRect(0, 0, self.width() + 1, self.height() + 1), Qt.GlobalColor.black)  # with a rounded size one column remains
+        pixels = self._image * np.uint32(0x010101) | OPAQUE
+        picture = QImage(pixels.data, width, height, 4 * width, QImage.Format.Format_RGB32)
         picture.setDevicePixelRatio(self.devicePixelRatio())
         painter.drawImage(QPointF(0.0, 0.0), picture)
         painter.end()
-        painted = read_grey(surface) if isinstance(surface, QImage) else None
+        exact = isinstance(surface, QImage) and _shows(surface, self._image, pixels)
         self._store.endPaint()
         self._store.flush(whole)
-        return painted is not None and np.array_equal(painted[:height, :width], self._image)
+        return exact
+
+
+def _shows(surface: QImage, image: ImageArray, pixels: npt.NDArray[np.uint32]) -> bool:
+    """Whether a surface has an image (height, width), also given as pixels of 32 bits, in its upper left corner."""
+    height, width = image.shape
+    if surface.format() not in FORMATS_32:
+        return np.array_equal(read_grey(surface)[:height, :width], image)
+    rows = np.frombuffer(surface.constBits(), np.uint32).reshape(surface.height(), surface.bytesPerLine() // 4)
+    return np.array_equal(rows[:height, :width] | OPAQUE, pixels)
 
 
 def read_grey(image: QImage) -> ImageArray:
