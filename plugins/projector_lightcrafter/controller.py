@@ -88,6 +88,12 @@ class Controller:
         while self._link.read(Command.STANDBY, 1)[0] or self.status().main & registers.PARKED:
             attempt.wait(self._poll_s)
 
+    def prepare(self, attempt: Attempt) -> None:
+        """Switch the LEDs off, leave the video mode that projectors start in, and stop whatever plays."""
+        self._set(Command.LED_ENABLE, bytes([registers.LEDS_OFF]), attempt.check)
+        self._enter_pattern_mode(attempt)
+        self._stop(attempt)
+
     def set_led_current(self, current: int) -> None:
         """Set the current of all LEDs, 1…255; the controller counts down from 255."""
         self._set(Command.LED_CURRENTS, bytes([255 - current] * 3), lambda: None)
@@ -126,8 +132,7 @@ class Controller:
             From the attempt.
         """
         check = attempt.check
-        self._link.write(Command.START_STOP, bytes([registers.STOP]), check)
-        self._stopped(attempt)
+        self._stop(attempt)
         self._enter_pattern_mode(attempt)
         self._set(Command.PATTERN_SOURCE, bytes([source]), check)
         self._set(Command.TRIGGER_MODE, bytes([trigger_mode]), check)
@@ -147,8 +152,9 @@ class Controller:
         self._set(Command.LED_ENABLE, bytes([registers.LEDS_BY_SEQUENCER]), attempt.check)
         self._link.write(Command.START_STOP, bytes([registers.START]), attempt.check)
 
-    def _stopped(self, attempt: Attempt) -> None:
-        while self.status().runs:
+    def _stop(self, attempt: Attempt) -> None:
+        self._link.write(Command.START_STOP, bytes([registers.STOP]), attempt.check)
+        while self._link.read(Command.START_STOP, 1)[0] != registers.STOP:
             attempt.wait(self._poll_s)
 
     def _enter_pattern_mode(self, attempt: Attempt) -> None:

@@ -62,6 +62,7 @@ def connect(request: DeviceRequest, open_device: Open = open_projector) -> Proje
         controller = Controller(link, settings.poll_s)
         controller.wake(Stops().begin(f"Waking {name}", settings.wake_timeout_s))
         _check_health(controller, settings)
+        controller.prepare(Stops().begin(f"Preparing {name}", CONFIGURE_TIMEOUT_S))
         if settings.led_current:
             controller.set_led_current(settings.led_current)
         if settings.source == "video":
@@ -170,17 +171,17 @@ class LightCrafter:
         if self._played is None:
             return 0
         sequence, began_s = self._played
-        elapsed_s, status = time.monotonic() - began_s, self._controller.status()
+        elapsed_s, problem, plays = time.monotonic() - began_s, self._controller.status().problem, self._controller.is_playing()
         count, period_s = len(sequence.entries), sequence.period_us * 1e-6
-        if status.problem:
-            raise DeviceError(f"{self.name} reports a fault: {status.problem}. The number of its trigger pulses is unknown.", "Play again.")
-        if not status.runs and elapsed_s < (count - 1) * period_s - EARLY_S:
+        if problem:
+            raise DeviceError(f"{self.name} reports a fault: {problem}. The number of its trigger pulses is unknown.", "Play again.")
+        if not plays and elapsed_s < (count - 1) * period_s - EARLY_S:
             raise DeviceError(
                 f"{self.name} stopped {elapsed_s:.2f} s after the start of a sequence of {count * period_s:.2f} s: the number of its trigger "
                 "pulses is unknown.",
                 "Play again.",
             )
-        if not status.runs:
+        if not plays:
             return count
         if elapsed_s > count * period_s + FIRST_IMAGE_S + LATE_S:
             raise DeviceError(
@@ -247,7 +248,7 @@ class LightCrafter:
     def _wait_for_start(self, sequence: PatternSequence, attempt: Attempt) -> float:
         """Wait until the sequencer runs; return when it was seen to. Raises DeviceError when it does not."""
         asked_s = time.monotonic()
-        while not self._controller.status().runs:
+        while not self._controller.is_playing():
             waited_s = time.monotonic() - asked_s
             if not sequence.repeat and waited_s > len(sequence.entries) * sequence.period_us * 1e-6:
                 return asked_s  # so short that it may have ended already
