@@ -268,8 +268,8 @@ class BaslerCamera:
         if number >= self._most:
             raise SequenceError(f"it sent image {number + 1} of a sequence of {self._most}")
 
-    def _check_exposure(self, number: int, received: Received) -> int:
-        """Return the exposure of an image: sent with it, else as set for its trigger and still read back."""
+    def _check_exposure(self, number: int, received: Received) -> int | None:
+        """Return the exposure of an image: sent with it, else as set for its trigger, and None for a trigger on the line."""
         asked_us = self._asked_us[number] if self._trigger == "software" else None
         if received.exposure_us is not None:
             found_us = round(received.exposure_us)
@@ -279,7 +279,7 @@ class BaslerCamera:
         read_us = round(self._ask(self._stream.read_exposure))
         if abs(read_us - self._exposure_us) > self.exposure_step_us:
             raise FrameError(f"its exposure reads {read_us} µs, and {self._exposure_us} µs was set")
-        return self._exposure_us if asked_us is None else asked_us
+        return asked_us
 
     def _probe(self, waiting: Waiting) -> None:
         """Raise DeviceLost if the camera does not answer."""
