@@ -23,7 +23,8 @@ def load_pylon() -> Any:
             return import_module("pypylon.pylon")
         except ImportError as error:
             raise PluginError(
-                f"The driver camera_basler needs the package pypylon, which cannot be imported: {error}.", "Install it: pip install pypylon."
+                f"The driver camera_basler needs the package pypylon, which cannot be imported: {error}.",
+                "Install it: pip install pypylon.",
             ) from error
 
 

@@ -130,7 +130,7 @@ def test_a_buffer_forced_to_fail_is_refused_and_the_next_image_has_its_own_numbe
 
 
 def test_values_outside_the_camera_s_range_are_refused_in_its_words(connect_all: Callable[..., dict[str, Any]]) -> None:
-    with pytest.raises(DeviceError, match="refused GainRaw = 100000: .* equal or smaller than Max = 1023"):
+    with pytest.raises(DeviceError, match=r"refused GainRaw = 100000: .* equal or smaller than Max = 1023"):
         connect_all(gain=100_000)
     with pytest.raises(DeviceError, match="has 4096 pixels of width, fewer than the 5000"):
         connect_all(rig=emulated_rig(width_px=5000))
