@@ -233,7 +233,7 @@ class FakeCamera:
     def fire(self) -> None:
         """One trigger pulse, or one software trigger: the image arrives at once."""
         exposure = self.nodes.nodes.get("ExposureTimeAbs") or self.nodes.nodes["ExposureTime"]
-        pixels = np.full((self.nodes["Height"], self.nodes["Width"]), 7, np.uint8)
+        pixels = np.full((self.nodes["Height"], self.nodes["Width"]), self._block % 256, np.uint8)  # shows which image it is
         made = Result(pixels, self._block, exposure.value, self.ignored, ticks=self._block * 125_000, context=self._context)
         made.has_chunks, made.released = "ChunkSelector" in self.nodes.nodes, self.released
         self._block += 1
@@ -241,6 +241,10 @@ class FakeCamera:
         with self._arrived:
             self._results.extend(self.spoil(made))
             self._arrived.notify_all()
+
+    @property
+    def has_results(self) -> bool:
+        return bool(self._results)
 
     def Open(self) -> None:
         self.attempts += 1

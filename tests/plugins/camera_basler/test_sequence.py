@@ -6,11 +6,12 @@ from collections.abc import Callable
 from dataclasses import replace
 from types import ModuleType
 
+import numpy as np
 import pytest
 
 from measureapp.errors import DeviceError, DeviceTimeout, FrameError, SequenceError
 
-from .conftest import SERIAL, Connect
+from .conftest import SERIAL, Connect, rig_of
 from .fake_pylon import FakeCamera, Result, ace_2_usb, damaged
 
 SOON_S = 1.0
@@ -198,6 +199,35 @@ def test_packets_are_counted_over_all_sequences_and_many_resends_are_told(connec
     counted = camera.statistics()
     assert (counted.packets, counted.resent_packets, counted.lost_packets, counted.failed_frames) == (4000, 8, 2, 2)
     assert "0.20 % of the packets were sent again" in camera.status().text
+
+
+def test_no_image_gets_the_number_of_another_one_whatever_arrives(connect: Connect, fake: FakeCamera) -> None:
+    """1000 triggers, a third of whose images are damaged, lost, repeated, cut off or of another exposure."""
+    rng = np.random.default_rng(5)
+    faults: list[Callable[[Result], list[Result]]] = [
+        lambda result: [damaged(result)],
+        lambda _: [],
+        lambda result: [result, result],
+        lambda result: [replace(result, payload=100)],
+        lambda result: [replace(result, exposure_us=9000.0)],
+    ]
+    camera = connect(fake, rig=rig_of(width_px=64, height_px=48))
+    camera.arm(1000, "software")
+    fake.spoil = lambda result: [result] if rng.random() > 0.33 else faults[int(rng.integers(len(faults)))](result)
+    accepted, refused = [], 0
+    for _ in range(1000):
+        camera.trigger()
+        while fake.has_results:
+            try:
+                frame = camera.next_frame(timeout_s=SOON_S)
+            except FrameError:
+                refused += 1
+            else:
+                assert int(frame.pixels[0, 0]) == (frame.number + 1) % 256, "the first block id is 1"
+                accepted.append(frame.number)
+    assert accepted == sorted(set(accepted))
+    assert len(accepted) > 600
+    assert refused > 100
 
 
 @pytest.mark.parametrize(
