@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 import time
 
-from measureapp.errors import DeviceError, DeviceTimeout, MotionError
+from measureapp.errors import DeviceError, DeviceLost, DeviceTimeout, MotionError
 from measureapp.progress import Cancelled
 
 from .drive_map import DriveMap
@@ -13,6 +13,7 @@ from .line import ModbusLine, Target
 from .settings import AxisSettings
 
 MARGIN, MARGIN_S = 1.5, 2.0  # of the predicted duration of a move
+IDENTITY_TRIES = 3  # after late replies
 
 
 class ModbusAxis:
@@ -26,7 +27,9 @@ class ModbusAxis:
         self._stops, self._asked_to_stop = 0, threading.Event()
         self._confirm_identity()
         if self._holds("alarm"):
-            raise DeviceError(f"{name} reports an alarm: {self._alarm_words()}.", "Remove the cause and reset the drive, then connect again.")
+            raise DeviceError(
+                f"{name} reports an alarm: {self._alarm_words()}.", "Remove the cause and reset the drive, then connect again."
+            )
         if not self._holds("enabled", default=True):
             self._run("enable", 0)
 
@@ -101,7 +104,9 @@ class ModbusAxis:
                 raise
         if self._read("goal") != self._wrapped("goal", goal):
             self._run("stop", 0)
-            raise MotionError(f"{self.name} holds another goal than it was sent.", "Check the map of the drive, and that nobody else commands it.")
+            raise MotionError(
+                f"{self.name} holds another goal than it was sent.", "Check the map of the drive, and that nobody else commands it."
+            )
 
     def _wait_at(self, goal: int, stops: int, end: float, within_s: float) -> None:
         resting_since, last = 0.0, None
@@ -144,17 +149,30 @@ class ModbusAxis:
 
     def _confirm_identity(self) -> None:
         """Drain the line after a late reply, and believe the drive again when its identity register reads as it must."""
-        if self._line.doubtful:
-            self._line.drain()
+        for attempt in range(IDENTITY_TRIES):
+            if self._line.doubtful:
+                self._line.drain()
+            try:
+                self._check_identity()
+            except DeviceLost:
+                raise
+            except DeviceError:
+                if not self._line.doubtful or attempt + 1 == IDENTITY_TRIES:
+                    raise
+            else:
+                self._line.trust()
+                return
+
+    def _check_identity(self) -> None:
         identity = self._drive.identity
-        if identity is not None:
-            value = self._raw(identity.register_name)
-            if not identity.holds(value):
-                raise DeviceError(
-                    f"{self.name}: register {identity.register_name} reads {value:#x}, which is not a {self._drive.name}.",
-                    "Check station number, port and drive map.",
-                )
-        self._line.trust()
+        if identity is None:
+            return
+        value = self._raw(identity.register_name)
+        if not identity.holds(value):
+            raise DeviceError(
+                f"{self.name}: register {identity.register_name} reads {value:#x}, which is not a {self._drive.name}.",
+                "Check station number, port and drive map.",
+            )
 
     def _holds(self, condition: str, *, default: bool = False) -> bool:
         stated = self._drive.conditions.get(condition)  # type: ignore[call-overload]

@@ -109,4 +109,6 @@ def read_map(name_or_path: str) -> DriveMap:
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise InputError(f"{path} cannot be read as a drive map: {error}.", "Correct the file.") from error
     except ValidationError as error:
-        raise InputError(f"{path}: {first_problem(error, 'the drive map')}.", "Correct this field; the README describes the form.") from error
+        raise InputError(
+            f"{path}: {first_problem(error, 'the drive map')}.", "Correct this field; the README describes the form."
+        ) from error

@@ -19,6 +19,7 @@ from .settings import LineSettings
 Kind = Literal["holding", "input", "coil", "discrete"]
 BUSY, BUSY_TRIES, BUSY_WAIT_S = 6, 5, 0.05
 LOST_AFTER = 2  # transactions without a reply
+QUIET_S = 0.2  # without a byte, after which a late reply is not expected any more
 EXCERPT_BYTES = 24
 REFUSALS = {
     1: "does not know this function",
@@ -81,7 +82,7 @@ class ModbusLine:
         with self._lock:
             port = self._client.socket
             quiet_since = time.monotonic()
-            while self._serial and port is not None and time.monotonic() - quiet_since < 0.05:
+            while self._serial and port is not None and time.monotonic() - quiet_since < QUIET_S:
                 waiting = port.in_waiting
                 if waiting:
                     port.read(waiting)
@@ -125,7 +126,10 @@ class ModbusLine:
                 self.doubtful = True
                 if self._silent >= LOST_AFTER:
                     raise self._lose(target, "no reply") from error
-                raise DeviceTimeout(f"{target.axis} did not reply at {self._place} ({self._excerpt()}).", "Check its cable.") from error
+                raise DeviceTimeout(
+                    f"{target.axis} (station {target.unit_id} at {self._place}) did not reply ({self._excerpt()}).",
+                    "Check power, cable, station number and baud rate.",
+                ) from error
             self._silent = 0
             return reply
 
@@ -190,7 +194,7 @@ def open_line(table: Mapping[str, object], drive: DriveMap) -> ModbusLine:
 
 def find_port(usb_serial: str) -> str:
     """Return the port of the USB adapter with this serial number, whatever its name is now. Raises DeviceError with those that are there."""
-    from serial.tools.list_ports import comports
+    from serial.tools.list_ports import comports  # type: ignore[import-untyped]
 
     found = {entry.serial_number: entry.device for entry in comports() if entry.serial_number}
     if usb_serial and usb_serial in found:
