@@ -131,9 +131,7 @@ def read_tasks(cell: Cell, _call: Call, _match: re.Match[str]) -> Answer:
     running = "started" if cell.machine.is_running() else "stopped"
     return Answer(
         states=(
-            state(
-                "rap-task-li", "T_ROB1", name="T_ROB1", type="norm", taskstate="link", excstate=running, active="On", motiontask="TRUE"
-            ),
+            state("rap-task-li", "T_ROB1", name="T_ROB1", type="norm", taskstate="link", excstate=running, active="On", motiontask="TRUE"),
         )
     )
 
