@@ -21,7 +21,7 @@ MODULE MeasureApp
   ! Identity: checked by the driver before anything moves. mm_program is the
   ! digest of this file without the line below; README.md says how to renew it.
   PERS string mm_version:="MM 1.0";
-  PERS string mm_program:="a8a2cc0ca1bd1b7f";
+  PERS string mm_program:="621b0d752accb01e";
   PERS string mm_owner:="";
 
   ! Orders, written by the driver. An order runs only if its id equals mm_cmd.

@@ -9,6 +9,7 @@ import numpy as np
 
 DECLARATION = re.compile(r"^\s*(PERS|CONST|VAR)\s+(\w+)\s+(\w+)\s*:=\s*(.+?);\s*$", re.MULTILINE | re.IGNORECASE)
 TOKEN = re.compile(r'\s*(\[|\]|,|"(?:[^"]|"")*"|TRUE|FALSE|[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*', re.IGNORECASE)
+UNUSED = float(np.float32(9e9))  # of an external axis that is not there
 Value = float | bool | str | list["Value"]
 
 
@@ -82,7 +83,7 @@ def write(value: Value) -> str:
         return "TRUE" if value else "FALSE"
     if isinstance(value, str):
         return '"' + value.replace('"', '""') + '"'
-    return "9E+09" if value == 9e9 else f"{value:.7g}"
+    return "9E+09" if value == UNUSED else f"{value:.7g}"
 
 
 def _read(text: str) -> tuple[Value, str]:
