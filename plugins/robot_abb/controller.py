@@ -200,19 +200,21 @@ class Controller:
             _log.warning("mastership ends with the session: %s", error)
 
     def _carry_out(self, write: Callable[[], None], is_done: Callable[[], bool], what: str) -> None:
-        """Write, then read back. A write without an answer is repeated once, after two read-backs: every value is absolute."""
-        for last in (False, True):
+        """Write, then read back. A write without an answer is repeated only after two read-backs deny it: every value is absolute."""
+        end, attempts, answered = time.monotonic() + self.session.patience_s, 0, 0
+        while attempts < 2 or (answered < 2 and time.monotonic() < end):
+            attempts += 1
             try:
                 write()
+                answered += 1
             except Unanswered as error:
                 _log.warning("no answer to %s: reading back: %s", what, error)
             except Refused:
-                if not (last and is_done()):  # a repeated start is refused when the first one came late
+                if attempts == 1 or not is_done():  # a repeated start is refused when the first one came late
                     raise
             if self._soon(is_done):
                 return
-            if last:
-                raise DeviceError(f"The controller accepted {what} and reads back something else.", "Connect again.")
+        raise DeviceError(f"The controller did not carry out {what}: it reads back something else.", "Connect again.")
 
     @staticmethod
     def _soon(is_done: Callable[[], bool]) -> bool:

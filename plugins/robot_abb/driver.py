@@ -20,7 +20,7 @@ from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Cancelled
 
 from .arm import Arm
-from .controller import Controller, Situation
+from .controller import Controller
 from .egm import PoseStream
 from .login import Login, open_login
 from .mailbox import FAILED, REFUSED, Answer, Identity, Mailbox, own_name
@@ -108,7 +108,7 @@ class AbbRobot:
 
     def status(self) -> DeviceStatus:
         """Read the state, for display."""
-        identity = f"system {self._identity.system_id}, RobotWare {self._identity.version}"
+        identity = self._identity.words
         try:
             situation = self._controller.situation()
             x, y, z = self.pose().translation_mm
@@ -161,6 +161,7 @@ class AbbRobot:
             self._require_unchanged(self._mailbox.answer())
             return
         self._log_mark = max((message.number for message in self._controller.messages()), default=0)
+        self._check_identity()
         settings = self._settings
         self._mailbox.start(settings.switch_motors_on, settings.settle_s, lambda seconds: self._flag.wait(seconds, stops))
         self._started_for = stops
@@ -195,12 +196,13 @@ class AbbRobot:
         """Raise MotionError unless motors, operating mode and program are as they were at the start."""
         situation = self._controller.situation()
         if not situation.may_move or not situation.running or self._mailbox.was_restarted(answer):
-            raise self._stopped(situation, self._mailbox.was_restarted(answer))
+            raise self._stopped(self._mailbox.was_restarted(answer))
         if answer.state in (REFUSED, FAILED):
             what = "refused the order" if answer.state == REFUSED else f"failed with error {answer.error}"
             raise MotionError(f"{self.name}: the program in the controller {what}.", "Read the event log on the FlexPendant.")
 
-    def _stopped(self, situation: Situation, restarted: bool) -> MotionError:
+    def _stopped(self, restarted: bool) -> MotionError:
+        situation = self._controller.situation()  # again: what changes together was read one after the other
         titles = [message.title for message in self._controller.messages(self._log_mark)[:NEW_MESSAGES] if message.kind > 1]
         reason = f" The controller reports: {'; '.join(titles)}." if titles else ""
         again = " Its program was started again by somebody else." if restarted and situation.running else ""
@@ -250,15 +252,19 @@ class AbbRobot:
             )
 
     def _check_identity(self) -> None:
-        """Called when the controller had forgotten the login: refuse another controller, another program, or one that was restarted."""
-        found = self._mailbox.identity()
-        if found != self._identity:
-            error = DeviceLost(
-                f"{self.name}: another controller or program answers now: {found}, before {self._identity}.",
-                "Check what has changed, then connect again.",
+        """Refuse another controller or program than that of the connection; called before a start, and when the login was forgotten."""
+        try:
+            found = self._mailbox.identity()
+            what = "" if found == self._identity else f"{found.words} instead of {self._identity.words}"
+        except DeviceLost:
+            raise
+        except DeviceError as error:
+            what = error.message
+        if what:
+            self._fault = DeviceLost(
+                f"{self.name}: another controller or program answers now: {what}", "Check what has changed, then connect again."
             )
-            self._fault = error
-            raise error
+            raise self._fault
 
     def _predicted_s(self, from_deg: FloatArray, to_deg: FloatArray) -> float:
         ratio = self._controller.speed_ratio()

@@ -24,7 +24,7 @@ from .session import Refused
 VERSION = "MM 1.0"
 SHIPPED = "rapid/MeasureApp.mod"
 DIGEST_LINE = re.compile(r"^ *PERS string mm_program:=.*$\r?\n?", re.MULTILINE)
-IDLE, REFUSED, FAILED = 1, 7, 9
+IDLE, MOVING, SETTLING, REFUSED, FAILED = 1, 2, 3, 7, 9
 BEAT_PATIENCE_S = 2.0
 LOAD_IT = "Load resources/rapid/MeasureApp.mod of this program into the task, and connect again."
 HOST_LENGTH = 40  # a RAPID string has at most 80 characters
@@ -37,6 +37,11 @@ class Identity:
     system_id: str
     version: str
     program: str
+
+    @property
+    def words(self) -> str:
+        """The identity, for display."""
+        return f"system {self.system_id}, RobotWare {self.version}, program {self.program}"
 
 
 @dataclass(frozen=True)

@@ -78,6 +78,11 @@ class RwsSession:
         """The cookies of the session; empty without one."""
         return {cookie.name: cookie.value or "" for cookie in self._http.cookies}
 
+    @property
+    def patience_s(self) -> float:
+        """How long a controller may not answer."""
+        return self._access.loss_s
+
     def log_in(self) -> None:
         """Open a session; wait while the controller has none left.
 
@@ -103,7 +108,7 @@ class RwsSession:
                 except _NoSession:
                     raise DeviceError(
                         f"The controller at {self._access.address} refuses user {self._access.user!r} (401).",
-                        "Correct user and password in the robot's settings.",
+                        "Correct user and password, or the version of Robot Web Services, in the robot's settings.",
                     ) from None
                 time.sleep(pause)
                 pause = min(2.0 * pause, 4.0)

@@ -11,7 +11,7 @@ from measureapp.errors import DeviceError, DeviceLost
 from measureapp.progress import Cancelled
 
 from .controller import Controller
-from .mailbox import Mailbox
+from .mailbox import MOVING, SETTLING, Mailbox
 from .session import Unanswered
 
 STOP_FORM = {"stopmode": "stop", "usetsp": "normal"}
@@ -116,8 +116,10 @@ class StopLadder:
         return self._controller.situation().ctrlstate != "motoron"
 
     def _forget_move(self) -> None:
-        """Set the pointer to main: whatever starts the program later, it does not go on with the interrupted move."""
+        """Set the pointer to main: whatever starts the program later, it does not go on with an interrupted move."""
         try:
+            if self._mailbox.answer().state not in (MOVING, SETTLING):
+                return
             with self._controller.mastership():
                 self._controller.reset_pointer()
         except DeviceError as error:

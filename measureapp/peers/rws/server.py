@@ -150,7 +150,7 @@ class _Handler(BaseHTTPRequestHandler):
         session = sessions.find(self._cookie("-http-session-").partition("::")[0])
         if session is not None:
             return session, {}, None
-        if not sessions.allows(self.headers.get("Authorization") or "", self.command):
+        if not sessions.allows(self.headers.get("Authorization") or "", self.command, self.server.second_version):
             challenge = {"WWW-Authenticate": sessions.challenge(self.server.second_version)}
             return None, {}, Answer(401, code=-1, message="Authentication is required.", headers=challenge)
         session = sessions.open()

@@ -40,9 +40,11 @@ class Sessions:
         """Return the header of a 401 answer."""
         return f'Basic realm="{REALM}"' if basic else f'Digest realm="{REALM}", qop="auth", nonce="{self.nonce}", algorithm=MD5'
 
-    def allows(self, authorization: str, method: str) -> bool:
+    def allows(self, authorization: str, method: str, basic: bool) -> bool:
         """Whether an Authorization header is right."""
-        if authorization.startswith("Basic "):
+        if basic:
+            if not authorization.startswith("Basic "):
+                return False
             return base64.b64decode(authorization[6:]).decode() == f"{self.user}:{self.password}"
         given = {name: quoted or plain for name, quoted, plain in PAIR.findall(authorization)}
         if given.get("username") != self.user or given.get("nonce") != self.nonce:
