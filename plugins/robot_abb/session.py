@@ -202,16 +202,33 @@ class RwsSession:
         authentication: AuthBase | None,
         timeout_s: float,
     ) -> list[Row]:
-        url = self._access.address + self._dialect.path(what, names)
-        headers = dict(self._dialect.form_headers) if method == "POST" else {}
         data = dict(form) if method == "POST" else None
-        with self._http.request(
-            method, url, data=data, headers=headers, auth=authentication, timeout=timeout_s, stream=True, allow_redirects=False
-        ) as response:
-            body = _body(response, time.monotonic() + self._access.loss_s, what)
-        if response.status_code == 401:
+        status, body = self._exchange(method, what, names, data, authentication, timeout_s)
+        if status == 401:
             raise _NoSession
-        return _states(response.status_code, body, what)
+        return _states(status, body, what)
+
+    def _exchange(
+        self,
+        method: str,
+        what: str,
+        names: Mapping[str, str],
+        data: dict[str, str] | None,
+        authentication: AuthBase | None,
+        timeout_s: float,
+    ) -> tuple[int, bytes]:
+        """Return status and body; apart, because an error that is kept would keep the connection open with its response."""
+        with self._http.request(
+            method,
+            self._access.address + self._dialect.path(what, names),
+            data=data,
+            headers={} if data is None else dict(self._dialect.form_headers),
+            auth=authentication,
+            timeout=timeout_s,
+            stream=True,
+            allow_redirects=False,
+        ) as response:
+            return response.status_code, _body(response, time.monotonic() + self._access.loss_s, what)
 
 
 def http_session(access: Access, dialect: Dialect) -> requests.Session:
